@@ -1,0 +1,31 @@
+# Language level, warnings, build types and the compiler cache.
+include(CTest)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(NCVET_CCACHE ccache)
+if(NCVET_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${NCVET_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${NCVET_CCACHE})
+endif()
+
+option(NCVET_SANITIZE "Build with address and undefined-behaviour sanitizer" OFF)
+option(NCVET_FUZZ "Build the libFuzzer targets (clang only)" OFF)
+
+if(NCVET_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(NCVET_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
+function(ncvet_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Werror)
+endfunction()

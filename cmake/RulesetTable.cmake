@@ -1,0 +1,18 @@
+# Writes rulesets/**.json as C++ string tables: name ("dialects/haas-lathe.json") and text.
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.json)
+list(SORT files)
+set(rows "")
+foreach(name IN LISTS files)
+  file(READ ${ROOT}/${name} text)
+  string(LENGTH "${text}" length)
+  # A single literal may hold 64 KiB: longer texts are written as several that the compiler joins.
+  set(literals "")
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${text}" ${at} 12000 part)
+    string(APPEND literals "\n     R\"JSON~(${part})JSON~\"")
+    math(EXPR at "${at} + 12000")
+  endwhile()
+  string(APPEND rows "    {\"${name}\",${literals}},\n")
+endforeach()
+file(WRITE ${OUT} "// Made from rulesets/ by cmake/RulesetTable.cmake.\n#include \"formats/dialect/ruleset_files.h\"\n\nnamespace ncvet {\nnamespace {\nconst RulesetFile table[] = {\n${rows}};\n} // namespace\n\nllvm::ArrayRef<RulesetFile> builtinRulesetFiles() { return table; }\n} // namespace ncvet\n")

@@ -1,0 +1,83 @@
+// Source buffers: the immutable bytes of one input file, and positions in them.
+#pragma once
+
+#include "formats/text/line_index.h"
+
+#include "llvm/ADT/StringRef.h"
+#include "llvm/Support/Error.h"
+#include "llvm/Support/MemoryBuffer.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace ncvet {
+
+/// Number of a file within one run; the index into `SourceSet`.
+using FileId = uint32_t;
+
+/// Half-open byte range [begin, end) of one file.
+struct SourceRange {
+  FileId file = 0;
+  uint32_t begin = 0;
+  uint32_t end = 0;
+
+  bool empty() const { return begin >= end; }
+  friend bool operator==(const SourceRange &a, const SourceRange &b) {
+    return a.file == b.file && a.begin == b.begin && a.end == b.end;
+  }
+};
+
+/// Line and column, both from 1; the column counts Unicode code points.
+struct LineColumn {
+  uint32_t line = 1;
+  uint32_t column = 1;
+};
+
+/// How the bytes of a file are to be shown. Ranges are always bytes; this matters for display only.
+enum class Encoding : uint8_t { Utf8, Windows1252, Windows1250 };
+
+/// One input file, never changed after it was made. Offsets are 32 bit: a file of 4 GiB or more is
+/// refused by `SourceFile::open`.
+class SourceFile {
+public:
+  /// Reads or maps `path`. `display` is the name that reports show.
+  static llvm::Expected<std::unique_ptr<SourceFile>> open(FileId id, llvm::StringRef path,
+                                                          llvm::StringRef display);
+  /// Wraps text that is already in memory (standard input, an editor's buffer, a test).
+  static std::unique_ptr<SourceFile> fromText(FileId id, llvm::StringRef display,
+                                              llvm::StringRef text);
+
+  FileId id() const { return id_; }
+  /// Name shown in reports: as given on the command line, `/` as separator.
+  const std::string &display() const { return display_; }
+  /// Path on disk, empty for text without a file.
+  const std::string &path() const { return path_; }
+  llvm::StringRef text() const { return text_; }
+  llvm::StringRef text(uint32_t begin, uint32_t end) const { return text_.slice(begin, end); }
+  Encoding encoding() const;
+  const LineIndex &lines() const { return lines_; }
+  /// Position of a byte offset (clamped to the file).
+  LineColumn position(uint32_t offset) const;
+  /// Text of line `line` (from 1) without its end, decoded to UTF-8 for display.
+  std::string displayLine(uint32_t line) const;
+  /// `bytes` of this file decoded to valid UTF-8 for display.
+  std::string displayText(llvm::StringRef bytes) const;
+  /// Tells the system that the pages in front of `offset` are not needed soon, so that a mapped
+  /// file does not count as memory in use. Cheap; a hint only.
+  void forget(uint32_t offset) const;
+
+private:
+  SourceFile(FileId id, std::string path, std::string display,
+             std::unique_ptr<llvm::MemoryBuffer> buffer);
+
+  FileId id_;
+  std::string path_;
+  std::string display_;
+  std::unique_ptr<llvm::MemoryBuffer> buffer_;
+  llvm::StringRef text_;
+  LineIndex lines_;
+  mutable uint32_t forgotten_ = 0;
+};
+
+} // namespace ncvet
