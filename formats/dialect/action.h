@@ -1,0 +1,121 @@
+// The closed vocabulary of what a code does; each action is implemented once, in interp/.
+#pragma once
+
+#include "llvm/ADT/StringRef.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace ncvet {
+
+/// name, spelling in the tables
+#define NCVET_ACTIONS(X)                                                                           \
+  X(None, "none")                                                                                  \
+  X(Rapid, "rapid")                                                                                \
+  X(Linear, "linear")                                                                              \
+  X(ArcCw, "arc-cw")                                                                               \
+  X(ArcCcw, "arc-ccw")                                                                             \
+  X(Thread, "thread")                                                                              \
+  X(CurveFeed, "curve")                                                                            \
+  X(Dwell, "dwell")                                                                                \
+  X(ExactStop, "exact-stop")                                                                       \
+  X(PathMode, "path-mode")                                                                         \
+  X(DataInput, "data-input")                                                                       \
+  X(DataInputEnd, "data-input-end")                                                                \
+  X(PlaneXY, "plane-xy")                                                                           \
+  X(PlaneZX, "plane-zx")                                                                           \
+  X(PlaneYZ, "plane-yz")                                                                           \
+  X(Inch, "inch")                                                                                  \
+  X(Metric, "metric")                                                                              \
+  X(ReferenceReturn, "reference-return")                                                           \
+  X(ReferenceCheck, "reference-check")                                                             \
+  X(ReferenceFrom, "reference-from")                                                               \
+  X(SkipMove, "skip-move")                                                                         \
+  X(CompensationOff, "compensation-off")                                                           \
+  X(CompensationLeft, "compensation-left")                                                         \
+  X(CompensationRight, "compensation-right")                                                       \
+  X(CompensationKeep, "compensation-keep")                                                         \
+  X(CompensationCorner, "compensation-corner")                                                     \
+  X(LengthPositive, "length-positive")                                                             \
+  X(LengthNegative, "length-negative")                                                             \
+  X(LengthOff, "length-off")                                                                       \
+  X(SpeedLimit, "speed-limit")                                                                     \
+  X(LocalShift, "local-shift")                                                                     \
+  X(PresetPosition, "preset-position")                                                             \
+  X(MachineMove, "machine-move")                                                                   \
+  X(WorkOffset, "work-offset")                                                                     \
+  X(Absolute, "absolute")                                                                          \
+  X(Incremental, "incremental")                                                                    \
+  X(ArcAbsolute, "arc-absolute")                                                                   \
+  X(ArcIncremental, "arc-incremental")                                                             \
+  X(FeedPerMinute, "feed-per-minute")                                                              \
+  X(FeedPerRevolution, "feed-per-revolution")                                                      \
+  X(FeedInverseTime, "feed-inverse-time")                                                          \
+  X(SurfaceSpeed, "surface-speed")                                                                 \
+  X(ConstantSpeed, "constant-speed")                                                               \
+  X(ReturnInitial, "return-initial")                                                               \
+  X(ReturnR, "return-r")                                                                           \
+  X(PolarOn, "polar-on")                                                                           \
+  X(PolarOff, "polar-off")                                                                         \
+  X(RotationOn, "rotation-on")                                                                     \
+  X(RotationOff, "rotation-off")                                                                   \
+  X(ScalingOn, "scaling-on")                                                                       \
+  X(ScalingOff, "scaling-off")                                                                     \
+  X(MirrorOn, "mirror-on")                                                                         \
+  X(MirrorOff, "mirror-off")                                                                       \
+  X(PolygonOn, "polygon-on")                                                                       \
+  X(PolygonOff, "polygon-off")                                                                     \
+  X(ZoneOn, "zone-on")                                                                             \
+  X(ZoneOff, "zone-off")                                                                           \
+  X(LookAheadLimit, "look-ahead-limit")                                                            \
+  X(Cycle, "cycle")                                                                                \
+  X(CycleCancel, "cycle-cancel")                                                                   \
+  X(MacroCall, "macro-call")                                                                       \
+  X(MacroModal, "macro-modal")                                                                     \
+  X(MacroCancel, "macro-cancel")                                                                   \
+  X(ProgramStop, "program-stop")                                                                   \
+  X(OptionalStop, "optional-stop")                                                                 \
+  X(ProgramEnd, "program-end")                                                                     \
+  X(ProgramEndRewind, "program-end-rewind")                                                        \
+  X(SpindleCw, "spindle-cw")                                                                       \
+  X(SpindleCcw, "spindle-ccw")                                                                     \
+  X(SpindleStop, "spindle-stop")                                                                   \
+  X(SpindleOrient, "spindle-orient")                                                               \
+  X(LiveToolCw, "live-tool-cw")                                                                    \
+  X(LiveToolCcw, "live-tool-ccw")                                                                  \
+  X(LiveToolStop, "live-tool-stop")                                                                \
+  X(ToolChange, "tool-change")                                                                     \
+  X(CoolantOn, "coolant-on")                                                                       \
+  X(CoolantOff, "coolant-off")                                                                     \
+  X(Clamp, "clamp")                                                                                \
+  X(Unclamp, "unclamp")                                                                            \
+  X(ChuckClose, "chuck-close")                                                                     \
+  X(ChuckOpen, "chuck-open")                                                                       \
+  X(AxisEngage, "axis-engage")                                                                     \
+  X(AxisRelease, "axis-release")                                                                   \
+  X(Switch, "switch")                                                                              \
+  X(CallProgram, "call-program")                                                                   \
+  X(CallLocal, "call-local")                                                                       \
+  X(Return, "return")                                                                              \
+  X(ConditionalJump, "conditional-jump")                                                           \
+  X(Sleep, "sleep")                                                                                \
+  X(SkipCheck, "skip-check")                                                                       \
+  X(MachineSpecific, "machine-specific")
+
+enum class Action : uint8_t {
+#define X(name, text) name,
+  NCVET_ACTIONS(X)
+#undef X
+};
+
+llvm::StringRef toString(Action action);
+std::optional<Action> parseAction(llvm::StringRef text);
+
+/// True for actions that move axes and stay in force: G00, G01, G02, G03, threads.
+constexpr bool isMotion(Action action) {
+  return action == Action::Rapid || action == Action::Linear || action == Action::ArcCw ||
+         action == Action::ArcCcw || action == Action::Thread || action == Action::CurveFeed;
+}
+constexpr bool isArc(Action action) { return action == Action::ArcCw || action == Action::ArcCcw; }
+
+} // namespace ncvet

@@ -1,0 +1,289 @@
+// A control's language as data: addresses, modal groups, codes, what each code does, and limits.
+#pragma once
+
+#include "formats/dialect/action.h"
+#include "formats/dialect/address.h"
+#include "formats/finding/finding.h"
+
+#include "llvm/ADT/ArrayRef.h"
+#include "llvm/ADT/SmallVector.h"
+#include "llvm/ADT/StringMap.h"
+#include "llvm/ADT/StringRef.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncvet {
+
+using CodeIndex = uint16_t; ///< index into `Dialect::codes`
+constexpr CodeIndex noCode = 0xFFFF;
+using GroupIndex = uint8_t; ///< index into `Dialect::groups`
+constexpr GroupIndex noGroup = 0xFF;
+constexpr unsigned maxGroups = 24;
+constexpr unsigned maxGroupMembers = 62;
+/// Bit of a modal group that says: no member is known to be active (power-on state not documented).
+constexpr uint64_t groupUnset = uint64_t(1) << 63;
+constexpr unsigned maxSwitches = 32;
+
+/// Whether a number has a decimal point, as a condition.
+enum class PointRule : uint8_t { Any, Required, Forbidden };
+
+/// A test of the value of a word of the block: true when the word is present and its known value
+/// breaks the bounds.
+struct ValueTest {
+  AddressId address = noAddress;
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool minExclusive = false;
+  bool maxExclusive = false;
+  bool integer = false; ///< also broken by a value that is not whole
+  PointRule point = PointRule::Any;
+  std::vector<double> oneOf; ///< when not empty: also broken by any other value
+};
+
+/// When a notice, a word requirement or a variant applies. Every part that is given must hold.
+struct Condition {
+  AddressMask has = 0;   ///< all of these addresses stand in the block
+  AddressMask any = 0;   ///< at least one of these (0: no condition)
+  AddressMask lacks = 0; ///< none of these
+  /// (group, members): the group's state before the block is certainly one of the members.
+  std::vector<std::pair<GroupIndex, uint64_t>> active;
+  /// (group, members): the block itself holds a code of the group among these members.
+  std::vector<std::pair<GroupIndex, uint64_t>> with;
+  /// (group, members): the block holds none of these codes.
+  std::vector<std::pair<GroupIndex, uint64_t>> without;
+  std::vector<CodeIndex> withCode;    ///< the block holds one of these codes
+  std::vector<CodeIndex> withoutCode; ///< the block holds none of these codes
+  /// The code was not active before this block (a modal code's first block).
+  bool first = false;
+  /// An option of the machine profile has this value (text form: "true", "SL-30", "2.5").
+  std::vector<std::pair<std::string, std::vector<std::string>>> options;
+  std::vector<ValueTest> broken; ///< each of these tests is broken
+};
+
+/// A fact of the table that a rule reports as it stands.
+struct Notice {
+  std::string rule; ///< id of the canonical rule
+  std::optional<Severity> severity;
+  Condition when;
+  std::string message; ///< `{code}` and `{X}` (a word of the block) are replaced
+  AddressId at = noAddress; ///< the word to mark; the code itself when none
+};
+
+/// What a word is for in a code's format; rules of one family pick the words of their roles.
+enum class Role : uint8_t {
+  None, Target, Depth, Retract, Dwell, Time, Peck, PeckFirst, PeckStep, PeckLeast, PeckClearance,
+  Repeat, Lead, ProfileFirst, ProfileLast, AllowanceX, AllowanceZ, CutDepth, PassCount, StockX,
+  StockZ, Height, FirstCut, LeastCut, ThreadForm, Angle, Taper, Shift, Program, Sequence, Speed,
+  Feed, Step, Centre, Radius, Offset, Ratio, Method, Limit, Argument, StartAngle, Relief
+};
+
+enum class Need : uint8_t {
+  Optional,
+  Required, ///< in every block with the code
+  First     ///< in the block that makes the code active; later blocks keep the value
+};
+
+/// One word of a code's format, or several that stand for each other (`X|U`).
+struct WordSpec {
+  AddressMask any = 0;
+  Need need = Need::Optional;
+  Role role = Role::None;
+  std::optional<Severity> severity; ///< of its absence, when it differs from the rule's
+  Condition when;                   ///< the requirement applies only then
+  bool hasRange = false;
+  ValueTest range; ///< `address` is not used here: every present address of `any` is tested
+  std::optional<Severity> rangeSeverity;
+  std::string note; ///< what the word means, for messages and hover: "peck depth"
+};
+
+/// Canned and turning cycles, by the motions that they make.
+enum class CycleKind : uint8_t {
+  None, Drill, DrillDwell, Peck, ChipBreak, Tap, TapLeft, RigidTap, RigidTapLeft, Ream, ReamDwell,
+  BoreStop, BoreManual, BoreDwellManual, FineBore, BackBore, TurnPass, FacePass, ThreadPass,
+  RoughTurn, RoughFace, PatternRepeat, Finish, GrooveFace, GrooveRadial, ThreadMulti
+};
+
+enum class SpindleNeed : uint8_t { Any, Running, Clockwise, CounterClockwise, StartsItself };
+
+/// Where a code that switches something leaves a switch.
+struct SwitchEffect {
+  uint8_t index = 0xFF; ///< into `Dialect::switches`; 0xFF: no switch
+  bool on = false;
+  /// The switch has one state per axis named in the block (mirror, local shift): a zero value of
+  /// every named axis switches it off when `offByZero`.
+  bool offByZero = false;
+};
+
+struct Variant {
+  Condition when;
+  CodeIndex code = noCode; ///< the code's meaning then, an entry of `Dialect::codes`
+};
+
+/// A G or M code, or one of its variants.
+struct CodeInfo {
+  std::string name;  ///< as messages show it: "G01", "G84.2", "M03"
+  std::string title; ///< "linear feed", lower case
+  char letter = 'G';
+  uint16_t number = 0; ///< number times ten plus the digit behind the point: G84.2 is 842
+  GroupIndex group = noGroup;
+  uint8_t bit = 0; ///< member number within the group
+  Action action = Action::None;
+  CycleKind cycle = CycleKind::None;
+  SpindleNeed spindle = SpindleNeed::Any;
+  bool needsFeed = false;  ///< a feed must be in force
+  bool needsSpeed = false; ///< a spindle speed must be in force
+  /// Addresses whose words the code reads, axis words of motions included; every other word of the
+  /// block is unused as far as this code goes.
+  AddressMask takes = 0;
+  /// A modal cycle runs again in a later block that holds one of these.
+  AddressMask fires = 0;
+  bool firesOnEveryBlock = false; ///< runs again in every block without a motion code
+  bool twoBlock = false;          ///< a parameter block comes before the executing block
+  bool alone = false;             ///< wants a block of its own (other than N and comments)
+  bool exclusive = false;         ///< one-shot action: only one such code per block
+  std::vector<WordSpec> words;
+  /// Sets of words that exclude each other, each pair of masks.
+  std::vector<std::pair<AddressMask, AddressMask>> excludes;
+  std::vector<Notice> notices;
+  std::vector<Variant> variants; ///< first match wins; none: this entry
+  SwitchEffect effect;
+  CodeIndex opposite = noCode; ///< what ends or reverses it (G80 for G81), for messages and fixes
+  std::string source; ///< manual's file and line
+};
+
+/// Codes of which one at a time is active.
+struct GroupInfo {
+  std::string id; ///< "motion", "plane", "cycle", …; the names in `StandardGroup` have a meaning
+  std::string title;
+  std::vector<CodeIndex> members;
+  uint8_t initial = 0xFF; ///< member active at power-on; 0xFF: not documented
+  bool exclusive = true;  ///< two members in one block are a conflict
+};
+
+/// Groups that the interpreter knows by name. A dialect may lack some and may have others.
+enum class StandardGroup : uint8_t {
+  Motion, Plane, Units, Distance, FeedMode, SpeedMode, Compensation, LengthOffset, Cycle,
+  ReturnLevel, WorkOffset, PathMode, Polar, Rotation, Scaling, Mirror, MacroModal, ArcDistance,
+  Spindle, Coolant, Program, Count
+};
+llvm::StringRef toString(StandardGroup group);
+
+enum class AddressKind : uint8_t {
+  Unknown,   ///< not an address of this control
+  Axis,      ///< absolute (or by the distance mode) coordinate
+  Increment, ///< incremental coordinate of another axis (U of X)
+  Code,      ///< G or M
+  Parameter, ///< everything else
+  Number     ///< whole number by nature: N, O, L
+};
+enum class AddressUnit : uint8_t { None, Length, Angle, Feed, Speed, Time, Whole };
+
+/// Axes of the machine state.
+enum class Axis : uint8_t { X, Y, Z, A, B, C, U, V, W, Count };
+constexpr unsigned axisCount = unsigned(Axis::Count);
+
+struct AddressInfo {
+  AddressKind kind = AddressKind::Unknown;
+  AddressUnit unit = AddressUnit::None;
+  Axis axis = Axis::Count; ///< for axes and increments
+  bool diameter = false;   ///< value is a diameter (X of a lathe)
+  bool repeatable = false; ///< may stand more than once in a block
+  /// A length written without a decimal point may be scaled by the control.
+  bool pointAdvised = false;
+  std::string title;
+};
+
+/// Something that stays on until it is switched off, and which rule reports it when it is left on.
+struct SwitchInfo {
+  std::string id;       ///< "coolant", "mirror-x", …
+  std::string title;    ///< "coolant", for messages
+  std::string leftOn;   ///< id of the rule that reports it at the program's end; empty: none
+  std::optional<Severity> severity;
+  bool atToolChange = false; ///< also reported at a tool change
+  std::string off;      ///< how to switch it off, for messages: "M09"
+};
+
+enum class Semicolon : uint8_t { Comment, EndOfBlock };
+enum class MachineKind : uint8_t { Lathe, Mill };
+
+/// What the reader must know of the spelling.
+struct Lexical {
+  bool incrementOperator = false; ///< `XI-4`
+  AddressMask commaAddresses = 0; ///< which of `,A ,C ,R` exist
+  Semicolon semicolon = Semicolon::Comment;
+  bool percentHeader = false; ///< `%O1234` is a program's first line
+  bool macro = true;          ///< variables, expressions, IF, WHILE, GOTO are known
+  uint8_t skipLevels = 9;     ///< block skip `/1` … `/9`; 1: plain `/` only
+};
+
+struct Limits {
+  uint16_t mCodesPerBlock = 0; ///< 0: not limited
+  uint16_t callDepth = 0;      ///< levels below the main program; 0: not documented
+  uint16_t programDigitsMin = 1;
+  uint16_t programDigitsMax = 0; ///< 0: not limited
+  std::vector<int> reservedPrograms;
+};
+
+/// Marks in a program's text or name that speak for a dialect.
+struct DetectMark {
+  std::string pattern; ///< POSIX extended regular expression, matched against single lines
+  int score = 0;       ///< added once when any of the first lines matches
+  std::string reason;  ///< "`G54.1 P` names an extended work offset", shown by --stats
+};
+
+/// What a dialect says of a rule, over the rule's page.
+struct RuleOverride {
+  std::optional<Severity> severity;
+  std::optional<bool> enabled;
+  llvm::StringMap<double> numbers; ///< thresholds and other options of the rule
+};
+
+/// A whole control. Immutable after loading.
+struct Dialect {
+  std::string id;
+  std::string title;
+  std::string reader; ///< "iso"
+  MachineKind machine = MachineKind::Mill;
+  Lexical lexical;
+  Limits limits;
+  std::array<AddressInfo, addressCount> addresses;
+  std::vector<std::string> addressNames; ///< names of addresses of several letters
+  std::vector<GroupInfo> groups;
+  /// Index of each standard group in `groups`, or `noGroup`.
+  std::array<GroupIndex, unsigned(StandardGroup::Count)> standard;
+  std::vector<CodeInfo> codes;
+  std::vector<CodeIndex> gTable; ///< by number * 10 + decimal; `noCode`: unknown
+  std::vector<CodeIndex> mTable; ///< by number
+  std::vector<SwitchInfo> switches;
+  std::vector<DetectMark> detect;
+  std::vector<std::string> extensions; ///< file name endings that speak for it, without the dot
+  llvm::StringMap<RuleOverride> rules;
+  llvm::StringMap<std::string> options; ///< options of the machine profile with their defaults
+  AddressMask axisWords = 0;      ///< all addresses of kind Axis and Increment
+  AddressMask incrementWords = 0; ///< those of kind Increment
+  AddressMask known = 0;          ///< all addresses of this control
+
+  GroupIndex group(StandardGroup which) const { return standard[unsigned(which)]; }
+  bool isLathe() const { return machine == MachineKind::Lathe; }
+  /// The code `letter` with `number` times ten plus decimal, without looking at variants.
+  CodeIndex find(char letter, uint32_t numberTimesTen) const {
+    if (letter == 'G')
+      return numberTimesTen < gTable.size() ? gTable[numberTimesTen] : noCode;
+    if (numberTimesTen % 10)
+      return noCode;
+    return numberTimesTen / 10 < mTable.size() ? mTable[numberTimesTen / 10] : noCode;
+  }
+  /// A code by its name in the table ("G84.2", "M3" or "M03"); `noCode` when there is none.
+  CodeIndex find(llvm::StringRef name) const;
+  /// Name of an address for messages: "X", ",R", "CR".
+  std::string addressName(AddressId address) const;
+  /// "X or U" from a mask.
+  std::string alternatives(AddressMask mask) const;
+};
+
+} // namespace ncvet
