@@ -1,4 +1,4 @@
-# ncvet_rulesets: rulesets/**.json as byte arrays in the binary.
+# rulesets/**.json as text tables in the binary; part of the dialect layer, which loads them.
 file(GLOB_RECURSE ruleset_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rulesets/*.json)
 set(ruleset_table ${CMAKE_BINARY_DIR}/generated/ruleset_table.cpp)
 add_custom_command(
@@ -7,6 +7,4 @@ add_custom_command(
           -P ${CMAKE_SOURCE_DIR}/cmake/RulesetTable.cmake
   DEPENDS ${ruleset_files} ${CMAKE_SOURCE_DIR}/cmake/RulesetTable.cmake
   VERBATIM)
-add_library(ncvet_rulesets STATIC ${ruleset_table})
-target_link_libraries(ncvet_rulesets PUBLIC ncvet_dialect)
-target_include_directories(ncvet_rulesets PUBLIC ${CMAKE_SOURCE_DIR})
+target_sources(ncvet_dialect PRIVATE ${ruleset_table})
