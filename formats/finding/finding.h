@@ -1,4 +1,5 @@
-// A finding: what a rule has to say about one place of a program. Plain data; knows no rule, no sink.
+// A finding: what a rule has to say about one place of a program. Plain data that knows no rule and
+// no sink.
 #pragma once
 
 #include "formats/text/edit.h"
@@ -65,7 +66,7 @@ struct RuleInfo {
   Severity severity = Severity::Warning;
   bool enabledByDefault = true;
   llvm::StringRef fix; ///< "safe", "unsafe" or "none"
-  /// Rules whose finding on the same block is dropped when this one speaks: this one names the cause.
+  /// Rules whose finding on the same block is dropped when this one speaks, as it names the cause.
   llvm::ArrayRef<llvm::StringRef> subsumes;
 };
 
