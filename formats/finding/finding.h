@@ -47,13 +47,14 @@ struct Finding {
   llvm::SmallVector<Note, 1> notes;
   llvm::SmallVector<PathStep, 2> path;
   std::optional<Fix> fix;
-  uint64_t fingerprint = 0; ///< see `fingerprint()`; filled once, after all rules have run
+  uint64_t fingerprint = 0; ///< see `Fingerprints`; filled once, after all rules have run
   bool suppressed = false;  ///< by a comment in the program
   bool baselined = false;   ///< known from the baseline
 };
 
 llvm::StringRef toString(Severity severity);
 llvm::StringRef toString(Certainty certainty);
+llvm::StringRef toString(FixSafety safety);
 /// `error`, `warning` or `style`; none for anything else.
 std::optional<Severity> parseSeverity(llvm::StringRef text);
 

@@ -8,8 +8,9 @@
 
 namespace ncvet {
 
-/// Counts lines of a text on demand: one counter every 64 KiB, the rest is counted when asked.
-/// Line ends are LF, CR LF and a lone CR.
+/// Counts lines of a text on demand: one counter every 64 KiB as far as was ever asked, the rest
+/// is counted when asked. Line ends are LF, CR LF and a lone CR; a line end belongs to its line.
+/// Offsets behind the text count as its end. Not for several threads at a time.
 class LineIndex {
 public:
   explicit LineIndex(llvm::StringRef text) : text_(text) {}
@@ -23,11 +24,23 @@ public:
   /// Offset of the first byte of line `line` (from 1); the text's size when there is no such line.
   uint32_t beginOfLine(uint32_t line) const;
 
+  /// Number of line ends that end within [begin, end).
+  uint32_t countLineEnds(uint32_t begin, uint32_t end) const;
+
+  /// True when no line ends within [begin, end); quick when one ends soon behind `begin`.
+  bool onOneLine(uint32_t begin, uint32_t end) const;
+
 private:
-  void build() const;
+  static constexpr uint32_t step = 1u << 16;
+
+  uint32_t size() const { return static_cast<uint32_t>(text_.size()); }
+  /// True when a line ends with the byte at `offset`: LF, or CR without LF behind it.
+  bool endsLine(uint32_t offset) const;
+  /// Fills `counts_` up to and including the counter of step `last`.
+  void countUpTo(uint32_t last) const;
 
   llvm::StringRef text_;
-  mutable std::vector<uint32_t> counts_; ///< line ends in front of each 64 KiB step
+  mutable std::vector<uint32_t> counts_{0}; ///< line ends in front of each 64 KiB step
 };
 
 } // namespace ncvet

@@ -1,6 +1,7 @@
 // Source buffers: the immutable bytes of one input file, and positions in them.
 #pragma once
 
+#include "formats/text/encoding.h"
 #include "formats/text/line_index.h"
 
 #include "llvm/ADT/StringRef.h"
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ncvet {
@@ -34,14 +36,12 @@ struct LineColumn {
   uint32_t column = 1;
 };
 
-/// How the bytes of a file are to be shown. Ranges are always bytes; this matters for display only.
-enum class Encoding : uint8_t { Utf8, Windows1252, Windows1250 };
-
 /// One input file, never changed after it was made. Offsets are 32 bit: a file of 4 GiB or more is
-/// refused by `SourceFile::open`.
+/// refused by `SourceFile::open`. Positions are cached: one thread at a time may ask for them.
 class SourceFile {
 public:
-  /// Reads or maps `path`. `display` is the name that reports show.
+  /// Reads or maps `path`. `display` is the name that reports show. Fails with one line that
+  /// names the file for what cannot be read, folders, devices and files of 4 GiB or more.
   static llvm::Expected<std::unique_ptr<SourceFile>> open(FileId id, llvm::StringRef path,
                                                           llvm::StringRef display);
   /// Wraps text that is already in memory (standard input, an editor's buffer, a test).
@@ -53,11 +53,15 @@ public:
   const std::string &display() const { return display_; }
   /// Path on disk, empty for text without a file.
   const std::string &path() const { return path_; }
+  /// All bytes, a byte order mark included. No zero byte follows them.
   llvm::StringRef text() const { return text_; }
   llvm::StringRef text(uint32_t begin, uint32_t end) const { return text_.slice(begin, end); }
+  /// Offset of the first byte that is program text: 3 behind a byte order mark, else 0.
+  uint32_t textBegin() const { return byteOrderMark(text_); }
+  /// Found out when first asked for, by `guessEncoding`.
   Encoding encoding() const;
   const LineIndex &lines() const { return lines_; }
-  /// Position of a byte offset (clamped to the file).
+  /// Position of a byte offset (clamped to the file). A byte order mark takes no column.
   LineColumn position(uint32_t offset) const;
   /// Text of line `line` (from 1) without its end, decoded to UTF-8 for display.
   std::string displayLine(uint32_t line) const;
@@ -78,6 +82,10 @@ private:
   llvm::StringRef text_;
   LineIndex lines_;
   mutable uint32_t forgotten_ = 0;
+  mutable std::optional<Encoding> encoding_;
+  /// The last position asked for: findings come in order, and a line may be as long as the file.
+  mutable uint32_t lastOffset_ = 0;
+  mutable LineColumn lastPosition_;
 };
 
 } // namespace ncvet

@@ -1,0 +1,130 @@
+// Source buffers: opening files, positions, text for display.
+#include "formats/text/source.h"
+
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Path.h"
+#include "llvm/Support/Process.h"
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace ncvet {
+
+namespace {
+
+/// How far reading goes on before pages are given back: often enough that a big file costs little
+/// memory, seldom enough that the system calls cost no time.
+constexpr uint32_t forgetStep = 4u << 20;
+
+llvm::Error cannotRead(llvm::StringRef display, std::error_code code, const llvm::Twine &why) {
+  return llvm::createStringError(code, "cannot read " + display + ": " + why);
+}
+
+/// Gives the whole pages of `bytes` back to the system; they are read again when touched.
+void dropPages(llvm::StringRef bytes) {
+  const uintptr_t page = llvm::sys::Process::getPageSizeEstimate();
+  const uintptr_t begin = (reinterpret_cast<uintptr_t>(bytes.data()) + page - 1) / page * page;
+  const uintptr_t end = reinterpret_cast<uintptr_t>(bytes.data() + bytes.size()) / page * page;
+  if (begin < end)
+    ::madvise(reinterpret_cast<void *>(begin), end - begin, MADV_DONTNEED);
+}
+
+} // namespace
+
+SourceFile::SourceFile(FileId id, std::string path, std::string display,
+                       std::unique_ptr<llvm::MemoryBuffer> buffer)
+    : id_(id), path_(std::move(path)), display_(std::move(display)), buffer_(std::move(buffer)),
+      text_(buffer_->getBuffer()), lines_(text_) {}
+
+llvm::Expected<std::unique_ptr<SourceFile>> SourceFile::open(FileId id, llvm::StringRef path,
+                                                             llvm::StringRef display) {
+  llvm::sys::fs::file_status status;
+  if (std::error_code error = llvm::sys::fs::status(path, status))
+    return cannotRead(display, error, error.message());
+  using llvm::sys::fs::file_type;
+  if (status.type() == file_type::directory_file)
+    return cannotRead(display, std::make_error_code(std::errc::is_a_directory), "it is a folder");
+  // A device may never end.
+  if (status.type() != file_type::regular_file && status.type() != file_type::fifo_file)
+    return cannotRead(display, std::make_error_code(std::errc::invalid_argument),
+                      "it is not a regular file");
+  const auto tooLarge = [&] {
+    return cannotRead(display, std::make_error_code(std::errc::file_too_large),
+                      "it is 4 GiB or larger");
+  };
+  constexpr uint64_t limit = std::numeric_limits<uint32_t>::max();
+  if (status.getSize() > limit)
+    return tooLarge();
+  auto buffer = llvm::MemoryBuffer::getFile(path, /*IsText=*/false,
+                                            /*RequiresNullTerminator=*/false,
+                                            /*IsVolatile=*/false);
+  if (!buffer)
+    return cannotRead(display, buffer.getError(), buffer.getError().message());
+  if ((*buffer)->getBufferSize() > limit)
+    return tooLarge();
+  return std::unique_ptr<SourceFile>(new SourceFile(
+      id, path.str(), llvm::sys::path::convert_to_slash(display), std::move(*buffer)));
+}
+
+std::unique_ptr<SourceFile> SourceFile::fromText(FileId id, llvm::StringRef display,
+                                                 llvm::StringRef text) {
+  assert(text.size() <= std::numeric_limits<uint32_t>::max() && "offsets are 32 bit");
+  return std::unique_ptr<SourceFile>(
+      new SourceFile(id, std::string(), llvm::sys::path::convert_to_slash(display),
+                     llvm::MemoryBuffer::getMemBufferCopy(text, display)));
+}
+
+Encoding SourceFile::encoding() const {
+  if (!encoding_) {
+    encoding_ = guessEncoding(text_);
+    if (buffer_->getBufferKind() == llvm::MemoryBuffer::MemoryBuffer_MMap)
+      dropPages(text_); // the whole file was read just for this
+  }
+  return *encoding_;
+}
+
+LineColumn SourceFile::position(uint32_t offset) const {
+  offset = std::min(offset, static_cast<uint32_t>(text_.size()));
+  const bool onwards = offset >= lastOffset_ && lines_.onOneLine(lastOffset_, offset);
+  LineColumn result = lastPosition_;
+  uint32_t from = lastOffset_;
+  if (!onwards) {
+    from = lines_.lineBegin(offset);
+    result = {lines_.lineOf(from), 1};
+  }
+  from = std::max(from, std::min(textBegin(), offset));
+  const llvm::StringRef bytes = text(from, offset);
+  result.column +=
+      isAscii(bytes) ? static_cast<uint32_t>(bytes.size()) : countCodePoints(bytes, encoding());
+  lastOffset_ = offset;
+  lastPosition_ = result;
+  return result;
+}
+
+std::string SourceFile::displayLine(uint32_t line) const {
+  uint32_t begin = lines_.beginOfLine(line);
+  const uint32_t end = lines_.lineEnd(begin);
+  begin = std::max(begin, std::min(textBegin(), end));
+  return displayText(text(begin, end));
+}
+
+std::string SourceFile::displayText(llvm::StringRef bytes) const {
+  std::string out;
+  out.reserve(bytes.size());
+  appendDecoded(out, bytes, isAscii(bytes) ? Encoding::Utf8 : encoding());
+  return out;
+}
+
+void SourceFile::forget(uint32_t offset) const {
+  offset = std::min(offset, static_cast<uint32_t>(text_.size()));
+  if (offset < forgotten_)
+    forgotten_ = 0; // reading began anew, so the pages in front are in memory again
+  if (offset - forgotten_ < forgetStep)
+    return;
+  if (buffer_->getBufferKind() == llvm::MemoryBuffer::MemoryBuffer_MMap)
+    dropPages(text(forgotten_, offset));
+  forgotten_ = offset;
+}
+
+} // namespace ncvet

@@ -1,0 +1,30 @@
+// Source set: the files of one run, owned and numbered.
+#pragma once
+
+#include "formats/text/source.h"
+
+#include <deque>
+#include <mutex>
+
+namespace ncvet {
+
+/// Owns the files of one run; a `FileId` is the index of its file. Files stay where they are as
+/// long as the set lives. Several threads may add and look up; a `SourceFile` itself belongs to
+/// one thread at a time. Ids are given out in the order of arrival: they must not reach output.
+class SourceSet {
+public:
+  /// Adds the file at `path`; errors as those of `SourceFile::open`, and nothing is added then.
+  llvm::Expected<const SourceFile *> open(llvm::StringRef path, llvm::StringRef display);
+  llvm::Expected<const SourceFile *> open(llvm::StringRef path) { return open(path, path); }
+  /// Adds text that is already in memory.
+  const SourceFile &add(llvm::StringRef display, llvm::StringRef text);
+  /// The file of an id that this set gave out.
+  const SourceFile &get(FileId id) const;
+  size_t size() const;
+
+private:
+  mutable std::mutex mutex_;
+  std::deque<std::unique_ptr<SourceFile>> files_;
+};
+
+} // namespace ncvet
