@@ -1,0 +1,83 @@
+// A block of a part program in the one form that all readers produce.
+#include "formats/readers/block.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+namespace {
+constexpr double powersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,
+                                  1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+} // namespace
+
+double Word::value() const {
+  // A division by an exact power of ten is rounded once: the value is the nearest double.
+  return decimals ? double(mantissa) / powersOfTen[decimals] : double(mantissa);
+}
+
+uint32_t Word::codeNumber() const {
+  constexpr uint32_t none = 0xFFFFFF;
+  if (!isNumber() || mantissa < 0 || mantissa > 99999)
+    return none;
+  if (decimals == 0)
+    return uint32_t(mantissa) * 10;
+  if (decimals == 1)
+    return uint32_t(mantissa);
+  // G84.20 is G84.2.
+  int64_t number = mantissa;
+  unsigned left = decimals;
+  while (left > 1 && number % 10 == 0) {
+    number /= 10;
+    --left;
+  }
+  return left == 1 ? uint32_t(number) : none;
+}
+
+void Block::clear() {
+  kind = BlockKind::Normal;
+  skip = -1;
+  lowerCase = tapeInside = false;
+  numberIsFirst = true;
+  number = program = -1;
+  numberBegin = numberEnd = headerBegin = headerEnd = 0;
+  addresses = 0;
+  words.clear();
+  items.clear();
+  expressions.clear();
+  operations.clear();
+  comments.clear();
+  issues.clear();
+}
+
+const Word *Block::find(AddressId address) const {
+  if (!has(address))
+    return nullptr;
+  for (const Word &word : words)
+    if (word.address == address)
+      return &word;
+  return nullptr;
+}
+
+const Word *Block::findAny(AddressMask mask) const {
+  if (!hasAny(mask))
+    return nullptr;
+  for (const Word &word : words)
+    if (mask & maskOf(word.address))
+      return &word;
+  return nullptr;
+}
+
+uint32_t Block::endOf(const Word &word) const {
+  if (word.has(wordExpression))
+    return expressions[size_t(word.mantissa)].end;
+  if (word.length < 255)
+    return word.offset + word.length;
+  // Longer than its length field: it ends where the next word begins, or with the block.
+  uint32_t limit = end;
+  for (const Word &other : words)
+    if (other.offset > word.offset && other.offset < limit)
+      limit = other.offset;
+  return limit;
+}
+
+} // namespace ncvet

@@ -1,0 +1,621 @@
+// Reader of word-address programs (ISO 6983, DIN 66025): FANUC, Haas, NCT and their kin.
+#include "formats/readers/iso_reader.h"
+
+#include "formats/readers/macro_expression.h"
+
+#include <array>
+#include <cstring>
+
+namespace ncvet {
+
+namespace {
+
+enum CharClass : uint8_t { Other, Letter, LowerLetter, Digit, Blank, LineEnd };
+
+constexpr std::array<CharClass, 256> makeClasses() {
+  std::array<CharClass, 256> classes{};
+  for (unsigned c = 'A'; c <= 'Z'; ++c)
+    classes[c] = Letter;
+  for (unsigned c = 'a'; c <= 'z'; ++c)
+    classes[c] = LowerLetter;
+  for (unsigned c = '0'; c <= '9'; ++c)
+    classes[c] = Digit;
+  classes[' '] = classes['\t'] = classes['\v'] = classes['\f'] = classes[0] = Blank;
+  classes['\n'] = classes['\r'] = LineEnd;
+  return classes;
+}
+constexpr std::array<CharClass, 256> classes = makeClasses();
+
+CharClass classOf(char c) { return classes[uint8_t(c)]; }
+bool isDigit(char c) { return uint8_t(c - '0') < 10; }
+bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
+
+/// More digits than an int64 holds for certain: the rest is dropped and the number marked.
+constexpr unsigned maxDigits = 18;
+
+/// The typographic minus U+2212, the en dash U+2013 and the em dash U+2014, each three bytes.
+unsigned typographicMinus(const char *at, const char *end) {
+  if (end - at < 3 || uint8_t(at[0]) != 0xE2)
+    return 0;
+  const auto second = uint8_t(at[1]), third = uint8_t(at[2]);
+  if ((second == 0x88 && third == 0x92) || (second == 0x80 && (third == 0x93 || third == 0x94)))
+    return 3;
+  return 0;
+}
+
+/// The state of reading one block.
+class Scanner {
+public:
+  Scanner(const Lexical &lexical, llvm::StringRef text, uint32_t offset, Block &block)
+      : lexical_(lexical), base_(text.data()), at_(base_ + offset), end_(text.end()),
+        block_(block) {}
+
+  void scan();
+
+private:
+  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
+  void issue(SyntaxIssueKind kind, const char *begin, const char *end) {
+    block_.issues.push_back({kind, offset(begin), offset(end)});
+  }
+  void skipBlanks() {
+    while (at_ < end_ && classOf(*at_) == Blank)
+      ++at_;
+  }
+  bool atLineEnd() const { return at_ >= end_ || classOf(*at_) == LineEnd; }
+  const char *lineEnd() const {
+    const char *p = at_;
+    while (p < end_ && classOf(*p) != LineEnd)
+      ++p;
+    return p;
+  }
+
+  void scanTape();
+  void scanHeader(const char *begin);
+  void scanComment();
+  void scanLetter();
+  void scanWord(AddressId address, const char *begin);
+  bool scanNumber(Word &word, const char *begin);
+  void scanComma();
+  void scanOther();
+  bool scanStatement();
+  void scanAssignment();
+  uint16_t expression(MacroExpression::Form form);
+  void addWord(const Word &word) {
+    block_.words.push_back(word);
+    block_.addresses |= maskOf(word.address);
+  }
+
+  const Lexical &lexical_;
+  const char *base_;
+  const char *at_;
+  const char *end_;
+  Block &block_;
+};
+
+void Scanner::scan() {
+  block_.begin = offset(at_);
+  skipBlanks();
+  if (at_ < end_ && *at_ == '%') {
+    scanTape();
+  } else {
+    while (at_ < end_) {
+      const char c = *at_;
+      switch (classOf(c)) {
+      case Blank:
+        ++at_;
+        continue;
+      case Letter:
+        scanLetter();
+        continue;
+      case LowerLetter:
+        block_.lowerCase = true;
+        scanLetter();
+        continue;
+      case LineEnd:
+        break;
+      case Digit:
+      case Other:
+        scanOther();
+        continue;
+      }
+      break;
+    }
+  }
+  block_.end = offset(at_);
+  if (at_ < end_) {
+    const char c = *at_++;
+    if (c == '\r' && at_ < end_ && *at_ == '\n')
+      ++at_;
+  }
+  block_.next = offset(at_);
+  if (block_.kind == BlockKind::Normal && block_.isEmpty() && block_.issues.empty() &&
+      block_.number < 0 && block_.skip < 0)
+    block_.kind = BlockKind::Empty;
+}
+
+void Scanner::scanTape() {
+  const char *begin = at_++;
+  block_.kind = BlockKind::Tape;
+  const char *after = at_;
+  while (after < end_ && classOf(*after) == Blank)
+    ++after;
+  if (lexical_.percentHeader && after < end_ && (*after == 'O' || *after == 'o' || *after == ':' || isDigit(*after))) {
+    at_ = after;
+    scanHeader(begin);
+    while (!atLineEnd()) {
+      if (*at_ == '(')
+        scanComment();
+      else
+        ++at_;
+    }
+    return;
+  }
+  at_ = lineEnd();
+}
+
+/// `O` or `:` and digits; everything up to a blank or a comment belongs to the name.
+void Scanner::scanHeader(const char *begin) {
+  block_.kind = BlockKind::ProgramHeader;
+  block_.headerBegin = offset(begin);
+  if (!isDigit(*at_))
+    ++at_;
+  while (at_ < end_ && classOf(*at_) == Blank)
+    ++at_;
+  int64_t number = 0;
+  unsigned digits = 0;
+  while (at_ < end_ && isDigit(*at_)) {
+    if (digits++ < 9)
+      number = number * 10 + (*at_ - '0');
+    ++at_;
+  }
+  block_.program = digits && digits <= 9 ? number : -1;
+  if (lexical_.percentHeader)
+    while (!atLineEnd() && classOf(*at_) != Blank && *at_ != '(')
+      ++at_;
+  block_.headerEnd = offset(at_);
+}
+
+void Scanner::scanComment() {
+  const char *begin = at_;
+  const char *line = lineEnd();
+  const auto *close = static_cast<const char *>(memchr(at_, ')', size_t(line - at_)));
+  const auto *inner = static_cast<const char *>(memchr(at_ + 1, '(', size_t(line - at_ - 1)));
+  if (!close) {
+    issue(SyntaxIssueKind::UnclosedComment, begin, line);
+    at_ = line;
+  } else if (inner && inner < close) {
+    // The comment ends at the first `)` for the control; when the parentheses balance the writer
+    // meant the outer one, and that is where reading goes on.
+    unsigned depth = 0;
+    const char *p = begin;
+    const char *outer = nullptr;
+    for (; p < line; ++p) {
+      if (*p == '(')
+        ++depth;
+      else if (*p == ')' && --depth == 0) {
+        outer = p;
+        break;
+      }
+    }
+    issue(SyntaxIssueKind::NestedComment, inner, close + 1);
+    at_ = (outer ? outer : close) + 1;
+  } else {
+    at_ = close + 1;
+  }
+  block_.comments.push_back({offset(begin), offset(at_)});
+}
+
+void Scanner::scanLetter() {
+  const char *begin = at_;
+  const char upper = char(*at_ & ~32);
+  if (lexical_.macro && at_ + 1 < end_ && isLetter(at_[1]) && scanStatement())
+    return;
+  if (upper == 'O' && block_.words.empty() && block_.items.empty()) {
+    const char *p = at_ + 1;
+    while (p < end_ && classOf(*p) == Blank)
+      ++p;
+    if (p < end_ && isDigit(*p)) {
+      scanHeader(begin);
+      return;
+    }
+  }
+  ++at_;
+  scanWord(letterAddress(upper), begin);
+}
+
+/// The number or expression behind an address.
+void Scanner::scanWord(AddressId address, const char *begin) {
+  Word word;
+  word.address = address;
+  word.offset = offset(begin);
+  const char *p = at_;
+  while (p < end_ && classOf(*p) == Blank)
+    ++p;
+  if (lexical_.incrementOperator && p < end_ && (*p | 32) == 'i' && p + 1 < end_ &&
+      (isDigit(p[1]) || p[1] == '-' || p[1] == '+' || p[1] == '.')) {
+    word.flags |= wordIncremental;
+    ++p;
+  }
+  const char *number = p;
+  at_ = number;
+  if (at_ < end_ && (isDigit(*at_) || *at_ == '-' || *at_ == '+' || *at_ == '.' ||
+                     typographicMinus(at_, end_))) {
+    // A sign in front of an expression belongs to it.
+    const char *behind = at_ + ((*at_ == '-' || *at_ == '+') ? 1 : 0);
+    while (behind < end_ && classOf(*behind) == Blank)
+      ++behind;
+    if (!(lexical_.macro && behind < end_ && (*behind == '#' || *behind == '['))) {
+      if (!scanNumber(word, begin)) {
+        word.flags |= wordMalformed | wordNoValue;
+      }
+      word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
+      if (address == letterAddress('N') && block_.number < 0 && word.isNumber()) {
+        const bool first = block_.words.empty() && block_.items.empty();
+        if (first) {
+          block_.number = word.mantissa;
+          block_.numberBegin = word.offset;
+          block_.numberEnd = offset(at_);
+          if (word.decimals)
+            issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+          return;
+        }
+      }
+      addWord(word);
+      return;
+    }
+  }
+  if (lexical_.macro && at_ < end_ && (*at_ == '#' || *at_ == '[' || *at_ == '-' || *at_ == '+')) {
+    const uint16_t index = expression(MacroExpression::Form::Operand);
+    word.flags |= wordExpression;
+    word.mantissa = index;
+    addWord(word);
+    return;
+  }
+  // Nothing readable behind the address.
+  at_ = begin + (address >= 26 ? 2 : 1);
+  word.flags |= wordNoValue;
+  word.length = uint8_t(at_ - begin);
+  issue(SyntaxIssueKind::MissingValue, begin, at_);
+  addWord(word);
+}
+
+/// Reads `[sign] digits [. digits]`; false when there is no digit at all.
+bool Scanner::scanNumber(Word &word, const char *begin) {
+  bool negative = false;
+  if (const unsigned bytes = typographicMinus(at_, end_)) {
+    issue(SyntaxIssueKind::TypographicMinus, at_, at_ + bytes);
+    negative = true;
+    word.flags |= wordMinus;
+    at_ += bytes;
+  } else if (*at_ == '-') {
+    negative = true;
+    word.flags |= wordMinus;
+    ++at_;
+  } else if (*at_ == '+') {
+    word.flags |= wordPlus;
+    ++at_;
+  }
+  if (at_ < end_ && classOf(*at_) == Blank && (word.flags & (wordMinus | wordPlus))) {
+    const char *p = at_;
+    while (p < end_ && classOf(*p) == Blank)
+      ++p;
+    if (p < end_ && (isDigit(*p) || *p == '.')) {
+      issue(SyntaxIssueKind::BlankInNumber, begin, p + 1);
+      at_ = p;
+    }
+  }
+  uint64_t mantissa = 0;
+  unsigned digits = 0;
+  const char *first = at_;
+  while (at_ < end_ && isDigit(*at_)) {
+    if (digits < maxDigits)
+      mantissa = mantissa * 10 + unsigned(*at_ - '0');
+    else
+      word.flags |= wordMalformed;
+    if (mantissa)
+      ++digits;
+    ++at_;
+  }
+  const auto whole = unsigned(at_ - first);
+  if (whole > 1 && *first == '0')
+    word.flags |= wordLeadingZero;
+  unsigned decimals = 0;
+  unsigned fraction = 0;
+  if (at_ < end_ && (*at_ == '.' || (*at_ == ',' && whole && at_ + 1 < end_ && isDigit(at_[1])))) {
+    if (*at_ == ',') {
+      // A decimal comma: read as it was meant.
+      const char *p = at_ + 1;
+      while (p < end_ && isDigit(*p))
+        ++p;
+      issue(SyntaxIssueKind::DecimalComma, begin, p);
+    }
+    word.flags |= wordPoint;
+    ++at_;
+    while (at_ < end_ && isDigit(*at_)) {
+      if (digits < maxDigits && decimals < maxDigits) {
+        mantissa = mantissa * 10 + unsigned(*at_ - '0');
+        ++decimals;
+        if (mantissa)
+          ++digits;
+      }
+      ++fraction;
+      ++at_;
+    }
+  }
+  const bool any = whole || fraction;
+  if (at_ < end_ && (*at_ == '.' || (any && (*at_ == '-' || *at_ == '+') && at_ + 1 < end_ &&
+                                     (isDigit(at_[1]) || at_[1] == '.')))) {
+    // A second point, or a sign behind the number: one report up to the next address.
+    while (at_ < end_ && (*at_ == '.' || isDigit(*at_) || *at_ == '-' || *at_ == '+'))
+      ++at_;
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    word.flags |= wordMalformed;
+  } else if (!any) {
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+  }
+  if (!any)
+    return false;
+  word.mantissa = negative ? -int64_t(mantissa) : int64_t(mantissa);
+  word.decimals = uint8_t(decimals);
+  return true;
+}
+
+/// `,R2` and its like; elsewhere a comma is no character of the language.
+void Scanner::scanComma() {
+  const char *begin = at_;
+  if (at_ + 1 < end_) {
+    const char letter = char(at_[1] & ~32);
+    const AddressId address =
+        letter == 'A' ? commaA : letter == 'C' ? commaC : letter == 'R' ? commaR : noAddress;
+    if (address != noAddress) {
+      at_ += 2;
+      scanWord(address, begin);
+      return;
+    }
+  }
+  ++at_;
+  issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+}
+
+void Scanner::scanOther() {
+  const char *begin = at_;
+  switch (*at_) {
+  case '(':
+    scanComment();
+    return;
+  case ')':
+    ++at_;
+    issue(SyntaxIssueKind::StrayParenthesis, begin, at_);
+    return;
+  case ';': {
+    const char *line = lineEnd();
+    const char *p = at_ + 1;
+    while (p < line && classOf(*p) == Blank)
+      ++p;
+    if (p < line)
+      block_.comments.push_back({offset(begin), offset(line)});
+    at_ = line;
+    return;
+  }
+  case '/': {
+    ++at_;
+    int8_t level = 0;
+    if (at_ < end_ && *at_ >= '1' && *at_ <= '9') {
+      level = int8_t(*at_ - '0');
+      ++at_;
+    }
+    if (block_.skip < 0)
+      block_.skip = level;
+    return;
+  }
+  case ',':
+    scanComma();
+    return;
+  case '#':
+    if (lexical_.macro) {
+      scanAssignment();
+      return;
+    }
+    break;
+  case ':':
+    if (block_.words.empty() && block_.items.empty() && at_ + 1 < end_ && isDigit(at_[1])) {
+      scanHeader(begin);
+      return;
+    }
+    break;
+  case '%':
+    // `M30%` on one line: the tape mark ends the program here too.
+    block_.tapeInside = true;
+    at_ = lineEnd();
+    return;
+  case '\x1A': {
+    // End-of-file mark of older systems, often with padding behind it.
+    const char *p = at_;
+    while (p < end_ && (*p == '\x1A' || classOf(*p) == Blank || classOf(*p) == LineEnd))
+      ++p;
+    if (p == end_) {
+      at_ = end_;
+      return;
+    }
+    break;
+  }
+  case '[':
+  case ']':
+    ++at_;
+    issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+    return;
+  default:
+    break;
+  }
+  const bool numberFollows = isDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+' ||
+                             typographicMinus(at_, end_);
+  if (numberFollows) {
+    // A number without an address: one issue for the whole of it, unless it is no number either.
+    Word ignored;
+    const size_t before = block_.issues.size();
+    const bool any = scanNumber(ignored, begin);
+    if (any && block_.issues.size() == before)
+      issue(SyntaxIssueKind::MissingAddress, begin, at_);
+    if (at_ == begin)
+      ++at_;
+    return;
+  }
+  if (uint8_t(*at_) < 128 && *at_ > 32 && at_ + 1 < end_ && isDigit(at_[1])) {
+    // A symbol in an address's place.
+    ++at_;
+    while (at_ < end_ && (isDigit(*at_) || *at_ == '.'))
+      ++at_;
+    issue(SyntaxIssueKind::SymbolAsAddress, begin, at_);
+    return;
+  }
+  // A run of bytes that mean nothing is one issue.
+  ++at_;
+  while (at_ < end_ && (uint8_t(*at_) >= 128 || (*at_ == *begin && *at_ != '#')))
+    ++at_;
+  issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+}
+
+uint16_t Scanner::expression(MacroExpression::Form form) {
+  MacroExpression parser(base_, at_, end_, block_);
+  const uint16_t index = parser.parse(form);
+  at_ = parser.position();
+  return index;
+}
+
+/// `#1 = …`, `#[#2 + 1] = …`
+void Scanner::scanAssignment() {
+  const char *begin = at_;
+  Item item;
+  item.kind = ItemKind::Assignment;
+  item.wordsBefore = uint16_t(block_.words.size());
+  item.begin = offset(begin);
+  item.target = expression(MacroExpression::Form::VariableNumber);
+  skipBlanks();
+  if (at_ < end_ && *at_ == '=') {
+    ++at_;
+    item.value = expression(MacroExpression::Form::Full);
+    item.end = offset(at_);
+    block_.items.push_back(item);
+    return;
+  }
+  issue(SyntaxIssueKind::BadStatement, begin, at_ > begin ? at_ : begin + 1);
+  if (at_ == begin)
+    ++at_;
+}
+
+/// Statements of Macro B that begin with a letter; false when there is none here.
+bool Scanner::scanStatement() {
+  const auto keyword = [&](llvm::StringRef word) {
+    if (size_t(end_ - at_) < word.size())
+      return false;
+    return llvm::StringRef(at_, word.size()).equals_insensitive(word);
+  };
+  const char *begin = at_;
+  Item item;
+  item.begin = offset(begin);
+  item.wordsBefore = uint16_t(block_.words.size());
+  const auto skipOver = [&](size_t length) {
+    at_ += length;
+    skipBlanks();
+  };
+  const auto loopNumber = [&] {
+    unsigned number = 0;
+    skipBlanks();
+    while (at_ < end_ && isDigit(*at_)) {
+      number = std::min(255u, number * 10 + unsigned(*at_ - '0'));
+      ++at_;
+    }
+    return uint8_t(number);
+  };
+  switch (*begin & ~32) {
+  case 'I':
+    if (!keyword("IF"))
+      return false;
+    skipOver(2);
+    if (at_ >= end_ || *at_ != '[') {
+      at_ = begin;
+      return false;
+    }
+    item.kind = ItemKind::If;
+    item.condition = expression(MacroExpression::Form::Operand);
+    break;
+  case 'T':
+    if (!keyword("THEN"))
+      return false;
+    at_ += 4;
+    return true;
+  case 'G':
+    if (!keyword("GOTO") && !keyword("GO TO"))
+      return false;
+    skipOver(keyword("GOTO") ? 4 : 5);
+    item.kind = ItemKind::Jump;
+    item.value = expression(MacroExpression::Form::Operand);
+    break;
+  case 'W':
+    if (!keyword("WHILE"))
+      return false;
+    skipOver(5);
+    item.kind = ItemKind::While;
+    item.condition = expression(MacroExpression::Form::Operand);
+    skipBlanks();
+    if (keyword("DO")) {
+      at_ += 2;
+      item.loop = loopNumber();
+    }
+    break;
+  case 'D':
+    if (keyword("DPRNT")) {
+      item.kind = ItemKind::Output;
+      at_ = lineEnd();
+      break;
+    }
+    if (!keyword("DO"))
+      return false;
+    at_ += 2;
+    item.kind = ItemKind::Do;
+    item.loop = loopNumber();
+    break;
+  case 'E':
+    if (!keyword("END"))
+      return false;
+    at_ += 3;
+    item.kind = ItemKind::End;
+    item.loop = loopNumber();
+    break;
+  case 'P':
+    if (!keyword("POPEN") && !keyword("PCLOS"))
+      return false;
+    item.kind = ItemKind::Output;
+    at_ += 5;
+    break;
+  case 'B':
+    if (!keyword("BPRNT"))
+      return false;
+    item.kind = ItemKind::Output;
+    at_ = lineEnd();
+    break;
+  case 'S':
+    if (!keyword("SETVN"))
+      return false;
+    item.kind = ItemKind::Output;
+    at_ = lineEnd();
+    break;
+  default:
+    return false;
+  }
+  item.end = offset(at_);
+  block_.items.push_back(item);
+  return true;
+}
+
+} // namespace
+
+IsoReader::IsoReader(const Dialect &dialect, llvm::StringRef text)
+    : Reader(text), lexical_(dialect.lexical) {}
+
+void IsoReader::read(uint32_t offset, Block &block) const {
+  block.clear();
+  Scanner(lexical_, text_, offset, block).scan();
+}
+
+} // namespace ncvet

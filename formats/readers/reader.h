@@ -1,0 +1,31 @@
+// The interface of all readers: a cursor over text that makes blocks.
+#pragma once
+
+#include "formats/dialect/dialect.h"
+#include "formats/readers/block.h"
+
+#include <memory>
+
+namespace ncvet {
+
+/// Reads blocks of one text. Stateless: the same offset gives the same block, whatever was read
+/// before. Never fails: bad text becomes a `SyntaxIssue` and reading goes on at the next word.
+class Reader {
+public:
+  virtual ~Reader() = default;
+  /// Reads the block that begins at `offset` into `block`, whose storage is reused. `offset` must be
+  /// a block's beginning and inside the text.
+  virtual void read(uint32_t offset, Block &block) const = 0;
+  llvm::StringRef text() const { return text_; }
+  /// Offset of the first block (behind a byte order mark).
+  uint32_t first() const { return text_.startswith("\xEF\xBB\xBF") ? 3 : 0; }
+
+protected:
+  explicit Reader(llvm::StringRef text) : text_(text) {}
+  llvm::StringRef text_;
+};
+
+/// The reader that the dialect's table names, over `text`.
+std::unique_ptr<Reader> makeReader(const Dialect &dialect, llvm::StringRef text);
+
+} // namespace ncvet
