@@ -1,0 +1,114 @@
+// Tests the conditions of a dialect's table against a block and the state before it.
+#include "interp/condition.h"
+
+#include "interp/expression.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncvet {
+
+Interval wordValue(const Word &word, const Block &block, const MachineState &state) {
+  if (word.has(wordNoValue))
+    return Interval::unknown();
+  if (!word.has(wordExpression))
+    return Interval::exactly(word.value());
+  const Value value = evaluate(block, uint16_t(word.mantissa), state, nullptr);
+  return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
+}
+
+bool breaks(const ValueTest &test, const Word &word, const ConditionContext &context) {
+  if (word.has(wordNoValue))
+    return false;
+  if (word.isNumber()) {
+    if (test.point == PointRule::Required && !word.has(wordPoint))
+      return true;
+    if (test.point == PointRule::Forbidden && word.has(wordPoint))
+      return true;
+  }
+  const Interval value = wordValue(word, context.block, context.before);
+  if (value.isUnknown())
+    return false;
+  if (test.minExclusive ? value.hi <= test.min : value.hi < test.min)
+    return true;
+  if (test.maxExclusive ? value.lo >= test.max : value.lo > test.max)
+    return true;
+  if (!value.isConstant())
+    return false;
+  if (test.integer && value.value() != std::floor(value.value()))
+    return true;
+  return !test.oneOf.empty() &&
+         std::find(test.oneOf.begin(), test.oneOf.end(), value.value()) == test.oneOf.end();
+}
+
+namespace {
+
+bool blockHasMember(const ConditionContext &context, GroupIndex group, uint64_t members) {
+  for (const CodeUse &use : context.codes) {
+    const CodeInfo &info = context.dialect.codes[use.code];
+    if (info.group == group && members >> info.bit & 1)
+      return true;
+  }
+  return false;
+}
+
+bool blockHasCode(const ConditionContext &context, CodeIndex wanted) {
+  const CodeInfo &target = context.dialect.codes[wanted];
+  for (const CodeUse &use : context.codes) {
+    const CodeInfo &info = context.dialect.codes[use.code];
+    // A variant is its code: it has the same letter and number.
+    if (info.letter == target.letter && info.number == target.number)
+      return true;
+  }
+  return false;
+}
+
+bool optionHolds(const std::pair<std::string, std::vector<std::string>> &option,
+                 const ConditionContext &context) {
+  std::optional<llvm::StringRef> value = context.machine.option(option.first);
+  if (!value) {
+    const auto found = context.dialect.options.find(option.first);
+    if (found != context.dialect.options.end() && !found->second.empty())
+      value = llvm::StringRef(found->second);
+  }
+  return value && llvm::is_contained(option.second, value->str());
+}
+
+} // namespace
+
+bool holds(const Condition &condition, const CodeInfo *code, const ConditionContext &context) {
+  const AddressMask present = context.block.addresses;
+  if ((condition.has & ~present) || (condition.lacks & present) ||
+      (condition.any && !(condition.any & present)))
+    return false;
+  for (const auto &[group, members] : condition.active)
+    if (context.before.group[group] & ~members)
+      return false;
+  for (const auto &[group, members] : condition.with)
+    if (!blockHasMember(context, group, members))
+      return false;
+  for (const auto &[group, members] : condition.without)
+    if (blockHasMember(context, group, members))
+      return false;
+  if (!condition.withCode.empty() &&
+      llvm::none_of(condition.withCode, [&](CodeIndex c) { return blockHasCode(context, c); }))
+    return false;
+  if (llvm::any_of(condition.withoutCode, [&](CodeIndex c) { return blockHasCode(context, c); }))
+    return false;
+  if (condition.first && code && code->group != noGroup &&
+      (context.before.group[code->group] >> code->bit & 1))
+    return false;
+  for (const auto &option : condition.options)
+    if (!optionHolds(option, context))
+      return false;
+  for (const ValueTest &test : condition.broken) {
+    bool broken = false;
+    for (const Word &word : context.block.words)
+      broken |= word.address == test.address && breaks(test, word, context);
+    if (!broken)
+      return false;
+  }
+  return true;
+}
+
+} // namespace ncvet

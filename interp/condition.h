@@ -1,0 +1,27 @@
+// Tests the conditions of a dialect's table against a block and the state before it.
+#pragma once
+
+#include "formats/dialect/machine.h"
+#include "interp/event.h"
+
+namespace ncvet {
+
+/// All that a condition may ask about.
+struct ConditionContext {
+  const Dialect &dialect;
+  const MachineProfile &machine;
+  const Block &block;
+  llvm::ArrayRef<CodeUse> codes; ///< of the block
+  const MachineState &before;
+};
+
+/// Whether `condition` certainly holds. `code` is the code whose entry holds the condition.
+bool holds(const Condition &condition, const CodeInfo *code, const ConditionContext &context);
+
+/// Whether a known value breaks the test's bounds; false when it keeps them or is not known.
+bool breaks(const ValueTest &test, const Word &word, const ConditionContext &context);
+
+/// Value of a word as written: a number, or an expression's value on the state.
+Interval wordValue(const Word &word, const Block &block, const MachineState &state);
+
+} // namespace ncvet

@@ -1,0 +1,115 @@
+// What happens in a block: the events that execution emits and rules listen to.
+#pragma once
+
+#include "formats/readers/block.h"
+#include "interp/state.h"
+
+namespace ncvet {
+
+enum class EventKind : uint8_t {
+  Block,            ///< a block with content is executed
+  Code,             ///< a G or M code of the table; `code`, `word`
+  UnknownCode,      ///< a G or M code that is in no table; `word`
+  ToolWord,         ///< a T word; `value`
+  ToolChange,       ///< the tool in use changes; `word` is the T word or the code
+  FeedWord,         ///< F; `value`
+  SpeedWord,        ///< S; `value`
+  OffsetWord,       ///< H or D; `word`, `value`
+  Motion,           ///< axes move by one of the motion codes; `motion`, `axes`, `code`
+  CycleStart,       ///< a cycle becomes active, or is called; `code`
+  CycleRun,         ///< a cycle executes; `code`, `axes`
+  CycleCancel,      ///< an active cycle ends; `code` is the cycle, `by` what ended it
+  CompensationMove, ///< the move that engages or cancels compensation; `code`: G41, G42 or G40
+  CoordinateChange, ///< shift, work offset, transformation; `code`
+  SpindleChange,    ///< M03, M04, M05, M19 and their like; `code`
+  Dwell,            ///< `value` is the time in seconds
+  Call,             ///< a subprogram or macro is called; `code`
+  Return,           ///< M99 and its like
+  ProgramEnd,       ///< the program ends here: M30, M02, end of file
+  Assignment,       ///< a variable is written; `number`, `value`
+  VacantRead,       ///< a variable that was never set is used in arithmetic
+  DomainError,      ///< a value outside a function's domain: division by zero, root of a negative
+  Syntax,           ///< the reader found something; `number` is the index of the issue
+  Count
+};
+static_assert(unsigned(EventKind::Count) <= 32);
+
+constexpr uint32_t bitOf(EventKind kind) { return uint32_t(1) << unsigned(kind); }
+
+enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Reference };
+
+/// Something that happens in a block. Lives only while the block is looked at.
+struct Event {
+  EventKind kind = EventKind::Block;
+  MotionKind motion = MotionKind::Rapid;
+  uint16_t axes = 0;           ///< bit per axis that the block programs
+  CodeIndex code = noCode;     ///< with its variant resolved
+  CodeIndex by = noCode;
+  bool certain = true;         ///< false: it happens on some of the paths that the state stands for
+  const Word *word = nullptr;
+  int64_t number = 0;
+  Interval value;
+};
+
+/// A G or M code of the block, with its variant resolved.
+struct CodeUse {
+  CodeIndex code = noCode;
+  const Word *word = nullptr;
+};
+
+enum class FlowKind : uint8_t {
+  Next,      ///< on to the next block
+  Jump,      ///< to block number `target`; `condition` says whether
+  LoopBegin, ///< WHILE or DO number `loop`; `condition` says whether the body runs
+  LoopEnd,   ///< END number `loop`
+  Call,      ///< program `target`, `repeat` times
+  CallLocal, ///< blocks from number `target` to the next return, in this program
+  Return,    ///< to the caller, at its block `target` when that is known
+  End,       ///< the program ends
+  Alarm,     ///< the program stops itself with an alarm
+  Profile    ///< a cycle reads the blocks `first` to `last`
+};
+
+/// How control leaves a block.
+struct Flow {
+  FlowKind kind = FlowKind::Next;
+  Truth condition = Truth::Yes;
+  uint8_t loop = 0;
+  bool macro = false; ///< a call with variables of its own
+  CodeIndex code = noCode;
+  const Word *word = nullptr; ///< the word that names the target, or the code
+  uint32_t begin = 0, end = 0; ///< where the flow is written, for messages
+  Value target;
+  Value repeat = Value::of(1);
+  Value startAt = Value::vacant(); ///< block number at which the called program starts
+  int64_t first = notSet, last = notSet;
+  Variables arguments{Value::vacant()};
+};
+
+/// All that executing one block produced. The storage is reused.
+struct Outcome {
+  llvm::SmallVector<Event, 16> events;
+  llvm::SmallVector<CodeUse, 8> codes;
+  uint32_t kinds = 0; ///< bit per kind of event emitted
+  Flow flow;
+  bool setupChanged = false; ///< something besides `MotionState` may have changed
+  int32_t macroAfterMove = notSet; ///< program that a modal macro calls after this block
+
+  void clear() {
+    events.clear();
+    codes.clear();
+    kinds = 0;
+    if (flow.kind != FlowKind::Next)
+      flow = Flow();
+    setupChanged = false;
+    macroAfterMove = notSet;
+  }
+  Event &emit(EventKind kind) {
+    kinds |= bitOf(kind);
+    Event &event = events.emplace_back();
+    event.kind = kind;
+    return event;
+  }
+};
+
+} // namespace ncvet

@@ -1,0 +1,317 @@
+// Evaluates expressions of the program on abstract values.
+#include "interp/expression.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncvet {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double degree = pi / 180;
+
+/// Local variables of a macro level: #1 … #33.
+constexpr int64_t lastLocal = 33;
+/// Common variables end here; from #1000 on they belong to the control (inputs, offsets, positions).
+constexpr int64_t firstSystem = 1000;
+/// Extended common variables of larger controls.
+constexpr int64_t firstExtended = 98000, lastExtended = 98499;
+
+bool isCommon(int64_t number) {
+  return (number > lastLocal && number < firstSystem) ||
+         (number >= firstExtended && number <= lastExtended);
+}
+
+Value fromTruth(Truth truth) {
+  return truth == Truth::Unknown ? Value::of(Interval{0, 1}) : Value::of(truth == Truth::Yes);
+}
+
+Truth compare(Op op, const Value &a, const Value &b) {
+  // A vacant value equals only another vacant one under EQ and NE; elsewhere it counts as zero.
+  if (op == Op::Equal || op == Op::NotEqual) {
+    if (a.isVacant() || b.isVacant()) {
+      if (a.kind == Value::Kind::Unknown || b.kind == Value::Kind::Unknown)
+        return Truth::Unknown;
+      const bool same = a.isVacant() && b.isVacant();
+      return same == (op == Op::Equal) ? Truth::Yes : Truth::No;
+    }
+  }
+  if (a.kind == Value::Kind::Unknown || b.kind == Value::Kind::Unknown)
+    return Truth::Unknown;
+  const Interval x = a.asNumber(), y = b.asNumber();
+  const auto answer = [](bool yes, bool no) {
+    return yes ? Truth::Yes : no ? Truth::No : Truth::Unknown;
+  };
+  switch (op) {
+  case Op::Equal:
+    return answer(x.isConstant() && x == y, x.hi < y.lo || y.hi < x.lo);
+  case Op::NotEqual:
+    return answer(x.hi < y.lo || y.hi < x.lo, x.isConstant() && x == y);
+  case Op::Greater:
+    return answer(x.lo > y.hi, x.hi <= y.lo);
+  case Op::GreaterEqual:
+    return answer(x.lo >= y.hi, x.hi < y.lo);
+  case Op::Less:
+    return answer(x.hi < y.lo, x.lo >= y.hi);
+  case Op::LessEqual:
+    return answer(x.hi <= y.lo, x.lo > y.hi);
+  default:
+    return Truth::Unknown;
+  }
+}
+
+class Evaluator {
+public:
+  Evaluator(const Block &block, const MachineState &state, Outcome *outcome)
+      : block_(block), state_(state), outcome_(outcome) {}
+
+  Value run(const Expression &expression) {
+    if (expression.bad)
+      return Value::unknown();
+    for (uint32_t i = 0; i < expression.count; ++i)
+      step(block_.operations[expression.first + i]);
+    return stack_.size() == 1 ? stack_.back() : Value::unknown();
+  }
+
+private:
+  Value pop() {
+    if (stack_.empty())
+      return Value::unknown();
+    return stack_.pop_back_val();
+  }
+  void domainError(const ExpressionOp &op) {
+    if (outcome_)
+      outcome_->emit(EventKind::DomainError).number = op.offset;
+  }
+  /// One constant in, one number out; anything else is unknown.
+  template <typename F> void unary(F f) {
+    const Value a = pop();
+    const Interval x = a.asNumber();
+    stack_.push_back(a.kind != Value::Kind::Unknown && x.isConstant() ? Value::of(f(x.value()))
+                                                                      : Value::unknown());
+  }
+  void step(const ExpressionOp &op);
+  void arithmetic(const ExpressionOp &op);
+
+  const Block &block_;
+  const MachineState &state_;
+  Outcome *outcome_;
+  llvm::SmallVector<Value, 8> stack_;
+};
+
+void Evaluator::arithmetic(const ExpressionOp &op) {
+  const Value right = pop(), left = pop();
+  if (left.kind == Value::Kind::Unknown || right.kind == Value::Kind::Unknown) {
+    stack_.push_back(Value::unknown());
+    return;
+  }
+  const Interval a = left.asNumber(), b = right.asNumber();
+  switch (op.op) {
+  case Op::Add:
+    stack_.push_back(Value::of(a + b));
+    return;
+  case Op::Subtract:
+    stack_.push_back(Value::of(a - b));
+    return;
+  case Op::Multiply:
+    stack_.push_back(b.isConstant()   ? Value::of(a * b.value())
+                     : a.isConstant() ? Value::of(b * a.value())
+                                      : Value::unknown());
+    return;
+  case Op::Divide:
+    if (b.isConstant() && b.value() == 0) {
+      domainError(op);
+      stack_.push_back(Value::unknown());
+      return;
+    }
+    if (a.isConstant() && b.isConstant())
+      stack_.push_back(Value::of(a.value() / b.value()));
+    else
+      stack_.push_back(b.isConstant() ? Value::of(a * (1 / b.value())) : Value::unknown());
+    return;
+  case Op::Modulo:
+    if (b.isConstant() && b.value() == 0)
+      domainError(op);
+    if (a.isConstant() && b.isConstant() && b.value() != 0)
+      stack_.push_back(Value::of(std::fmod(a.value(), b.value())));
+    else
+      stack_.push_back(Value::unknown());
+    return;
+  case Op::And:
+  case Op::Or:
+  case Op::Xor: {
+    if (!a.isConstant() || !b.isConstant() || std::fabs(a.value()) > 1e15 ||
+        std::fabs(b.value()) > 1e15) {
+      // A false operand decides AND, a true one OR, whatever the other is.
+      const Truth x = truthOf(left), y = truthOf(right);
+      if (op.op == Op::And && (x == Truth::No || y == Truth::No))
+        stack_.push_back(Value::of(0));
+      else
+        stack_.push_back(Value::unknown());
+      return;
+    }
+    const auto x = int64_t(a.value()), y = int64_t(b.value());
+    stack_.push_back(Value::of(double(op.op == Op::And ? (x & y)
+                                      : op.op == Op::Or ? (x | y)
+                                                        : (x ^ y))));
+    return;
+  }
+  case Op::Atan2:
+    stack_.push_back(a.isConstant() && b.isConstant()
+                         ? Value::of(std::atan2(a.value(), b.value()) / degree)
+                         : Value::unknown());
+    return;
+  default:
+    stack_.push_back(Value::unknown());
+  }
+}
+
+void Evaluator::step(const ExpressionOp &op) {
+  switch (op.op) {
+  case Op::Number:
+    stack_.push_back(Value::of(op.value));
+    return;
+  case Op::Vacant:
+    stack_.push_back(Value::vacant());
+    return;
+  case Op::Variable:
+    stack_.push_back(op.value < 1e9 ? readVariable(state_, int64_t(op.value)) : Value::unknown());
+    return;
+  case Op::VariableAt: {
+    const Value number = pop();
+    const Interval n = number.asNumber();
+    if (number.kind == Value::Kind::Unknown || !n.isConstant() || std::fabs(n.value()) > 1e9)
+      stack_.push_back(Value::unknown());
+    else
+      stack_.push_back(readVariable(state_, std::llround(n.value())));
+    return;
+  }
+  case Op::Negate: {
+    const Value a = pop();
+    // `-#1` of a vacant variable stays vacant.
+    stack_.push_back(a.kind == Value::Kind::Number ? Value::of(a.number * -1) : a);
+    return;
+  }
+  case Op::Equal:
+  case Op::NotEqual:
+  case Op::Greater:
+  case Op::GreaterEqual:
+  case Op::Less:
+  case Op::LessEqual: {
+    const Value b = pop(), a = pop();
+    stack_.push_back(fromTruth(compare(op.op, a, b)));
+    return;
+  }
+  case Op::Sin:
+    return unary([](double x) { return std::sin(x * degree); });
+  case Op::Cos:
+    return unary([](double x) { return std::cos(x * degree); });
+  case Op::Tan:
+    return unary([](double x) { return std::tan(x * degree); });
+  case Op::Asin:
+  case Op::Acos: {
+    const Interval x = stack_.empty() ? Interval() : stack_.back().asNumber();
+    if (x.isConstant() && std::fabs(x.value()) > 1) {
+      domainError(op);
+      stack_.back() = Value::unknown();
+      return;
+    }
+    if (op.op == Op::Asin)
+      return unary([](double v) { return std::asin(v) / degree; });
+    return unary([](double v) { return std::acos(v) / degree; });
+  }
+  case Op::Atan:
+    return unary([](double x) { return std::atan(x) / degree; });
+  case Op::Sqrt: {
+    const Interval x = stack_.empty() ? Interval() : stack_.back().asNumber();
+    if (x.isConstant() && x.value() < 0) {
+      domainError(op);
+      stack_.back() = Value::unknown();
+      return;
+    }
+    return unary([](double v) { return std::sqrt(v); });
+  }
+  case Op::Ln: {
+    const Interval x = stack_.empty() ? Interval() : stack_.back().asNumber();
+    if (x.isConstant() && x.value() <= 0) {
+      domainError(op);
+      stack_.back() = Value::unknown();
+      return;
+    }
+    return unary([](double v) { return std::log(v); });
+  }
+  case Op::Exp:
+    return unary([](double x) { return std::exp(std::min(x, 700.0)); });
+  case Op::Abs: {
+    const Value a = pop();
+    const Interval x = a.asNumber();
+    if (a.kind == Value::Kind::Unknown)
+      stack_.push_back(a);
+    else if (x.lo >= 0)
+      stack_.push_back(Value::of(x));
+    else if (x.hi <= 0)
+      stack_.push_back(Value::of(x * -1));
+    else
+      stack_.push_back(Value::of(Interval{0, std::max(-x.lo, x.hi)}));
+    return;
+  }
+  case Op::Round:
+    return unary([](double x) { return std::round(x); });
+  case Op::Fix:
+    return unary([](double x) { return std::trunc(x); });
+  case Op::Fup:
+    return unary([](double x) { return x < 0 ? std::floor(x) : std::ceil(x); });
+  case Op::Add:
+  case Op::Subtract:
+  case Op::Multiply:
+  case Op::Divide:
+  case Op::Modulo:
+  case Op::And:
+  case Op::Or:
+  case Op::Xor:
+  case Op::Atan2:
+    return arithmetic(op);
+  default:
+    // BIN, BCD, ADP and what the reader could not resolve.
+    if (op.op != Op::Unknown && op.op != Op::NamedVariable && !stack_.empty())
+      stack_.pop_back();
+    stack_.push_back(Value::unknown());
+  }
+}
+
+} // namespace
+
+Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome) {
+  if (index >= block.expressions.size())
+    return Value::unknown();
+  return Evaluator(block, state, outcome).run(block.expressions[index]);
+}
+
+Truth truthOf(const Value &value) {
+  if (value.kind == Value::Kind::Unknown)
+    return Truth::Unknown;
+  const Interval x = value.asNumber();
+  if (x.isConstant())
+    return x.value() != 0 ? Truth::Yes : Truth::No;
+  return x.contains(0) ? Truth::Unknown : Truth::Yes;
+}
+
+Value readVariable(const MachineState &state, int64_t number) {
+  if (number == 0)
+    return Value::vacant();
+  if (number > 0 && number <= lastLocal)
+    return state.locals.get(uint32_t(number));
+  if (isCommon(number))
+    return state.commons.get(uint32_t(number));
+  return Value::unknown();
+}
+
+void writeVariable(MachineState &state, int64_t number, const Value &value) {
+  if (number > 0 && number <= lastLocal)
+    state.locals.set(uint32_t(number), value);
+  else if (isCommon(number))
+    state.commons.set(uint32_t(number), value);
+}
+
+} // namespace ncvet

@@ -1,0 +1,19 @@
+// Evaluates expressions of the program on abstract values.
+#pragma once
+
+#include "interp/event.h"
+
+namespace ncvet {
+
+/// Value of expression `index` of `block`. Domain errors and reads of vacant variables in
+/// arithmetic are emitted into `outcome`, which may be null.
+Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome);
+
+/// Truth of a value as a condition: comparisons give 1 or 0.
+Truth truthOf(const Value &value);
+
+/// Value of variable `number`: local, common, or unknown for the control's own.
+Value readVariable(const MachineState &state, int64_t number);
+void writeVariable(MachineState &state, int64_t number, const Value &value);
+
+} // namespace ncvet

@@ -1,0 +1,267 @@
+// The machine's state at one point of a program, as far as it is known.
+#include "interp/state.h"
+
+#include "llvm/ADT/Hashing.h"
+#include "llvm/Support/xxhash.h"
+
+#include <bit>
+
+namespace ncvet {
+
+namespace {
+
+constexpr uint8_t phaseAny = phaseOff | phaseStarting | phaseOn | phaseEnding;
+
+Interval combine(const Interval &a, const Interval &b, bool wide) {
+  return wide ? widen(a, b) : join(a, b);
+}
+
+int32_t combine(int32_t a, int32_t b) { return a == b ? a : notKnown; }
+
+uint64_t knownMembers(const Dialect &dialect, GroupIndex index) {
+  const size_t count = dialect.groups[index].members.size();
+  return count >= 63 ? ~groupUnset : (uint64_t(1) << count) - 1;
+}
+
+Origin either(const Origin &a, const Origin &b) { return a.known() ? a : b; }
+
+MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
+  MachineState r = a;
+  for (size_t i = 0; i < maxGroups; ++i)
+    r.group[i] = a.group[i] | b.group[i];
+  for (size_t i = 0; i < axisCount; ++i) {
+    // A place in machine coordinates and one in work coordinates have nothing in common.
+    const bool sameFrame = !((a.machineAxes ^ b.machineAxes) >> i & 1);
+    r.position[i] = sameFrame ? combine(a.position[i], b.position[i], wide) : Interval::unknown();
+  }
+  r.machineAxes = a.machineAxes & b.machineAxes;
+  r.statedMay = a.statedMay | b.statedMay;
+  r.statedMust = a.statedMust & b.statedMust;
+  r.factsMay = a.factsMay | b.factsMay;
+  r.factsMust = a.factsMust & b.factsMust;
+  r.feed = combine(a.feed, b.feed, wide);
+  r.tool = combine(a.tool, b.tool);
+  r.toolOffset = combine(a.toolOffset, b.toolOffset);
+  r.preselected = combine(a.preselected, b.preselected);
+  r.lengthOffset = combine(a.lengthOffset, b.lengthOffset);
+  r.radiusOffset = combine(a.radiusOffset, b.radiusOffset);
+  r.spindle = a.spindle | b.spindle;
+  r.liveTool = a.liveTool | b.liveTool;
+  r.compensation = a.compensation | b.compensation;
+  r.idleBlocks = std::min(a.idleBlocks, b.idleBlocks);
+  r.speed = combine(a.speed, b.speed, wide);
+  r.speedLimit = combine(a.speedLimit, b.speedLimit, wide);
+  r.switchMay = a.switchMay | b.switchMay;
+  r.switchMust = a.switchMust & b.switchMust;
+  for (size_t i = 0; i < maxSwitches; ++i)
+    r.switchAxes[i] = a.switchAxes[i] | b.switchAxes[i];
+  for (size_t i = 0; i < 3; ++i) {
+    r.localShift[i] = combine(a.localShift[i], b.localShift[i], wide);
+    r.cycleStart[i] = combine(a.cycleStart[i], b.cycleStart[i], wide);
+  }
+  r.cycle.present = a.cycle.present | b.cycle.present;
+  for (size_t i = 0; i < 26; ++i) {
+    const bool both = (a.cycle.present & b.cycle.present) >> i & 1;
+    if (!both || a.cycle.value[i] != b.cycle.value[i])
+      r.cycle.value[i] =
+          r.cycle.present >> i & 1 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  }
+  r.initialLevel = combine(a.initialLevel, b.initialLevel, wide);
+  if (a.pendingCycle != b.pendingCycle)
+    r.pendingCycle = noCode;
+  if (a.roughFirst != b.roughFirst || a.roughLast != b.roughLast)
+    r.roughFirst = r.roughLast = notKnown;
+  if (a.transforms != b.transforms)
+    r.transforms = {};
+  r.modalMacro = combine(a.modalMacro, b.modalMacro);
+  r.profile = std::max(a.profile, b.profile);
+  r.locals = wide ? Variables::widen(a.locals, b.locals) : Variables::join(a.locals, b.locals);
+  r.commons = wide ? Variables::widen(a.commons, b.commons) : Variables::join(a.commons, b.commons);
+  for (size_t i = 0; i < maxGroups; ++i)
+    r.origin.group[i] = either(a.origin.group[i], b.origin.group[i]);
+  for (size_t i = 0; i < maxSwitches; ++i)
+    r.origin.switched[i] = either(a.origin.switched[i], b.origin.switched[i]);
+  r.origin.tool = either(a.origin.tool, b.origin.tool);
+  r.origin.spindle = either(a.origin.spindle, b.origin.spindle);
+  r.origin.speed = either(a.origin.speed, b.origin.speed);
+  r.origin.feed = either(a.origin.feed, b.origin.feed);
+  r.origin.cycle = either(a.origin.cycle, b.origin.cycle);
+  r.origin.compensation = either(a.origin.compensation, b.origin.compensation);
+  r.origin.pending = either(a.origin.pending, b.origin.pending);
+  r.origin.preset = either(a.origin.preset, b.origin.preset);
+  r.origin.rough = either(a.origin.rough, b.origin.rough);
+  return r;
+}
+
+/// A canonical sequence of numbers that says all that `equal` and `hash` look at.
+template <typename Sink> void visitParts(const MachineState &s, Sink sink) {
+  const auto interval = [&](const Interval &i) {
+    sink(std::bit_cast<uint64_t>(i.lo));
+    sink(std::bit_cast<uint64_t>(i.hi));
+  };
+  for (uint64_t g : s.group)
+    sink(g);
+  for (const Interval &p : s.position)
+    interval(p);
+  sink(uint64_t(s.statedMay) << 32 | s.statedMust);
+  sink(s.machineAxes);
+  sink(s.factsMay);
+  sink(s.factsMust);
+  interval(s.feed);
+  sink(uint64_t(uint32_t(s.tool)) << 32 | uint32_t(s.toolOffset));
+  sink(uint64_t(uint32_t(s.preselected)) << 32 | uint32_t(s.lengthOffset));
+  sink(uint64_t(uint32_t(s.radiusOffset)) << 32 | uint32_t(s.modalMacro));
+  sink(uint64_t(s.spindle) | uint64_t(s.liveTool) << 8 | uint64_t(s.compensation) << 16 |
+       uint64_t(s.idleBlocks) << 24 | uint64_t(s.pendingCycle) << 32 | uint64_t(s.profile) << 48);
+  interval(s.speed);
+  interval(s.speedLimit);
+  sink(uint64_t(s.switchMay) << 32 | s.switchMust);
+  for (uint16_t axes : s.switchAxes)
+    sink(axes);
+  for (const Interval &i : s.localShift)
+    interval(i);
+  for (const Interval &i : s.cycleStart)
+    interval(i);
+  interval(s.initialLevel);
+  sink(s.cycle.present);
+  for (size_t i = 0; i < 26; ++i)
+    if (s.cycle.present >> i & 1)
+      sink(std::bit_cast<uint64_t>(s.cycle.value[i]));
+  sink(uint64_t(s.roughFirst));
+  sink(uint64_t(s.roughLast));
+  for (uint8_t t : s.transforms)
+    sink(t);
+}
+
+} // namespace
+
+const CodeInfo *MachineState::activeCode(const Dialect &dialect, StandardGroup which) const {
+  const uint64_t set = active(dialect, which);
+  if (!std::has_single_bit(set) || set == groupUnset)
+    return nullptr;
+  return &dialect.codes[dialect.groups[dialect.group(which)].members[size_t(std::countr_zero(set))]];
+}
+
+llvm::SmallVector<const CodeInfo *, 4> MachineState::candidates(const Dialect &dialect,
+                                                                StandardGroup which) const {
+  llvm::SmallVector<const CodeInfo *, 4> result;
+  uint64_t set = active(dialect, which) & ~groupUnset;
+  if (set == 0)
+    return result;
+  const auto &members = dialect.groups[dialect.group(which)].members;
+  for (; set; set &= set - 1)
+    result.push_back(&dialect.codes[members[size_t(std::countr_zero(set))]]);
+  return result;
+}
+
+Truth MachineState::isActive(const Dialect &dialect, StandardGroup which,
+                             std::initializer_list<Action> actions) const {
+  const uint64_t set = active(dialect, which);
+  bool yes = false, no = set & groupUnset;
+  for (const CodeInfo *code : candidates(dialect, which)) {
+    const bool match = std::find(actions.begin(), actions.end(), code->action) != actions.end();
+    (match ? yes : no) = true;
+  }
+  return yes ? (no ? Truth::Unknown : Truth::Yes) : (set & groupUnset ? Truth::Unknown : Truth::No);
+}
+
+Truth MachineState::cycleActive(const Dialect &dialect) const {
+  bool yes = false, no = false;
+  for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion}) {
+    const uint64_t set = active(dialect, which);
+    bool here = false, other = set & groupUnset;
+    for (const CodeInfo *code : candidates(dialect, which))
+      (code->action == Action::Cycle ? here : other) = true;
+    if (here && !other)
+      return Truth::Yes;
+    yes |= here;
+    no |= other;
+  }
+  return yes ? Truth::Unknown : Truth::No;
+}
+
+Truth MachineState::compensationActive(const Dialect &dialect) const {
+  const Truth answer =
+      isActive(dialect, StandardGroup::Compensation,
+               {Action::CompensationLeft, Action::CompensationRight});
+  // Every manual that says anything has compensation off at power-on.
+  if (answer == Truth::Unknown && active(dialect, StandardGroup::Compensation) == groupUnset)
+    return Truth::No;
+  return answer;
+}
+
+MachineState initialState(const Dialect &dialect) {
+  MachineState state;
+  for (size_t i = 0; i < maxGroups; ++i) {
+    state.group[i] = groupUnset;
+    if (i < dialect.groups.size() && dialect.groups[i].initial != 0xFF)
+      state.group[i] = uint64_t(1) << dialect.groups[i].initial;
+  }
+  state.localShift.fill(Interval::exactly(0));
+  // A bit is spent on "away from the part": a program starts clear of it.
+  state.set(Fact::AwayFromPart);
+  return state;
+}
+
+MachineState unknownState(const Dialect &dialect) {
+  MachineState state;
+  for (size_t i = 0; i < maxGroups; ++i) {
+    state.group[i] = groupUnset;
+    if (i < dialect.groups.size())
+      state.group[i] |= knownMembers(dialect, GroupIndex(i));
+  }
+  state.statedMay = ~0u;
+  state.factsMay = ~uint64_t(0);
+  state.tool = state.toolOffset = state.preselected = state.lengthOffset = state.radiusOffset =
+      notKnown;
+  state.spindle = state.liveTool = spindleAny;
+  state.compensation = phaseAny;
+  state.switchMay = ~0u;
+  state.switchAxes.fill(0xFFFF);
+  state.roughFirst = state.roughLast = notKnown;
+  state.modalMacro = notKnown;
+  state.cycle.present = (1u << 26) - 1;
+  state.cycle.value.fill(std::numeric_limits<double>::quiet_NaN());
+  state.locals.forget();
+  return state;
+}
+
+bool equal(const MachineState &a, const MachineState &b) {
+  llvm::SmallVector<uint64_t, 192> parts;
+  visitParts(a, [&](uint64_t v) { parts.push_back(v); });
+  size_t i = 0;
+  bool same = true;
+  visitParts(b, [&](uint64_t v) {
+    same &= i < parts.size() && parts[i] == v;
+    ++i;
+  });
+  return same && i == parts.size() && a.locals == b.locals && a.commons == b.commons;
+}
+
+uint64_t hash(const MachineState &state) {
+  llvm::SmallVector<uint64_t, 192> parts;
+  visitParts(state, [&](uint64_t v) { parts.push_back(v); });
+  parts.push_back(state.locals.hash());
+  parts.push_back(state.commons.hash());
+  return llvm::xxHash64(llvm::StringRef(reinterpret_cast<const char *>(parts.data()),
+                                        parts.size() * sizeof(uint64_t)));
+}
+
+bool covers(const MachineState &a, const MachineState &b) { return equal(join(a, b), a); }
+
+MachineState join(const MachineState &a, const MachineState &b) { return merge(a, b, false); }
+
+MachineState widen(const MachineState &previous, const MachineState &next) {
+  return merge(previous, next, true);
+}
+
+uint64_t controlFingerprint(const Dialect &dialect, const MachineState &state) {
+  return llvm::hash_combine(
+      state.active(dialect, StandardGroup::Distance), state.active(dialect, StandardGroup::Plane),
+      state.active(dialect, StandardGroup::Units), state.active(dialect, StandardGroup::Cycle),
+      state.active(dialect, StandardGroup::Motion),
+      state.active(dialect, StandardGroup::Compensation), state.compensation, state.tool,
+      state.profile);
+}
+
+} // namespace ncvet
