@@ -33,7 +33,7 @@ std::string applyEdits(llvm::StringRef text, llvm::ArrayRef<TextEdit> edits) {
   std::string out;
   out.reserve(text.size());
   size_t done = 0;
-  const TextEdit *previous = nullptr;
+  [[maybe_unused]] const TextEdit *previous = nullptr; // for the assertion only
   for (const TextEdit *edit : sorted) {
     assert((!previous || !overlaps(*previous, *edit)) && "edits overlap");
     const size_t begin = std::max<size_t>(done, edit->range.begin);
