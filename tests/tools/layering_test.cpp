@@ -314,9 +314,9 @@ TEST(Layering, AnIncludeOfARowBelowIsSeenWithItsLine) {
 TEST(Layering, NobodyButTheCommandLineIncludesTheServerOrTheCommandLine) {
   for (const std::string path :
        {"formats/text/x.cpp", "interp/x.cpp", "analyzer/x.cpp", "rules/cycle/x.cpp"})
-    for (const std::string header : {"lsp/server.h", "analyzer/cli/options.h"})
-      EXPECT_EQ(violations(path, sentence + "#include \"" + header + "\"\n").size(), 1U)
-          << path << " " << header;
+    for (const std::string include :
+         {"#include \"lsp/server.h\"\n", "#include \"analyzer/cli/options.h\"\n"})
+      EXPECT_EQ(violations(path, sentence + include).size(), 1U) << path << " " << include;
   EXPECT_EQ(violations("lsp/x.cpp", sentence + "#include \"analyzer/cli/options.h\"\n").size(), 1U);
   EXPECT_TRUE(violations("analyzer/cli/x.cpp", sentence + "#include \"lsp/server.h\"\n").empty());
 }

@@ -1,0 +1,54 @@
+// Stages of the tool alone, timed by Google Benchmark: ./dev bench, or this binary with its
+// options.
+#include "formats/text/source.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace {
+
+using namespace ncvet;
+
+/// Blocks of a 3D finishing pass, as the whole-process programs have them.
+std::string surfacingText(int blocks) {
+  std::string text = "%\nO1001\nG21 G17 G40 G49 G80 G90 G94\nG1 X0. Y0. Z0. F2400.\n";
+  char block[64];
+  for (int i = 0; i < blocks; ++i) {
+    std::snprintf(block, sizeof block, "X%.3f Y%.3f Z-%.4f\n", 0.487 * (i % 400), 0.02 * (i % 7),
+                  6.0 + 0.0137 * (i % 97));
+    text += block;
+  }
+  return text + "M30\n%\n";
+}
+
+/// One position in a large file, as a report needs it for its first finding.
+void firstPositionOfALargeFile(benchmark::State &state) {
+  const std::string text = surfacingText(100'000);
+  const auto middle = static_cast<uint32_t>(text.size() / 2);
+  for (auto _ : state) {
+    const auto file = SourceFile::fromText(0, "bench.nc", text);
+    benchmark::DoNotOptimize(file->position(middle));
+  }
+  state.SetBytesProcessed(static_cast<int64_t>(state.iterations()) *
+                          static_cast<int64_t>(text.size()));
+}
+BENCHMARK(firstPositionOfALargeFile)->Unit(benchmark::kMicrosecond);
+
+/// Further positions: the index is there.
+void positionsOfALargeFile(benchmark::State &state) {
+  const std::string text = surfacingText(100'000);
+  const auto file = SourceFile::fromText(0, "bench.nc", text);
+  uint32_t offset = 0;
+  for (auto _ : state) {
+    offset = (offset + 65'537) % static_cast<uint32_t>(text.size());
+    benchmark::DoNotOptimize(file->position(offset));
+  }
+}
+BENCHMARK(positionsOfALargeFile);
+
+} // namespace
+
+BENCHMARK_MAIN();
