@@ -184,15 +184,21 @@ void appendDecoded(std::string &out, llvm::StringRef bytes, Encoding encoding) {
     bytes = bytes.drop_front(plain);
     if (bytes.empty())
       return;
-    size_t length = 1;
+    const uint32_t length = codePointLength(bytes, encoding);
     if (encoding != Encoding::Utf8)
       appendUtf8(out, decodeByte(static_cast<unsigned char>(bytes.front()), encoding));
-    else if (const size_t valid = utf8Sequence(bytes))
-      out.append(bytes.data(), length = valid);
+    else if (length > 1)
+      out.append(bytes.data(), length);
     else
       appendUtf8(out, replacementCharacter);
     bytes = bytes.drop_front(length);
   }
+}
+
+uint32_t codePointLength(llvm::StringRef bytes, Encoding encoding) {
+  if (encoding != Encoding::Utf8)
+    return 1;
+  return std::max(1u, static_cast<uint32_t>(utf8Sequence(bytes)));
 }
 
 uint32_t countCodePoints(llvm::StringRef bytes, Encoding encoding) {

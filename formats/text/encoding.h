@@ -32,6 +32,9 @@ void appendDecoded(std::string &out, llvm::StringRef bytes, Encoding encoding);
 /// Code points in `bytes` of a text in `encoding`: for an 8-bit encoding the number of bytes.
 uint32_t countCodePoints(llvm::StringRef bytes, Encoding encoding);
 
+/// Bytes of the first code point of `bytes` (not empty) in `encoding`; 1 where there is none.
+uint32_t codePointLength(llvm::StringRef bytes, Encoding encoding);
+
 /// Appends one code point (no surrogate, at most U+10FFFF) as UTF-8.
 void appendUtf8(std::string &out, uint32_t codePoint);
 

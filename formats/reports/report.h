@@ -1,0 +1,83 @@
+// Reports: what a run has to say, and the writers that say it in one format each.
+#pragma once
+
+#include "formats/finding/finding.h"
+#include "formats/text/source_set.h"
+
+#include "llvm/Support/raw_ostream.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ncvet {
+
+/// What became of one input file.
+struct FileReport {
+  std::string path;    ///< as shown in the findings
+  std::string dialect; ///< id of the dialect it was read in
+  uint64_t blocks = 0;
+  bool complete = true; ///< false: the analysis was cut short, findings may be missing
+  std::string detail;   ///< why this dialect
+};
+
+/// Something about the run itself, such as a file that cannot be read. That an analysis was cut
+/// short is said by `FileReport::complete` and needs no notification.
+struct Notification {
+  Severity severity = Severity::Warning;
+  std::string message;
+  std::string path; ///< empty when it is about no file
+};
+
+/// A finding of the baseline that the run did not make any more.
+struct AbsentFinding {
+  std::string rule; ///< id
+  std::string path;
+  std::string message;
+  uint32_t line = 1;
+  uint64_t fingerprint = 0;
+};
+
+/// All of one run. Nothing in it depends on time, place or order of work: the same input gives the
+/// same bytes.
+struct Report {
+  std::string toolName = "ncvet";
+  std::string toolVersion;
+  std::string toolUri; ///< absolute URI of the tool's page; empty when there is none
+  llvm::ArrayRef<RuleInfo> rules;
+  const SourceSet *sources = nullptr;
+  std::vector<Finding> findings;
+  std::vector<FileReport> files;
+  std::vector<Notification> notifications;
+  bool baselineUsed = false;
+  std::vector<AbsentFinding> absent;
+};
+
+/// Brings everything into the order of output: findings by path, line, column and rule.
+void sortReport(Report &report);
+
+/// Writes a report, sorted before, in one format. Suppressed findings and those of the baseline
+/// appear in SARIF only, marked as what they are; the other formats leave them out.
+class ReportWriter {
+public:
+  virtual ~ReportWriter() = default;
+  virtual void write(const Report &report, llvm::raw_ostream &out) = 0;
+};
+
+struct ReportOptions {
+  bool color = false; ///< of the formats only `text` has colours
+};
+
+struct ReportFormat {
+  llvm::StringRef name;
+  llvm::StringRef summary; ///< a few words for a list of formats
+};
+
+/// All formats, the default one first.
+llvm::ArrayRef<ReportFormat> reportFormats();
+
+/// The writer of a format; null when there is no format of that name.
+std::unique_ptr<ReportWriter> makeReportWriter(llvm::StringRef format,
+                                               const ReportOptions &options = {});
+
+} // namespace ncvet

@@ -1,0 +1,39 @@
+// Report writers: one maker a format, and what the writers share.
+#pragma once
+
+#include "formats/reports/report.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace ncvet {
+
+std::unique_ptr<ReportWriter> makeTextWriter(const ReportOptions &options);
+std::unique_ptr<ReportWriter> makeJsonWriter();
+std::unique_ptr<ReportWriter> makeSarifWriter();
+std::unique_ptr<ReportWriter> makeGccWriter();
+std::unique_ptr<ReportWriter> makeCheckstyleWriter();
+
+/// A range as reports give it: positions from 1 in code points, end exclusive, begin <= end.
+struct Region {
+  LineColumn begin;
+  LineColumn end;
+};
+
+const SourceFile &fileOf(const Report &report, const SourceRange &range);
+Region regionOf(const Report &report, const SourceRange &range);
+LineColumn positionOf(const Report &report, const SourceRange &range);
+
+/// `text` as valid UTF-8. Messages and fixes quote programs: what is not UTF-8 in them is in the
+/// encoding of the file that `range` lies in.
+std::string validText(const Report &report, const SourceRange &range, llvm::StringRef text);
+
+/// True for findings that only SARIF shows.
+inline bool isHidden(const Finding &finding) { return finding.suppressed || finding.baselined; }
+
+/// `text` (valid UTF-8) on one line, fit for a terminal: control characters as their pictures.
+std::string oneLine(llvm::StringRef text);
+
+/// Writes `value` without blanks. Bytes that are not UTF-8 become U+FFFD.
+void dumpJson(const nlohmann::ordered_json &value, llvm::raw_ostream &out);
+
+} // namespace ncvet
