@@ -30,11 +30,33 @@ enum class EventKind : uint8_t {
   VacantRead,       ///< a variable that was never set is used in arithmetic
   DomainError,      ///< a value outside a function's domain: division by zero, root of a negative
   Syntax,           ///< the reader found something; `number` is the index of the issue
+  FlowIssue,        ///< control cannot go where the block says; `number` is a `FlowIssue`
   Count
 };
 static_assert(unsigned(EventKind::Count) <= 32);
 
 constexpr uint32_t bitOf(EventKind kind) { return uint32_t(1) << unsigned(kind); }
+
+/// What the engine finds when it follows calls, jumps and ends. The event's range is in
+/// `RuleContext::flowRange`.
+enum class FlowIssue : uint8_t {
+  NoTarget,         ///< a call or jump names no target
+  UnknownProgram,   ///< the called program is nowhere
+  UnknownBlock,     ///< no block has the number that a jump, local call or return names
+  Recursion,        ///< the called program is being executed already
+  TooDeep,          ///< more levels of calls than the control allows
+  ReturnInMain,     ///< a return code in a program that nobody called
+  EndInSubprogram,  ///< a program end inside a called program
+  MainRunsOut,      ///< the main program reaches the end of its text
+  SubprogramRunsOut, ///< a called program reaches the end of its text without a return
+  RunsIntoSubprogram, ///< plain flow reaches blocks that are called as a local subprogram
+  ProfileMissing,   ///< a profile's first or last block does not exist
+  ProfileReversed,  ///< a profile's last block stands in front of its first
+  ProfileReached,   ///< plain flow runs into the blocks of a profile
+  ComputedTarget,   ///< a target is computed and its value not known
+  StructureMismatch, ///< WHILE without END, END without DO
+  EndlessLoop       ///< the state repeats: the program never leaves a loop
+};
 
 enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Reference };
 

@@ -249,6 +249,9 @@ struct Dialect {
   std::string title;
   std::string reader; ///< "iso"
   MachineKind machine = MachineKind::Mill;
+  bool toolChangeByT = false;      ///< the T word itself changes the tool; else M06 does
+  bool profileRunsThrough = false; ///< behind a roughing cycle the control runs the profile itself
+  bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   Lexical lexical;
   Limits limits;
   std::array<AddressInfo, addressCount> addresses;

@@ -1,0 +1,56 @@
+// The files of one analysis: the program at hand and those that it calls from elsewhere.
+#pragma once
+
+#include "analyzer/program_index.h"
+#include "formats/dialect/machine.h"
+#include "formats/text/source_set.h"
+#include "interp/execute.h"
+
+#include <map>
+
+namespace ncvet {
+
+/// A file with its dialect, reader, index and executor.
+struct FileUnit {
+  FileUnit(const SourceFile &file, std::shared_ptr<const Dialect> language,
+           const MachineProfile &profile)
+      : source(file), dialect(std::move(language)), machine(profile),
+        reader(makeReader(*dialect, file.text())), index(file, *reader, *dialect),
+        executor(*dialect, machine, file.id()) {}
+
+  const SourceFile &source;
+  std::shared_ptr<const Dialect> dialect;
+  const MachineProfile &machine;
+  std::unique_ptr<Reader> reader;
+  FileIndex index;
+  Executor executor;
+};
+
+/// Finds programs that a file calls: in the same file, then in files of the same folder, then of
+/// the search folders; never outside of these.
+class Project {
+public:
+  Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
+          std::vector<std::string> searchFolders = {});
+
+  /// The unit of a file of the set; made when first asked for.
+  FileUnit &unit(const SourceFile &file);
+  /// Program `number` as seen from `from`: its unit and entry; null when there is none.
+  std::pair<FileUnit *, const ProgramInfo *> findProgram(FileUnit &from, int64_t number);
+  const Dialect &dialect() const { return *dialect_; }
+  const MachineProfile &machine() const { return machine_; }
+  SourceSet &sources() { return sources_; }
+
+private:
+  /// Programs of a folder by number: from file names like `O1234.nc`, and from headers.
+  const std::map<int64_t, std::string> &folder(const std::string &path);
+
+  SourceSet &sources_;
+  std::shared_ptr<const Dialect> dialect_;
+  MachineProfile machine_;
+  std::vector<std::string> searchFolders_;
+  std::map<FileId, std::unique_ptr<FileUnit>> units_;
+  std::map<std::string, std::map<int64_t, std::string>> folders_;
+};
+
+} // namespace ncvet

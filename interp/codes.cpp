@@ -1,0 +1,355 @@
+// The effect of single G and M codes: modal groups, spindle, coolant, tools, switches.
+#include "interp/execution.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+/// Makes the code the active member of its group.
+void Execution::activate(const CodeInfo &code, const Word *word) {
+  state_.group[code.group] = uint64_t(1) << code.bit;
+  state_.statedMay |= 1u << code.group;
+  state_.statedMust |= 1u << code.group;
+  if (word)
+    state_.origin.group[code.group] = originOf(*word);
+}
+
+void Execution::applyModal(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  if (code.group != noGroup && code.action != Action::Cycle &&
+      code.action != Action::CycleCancel)
+    activate(code, use.word);
+  switch (code.action) {
+  case Action::SurfaceSpeed:
+  case Action::ConstantSpeed:
+    if (before_.active(dialect_, StandardGroup::SpeedMode) !=
+        state_.active(dialect_, StandardGroup::SpeedMode))
+      state_.clear(Fact::SpeedSinceMode);
+    break;
+  case Action::CompensationLeft:
+  case Action::CompensationRight:
+    state_.origin.compensation = originOf(*use.word);
+    // Switched on from off: the next move in the plane engages it. While it is on, a change of side
+    // takes effect along the path, without an engaging move.
+    if (!(state_.compensation & phaseOn))
+      state_.compensation = phaseStarting;
+    break;
+  case Action::CompensationOff:
+    if (state_.compensation & phaseOn)
+      state_.compensation = uint8_t((state_.compensation & phaseOff) | phaseEnding);
+    else
+      state_.compensation = phaseOff;
+    break;
+  case Action::WorkOffset:
+    state_.set(Fact::WorkOffsetStated);
+    workOffset(use);
+    break;
+  case Action::LengthPositive:
+  case Action::LengthNegative:
+    state_.set(Fact::LengthSinceTool);
+    state_.origin.lengthOffset = originOf(*use.word);
+    state_.at(toolAxis(dialect_, state_)) = Interval::unknown();
+    break;
+  case Action::LengthOff:
+    state_.at(toolAxis(dialect_, state_)) = Interval::unknown();
+    break;
+  case Action::Inch:
+  case Action::Metric:
+    break; // positions are kept in millimetres
+  case Action::MacroModal:
+    break;
+  case Action::MacroCancel:
+    state_.modalMacro = notSet;
+    break;
+  case Action::MachineMove:
+    machineMove_ = true;
+    break;
+  case Action::Cycle:
+  case Action::CycleCancel:
+    break;
+  default:
+    break;
+  }
+  if (isMotion(code.action) || (code.action == Action::Cycle && code.group != noGroup) ||
+      code.action == Action::CycleCancel) {
+    if (code.action == Action::CycleCancel) {
+      cancelCycle(use.code, use.word);
+      cancelled_ = true;
+      if (code.group != noGroup)
+        activate(code, use.word);
+    } else {
+      if (!motionCode_.word || code.action == Action::Cycle)
+        motionCode_ = use;
+      // A motion code ends a drilling cycle, and a turning cycle's code replaces it.
+      if (isMotion(code.action))
+        cancelCycle(use.code, use.word);
+    }
+  } else if (code.group == noGroup || code.action == Action::DataInput) {
+    switch (code.action) {
+    case Action::Dwell:
+    case Action::DataInput:
+    case Action::ReferenceReturn:
+    case Action::ReferenceCheck:
+    case Action::ReferenceFrom:
+    case Action::SkipMove:
+    case Action::LocalShift:
+    case Action::PresetPosition:
+    case Action::SpeedLimit:
+    case Action::MacroCall:
+    case Action::Cycle:
+    case Action::ZoneOn:
+      if (!actionCode_.word)
+        actionCode_ = use;
+      break;
+    default:
+      break;
+    }
+  }
+  // Codes whose axis words say something else than a move although they belong to a group.
+  switch (code.action) {
+  case Action::RotationOn:
+  case Action::ScalingOn:
+  case Action::MirrorOn:
+  case Action::MirrorOff:
+  case Action::LocalShift:
+  case Action::PresetPosition:
+  case Action::MacroModal:
+  case Action::PolygonOn:
+  case Action::ZoneOn:
+  case Action::SpeedLimit:
+    if (!actionCode_.word)
+      actionCode_ = use;
+    break;
+  default:
+    break;
+  }
+}
+
+void Execution::setSpindle(uint8_t direction, const CodeUse &use) {
+  Event &event = outcome_.emit(EventKind::SpindleChange);
+  event.code = use.code;
+  event.word = use.word;
+  state_.spindle = direction;
+  state_.set(Fact::SpindleStated);
+  state_.clear(Fact::SpindleStoppedByTap);
+  state_.origin.spindle = originOf(*use.word);
+}
+
+void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
+  const unsigned index = code.effect.index;
+  if (index >= maxSwitches)
+    return;
+  const uint32_t bit = 1u << index;
+  uint16_t axes = axesOf(dialect_, block_);
+  bool on = code.effect.on;
+  if (code.effect.offByZero) {
+    // Off when every named axis is zero; a value that is not known may be either.
+    bool zero = true, known = true;
+    for (const Word &word : block_.words)
+      if (dialect_.axisWords & maskOf(word.address)) {
+        const Interval v = value(word);
+        known &= v.isConstant();
+        zero &= v.isConstant() && v.value() == 0;
+      }
+    if (!known) {
+      state_.switchMay |= bit;
+      state_.switchAxes[index] |= axes;
+      state_.origin.switched[index] = originOf(*use.word);
+      return;
+    }
+    on = !zero;
+  }
+  if (on) {
+    state_.switchMay |= bit;
+    state_.switchMust |= bit;
+    state_.switchAxes[index] |= axes;
+    state_.origin.switched[index] = originOf(*use.word);
+  } else {
+    // A code that names axes switches off those only.
+    if (axes && state_.switchAxes[index] & ~axes &&
+        (code.effect.offByZero || code.action == Action::MirrorOff)) {
+      state_.switchAxes[index] &= uint16_t(~axes);
+      return;
+    }
+    state_.switchMay &= ~bit;
+    state_.switchMust &= ~bit;
+    state_.switchAxes[index] = 0;
+  }
+}
+
+/// What takes effect before the block's motion.
+void Execution::applyEarly(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  if (code.effect.index != 0xFF)
+    applySwitch(code, use);
+  switch (code.action) {
+  case Action::SpindleCw:
+    setSpindle(spindleCw, use);
+    break;
+  case Action::SpindleCcw:
+    setSpindle(spindleCcw, use);
+    break;
+  case Action::SpindleOrient:
+    setSpindle(spindleOriented, use);
+    state_.set(Fact::OrientedSinceTool);
+    break;
+  case Action::LiveToolCw:
+    state_.liveTool = spindleCw;
+    break;
+  case Action::LiveToolCcw:
+    state_.liveTool = spindleCcw;
+    break;
+  case Action::ToolChange:
+    if (block_.has(letterAddress('T')) || state_.preselected != notSet) {
+      const int32_t tool = state_.preselected != notSet ? state_.preselected : notKnown;
+      changeTool(tool, notSet, *use.word, use.code);
+    } else {
+      changeTool(state_.tool == notSet ? notKnown : state_.tool, notSet, *use.word, use.code);
+    }
+    break;
+  case Action::Clamp:
+    state_.set(Fact::SpindleClamped);
+    break;
+  case Action::Unclamp:
+    state_.clear(Fact::SpindleClamped);
+    break;
+  case Action::ChuckOpen:
+    state_.set(Fact::ChuckOpen);
+    break;
+  case Action::ChuckClose:
+    state_.clear(Fact::ChuckOpen);
+    break;
+  case Action::AxisEngage:
+    state_.set(Fact::AxisEngaged);
+    break;
+  case Action::AxisRelease:
+    state_.clear(Fact::AxisEngaged);
+    break;
+  case Action::MachineSpecific:
+    state_.spindle = spindleAny;
+    state_.liveTool = spindleAny;
+    break;
+  case Action::RotationOn:
+  case Action::ScalingOn:
+  case Action::MirrorOn: {
+    Event &event = outcome_.emit(EventKind::CoordinateChange);
+    event.code = use.code;
+    event.word = use.word;
+    if (code.effect.index != 0xFF) {
+      const auto mark = uint8_t(code.effect.index + 1);
+      if (!llvm::is_contained(state_.transforms, mark))
+        for (uint8_t &slot : state_.transforms)
+          if (slot == 0) {
+            slot = mark;
+            break;
+          }
+    }
+    break;
+  }
+  case Action::PolarOff:
+  case Action::PolarOn:
+    state_.clear(Fact::PolarRadiusSet);
+    [[fallthrough]];
+  case Action::RotationOff:
+  case Action::ScalingOff:
+  case Action::MirrorOff: {
+    Event &event = outcome_.emit(EventKind::CoordinateChange);
+    event.code = use.code;
+    event.word = use.word;
+    // The place stays, its coordinates change.
+    for (Interval &position : state_.position)
+      position = Interval::unknown();
+    if (code.effect.index != 0xFF && !state_.switchMayBeOn(code.effect.index)) {
+      const auto mark = uint8_t(code.effect.index + 1);
+      auto &t = state_.transforms;
+      const auto end = std::remove(t.begin(), t.end(), mark);
+      std::fill(end, t.end(), uint8_t(0));
+    }
+    break;
+  }
+  default:
+    break;
+  }
+}
+
+/// What takes effect behind the block's motion.
+void Execution::applyLate(const CodeUse &use) {
+  switch (info(use).action) {
+  case Action::SpindleStop:
+    setSpindle(spindleOff, use);
+    break;
+  case Action::LiveToolStop:
+    state_.liveTool = spindleOff;
+    break;
+  case Action::ProgramStop:
+    break;
+  default:
+    break;
+  }
+}
+
+void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by) {
+  outcome_.setupChanged = true;
+  Event &event = outcome_.emit(EventKind::ToolChange);
+  event.word = &word;
+  event.code = by;
+  event.number = tool;
+  state_.tool = tool;
+  state_.preselected = notSet;
+  state_.origin.tool = originOf(word);
+  state_.set(Fact::ToolCalled);
+  state_.clear(Fact::CutSinceTool);
+  state_.clear(Fact::MovedSinceTool);
+  state_.clear(Fact::LengthSinceTool);
+  state_.clear(Fact::OrientedSinceTool);
+  state_.clear(Fact::PlungedUncompensated);
+  if (dialect_.isLathe()) {
+    // Another offset: the same place has other coordinates.
+    if (offset != state_.toolOffset || offset == notKnown)
+      for (const Axis axis : {Axis::X, Axis::Z})
+        if (!state_.inMachineCoordinates(axis))
+          state_.at(axis) = Interval::unknown();
+    state_.toolOffset = offset;
+  }
+}
+
+/// A lathe's T word is station and offset (`T0101`); a mill's is a tool, changed at once or by M06.
+void Execution::toolWord(const Word &word) {
+  outcome_.setupChanged = true;
+  const Interval number = value(word);
+  Event &event = outcome_.emit(EventKind::ToolWord);
+  event.word = &word;
+  event.value = number;
+  int32_t tool = notKnown, offset = notKnown;
+  if (number.isConstant() && number.value() >= 0 && number.value() < 1e8) {
+    const auto whole = int32_t(number.value());
+    if (dialect_.isLathe()) {
+      tool = whole / 100;
+      offset = whole % 100;
+      if (whole < 100 && !word.has(wordLeadingZero)) {
+        // One or two digits name an offset on some controls and a tool on others.
+        tool = notKnown;
+        offset = notKnown;
+      }
+    } else {
+      tool = whole;
+    }
+  }
+  if (dialect_.toolChangeByT) {
+    if (dialect_.isLathe() && tool == 0) {
+      // T0000 and T00 cancel the offset and change nothing.
+      state_.toolOffset = 0;
+      state_.set(Fact::ToolCalled);
+      return;
+    }
+    if (dialect_.isLathe() && tool == state_.tool && tool != notKnown && offset == 0) {
+      state_.toolOffset = 0; // T0100 behind T0101: the offset is cancelled
+      return;
+    }
+    changeTool(tool, offset, word, noCode);
+    return;
+  }
+  state_.preselected = tool;
+}
+
+} // namespace ncvet

@@ -1,0 +1,297 @@
+// The transfer function: the order in which the parts of a block take effect.
+#include "interp/execute.h"
+
+#include "interp/execution.h"
+
+namespace ncvet {
+
+namespace {
+constexpr uint16_t axisBit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
+} // namespace
+
+uint16_t planeAxes(const Dialect &dialect, const MachineState &state) {
+  switch (state.activeAction(dialect, StandardGroup::Plane)) {
+  case Action::PlaneXY:
+    return axisBit(Axis::X) | axisBit(Axis::Y);
+  case Action::PlaneZX:
+    return axisBit(Axis::Z) | axisBit(Axis::X);
+  case Action::PlaneYZ:
+    return axisBit(Axis::Y) | axisBit(Axis::Z);
+  default:
+    return dialect.isLathe() ? axisBit(Axis::Z) | axisBit(Axis::X)
+                             : axisBit(Axis::X) | axisBit(Axis::Y);
+  }
+}
+
+Axis toolAxis(const Dialect &dialect, const MachineState &state) {
+  switch (state.activeAction(dialect, StandardGroup::Plane)) {
+  case Action::PlaneXY:
+    return Axis::Z;
+  case Action::PlaneZX:
+    return dialect.isLathe() ? Axis::Z : Axis::Y;
+  case Action::PlaneYZ:
+    return Axis::X;
+  default:
+    return Axis::Z;
+  }
+}
+
+uint16_t axesOf(const Dialect &dialect, const Block &block) {
+  uint16_t axes = 0;
+  if (!block.hasAny(dialect.axisWords))
+    return 0;
+  for (const Word &word : block.words) {
+    const AddressInfo &address = dialect.addresses[word.address];
+    if (address.kind == AddressKind::Axis || address.kind == AddressKind::Increment)
+      axes |= axisBit(address.axis);
+  }
+  return axes;
+}
+
+Executor::Executor(const Dialect &dialect, const MachineProfile &machine, FileId file)
+    : dialect_(dialect), machine_(machine), file_(file) {}
+
+Truth Executor::guard(const Block &block, const MachineState &state) const {
+  for (size_t i = 0; i < block.items.size(); ++i) {
+    const Item &item = block.items[i];
+    if (item.kind != ItemKind::If)
+      continue;
+    const bool jumps = i + 1 < block.items.size() && block.items[i + 1].kind == ItemKind::Jump;
+    if (jumps)
+      return Truth::Yes;
+    return truthOf(evaluate(block, item.condition, state, nullptr));
+  }
+  return Truth::Yes;
+}
+
+void Executor::execute(const Block &block, const MachineState &before, MachineState &state,
+                       Outcome &outcome, bool guardHolds) const {
+  outcome.clear();
+  Execution(dialect_, machine_, file_, block, before, state, outcome).run(guardHolds);
+}
+
+/// Axis words, and perhaps G00 to G03 and F, with no cycle, compensation change, polar input or
+/// modal macro about: by far the most blocks of a long program.
+bool Execution::runPlainMove() {
+  constexpr AddressMask other = lettersMask("GMTSHDPQRLEOIJK") | maskOf(commaA) | maskOf(commaC) |
+                                maskOf(commaR);
+  if (block_.addresses & other & ~maskOf('G'))
+    return false;
+  if (!block_.items.empty() || !(block_.addresses & dialect_.axisWords) ||
+      (block_.addresses & ~(dialect_.axisWords | maskOf('F') | maskOf('G'))))
+    return false;
+  if (block_.has(letterAddress('G')) || state_.compensation != phaseOff || state_.modalMacro != notSet ||
+      state_.pendingCycle != noCode)
+    return false;
+  const GroupIndex cycle = dialect_.group(StandardGroup::Cycle);
+  if (cycle != noGroup) {
+    const CodeInfo *active = state_.activeCode(dialect_, StandardGroup::Cycle);
+    if (!(state_.group[cycle] == groupUnset || (active && active->action == Action::CycleCancel)))
+      return false;
+  }
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  if (!motion || (motion->action != Action::Linear && motion->action != Action::Rapid))
+    return false;
+  if (block_.has(letterAddress('F')))
+    technologyWords();
+  const GroupIndex group = dialect_.group(StandardGroup::Motion);
+  const CodeIndex index =
+      dialect_.groups[group].members[size_t(std::countr_zero(state_.group[group]))];
+  moveBy(motion, index, motion->action == Action::Rapid ? MotionKind::Rapid : MotionKind::Feed,
+         axesOf(dialect_, block_));
+  return true;
+}
+
+void Execution::run(bool guardHolds) {
+  outcome_.emit(EventKind::Block);
+  for (size_t i = 0; i < block_.issues.size(); ++i)
+    outcome_.emit(EventKind::Syntax).number = int64_t(i);
+  if (block_.items.empty()) {
+    if (runPlainMove())
+      return;
+    if (block_.words.empty())
+      return;
+  }
+  outcome_.setupChanged = true;
+  if (!block_.items.empty() && !runItems(guardHolds))
+    return;
+  if (block_.words.empty())
+    return;
+  resolveCodes();
+  // Modes first, then what they give a meaning to: an F behind G98 is a feed per minute.
+  for (const CodeUse &use : outcome_.codes)
+    applyModal(use);
+  technologyWords();
+  for (const CodeUse &use : outcome_.codes)
+    applyEarly(use);
+  moveAxes();
+  for (const CodeUse &use : outcome_.codes)
+    applyLate(use);
+  for (const CodeUse &use : outcome_.codes)
+    applyFlow(use);
+  finish();
+}
+
+void Execution::resolveCodes() {
+  constexpr AddressMask codeLetters = maskOf('G') | maskOf('M');
+  if (!(block_.addresses & codeLetters))
+    return;
+  for (const Word &word : block_.words) {
+    if (!(codeLetters & maskOf(word.address)))
+      continue;
+    if (word.has(wordExpression)) {
+      // `G#1`: which code it is decides itself at run time.
+      const Interval number = value(word);
+      if (number.isConstant() && number.value() >= 0 && number.value() < 10000) {
+        const CodeIndex code = dialect_.find(char('A' + word.address),
+                                             uint32_t(std::lround(number.value() * 10)));
+        if (code != noCode) {
+          outcome_.codes.push_back({code, &word});
+          continue;
+        }
+      }
+      state_.set(Fact::UnknownCode);
+      continue;
+    }
+    if (word.has(wordNoValue))
+      continue;
+    const CodeIndex code = dialect_.find(char('A' + word.address), word.codeNumber());
+    if (code == noCode) {
+      Event &event = outcome_.emit(EventKind::UnknownCode);
+      event.word = &word;
+      state_.set(Fact::UnknownCode);
+      if (word.address == letterAddress('M')) {
+        // The machine's builder knows what it does: it may start or stop anything.
+        state_.spindle = spindleAny;
+        state_.liveTool = spindleAny;
+        state_.switchMay = ~0u;
+        state_.switchMust = 0;
+      }
+      continue;
+    }
+    outcome_.codes.push_back({code, &word});
+  }
+  context_.codes = outcome_.codes;
+  for (CodeUse &use : outcome_.codes) {
+    const CodeInfo &base = dialect_.codes[use.code];
+    for (const Variant &variant : base.variants)
+      if (holds(variant.when, &base, context_)) {
+        use.code = variant.code;
+        break;
+      }
+  }
+  for (const CodeUse &use : outcome_.codes) {
+    Event &event = outcome_.emit(EventKind::Code);
+    event.code = use.code;
+    event.word = use.word;
+  }
+}
+
+/// F, S, T, H and D.
+void Execution::technologyWords() {
+  constexpr AddressMask technology = lettersMask("FSTHDE");
+  if (!(block_.addresses & technology))
+    return;
+  bool lead = false, limit = false, cycleTakesD = false, macro = false;
+  for (const CodeUse &use : outcome_.codes) {
+    const CodeInfo &code = info(use);
+    limit |= code.action == Action::SpeedLimit;
+    macro |= code.action == Action::MacroCall || code.action == Action::MacroModal;
+    lead |= code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
+            code.cycle == CycleKind::ThreadMulti;
+    cycleTakesD |= code.action == Action::Cycle && (code.takes & maskOf('D'));
+  }
+  if (macro) // the letters are arguments
+    return;
+  if (!lead)
+    if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
+      lead = motion->action == Action::Thread || motion->cycle == CycleKind::ThreadPass;
+  for (const Word &word : block_.words) {
+    switch (word.address) {
+    case letterAddress('E'):
+      if (!lead)
+        break;
+      [[fallthrough]];
+    case letterAddress('F'): {
+      if (state_.profile == 1)
+        break;
+      state_.feed = value(word);
+      state_.origin.feed = originOf(word);
+      state_.set(Fact::FeedSet);
+      if (lead)
+        state_.set(Fact::FeedIsLead);
+      else
+        state_.clear(Fact::FeedIsLead);
+      Event &event = outcome_.emit(EventKind::FeedWord);
+      event.word = &word;
+      event.value = state_.feed;
+      break;
+    }
+    case letterAddress('S'): {
+      if (state_.profile == 1)
+        break;
+      outcome_.setupChanged = true;
+      Event &event = outcome_.emit(EventKind::SpeedWord);
+      event.word = &word;
+      event.value = value(word);
+      if (limit) {
+        state_.speedLimit = event.value;
+        state_.set(Fact::SpeedLimitSet);
+        event.certain = false; // not a speed
+      } else {
+        state_.speed = event.value;
+        state_.origin.speed = originOf(word);
+        state_.set(Fact::SpeedSet);
+        state_.set(Fact::SpeedSinceMode);
+      }
+      break;
+    }
+    case letterAddress('T'):
+      if (state_.profile != 1)
+        toolWord(word);
+      break;
+    case letterAddress('H'):
+    case letterAddress('D'): {
+      const bool isD = word.address == letterAddress('D');
+      if (isD && cycleTakesD)
+        break;
+      if (dialect_.addresses[word.address].kind == AddressKind::Increment ||
+          dialect_.addresses[word.address].kind == AddressKind::Unknown)
+        break;
+      outcome_.setupChanged = true;
+      const Interval number = value(word);
+      const int32_t offset =
+          number.isConstant() && std::fabs(number.value()) < 1e6 ? int32_t(number.value()) : notKnown;
+      (isD ? state_.radiusOffset : state_.lengthOffset) = offset;
+      (isD ? state_.origin.radiusOffset : state_.origin.lengthOffset) = originOf(word);
+      Event &event = outcome_.emit(EventKind::OffsetWord);
+      event.word = &word;
+      event.value = number;
+      break;
+    }
+    default:
+      break;
+    }
+  }
+}
+
+void Execution::finish() {
+  // A parameter block waits for the very next block only.
+  if (before_.pendingCycle != noCode && state_.pendingCycle == before_.pendingCycle &&
+      state_.origin.pending.begin == before_.origin.pending.begin)
+    state_.pendingCycle = noCode;
+  if (state_.compensation & phaseOn) {
+    bool moved = false;
+    for (const Event &event : outcome_.events)
+      moved |= event.kind == EventKind::Motion && (event.axes & planeAxes(dialect_, state_));
+    state_.idleBlocks = moved ? 0 : uint8_t(std::min(255, state_.idleBlocks + 1));
+  } else {
+    state_.idleBlocks = 0;
+  }
+  if (state_.modalMacro != notSet)
+    for (const Event &event : outcome_.events)
+      if (event.kind == EventKind::Motion)
+        outcome_.macroAfterMove = state_.modalMacro;
+}
+
+} // namespace ncvet

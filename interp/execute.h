@@ -1,0 +1,40 @@
+// The transfer function: what one block does to the machine's state.
+#pragma once
+
+#include "interp/condition.h"
+
+namespace ncvet {
+
+/// Executes blocks of one program text on one control.
+class Executor {
+public:
+  Executor(const Dialect &dialect, const MachineProfile &machine, FileId file);
+
+  /// Whether the rest of the block behind an `IF [..]` is executed; `Yes` for blocks without one.
+  /// A jump behind the condition is not meant: its condition goes into the flow.
+  Truth guard(const Block &block, const MachineState &state) const;
+
+  /// Executes `block`. `before` must equal `state` on entry; it is what rules and conditions look
+  /// at. With `guardHolds` false only what stands in front of the block's IF is executed.
+  void execute(const Block &block, const MachineState &before, MachineState &state,
+               Outcome &outcome, bool guardHolds = true) const;
+
+  const Dialect &dialect() const { return dialect_; }
+  const MachineProfile &machine() const { return machine_; }
+  FileId file() const { return file_; }
+
+private:
+  const Dialect &dialect_;
+  const MachineProfile &machine_;
+  FileId file_;
+};
+
+/// Axes of the active plane as a bit mask over `Axis`; the usual plane of the machine's kind when
+/// no plane code was stated.
+uint16_t planeAxes(const Dialect &dialect, const MachineState &state);
+/// Axis normal to the active plane: the axis along which a drilling cycle drills.
+Axis toolAxis(const Dialect &dialect, const MachineState &state);
+/// Bit mask over `Axis` of the axes that the block's words name.
+uint16_t axesOf(const Dialect &dialect, const Block &block);
+
+} // namespace ncvet

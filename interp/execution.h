@@ -1,0 +1,86 @@
+// The work of executing one block, shared by the files that each do a part of it.
+#pragma once
+
+#include "interp/execute.h"
+#include "interp/expression.h"
+
+namespace ncvet {
+
+/// One block on its way through the interpreter. Private to interp/.
+class Execution {
+public:
+  Execution(const Dialect &dialect, const MachineProfile &machine, FileId file, const Block &block,
+            const MachineState &before, MachineState &state, Outcome &outcome)
+      : dialect_(dialect), machine_(machine), file_(file), block_(block), before_(before),
+        state_(state), outcome_(outcome), context_{dialect, machine, block, {}, before} {}
+
+  void run(bool guardHolds);
+
+private:
+  // execute.cpp: the order of things
+  bool runPlainMove();
+  void resolveCodes();
+  void technologyWords();
+  void finish();
+
+  // statements.cpp: Macro B
+  bool runItems(bool guardHolds);
+
+  // codes.cpp: the effect of single codes
+  void applyModal(const CodeUse &use);
+  void applyEarly(const CodeUse &use);
+  void applyLate(const CodeUse &use);
+  void applySwitch(const CodeInfo &info, const CodeUse &use);
+  void activate(const CodeInfo &info, const Word *word);
+  void setSpindle(uint8_t direction, const CodeUse &use);
+  void changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by);
+  void toolWord(const Word &word);
+
+  // flow.cpp: calls, returns, ends
+  void applyFlow(const CodeUse &use);
+  void callProgram(const CodeUse &use, bool macro);
+
+  // motion.cpp: axis words
+  void moveAxes();
+  void moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes);
+  void machineMove(uint16_t axes);
+  void referenceReturn(uint16_t axes, const CodeUse &use);
+  void shiftCoordinates(const CodeUse &use);
+  void workOffset(const CodeUse &use);
+  Interval coordinate(const Word &word) const;
+  void storeTarget(const Word &word, bool machineCoordinates);
+  void compensationStep(MotionKind kind, uint16_t axes);
+
+  // cycles.cpp
+  void startCycle(const CodeUse &use);
+  void runCycle(CodeIndex code, uint16_t axes);
+  void cancelCycle(CodeIndex by, const Word *word);
+  void storeCycleWords(bool fresh);
+  void runCompound(const CodeUse &use);
+  CodeIndex activeCycle() const;
+
+  Origin originOf(const Word &word) const {
+    return {file_, word.offset, block_.endOf(word)};
+  }
+  Origin originOfBlock() const { return {file_, block_.begin, std::max(block_.end, block_.begin + 1)}; }
+  /// Millimetres per unit of a programmed length; none when it is not known which unit is in force.
+  Interval lengthFactor() const;
+  Interval value(const Word &word) const { return wordValue(word, block_, state_); }
+  const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }
+
+  const Dialect &dialect_;
+  const MachineProfile &machine_;
+  const FileId file_;
+  const Block &block_;
+  const MachineState &before_;
+  MachineState &state_;
+  Outcome &outcome_;
+  ConditionContext context_;
+
+  CodeUse motionCode_;   ///< motion or modal cycle code of the block
+  CodeUse actionCode_;   ///< one-shot code that takes the block's axis words
+  bool machineMove_ = false;
+  bool cancelled_ = false; ///< the block ends the active cycle
+};
+
+} // namespace ncvet

@@ -1,0 +1,168 @@
+// Calls, returns and ends: what a block's codes say about where control goes.
+#include "interp/execution.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+namespace {
+
+Value valueOf(const Interval &interval) { return Value::of(interval); }
+
+/// Number of the local variable that argument letter `letter` of a macro call sets; 0: none.
+uint32_t macroArgument(char letter) {
+  switch (letter) {
+  case 'A': return 1;
+  case 'B': return 2;
+  case 'C': return 3;
+  case 'I': return 4;
+  case 'J': return 5;
+  case 'K': return 6;
+  case 'D': return 7;
+  case 'E': return 8;
+  case 'F': return 9;
+  case 'H': return 11;
+  case 'M': return 13;
+  case 'Q': return 17;
+  case 'R': return 18;
+  case 'S': return 19;
+  case 'T': return 20;
+  case 'U': return 21;
+  case 'V': return 22;
+  case 'W': return 23;
+  case 'X': return 24;
+  case 'Y': return 25;
+  case 'Z': return 26;
+  default: return 0;
+  }
+}
+
+} // namespace
+
+void Execution::callProgram(const CodeUse &use, bool macro) {
+  Flow &flow = outcome_.flow;
+  flow.kind = FlowKind::Call;
+  flow.code = use.code;
+  flow.word = use.word;
+  flow.macro = macro;
+  flow.begin = use.word->offset;
+  flow.end = block_.endOf(*use.word);
+  flow.target = Value::vacant();
+  if (const Word *p = block_.find('P')) {
+    flow.word = p;
+    flow.begin = p->offset;
+    flow.end = block_.endOf(*p);
+    const Interval number = value(*p);
+    flow.target = valueOf(number);
+    // Four-digit controls pack the count in front of the number: P51000 runs O1000 five times.
+    if (!macro && number.isConstant() && number.value() > 9999 && !block_.has(letterAddress('L')) &&
+        dialect_.limits.programDigitsMax == 4) {
+      const auto packed = int64_t(number.value());
+      flow.target = Value::of(double(packed % 10000));
+      flow.repeat = Value::of(double(packed / 10000));
+    }
+  }
+  if (const Word *l = block_.find('L'))
+    flow.repeat = valueOf(value(*l));
+  if (!macro) {
+    if (const Word *q = block_.find('Q'))
+      flow.startAt = valueOf(value(*q));
+    return;
+  }
+  // Repeated I, J, K sets count on: I4 J5 K6 I7 J8 K9 …
+  unsigned sets[3] = {0, 0, 0};
+  bool second = false;
+  for (const Word &word : block_.words)
+    if (word.address >= letterAddress('I') && word.address <= letterAddress('K'))
+      second |= ++sets[word.address - letterAddress('I')] > 1;
+  sets[0] = sets[1] = sets[2] = 0;
+  for (const Word &word : block_.words) {
+    if (word.address >= 26 || &word == use.word || word.offset < use.word->offset)
+      continue;
+    const char letter = char('A' + word.address);
+    if (letter == 'P' || letter == 'L' || letter == 'G' || letter == 'N' || letter == 'O')
+      continue;
+    uint32_t variable = macroArgument(letter);
+    if (second && letter >= 'I' && letter <= 'K')
+      variable = 4 + 3 * sets[letter - 'I']++ + uint32_t(letter - 'I');
+    if (variable && variable <= 33)
+      flow.arguments.set(variable, valueOf(value(word)));
+  }
+}
+
+void Execution::applyFlow(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  Flow &flow = outcome_.flow;
+  const auto here = [&](FlowKind kind) {
+    flow.kind = kind;
+    flow.code = use.code;
+    flow.word = use.word;
+    flow.begin = use.word->offset;
+    flow.end = block_.endOf(*use.word);
+  };
+  switch (code.action) {
+  case Action::CallProgram:
+    callProgram(use, false);
+    outcome_.emit(EventKind::Call).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  case Action::MacroCall:
+    callProgram(use, true);
+    outcome_.emit(EventKind::Call).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  case Action::MacroModal: {
+    const Word *p = block_.find('P');
+    const Interval number = p ? value(*p) : Interval::unknown();
+    state_.modalMacro = number.isConstant() && number.value() >= 0 && number.value() < 1e9
+                            ? int32_t(number.value())
+                            : notKnown;
+    break;
+  }
+  case Action::CallLocal: {
+    here(FlowKind::CallLocal);
+    flow.target = Value::vacant();
+    // The target is a P word; an N word behind the code is taken as one too.
+    const Word *target = block_.find('P');
+    if (!target)
+      target = block_.find('N');
+    if (target) {
+      flow.word = target;
+      flow.begin = target->offset;
+      flow.end = block_.endOf(*target);
+      flow.target = valueOf(value(*target));
+    }
+    if (const Word *l = block_.find('L'))
+      flow.repeat = valueOf(value(*l));
+    outcome_.emit(EventKind::Call).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  }
+  case Action::Return: {
+    here(FlowKind::Return);
+    flow.target = Value::vacant();
+    if (const Word *p = block_.find('P'))
+      flow.target = valueOf(value(*p));
+    outcome_.emit(EventKind::Return).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  }
+  case Action::ConditionalJump:
+    here(FlowKind::Jump);
+    flow.condition = Truth::Unknown;
+    flow.target = Value::vacant();
+    if (const Word *p = block_.find('P'))
+      flow.target = valueOf(value(*p));
+    break;
+  case Action::ProgramEnd:
+  case Action::ProgramEndRewind:
+    here(FlowKind::End);
+    outcome_.emit(EventKind::ProgramEnd).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  default:
+    break;
+  }
+}
+
+} // namespace ncvet

@@ -1,0 +1,359 @@
+// Axis words: where the block's motion leads, and what it does to compensation.
+#include "interp/execution.h"
+
+namespace ncvet {
+
+namespace {
+constexpr uint16_t bit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
+constexpr double millimetresPerInch = 25.4;
+/// Least increment of a metric control, for profiles that read a pointless number in increments.
+constexpr double leastIncrement = 0.001;
+} // namespace
+
+Interval Execution::lengthFactor() const {
+  const GroupIndex group = dialect_.group(StandardGroup::Units);
+  if (group == noGroup)
+    return Interval::exactly(1);
+  const uint64_t set = state_.group[group];
+  if (set == groupUnset)
+    return Interval::exactly(1); // the program's own unit, whatever it is
+  switch (state_.activeAction(dialect_, StandardGroup::Units)) {
+  case Action::Inch:
+    return Interval::exactly(millimetresPerInch);
+  case Action::Metric:
+    return Interval::exactly(1);
+  default:
+    return Interval::unknown();
+  }
+}
+
+Interval Execution::coordinate(const Word &word) const {
+  Interval result = value(word);
+  if (result.isUnknown())
+    return result;
+  const AddressInfo &address = dialect_.addresses[word.address];
+  if (address.unit != AddressUnit::Length)
+    return result;
+  const Interval factor = lengthFactor();
+  if (!factor.isConstant())
+    return Interval::unknown();
+  if (word.isNumber() && !word.has(wordPoint) && word.mantissa != 0) {
+    const auto reading = machine_.option("decimalPoint");
+    if (reading && *reading == "increment")
+      result = result * leastIncrement;
+  }
+  return factor.value() == 1 ? result : result * factor.value();
+}
+
+/// Stores the end point that an axis word gives.
+void Execution::storeTarget(const Word &word, bool machineCoordinates) {
+  const AddressInfo &address = dialect_.addresses[word.address];
+  Interval &position = state_.at(address.axis);
+  const Interval target = coordinate(word);
+  const uint32_t axis = bit(address.axis);
+  if (machineCoordinates) {
+    state_.machineAxes |= axis;
+    position = address.kind == AddressKind::Increment ? Interval::unknown() : target;
+    return;
+  }
+  Truth incremental = Truth::No;
+  if (address.kind == AddressKind::Increment || word.has(wordIncremental))
+    incremental = Truth::Yes;
+  else if (dialect_.group(StandardGroup::Distance) != noGroup &&
+           state_.active(dialect_, StandardGroup::Distance) != groupUnset)
+    incremental = state_.isActive(dialect_, StandardGroup::Distance, {Action::Incremental});
+  if (incremental == Truth::Yes) {
+    position = position + target; // stays in the coordinates in which it was known
+    return;
+  }
+  state_.machineAxes &= ~axis;
+  position = incremental == Truth::No ? target : Interval::unknown();
+}
+
+void Execution::compensationStep(MotionKind, uint16_t axes) {
+  if (state_.compensation == phaseOff || state_.compensation == phaseOn ||
+      !(axes & planeAxes(dialect_, state_)))
+    return;
+  const GroupIndex group = dialect_.group(StandardGroup::Compensation);
+  const bool starting = state_.compensation & phaseStarting;
+  const bool ending = state_.compensation & phaseEnding;
+  if (!starting && !ending)
+    return;
+  Event &event = outcome_.emit(EventKind::CompensationMove);
+  event.axes = axes;
+  event.certain = state_.compensation == phaseStarting || state_.compensation == phaseEnding;
+  if (group != noGroup && std::has_single_bit(state_.group[group]) &&
+      state_.group[group] != groupUnset)
+    event.code = dialect_.groups[group].members[size_t(std::countr_zero(state_.group[group]))];
+  if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
+    event.by = CodeIndex(motion - dialect_.codes.data());
+  uint8_t phase = state_.compensation;
+  if (starting)
+    phase = uint8_t((phase & ~phaseStarting) | phaseOn);
+  if (ending)
+    phase = uint8_t((phase & ~phaseEnding) | phaseOff);
+  state_.compensation = phase;
+  outcome_.setupChanged = true;
+}
+
+void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes) {
+  compensationStep(kind, axes);
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.code = code ? index : noCode;
+  event.motion = kind;
+  event.axes = axes;
+  event.certain = code != nullptr;
+  const bool polar =
+      dialect_.group(StandardGroup::Polar) != noGroup &&
+      state_.isActive(dialect_, StandardGroup::Polar, {Action::PolarOn}) != Truth::No &&
+      state_.active(dialect_, StandardGroup::Polar) != groupUnset;
+  for (const Word &word : block_.words)
+    if (dialect_.axisWords & maskOf(word.address)) {
+      const Axis axis = dialect_.addresses[word.address].axis;
+      if (word.has(wordNoValue)) {
+        state_.at(axis) = Interval::unknown();
+        continue;
+      }
+      storeTarget(word, false);
+      if (polar && (planeAxes(dialect_, state_) & bit(axis)))
+        state_.at(axis) = Interval::unknown();
+    }
+  if (polar) {
+    // The word of the first plane axis is the radius.
+    const uint16_t plane = planeAxes(dialect_, state_);
+    const Axis first = plane == (bit(Axis::Z) | bit(Axis::X))   ? Axis::Z
+                       : plane == (bit(Axis::Y) | bit(Axis::Z)) ? Axis::Y
+                                                                : Axis::X;
+    if (axes & bit(first))
+      state_.set(Fact::PolarRadiusSet);
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+      if (plane & bit(axis))
+        state_.at(axis) = Interval::unknown();
+  }
+  state_.set(Fact::Moved);
+  state_.set(Fact::MovedSinceTool);
+  state_.set(Fact::MovedSincePreset);
+  state_.clear(Fact::AtMachinePosition);
+  if (!code) {
+    state_.factsMay |= bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool);
+    return;
+  }
+  if (kind == MotionKind::Rapid) {
+    state_.set(Fact::AwayFromPart);
+    return;
+  }
+  state_.set(Fact::Cut);
+  state_.set(Fact::CutSinceTool);
+  state_.clear(Fact::AwayFromPart);
+  state_.origin.lastCut = originOfBlock();
+  const Axis tool = toolAxis(dialect_, state_);
+  if (axes == bit(tool) && state_.compensation == phaseOff)
+    state_.set(Fact::PlungedUncompensated);
+  else if (axes & planeAxes(dialect_, state_))
+    state_.clear(Fact::PlungedUncompensated);
+}
+
+/// G53: this block counts in machine coordinates.
+void Execution::machineMove(uint16_t axes) {
+  compensationStep(MotionKind::Rapid, axes);
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.axes = axes;
+  event.motion = motion && motion->action == Action::Linear ? MotionKind::Feed : MotionKind::Rapid;
+  event.code = motion ? CodeIndex(motion - dialect_.codes.data()) : noCode;
+  event.number = 1; // in machine coordinates
+  for (const Word &word : block_.words)
+    if (dialect_.axisWords & maskOf(word.address))
+      storeTarget(word, true);
+  state_.set(Fact::Moved);
+  state_.set(Fact::MovedSinceTool);
+  state_.set(Fact::MovedSincePreset);
+  state_.set(Fact::AwayFromPart);
+  state_.set(Fact::AtMachinePosition);
+}
+
+void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
+  compensationStep(MotionKind::Reference, axes);
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.motion = MotionKind::Reference;
+  event.axes = axes;
+  event.code = use.code;
+  for (unsigned i = 0; i < axisCount; ++i)
+    if (axes == 0 || (axes >> i & 1)) {
+      state_.position[i] = Interval::unknown();
+      state_.machineAxes |= 1u << i;
+    }
+  state_.set(Fact::Moved);
+  state_.set(Fact::MovedSinceTool);
+  state_.set(Fact::ReferenceReturned);
+  state_.set(Fact::MovedSincePreset);
+  state_.set(Fact::AwayFromPart);
+  state_.set(Fact::AtMachinePosition);
+}
+
+/// G52, G92 and their like: the place stays, its coordinates change.
+void Execution::shiftCoordinates(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  outcome_.setupChanged = true;
+  Event &event = outcome_.emit(EventKind::CoordinateChange);
+  event.code = use.code;
+  event.word = use.word;
+  event.axes = axesOf(dialect_, block_);
+  if (code.action == Action::PresetPosition && event.axes) {
+    state_.clear(Fact::MovedSincePreset);
+    state_.origin.preset = originOf(*use.word);
+  }
+  for (const Word &word : block_.words) {
+    if (!(dialect_.axisWords & maskOf(word.address)))
+      continue;
+    const AddressInfo &address = dialect_.addresses[word.address];
+    const Axis axis = address.axis;
+    const Interval v = coordinate(word);
+    if (code.action == Action::PresetPosition) {
+      // The present place gets this coordinate; an increment shifts by so much.
+      state_.at(axis) = address.kind == AddressKind::Increment ? state_.at(axis) + v : v;
+      state_.machineAxes &= ~uint32_t(bit(axis));
+    } else if (unsigned(axis) < 3) {
+      Interval &shift = state_.localShift[unsigned(axis)];
+      if (!state_.inMachineCoordinates(axis))
+        state_.at(axis) = state_.at(axis) + shift - v;
+      shift = v;
+    } else {
+      state_.at(axis) = Interval::unknown();
+    }
+  }
+}
+
+void Execution::workOffset(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  Event &event = outcome_.emit(EventKind::CoordinateChange);
+  event.code = use.code;
+  event.word = use.word;
+  if (code.group == noGroup || before_.group[code.group] == (uint64_t(1) << code.bit))
+    return; // the same offset as before
+  const CodeInfo *old = before_.activeCode(dialect_, StandardGroup::WorkOffset);
+  const auto from = old ? machine_.offsets.find(old->name) : machine_.offsets.end();
+  const auto to = machine_.offsets.find(code.name);
+  for (unsigned i = 0; i < axisCount; ++i) {
+    if (state_.machineAxes >> i & 1)
+      continue;
+    const bool known = from != machine_.offsets.end() && to != machine_.offsets.end() &&
+                       from->second[i] && to->second[i];
+    state_.position[i] =
+        known ? state_.position[i] + Interval::exactly(*from->second[i] - *to->second[i])
+              : Interval::unknown();
+  }
+}
+
+void Execution::moveAxes() {
+  const uint16_t axes = axesOf(dialect_, block_);
+  if (actionCode_.word) {
+    const CodeInfo &action = info(actionCode_);
+    switch (action.action) {
+    case Action::Dwell: {
+      Event &event = outcome_.emit(EventKind::Dwell);
+      event.code = actionCode_.code;
+      event.word = block_.findAny(action.takes);
+      if (event.word) {
+        event.value = value(*event.word);
+        if (dialect_.dwellInMilliseconds && event.word->isNumber() && !event.word->has(wordPoint))
+          event.value = event.value * 0.001;
+      }
+      return;
+    }
+    case Action::ReferenceReturn:
+    case Action::ReferenceCheck:
+      referenceReturn(axes, actionCode_);
+      return;
+    case Action::ReferenceFrom:
+      referenceReturn(axes, actionCode_);
+      for (const Word &word : block_.words)
+        if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
+          storeTarget(word, false);
+      state_.clear(Fact::AtMachinePosition);
+      return;
+    case Action::SkipMove: {
+      compensationStep(MotionKind::Skip, axes);
+      Event &event = outcome_.emit(EventKind::Motion);
+      event.motion = MotionKind::Skip;
+      event.axes = axes;
+      event.code = actionCode_.code;
+      for (unsigned i = 0; i < axisCount; ++i)
+        if (axes >> i & 1)
+          state_.position[i] = Interval::unknown();
+      state_.set(Fact::SkipMoveDone);
+      state_.set(Fact::Moved);
+      state_.set(Fact::MovedSincePreset);
+      return;
+    }
+    case Action::LocalShift:
+    case Action::PresetPosition:
+      shiftCoordinates(actionCode_);
+      return;
+    case Action::DataInput:
+      // Offsets may have changed: what was known in work coordinates is no longer.
+      for (unsigned i = 0; i < axisCount; ++i)
+        if (!(state_.machineAxes >> i & 1))
+          state_.position[i] = Interval::unknown();
+      return;
+    case Action::Cycle:
+      runCompound(actionCode_);
+      return;
+    case Action::SpeedLimit:
+    case Action::MacroCall:
+    case Action::MacroModal:
+    case Action::RotationOn:
+    case Action::ScalingOn:
+    case Action::MirrorOn:
+    case Action::MirrorOff:
+    case Action::PolygonOn:
+    case Action::ZoneOn:
+      return;
+    default:
+      break;
+    }
+  }
+  if (machineMove_) {
+    if (axes)
+      machineMove(axes);
+    return;
+  }
+  if (motionCode_.word && info(motionCode_).action == Action::Cycle) {
+    startCycle(motionCode_);
+    return;
+  }
+  if (!motionCode_.word && !cancelled_) {
+    const Truth active = state_.cycleActive(dialect_);
+    if (active != Truth::No) {
+      const CodeIndex cycle = activeCycle();
+      const CodeInfo *code = cycle == noCode ? nullptr : &dialect_.codes[cycle];
+      const bool fires = code && (code->firesOnEveryBlock || (block_.addresses & code->fires));
+      if (fires || (!code && axes)) {
+        runCycle(cycle, axes);
+        return;
+      }
+      if (code) {
+        storeCycleWords(false);
+        return;
+      }
+    }
+  }
+  if (!axes)
+    return;
+  const GroupIndex group = dialect_.group(StandardGroup::Motion);
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  if (!motion || !isMotion(motion->action)) {
+    moveBy(nullptr, noCode, MotionKind::Rapid, axes);
+    return;
+  }
+  const CodeIndex index =
+      dialect_.groups[group].members[size_t(std::countr_zero(state_.group[group]))];
+  const MotionKind kind = motion->action == Action::Rapid    ? MotionKind::Rapid
+                          : motion->action == Action::ArcCw  ? MotionKind::ArcCw
+                          : motion->action == Action::ArcCcw ? MotionKind::ArcCcw
+                          : motion->action == Action::Thread ? MotionKind::Thread
+                                                             : MotionKind::Feed;
+  moveBy(motion, motionCode_.word ? motionCode_.code : index, kind, axes);
+}
+
+} // namespace ncvet
