@@ -166,7 +166,7 @@ Truth MachineState::isActive(const Dialect &dialect, StandardGroup which,
 }
 
 Truth MachineState::cycleActive(const Dialect &dialect) const {
-  bool yes = false, no = false;
+  bool yes = false;
   for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion}) {
     const uint64_t set = active(dialect, which);
     bool here = false, other = set & groupUnset;
@@ -175,7 +175,6 @@ Truth MachineState::cycleActive(const Dialect &dialect) const {
     if (here && !other)
       return Truth::Yes;
     yes |= here;
-    no |= other;
   }
   return yes ? Truth::Unknown : Truth::No;
 }
