@@ -1,11 +1,13 @@
 // Stages of the tool alone, timed by Google Benchmark: ./dev bench, or this binary with its
 // options.
+#include "formats/readers/reader.h"
 #include "formats/text/source.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
 
 namespace {
@@ -23,6 +25,49 @@ std::string surfacingText(int blocks) {
   }
   return text + "M30\n%\n";
 }
+
+/// The round of a macro that computes its positions, over and over.
+std::string macroText(int rounds) {
+  std::string text = "%\nO1004\n";
+  for (int i = 0; i < rounds; ++i)
+    text += "N10 #106=#105*0.5\n#107=3.*SIN[#106*4.]*COS[#104*3.]\nIF [#107 GT 0.25] GOTO 10\n"
+            "G1 X#106 Y[#104+0.1] Z-#108 F2400. (FINISH)\n";
+  return text + "M30\n%\n";
+}
+
+/// A word-address control with the usual spelling: the reader asks for no more of a table.
+Dialect wordAddressDialect() {
+  Dialect dialect;
+  dialect.id = "bench";
+  dialect.reader = "iso";
+  return dialect;
+}
+
+/// Reads all blocks of `text` again and again; blocks are counted as items.
+void readAll(benchmark::State &state, const std::string &text) {
+  const Dialect dialect = wordAddressDialect();
+  const std::unique_ptr<Reader> reader = makeReader(dialect, text);
+  Block block;
+  int64_t blocks = 0;
+  size_t words = 0;
+  for (auto _ : state) {
+    for (uint32_t offset = reader->first(); offset < text.size(); offset = block.next) {
+      reader->read(offset, block);
+      words += block.words.size();
+      ++blocks;
+    }
+  }
+  benchmark::DoNotOptimize(words);
+  state.SetItemsProcessed(blocks);
+  state.SetBytesProcessed(static_cast<int64_t>(state.iterations()) *
+                          static_cast<int64_t>(text.size()));
+}
+
+void readSurfacing(benchmark::State &state) { readAll(state, surfacingText(100'000)); }
+BENCHMARK(readSurfacing)->Unit(benchmark::kMillisecond);
+
+void readMacro(benchmark::State &state) { readAll(state, macroText(25'000)); }
+BENCHMARK(readMacro)->Unit(benchmark::kMillisecond);
 
 /// One position in a large file, as a report needs it for its first finding.
 void firstPositionOfALargeFile(benchmark::State &state) {
