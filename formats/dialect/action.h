@@ -1,6 +1,7 @@
 // The closed vocabulary of what a code does; each action is implemented once, in interp/.
 #pragma once
 
+#include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/StringRef.h"
 
 #include <cstdint>
@@ -110,6 +111,8 @@ enum class Action : uint8_t {
 
 llvm::StringRef toString(Action action);
 std::optional<Action> parseAction(llvm::StringRef text);
+/// All spellings, in the order of the enumeration.
+llvm::ArrayRef<llvm::StringLiteral> actionNames();
 
 /// True for actions that move axes and stay in force: G00, G01, G02, G03, threads.
 constexpr bool isMotion(Action action) {

@@ -81,6 +81,8 @@ enum class Role : uint8_t {
   StockZ, Height, FirstCut, LeastCut, ThreadForm, Angle, Taper, Shift, Program, Sequence, Speed,
   Feed, Step, Centre, Radius, Offset, Ratio, Method, Limit, Argument, StartAngle, Relief
 };
+llvm::StringRef toString(Role role); ///< as in the tables: "peck-first"
+std::optional<Role> parseRole(llvm::StringRef text);
 
 enum class Need : uint8_t {
   Optional,
@@ -98,6 +100,8 @@ struct WordSpec {
   bool hasRange = false;
   ValueTest range; ///< `address` is not used here: every present address of `any` is tested
   std::optional<Severity> rangeSeverity;
+  /// Over the address's own: whether the word should be written with a decimal point here.
+  std::optional<bool> pointAdvised;
   std::string note; ///< what the word means, for messages and hover: "peck depth"
 };
 
@@ -107,6 +111,8 @@ enum class CycleKind : uint8_t {
   BoreStop, BoreManual, BoreDwellManual, FineBore, BackBore, TurnPass, FacePass, ThreadPass,
   RoughTurn, RoughFace, PatternRepeat, Finish, GrooveFace, GrooveRadial, ThreadMulti
 };
+llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
+std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
 
 enum class SpindleNeed : uint8_t { Any, Running, Clockwise, CounterClockwise, StartsItself };
 
@@ -128,12 +134,13 @@ struct Variant {
 struct CodeInfo {
   std::string name;  ///< as messages show it: "G01", "G84.2", "M03"
   std::string title; ///< "linear feed", lower case
-  char letter = 'G';
+  char letter = 'G'; ///< 0: a code that is a word of its own
   uint16_t number = 0; ///< number times ten plus the digit behind the point: G84.2 is 842
   GroupIndex group = noGroup;
   uint8_t bit = 0; ///< member number within the group
   Action action = Action::None;
   CycleKind cycle = CycleKind::None;
+  bool cancelsCycle = false; ///< ends an active canned cycle of the group "cycle"
   SpindleNeed spindle = SpindleNeed::Any;
   bool needsFeed = false;  ///< a feed must be in force
   bool needsSpeed = false; ///< a spindle speed must be in force
@@ -151,6 +158,7 @@ struct CodeInfo {
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
   std::vector<Notice> notices;
   std::vector<Variant> variants; ///< first match wins; none: this entry
+  CodeIndex base = noCode;       ///< of a variant: the code that it belongs to; else the code itself
   SwitchEffect effect;
   CodeIndex opposite = noCode; ///< what ends or reverses it (G80 for G81), for messages and fixes
   std::string source; ///< manual's file and line
@@ -248,6 +256,7 @@ struct Dialect {
   std::string id;
   std::string title;
   std::string reader; ///< "iso"
+  bool abstract = false; ///< a base of others only
   MachineKind machine = MachineKind::Mill;
   bool toolChangeByT = false;      ///< the T word itself changes the tool; else M06 does
   bool profileRunsThrough = false; ///< behind a roughing cycle the control runs the profile itself
@@ -270,6 +279,8 @@ struct Dialect {
   AddressMask axisWords = 0;      ///< all addresses of kind Axis and Increment
   AddressMask incrementWords = 0; ///< those of kind Increment
   AddressMask known = 0;          ///< all addresses of this control
+  /// File names and texts of the tables that this one was made of, base first: for `overlay`.
+  std::vector<std::pair<std::string, std::string>> layers;
 
   GroupIndex group(StandardGroup which) const { return standard[unsigned(which)]; }
   bool isLathe() const { return machine == MachineKind::Lathe; }

@@ -1,0 +1,423 @@
+// Codes of a dialect out of its merged JSON: names, groups, words, notices, variants.
+#include "formats/dialect/code_name.h"
+#include "formats/dialect/dialect_builder.h"
+#include "formats/dialect/vocabulary.h"
+
+#include "llvm/ADT/Twine.h"
+#include <nlohmann/json.hpp>
+
+namespace ncvet {
+
+namespace {
+
+llvm::ArrayRef<llvm::StringRef> codeKeys() {
+  static constexpr llvm::StringLiteral keys[] = {
+      "title",  "group",    "does",      "cycle",    "cancelsCycle", "takes",   "needs",
+      "fires",  "opposite", "spindle",   "words",    "excludes",     "notices", "variants",
+      "switch", "alone",    "exclusive", "twoBlock", "source"};
+  static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
+  return list;
+}
+
+} // namespace
+
+/// All codes get their place and group before any is read in full: conditions name other codes.
+void DialectBuilder::nameCodes(const Json &codes) {
+  std::vector<std::pair<uint64_t, std::string>> order; // letter and number, then names
+  for (auto entry = codes.begin(); entry != codes.end(); ++entry) {
+    std::optional<CodeName> name = parseCodeName(entry.key());
+    if (name && toString(*name) != entry.key())
+      return in_.fail(*entry, "is written \"" + toString(*name) + "\"");
+    if (!name && dialect_.reader == "iso")
+      return in_.fail(*entry, "the name of a G or M code is expected");
+    order.emplace_back(name ? uint64_t(name->letter) << 32 | name->numberTimesTen : UINT64_MAX,
+                       entry.key());
+  }
+  std::sort(order.begin(), order.end());
+  dialect_.codes.reserve(order.size() + order.size() / 4);
+  for (const auto &[rank, name] : order)
+    nameCode(name, codes[name]);
+}
+
+void DialectBuilder::nameCode(const std::string &name, const Json &value) {
+  if (!in_.isObject(value))
+    return;
+  CodeIndex index = CodeIndex(dialect_.codes.size());
+  CodeInfo info;
+  info.name = name;
+  info.base = index;
+  info.letter = 0;
+  if (std::optional<CodeName> parsed = parseCodeName(name)) {
+    info.letter = parsed->letter;
+    info.number = uint16_t(parsed->numberTimesTen);
+    bool isG = parsed->letter == 'G';
+    std::vector<CodeIndex> &table = isG ? dialect_.gTable : dialect_.mTable;
+    size_t at = isG ? parsed->numberTimesTen : parsed->numberTimesTen / 10;
+    if (!isG && parsed->numberTimesTen % 10)
+      return in_.fail(value, "an M code has no decimal");
+    if (table.size() <= at)
+      table.resize(at + 1, noCode);
+    table[at] = index;
+  }
+  namedCodes_[name] = index;
+  dialect_.codes.push_back(std::move(info));
+  joinGroup(value, index);
+}
+
+void DialectBuilder::joinGroup(const Json &value, CodeIndex index) {
+  const Json *member = in_.member(value, "group");
+  std::optional<std::string> id = member ? in_.text(*member) : std::nullopt;
+  if (!id)
+    return;
+  std::vector<llvm::StringRef> known;
+  for (size_t at = 0; at < dialect_.groups.size(); ++at) {
+    GroupInfo &group = dialect_.groups[at];
+    known.push_back(group.id);
+    if (group.id != *id)
+      continue;
+    if (group.members.size() == maxGroupMembers)
+      return in_.fail(*member,
+                      "the group has more than " + llvm::Twine(maxGroupMembers) + " members");
+    dialect_.codes[index].group = GroupIndex(at);
+    dialect_.codes[index].bit = uint8_t(group.members.size());
+    group.members.push_back(index);
+    return;
+  }
+  in_.fail(*member, "unknown group \"" + *id + "\"" + suggest(*id, known));
+}
+
+void DialectBuilder::readCodes(const Json &codes) {
+  size_t count = dialect_.codes.size();
+  for (size_t index = 0; index < count && !in_.failed(); ++index) {
+    const std::string name = dialect_.codes[index].name;
+    const Json &value = codes[name];
+    in_.allowKeys(value, codeKeys());
+    dialect_.codes[index] = readCode(value, dialect_.codes[index]);
+    if (in_.member(value, "variants"))
+      readVariants(name, value, CodeIndex(index));
+  }
+}
+
+CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
+  in_.read(value, "title", info.title);
+  in_.read(value, "source", info.source);
+  in_.read(value, "cancelsCycle", info.cancelsCycle);
+  in_.read(value, "alone", info.alone);
+  in_.read(value, "exclusive", info.exclusive);
+  in_.read(value, "twoBlock", info.twoBlock);
+  in_.readName(value, "does", "action", actionNames(), info.action);
+  in_.readName(value, "cycle", "cycle", cycleNames(), info.cycle);
+  in_.readName(value, "spindle", "spindle need", spindleNames(), info.spindle);
+  readSet(value, "takes", info.takes);
+  if (const Json *fires = in_.member(value, "fires")) {
+    info.firesOnEveryBlock = fires->is_string() && fires->get_ref<const std::string &>() == "*";
+    if (!info.firesOnEveryBlock)
+      info.fires = addressSet(*fires);
+  }
+  if (const Json *opposite = in_.member(value, "opposite"))
+    if (std::vector<CodeIndex> list = codeList(*opposite); list.size() == 1)
+      info.opposite = list.front();
+  readNeeds(value, info);
+  readSwitch(value, info);
+  readWords(value, info);
+  readExcludes(value, info);
+  readNotices(value, info);
+  return info;
+}
+
+void DialectBuilder::readNeeds(const Json &value, CodeInfo &info) {
+  const Json *needs = in_.member(value, "needs");
+  if (!needs)
+    return;
+  for (const std::string &need : in_.texts(*needs)) {
+    info.needsFeed |= need == "feed";
+    info.needsSpeed |= need == "speed";
+    if (need != "feed" && need != "speed")
+      in_.fail(*needs, "unknown need \"" + need + "\"; one of feed, speed");
+  }
+}
+
+void DialectBuilder::readSwitch(const Json &value, CodeInfo &info) {
+  const Json *member = in_.member(value, "switch");
+  if (!member)
+    return;
+  in_.allowKeys(*member, {"id", "to", "offByZero"});
+  static constexpr llvm::StringLiteral states[] = {"off", "on"};
+  std::string id;
+  in_.read(*member, "id", id);
+  in_.readName(*member, "to", "state", states, info.effect.on);
+  in_.read(*member, "offByZero", info.effect.offByZero);
+  std::vector<llvm::StringRef> known;
+  for (size_t index = 0; index < dialect_.switches.size(); ++index) {
+    known.push_back(dialect_.switches[index].id);
+    if (dialect_.switches[index].id != id)
+      continue;
+    info.effect.index = uint8_t(index);
+    return;
+  }
+  in_.fail(*member, "unknown switch \"" + id + "\"" + suggest(id, known));
+}
+
+void DialectBuilder::readWords(const Json &value, CodeInfo &info) {
+  const Json *words = in_.member(value, "words");
+  if (!words || !in_.isObject(*words))
+    return;
+  for (auto entry = words->begin(); entry != words->end(); ++entry) {
+    info.words.push_back(readWord(entry.key(), *entry));
+    info.takes |= info.words.back().any;
+  }
+}
+
+WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {
+  in_.allowKeys(value,
+                {"need", "role", "severity", "when", "min", "max", "minExclusive", "maxExclusive",
+                 "integer", "oneOf", "point", "rangeSeverity", "pointAdvised", "note"});
+  WordSpec word;
+  llvm::SmallVector<llvm::StringRef, 4> names;
+  llvm::StringRef(name).split(names, '|');
+  for (llvm::StringRef one : names)
+    if (std::optional<AddressId> address = addressId(value, one))
+      word.any |= maskOf(*address);
+  in_.readName(value, "need", "need", needNames(), word.need);
+  in_.readName(value, "role", "role", roleNames(), word.role);
+  in_.read(value, "severity", word.severity);
+  in_.read(value, "rangeSeverity", word.rangeSeverity);
+  in_.read(value, "note", word.note);
+  if (in_.member(value, "pointAdvised")) {
+    bool advised = false;
+    in_.read(value, "pointAdvised", advised);
+    word.pointAdvised = advised;
+  }
+  if (const Json *when = in_.member(value, "when"))
+    word.when = readCondition(*when);
+  for (const char *key : {"min", "max", "integer", "oneOf", "point"})
+    word.hasRange |= in_.member(value, key) != nullptr;
+  if (word.hasRange)
+    word.range = readTest(value);
+  return word;
+}
+
+ValueTest DialectBuilder::readTest(const Json &value) {
+  ValueTest test;
+  in_.read(value, "min", test.min);
+  in_.read(value, "max", test.max);
+  in_.read(value, "minExclusive", test.minExclusive);
+  in_.read(value, "maxExclusive", test.maxExclusive);
+  in_.read(value, "integer", test.integer);
+  in_.readName(value, "point", "point rule", pointNames(), test.point);
+  if (const Json *list = in_.member(value, "oneOf")) {
+    if (!list->is_array())
+      in_.fail(*list, "a list of numbers is expected");
+    else
+      for (const Json &element : *list)
+        if (std::optional<double> number = in_.number(element))
+          test.oneOf.push_back(*number);
+  }
+  if (test.min > test.max)
+    in_.fail(value, "\"min\" is greater than \"max\"");
+  return test;
+}
+
+void DialectBuilder::readExcludes(const Json &value, CodeInfo &info) {
+  const Json *list = in_.member(value, "excludes");
+  if (!list)
+    return;
+  if (!list->is_array())
+    return in_.fail(*list, "a list of pairs of address sets is expected");
+  for (const Json &pair : *list) {
+    if (!pair.is_array() || pair.size() != 2)
+      return in_.fail(pair, "a pair of address sets is expected");
+    info.excludes.emplace_back(addressSet(pair[0]), addressSet(pair[1]));
+    info.takes |= info.excludes.back().first | info.excludes.back().second;
+  }
+}
+
+void DialectBuilder::readNotices(const Json &value, CodeInfo &info) {
+  const Json *list = in_.member(value, "notices");
+  if (!list)
+    return;
+  if (!list->is_array())
+    return in_.fail(*list, "a list of notices is expected");
+  for (const Json &element : *list) {
+    in_.allowKeys(element, {"rule", "severity", "when", "message", "at"});
+    Notice notice;
+    in_.read(element, "rule", notice.rule);
+    in_.read(element, "severity", notice.severity);
+    in_.read(element, "message", notice.message);
+    if (notice.rule.empty() || notice.message.empty())
+      return in_.fail(element, "a notice needs \"rule\" and \"message\"");
+    if (const Json *when = in_.member(element, "when"))
+      notice.when = readCondition(*when);
+    if (const Json *at = in_.member(element, "at"))
+      if (std::optional<std::string> name = in_.text(*at))
+        notice.at = addressId(*at, *name).value_or(noAddress);
+    info.notices.push_back(std::move(notice));
+  }
+}
+
+/// A variant is the code's own entry with the variant's keys laid over it.
+void DialectBuilder::readVariants(const std::string &name, const Json &value, CodeIndex base) {
+  const Json &list = value["variants"];
+  if (!list.is_array())
+    return in_.fail(list, "a list of variants is expected");
+  for (size_t at = 0; at < list.size() && !in_.failed(); ++at) {
+    const Json &variant = list[at];
+    if (!in_.isObject(variant))
+      return;
+    const Json *when = in_.member(variant, "when");
+    if (!when)
+      return in_.fail(variant, "a variant needs \"when\"");
+    Variant entry;
+    entry.when = readCondition(*when);
+    Json own = variant;
+    own.erase("when");
+    Json whole = value;
+    whole.erase("variants");
+    layOver(whole, std::move(own));
+    JsonStep code, variants, index;
+    code.key = name;
+    variants.key = "variants";
+    index.isIndex = true;
+    index.index = at;
+    JsonStep codes;
+    codes.key = "codes";
+    in_.setOverlay(&whole, {codes, code, variants, index});
+    in_.allowKeys(whole, codeKeys());
+    const CodeInfo &original = dialect_.codes[base];
+    CodeInfo info;
+    info.name = original.name;
+    info.letter = original.letter;
+    info.number = original.number;
+    info.group = original.group;
+    info.bit = original.bit;
+    info.base = base;
+    entry.code = CodeIndex(dialect_.codes.size());
+    dialect_.codes.push_back(info);
+    if (in_.member(variant, "group"))
+      joinGroup(whole, entry.code);
+    dialect_.codes[entry.code] = readCode(whole, dialect_.codes[entry.code]);
+    dialect_.codes[base].variants.push_back(std::move(entry));
+    in_.setOverlay(nullptr);
+  }
+}
+
+Condition DialectBuilder::readCondition(const Json &value) {
+  Condition when;
+  in_.allowKeys(value,
+                {"has", "any", "lacks", "active", "with", "without", "first", "options", "broken"});
+  readSet(value, "has", when.has);
+  readSet(value, "any", when.any);
+  readSet(value, "lacks", when.lacks);
+  in_.read(value, "first", when.first);
+  readConditionCodes(value, when);
+  readConditionOptions(value, when);
+  const Json *broken = in_.member(value, "broken");
+  if (broken && !broken->is_array())
+    in_.fail(*broken, "a list of tests is expected");
+  else if (broken)
+    for (const Json &element : *broken) {
+      in_.allowKeys(element, {"word", "min", "max", "minExclusive", "maxExclusive", "integer",
+                              "oneOf", "point"});
+      ValueTest test = readTest(element);
+      std::string word;
+      in_.read(element, "word", word);
+      test.address = addressId(element, word).value_or(noAddress);
+      when.broken.push_back(std::move(test));
+    }
+  return when;
+}
+
+void DialectBuilder::readConditionOptions(const Json &value, Condition &when) {
+  const Json *options = in_.member(value, "options");
+  if (!options || !in_.isObject(*options))
+    return;
+  for (auto entry = options->begin(); entry != options->end(); ++entry) {
+    if (!dialect_.options.count(entry.key())) {
+      std::vector<llvm::StringRef> known;
+      for (const auto &option : dialect_.options)
+        known.push_back(option.getKey());
+      llvm::sort(known);
+      return in_.fail(*entry, "unknown option" + suggest(entry.key(), known));
+    }
+    std::vector<std::string> values;
+    if (entry->is_array())
+      for (const Json &element : *entry)
+        values.push_back(optionText(element));
+    else
+      values.push_back(optionText(*entry));
+    when.options.emplace_back(entry.key(), std::move(values));
+  }
+}
+
+void DialectBuilder::readConditionCodes(const Json &value, Condition &when) {
+  std::vector<CodeIndex> groupless;
+  if (const Json *active = in_.member(value, "active")) {
+    when.active = groupStates(codeList(*active), groupless);
+    if (!groupless.empty())
+      in_.fail(*active, dialect_.codes[groupless.front()].name + " has no modal group");
+    else if (when.active.size() > 1)
+      in_.fail(*active, "codes of one modal group are expected");
+  }
+  if (const Json *with = in_.member(value, "with")) {
+    std::vector<CodeIndex> codes = codeList(*with);
+    when.with = groupStates(codes, groupless);
+    // "One of these codes" over several groups can only be said by the codes themselves.
+    if (!groupless.empty() || when.with.size() > 1) {
+      when.with.clear();
+      when.withCode = codes;
+    }
+  }
+  if (const Json *without = in_.member(value, "without"))
+    when.without = groupStates(codeList(*without), when.withoutCode);
+}
+
+std::vector<CodeIndex> DialectBuilder::codeList(const Json &value) {
+  std::vector<CodeIndex> list;
+  for (const std::string &name : in_.texts(value)) {
+    auto found = namedCodes_.find(name);
+    if (found != namedCodes_.end()) {
+      list.push_back(found->second);
+      continue;
+    }
+    in_.fail(value, "the table has no code \"" + name + "\"");
+  }
+  return list;
+}
+
+std::vector<std::pair<GroupIndex, uint64_t>>
+DialectBuilder::groupStates(llvm::ArrayRef<CodeIndex> codes,
+                            std::vector<CodeIndex> &groupless) const {
+  std::vector<std::pair<GroupIndex, uint64_t>> states;
+  groupless.clear();
+  for (CodeIndex code : codes) {
+    const CodeInfo &info = dialect_.codes[code];
+    if (info.group == noGroup) {
+      groupless.push_back(code);
+      continue;
+    }
+    auto same = llvm::find_if(states, [&](const auto &state) { return state.first == info.group; });
+    if (same == states.end())
+      states.emplace_back(info.group, uint64_t(1) << info.bit);
+    else
+      same->second |= uint64_t(1) << info.bit;
+  }
+  return states;
+}
+
+void DialectBuilder::readInitialStates() {
+  const Json *table = in_.member(root_, "groups");
+  if (!table)
+    return;
+  for (GroupInfo &group : dialect_.groups) {
+    const Json *initial = in_.member((*table)[group.id], "initial");
+    if (!initial)
+      continue;
+    for (CodeIndex code : codeList(*initial)) {
+      if (!llvm::is_contained(group.members, code))
+        in_.fail(*initial, dialect_.codes[code].name + " is not a member of this group");
+      group.initial = dialect_.codes[code].bit;
+    }
+  }
+}
+
+} // namespace ncvet

@@ -1,0 +1,157 @@
+// A scanner over JSON text that finds the place of a path; it builds nothing.
+#include "formats/dialect/json_place.h"
+
+#include "llvm/ADT/Twine.h"
+
+#include <algorithm>
+
+namespace ncvet {
+
+namespace {
+
+constexpr unsigned maxDepth = 64; ///< tables of today need nine
+
+class Scanner {
+public:
+  explicit Scanner(llvm::StringRef text) : text_(text) {}
+
+  size_t at() const { return at_; }
+  char peek() {
+    skipBlanks();
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  bool take(char wanted) {
+    if (peek() != wanted)
+      return false;
+    ++at_;
+    return true;
+  }
+  /// The raw text between the quotes.
+  llvm::StringRef takeString() {
+    if (!take('"'))
+      return {};
+    size_t start = at_;
+    while (at_ < text_.size() && text_[at_] != '"')
+      at_ += text_[at_] == '\\' ? 2 : 1;
+    at_ = std::min(at_, text_.size());
+    llvm::StringRef string = text_.slice(start, at_);
+    take('"');
+    return string;
+  }
+  void skipValue() {
+    unsigned depth = 0;
+    do {
+      char next = peek();
+      if (next == '\0')
+        return;
+      if (next == '"') {
+        takeString();
+        continue;
+      }
+      depth += next == '{' || next == '[';
+      depth -= depth && (next == '}' || next == ']');
+      ++at_;
+      if (!isBracketOrMark(next))
+        while (at_ < text_.size() && !isEnd(text_[at_]))
+          ++at_;
+    } while (depth);
+  }
+
+private:
+  static bool isBracketOrMark(char c) { return llvm::StringRef("{}[]:,").contains(c); }
+  static bool isEnd(char c) { return llvm::StringRef("{}[]:,\" \t\r\n").contains(c); }
+  void skipBlanks() {
+    while (at_ < text_.size() && llvm::StringRef(" \t\r\n").contains(text_[at_]))
+      ++at_;
+  }
+
+  llvm::StringRef text_;
+  size_t at_ = 0;
+};
+
+/// Moves to the value of one step and gives the place of its key or of the element.
+std::optional<size_t> enter(Scanner &scanner, const JsonStep &step) {
+  if (!scanner.take(step.isIndex ? '[' : '{'))
+    return std::nullopt;
+  for (size_t index = 0; scanner.peek() != '\0' && scanner.peek() != '}' && scanner.peek() != ']';
+       ++index) {
+    size_t place = scanner.at();
+    if (!step.isIndex) {
+      llvm::StringRef key = scanner.takeString();
+      if (!scanner.take(':'))
+        return std::nullopt;
+      if (key == step.key)
+        return place;
+    } else if (index == step.index) {
+      return place;
+    }
+    scanner.skipValue();
+    scanner.take(',');
+    if (scanner.at() == place) // not JSON: no progress
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::string toString(llvm::ArrayRef<JsonStep> path) {
+  std::string text;
+  for (const JsonStep &step : path) {
+    if (step.isIndex) {
+      text += (llvm::Twine("[") + llvm::Twine(step.index) + "]").str();
+      continue;
+    }
+    if (!text.empty())
+      text += ".";
+    text += step.key;
+  }
+  return text;
+}
+
+std::optional<size_t> findJsonPlace(llvm::StringRef text, llvm::ArrayRef<JsonStep> path) {
+  Scanner scanner(text);
+  std::optional<size_t> place = (scanner.peek(), scanner.at());
+  for (const JsonStep &step : path)
+    if (!(place = enter(scanner, step)))
+      return std::nullopt;
+  return place;
+}
+
+std::optional<llvm::StringRef> findJsonMember(llvm::StringRef text, llvm::StringRef key) {
+  Scanner scanner(text);
+  JsonStep step;
+  step.key = key.str();
+  if (!enter(scanner, step))
+    return std::nullopt;
+  scanner.peek();
+  size_t start = scanner.at();
+  scanner.skipValue();
+  return text.slice(start, scanner.at());
+}
+
+unsigned lineAt(llvm::StringRef text, size_t offset) {
+  return unsigned(text.take_front(offset).count('\n')) + 1;
+}
+
+bool nestsTooDeep(llvm::StringRef text) {
+  unsigned depth = 0;
+  bool inString = false;
+  for (size_t at = 0; at < text.size(); ++at) {
+    char c = text[at];
+    if (inString) {
+      at += c == '\\';
+      inString = c != '"';
+    } else if (c == '"') {
+      inString = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > maxDepth)
+        return true;
+    } else if ((c == '}' || c == ']') && depth) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+} // namespace ncvet

@@ -1,0 +1,251 @@
+// Follows `extends`, merges the tables from base to top and builds the dialect.
+#include "formats/dialect/loader.h"
+
+#include "formats/dialect/code_name.h"
+#include "formats/dialect/dialect_builder.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ncvet {
+
+namespace {
+
+constexpr size_t maxExtends = 16; ///< longer chains are loops or mistakes
+
+struct Layers {
+  std::vector<JsonLayer> files; ///< base first
+  std::vector<Json> values;
+};
+
+/// What is said of one table alone: a table that extends it has its own.
+constexpr const char *ownKeys[] = {"id",      "title",  "abstract", "detect",
+                                   "extends", "source", "$schema"};
+
+/// Sources that give lines ("L560-590") become sources that name the book as well, since the merged
+/// table has many; and options keep their null, which elsewhere takes an entry away.
+void prepareLayer(Json &layer) {
+  if (!layer.is_object())
+    return;
+  auto book = layer.find("source");
+  auto codes = layer.find("codes");
+  if (codes != layer.end() && codes->is_object() && book != layer.end() && book->is_string())
+    for (Json &code : *codes) {
+      auto source = code.is_object() ? code.find("source") : code.end();
+      if (code.is_object() && source != code.end() && source->is_string() &&
+          llvm::StringRef(source->get_ref<const std::string &>()).startswith("L"))
+        *source =
+            book->get_ref<const std::string &>() + ", " + source->get_ref<const std::string &>();
+    }
+  auto options = layer.find("options");
+  if (options != layer.end() && options->is_object())
+    for (Json &option : *options)
+      if (option.is_null())
+        option = "";
+}
+
+llvm::Error collect(llvm::StringRef id, const DialectSource &source, Layers &layers) {
+  std::string wanted = id.str();
+  std::vector<std::string> seen;
+  while (!wanted.empty()) {
+    if (llvm::is_contained(seen, wanted) || seen.size() == maxExtends)
+      return llvm::createStringError(std::errc::invalid_argument,
+                                     "%s: extends itself by way of \"%s\"",
+                                     layers.files.front().name.c_str(), wanted.c_str());
+    auto file = source(wanted);
+    if (!file && layers.files.empty())
+      return llvm::createStringError(std::errc::invalid_argument, "unknown dialect \"%s\"",
+                                     wanted.c_str());
+    if (!file) {
+      const JsonLayer &user = layers.files.front();
+      JsonStep step;
+      step.key = "extends";
+      return llvm::createStringError(
+          std::errc::invalid_argument, "%s:%u: extends: unknown dialect \"%s\"", user.name.c_str(),
+          lineAt(user.text, findJsonPlace(user.text, step).value_or(0)), wanted.c_str());
+    }
+    llvm::Expected<Json> value = parseJson(file->first, file->second);
+    if (!value)
+      return value.takeError();
+    seen.push_back(wanted);
+    layers.files.insert(layers.files.begin(), {file->first, file->second});
+    JsonReader reader(llvm::makeArrayRef(layers.files).take_front(1), *value);
+    wanted.clear();
+    if (reader.isObject(*value))
+      reader.read(*value, "extends", wanted);
+    if (llvm::Error error = reader.takeError())
+      return error;
+    prepareLayer(*value);
+    layers.values.insert(layers.values.begin(), std::move(*value));
+  }
+  return llvm::Error::success();
+}
+
+Json merge(std::vector<Json> &&values) {
+  Json merged = Json::object();
+  for (Json &value : values) {
+    for (const char *key : ownKeys)
+      merged.erase(key);
+    layOver(merged, std::move(value));
+  }
+  return merged;
+}
+
+llvm::Expected<std::shared_ptr<Dialect>> build(llvm::ArrayRef<JsonLayer> files,
+                                               const Json &merged) {
+  auto dialect = std::make_shared<Dialect>();
+  JsonReader reader(files, merged);
+  DialectBuilder(reader, merged, *dialect).build();
+  if (llvm::Error error = reader.takeError())
+    return error;
+  return dialect;
+}
+
+/// The profile's codes as a fragment of a dialect: names in full, `summary` as `title`.
+Json profileCodes(const Json &profile) {
+  Json fragment = Json::object();
+  if (!profile.is_object() || !profile.contains("codes") || !profile["codes"].is_object())
+    return fragment;
+  Json &codes = fragment["codes"] = Json::object();
+  for (auto entry = profile["codes"].begin(); entry != profile["codes"].end(); ++entry) {
+    std::optional<CodeName> name = parseCodeName(entry.key());
+    std::string key = name ? toString(*name) : entry.key();
+    Json code = *entry;
+    if (code.is_object() && code.contains("summary")) {
+      code["title"] = code["summary"];
+      code.erase("summary");
+    }
+    codes[key] = std::move(code);
+  }
+  return fragment;
+}
+
+/// A code that does something else on this machine keeps nothing of what the control says of it.
+void dropRedefined(Json &merged, const Json &fragment) {
+  if (!fragment.contains("codes") || !merged.contains("codes"))
+    return;
+  Json &known = merged["codes"];
+  for (auto entry = fragment["codes"].begin(); entry != fragment["codes"].end(); ++entry) {
+    auto old = known.find(entry.key());
+    if (old == known.end() || !entry->is_object() || !entry->contains("does"))
+      continue;
+    if (!old->contains("does") || (*old)["does"] != (*entry)["does"])
+      known.erase(old);
+  }
+}
+
+/// Options of the profile over the dialect's defaults; the dialect's table names all that there
+/// are.
+llvm::Error layOptions(Dialect &dialect, const Json &profile, const JsonLayer &file) {
+  JsonReader reader(file, profile);
+  std::vector<llvm::StringRef> known;
+  for (const auto &option : dialect.options)
+    known.push_back(option.getKey());
+  llvm::sort(known);
+  const Json *options = reader.member(profile, "options");
+  if (!options || !reader.isObject(*options))
+    return reader.takeError();
+  for (auto entry = options->begin(); entry != options->end(); ++entry) {
+    if (!llvm::is_contained(known, llvm::StringRef(entry.key())))
+      reader.fail(*entry, "unknown option of " + dialect.id + suggest(entry.key(), known));
+    else
+      dialect.options[entry.key()] = optionText(*entry);
+  }
+  if (reader.member(*options, "mCodesPerBlock"))
+    reader.readWhole(*options, "mCodesPerBlock", dialect.limits.mCodesPerBlock, 0, 100);
+  return reader.takeError();
+}
+
+} // namespace
+
+DialectSource builtinDialects() {
+  return [](llvm::StringRef id) -> std::optional<std::pair<std::string, llvm::StringRef>> {
+    std::string name = "dialects/" + id.str() + ".json";
+    for (const RulesetFile &file : builtinRulesetFiles())
+      if (file.name == name)
+        return std::pair(name, file.text);
+    return std::nullopt;
+  };
+}
+
+llvm::Expected<std::shared_ptr<const Dialect>> loadDialect(llvm::StringRef id,
+                                                           const DialectSource &source) {
+  Layers layers;
+  if (llvm::Error error = collect(id, source, layers))
+    return error;
+  Json merged = merge(std::move(layers.values));
+  auto dialect = build(layers.files, merged);
+  if (!dialect)
+    return dialect.takeError();
+  for (const JsonLayer &file : layers.files)
+    (*dialect)->layers.emplace_back(file.name, file.text.str());
+  return std::shared_ptr<const Dialect>(std::move(*dialect));
+}
+
+llvm::Expected<std::shared_ptr<const Dialect>> overlay(std::shared_ptr<const Dialect> dialect,
+                                                       llvm::StringRef name, llvm::StringRef text) {
+  llvm::Expected<Json> profile = parseJson(name, text);
+  if (!profile)
+    return profile.takeError();
+  std::vector<JsonLayer> files;
+  std::vector<Json> values;
+  for (const auto &[layerName, layerText] : dialect->layers) {
+    llvm::Expected<Json> value = parseJson(layerName, layerText);
+    if (!value)
+      return value.takeError();
+    files.push_back({layerName, layerText});
+    prepareLayer(*value);
+    values.push_back(std::move(*value));
+  }
+  Json merged = merge(std::move(values));
+  Json fragment = profileCodes(*profile);
+  dropRedefined(merged, fragment);
+  layOver(merged, std::move(fragment));
+  files.push_back({name.str(), text});
+  auto result = build(files, merged);
+  if (!result)
+    return result.takeError();
+  (*result)->layers = dialect->layers;
+  if (llvm::Error error = layOptions(**result, *profile, files.back()))
+    return error;
+  return std::shared_ptr<const Dialect>(std::move(*result));
+}
+
+llvm::Expected<DialectSummary> summarize(llvm::StringRef name, llvm::StringRef text) {
+  // Only the members at the top are parsed: the codes, nine tenths of a table, are skipped over.
+  Json head = Json::object();
+  for (const char *key : {"id", "title", "extends", "abstract", "detect"})
+    if (std::optional<llvm::StringRef> member = findJsonMember(text, key)) {
+      Json value = Json::parse(member->begin(), member->end(), nullptr, false);
+      if (value.is_discarded())
+        return parseJson(name, text).takeError();
+      head[key] = std::move(value);
+    }
+  JsonLayer layer{name.str(), text};
+  JsonReader reader(layer, head);
+  DialectSummary summary;
+  reader.read(head, "id", summary.id);
+  reader.read(head, "title", summary.title);
+  reader.read(head, "extends", summary.extends);
+  reader.read(head, "abstract", summary.abstract);
+  if (const Json *detect = reader.member(head, "detect"))
+    readDetection(reader, *detect, summary.detect, summary.extensions);
+  if (llvm::Error error = reader.takeError())
+    return error;
+  return summary;
+}
+
+std::vector<DialectSummary> listDialects() {
+  std::vector<DialectSummary> list;
+  for (const RulesetFile &file : builtinRulesetFiles()) {
+    if (!file.name.startswith("dialects/"))
+      continue;
+    if (llvm::Expected<DialectSummary> summary = summarize(file.name, file.text))
+      list.push_back(std::move(*summary));
+    else
+      llvm::consumeError(summary.takeError()); // a test loads every built-in table
+  }
+  llvm::sort(list, [](const auto &left, const auto &right) { return left.id < right.id; });
+  return list;
+}
+
+} // namespace ncvet

@@ -1,0 +1,22 @@
+// The words that tables may use for roles, cycles, kinds and groups: name lists in enum order.
+#pragma once
+
+#include "formats/dialect/dialect.h"
+
+namespace ncvet {
+
+/// Spellings in the order of the enumeration; the index is the enumerator's value.
+llvm::ArrayRef<llvm::StringLiteral> roleNames();
+llvm::ArrayRef<llvm::StringLiteral> cycleNames();
+llvm::ArrayRef<llvm::StringLiteral> needNames();
+llvm::ArrayRef<llvm::StringLiteral> pointNames();
+llvm::ArrayRef<llvm::StringLiteral> spindleNames();
+llvm::ArrayRef<llvm::StringLiteral> addressKindNames();
+llvm::ArrayRef<llvm::StringLiteral> addressUnitNames();
+llvm::ArrayRef<llvm::StringLiteral> axisNames();
+llvm::ArrayRef<llvm::StringLiteral> machineNames();
+llvm::ArrayRef<llvm::StringLiteral> semicolonNames();
+llvm::ArrayRef<llvm::StringLiteral> severityNames();
+llvm::ArrayRef<llvm::StringLiteral> standardGroupNames();
+
+} // namespace ncvet
