@@ -1,0 +1,191 @@
+// Reads the word formats of the tables for rules: which required words a block lacks, and which
+// words have a value that their code does not take.
+#include "analyzer/word_checks.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+WordTopic topicOf(const CodeInfo &code, const WordSpec &spec) {
+  switch (spec.role) {
+  case Role::Peck:
+  case Role::PeckFirst:
+  case Role::PeckStep:
+  case Role::PeckLeast:
+    return WordTopic::Peck;
+  case Role::Lead:
+    return WordTopic::Lead;
+  case Role::Feed:
+    // A skip move lists its feed as a part of its own format.
+    return code.action == Action::SkipMove ? WordTopic::Block : WordTopic::Feed;
+  case Role::Speed:
+    if (code.action == Action::SurfaceSpeed || code.action == Action::ConstantSpeed)
+      return WordTopic::Speed;
+    break;
+  case Role::Program:
+  case Role::Sequence:
+    switch (code.action) {
+    case Action::CallProgram:
+    case Action::CallLocal:
+    case Action::MacroCall:
+    case Action::MacroModal:
+    case Action::ConditionalJump:
+    case Action::Return:
+      return WordTopic::Target;
+    default:
+      break;
+    }
+    break;
+  default:
+    break;
+  }
+  return code.action == Action::Cycle ? WordTopic::Cycle : WordTopic::Block;
+}
+
+llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Event &event) {
+  llvm::SmallVector<MissingWord, 2> missing;
+  const CodeInfo &code = ctx.code(event);
+  for (const WordSpec &spec : code.words) {
+    if (spec.need == Need::Optional || ctx.block().hasAny(spec.any))
+      continue;
+    if (!holds(spec.when, &code, ctx.conditions()))
+      continue;
+    bool certain = event.certain;
+    if (spec.need == Need::First && code.group != noGroup) {
+      const uint64_t active = ctx.before().group[code.group];
+      const uint64_t itself = uint64_t(1) << code.bit;
+      if (active == itself)
+        continue; // keeps the value of the block that made it active
+      if (active & itself) {
+        if (ctx.before().may(Fact::UnknownCode))
+          continue;
+        certain = false;
+      }
+    }
+    missing.push_back({&spec, certain});
+  }
+  return missing;
+}
+
+void reportMissingWords(RuleContext &ctx, const Event &event,
+                        llvm::function_ref<bool(const CodeInfo &, const WordSpec &)> mine) {
+  const CodeInfo &code = ctx.code(event);
+  for (const MissingWord &missing : missingWords(ctx, event)) {
+    if (!mine(code, *missing.spec))
+      continue;
+    if (auto finding = ctx.report(event, missing.certain)) {
+      const std::string words = ctx.dialect().alternatives(missing.spec->any);
+      if (missing.spec->note.empty())
+        finding.message("`{0}` needs {1}, and its block has none", code.name, words);
+      else
+        finding.message("`{0}` needs {1} ({2}), and its block has none", code.name, words,
+                        missing.spec->note);
+      finding.severity(missing.spec->severity);
+    }
+  }
+}
+
+std::optional<Breach> breachOf(const ValueTest &test, const Word &word,
+                               const ConditionContext &context) {
+  if (!breaks(test, word, context))
+    return std::nullopt;
+  if (word.isNumber()) {
+    if (test.point == PointRule::Required && !word.has(wordPoint))
+      return Breach::PointMissing;
+    if (test.point == PointRule::Forbidden && word.has(wordPoint))
+      return Breach::PointWritten;
+  }
+  const Interval value = wordValue(word, context.block, context.before);
+  if (test.minExclusive ? value.hi <= test.min : value.hi < test.min)
+    return Breach::TooSmall;
+  if (test.maxExclusive ? value.lo >= test.max : value.lo > test.max)
+    return Breach::TooLarge;
+  if (test.integer && value.value() != std::floor(value.value()))
+    return Breach::NotWhole;
+  return Breach::NotListed;
+}
+
+namespace {
+
+std::string number(double value) { return llvm::formatv("{0}", llvm::format("%g", value)).str(); }
+
+std::string listOf(llvm::ArrayRef<double> values) {
+  std::string text;
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (i)
+      text += i + 1 == values.size() ? " or " : ", ";
+    text += number(values[i]);
+  }
+  return text;
+}
+
+} // namespace
+
+std::string describe(const ValueTest &test) {
+  if (!test.oneOf.empty())
+    return listOf(test.oneOf);
+  std::string bounds;
+  const bool low = std::isfinite(test.min), high = std::isfinite(test.max);
+  if (low && high && !test.minExclusive && !test.maxExclusive)
+    bounds = "from " + number(test.min) + " to " + number(test.max);
+  else {
+    if (low)
+      bounds = (test.minExclusive ? "greater than " : "at least ") + number(test.min);
+    if (high)
+      bounds += (low ? " and " : "") + std::string(test.maxExclusive ? "less than " : "at most ") +
+                number(test.max);
+  }
+  if (test.integer)
+    bounds = bounds.empty() ? "a whole number" : "a whole number " + bounds;
+  return bounds;
+}
+
+void reportWordRanges(RuleContext &ctx, const Event &event,
+                      llvm::function_ref<bool(const CodeInfo &, const WordSpec &, Breach)> mine) {
+  const CodeInfo &code = ctx.code(event);
+  for (const WordSpec &spec : code.words) {
+    if (!spec.hasRange || !ctx.block().hasAny(spec.any) ||
+        !holds(spec.when, &code, ctx.conditions()))
+      continue;
+    for (const Word &word : ctx.block().words) {
+      if (!(spec.any & maskOf(word.address)))
+        continue;
+      const std::optional<Breach> breach = breachOf(spec.range, word, ctx.conditions());
+      if (!breach || !mine(code, spec, *breach))
+        continue;
+      auto finding = ctx.report(word, event.certain);
+      if (!finding)
+        continue;
+      const std::string what =
+          spec.note.empty() ? code.name : llvm::formatv("{0}, {1}", code.name, spec.note).str();
+      if (*breach == Breach::PointMissing)
+        finding.message("`{0}` ({1}) is written without a decimal point, which it needs here",
+                        ctx.text(word), what);
+      else if (*breach == Breach::PointWritten)
+        finding.message("`{0}` ({1}) is written with a decimal point, which may not stand here",
+                        ctx.text(word), what);
+      else
+        finding.message("`{0}` ({1}) is not {2}", ctx.text(word), what, describe(spec.range));
+      finding.severity(spec.rangeSeverity);
+    }
+  }
+}
+
+void reportExcludedWords(RuleContext &ctx, const Event &event) {
+  const CodeInfo &code = ctx.code(event);
+  for (const auto &[first, second] : code.excludes) {
+    const Word *one = ctx.block().findAny(first);
+    const Word *other = ctx.block().findAny(second);
+    if (!one || !other)
+      continue;
+    if (other->offset < one->offset)
+      std::swap(one, other);
+    if (auto finding = ctx.report(*other, event.certain))
+      finding
+          .message("`{0}` and `{1}` exclude each other in `{2}`", ctx.text(*one), ctx.text(*other),
+                   code.name)
+          .note(ctx.range(*one), "the first of the two");
+  }
+}
+
+} // namespace ncvet
