@@ -1,0 +1,135 @@
+// Collects findings while programs run: one per rule and place, with the shortest path to it.
+#include "analyzer/collector.h"
+
+#include "llvm/ADT/StringSet.h"
+
+#include <algorithm>
+
+namespace ncvet {
+
+namespace {
+
+std::string describe(const PathNode &node) {
+  switch (node.kind) {
+  case PathNode::Kind::Call:
+    return "called here";
+  case PathNode::Kind::Jump:
+    return "when this jump is taken";
+  case PathNode::Kind::NoJump:
+    return "when this condition does not hold";
+  case PathNode::Kind::Skip:
+    return "when block skip is on";
+  case PathNode::Kind::LoopPass:
+    return "in a later pass of this loop";
+  }
+  return {};
+}
+
+void fillPath(Finding &finding, const PathNode *path) {
+  finding.path.clear();
+  for (const PathNode *node = path; node; node = node->before)
+    finding.path.push_back({node->range, describe(*node)});
+  std::reverse(finding.path.begin(), finding.path.end());
+}
+
+} // namespace
+
+Collector::Collector(const RuleSelection &selection, const Dialect &dialect,
+                     const AnalysisLimits &limits)
+    : selection_(selection), dialect_(dialect), limits_(limits), perRule_(allRules().size()) {}
+
+Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
+  if (definiteOnly_ && !certain)
+    return nullptr;
+  const Key key{rule, range.file, range.begin, range.end};
+  AtStop *here = nullptr;
+  for (AtStop &at : stop_)
+    if (at.key == key)
+      here = &at;
+  if (!here) {
+    stop_.push_back({key, 0, 0, 0});
+    here = &stop_.back();
+  }
+  if (here->lastVisit != visits_) {
+    here->lastVisit = visits_;
+    ++here->reports;
+    here->certain += certain;
+  }
+  const unsigned length = path_ ? path_->length : 0;
+  const auto found = entries_.find(key);
+  if (found != entries_.end()) {
+    // Known: a shorter way to it is the better explanation.
+    if (length < found->second.pathLength) {
+      found->second.pathLength = length;
+      fillPath(found->second.finding, path_);
+    }
+    return nullptr;
+  }
+  if (perRule_[rule]++ >= limits_.findingsPerRule)
+    return nullptr;
+  Entry &entry = entries_[key];
+  entry.pathLength = length;
+  Finding &finding = entry.finding;
+  finding.rule = rule;
+  finding.range = range;
+  finding.certainty = Certainty::Possible;
+  finding.severity = allRules()[rule].info.severity;
+  const auto table = dialect_.rules.find(allRules()[rule].info.id);
+  if (table != dialect_.rules.end() && table->second.severity)
+    finding.severity = *table->second.severity;
+  fillPath(finding, path_);
+  return &finding;
+}
+
+void Collector::endStop() {
+  for (const AtStop &at : stop_) {
+    if (at.certain < visits_)
+      continue;
+    const auto found = entries_.find(at.key);
+    if (found != entries_.end())
+      found->second.finding.certainty = Certainty::Definite;
+  }
+  stop_.clear();
+}
+
+std::vector<Finding> Collector::take(const SourceSet &sources) {
+  std::vector<Finding> all;
+  all.reserve(entries_.size());
+  for (auto &[key, entry] : entries_) {
+    Finding &finding = entry.finding;
+    if (selection_.severity.size() > finding.rule && selection_.severity[finding.rule])
+      finding.severity = *selection_.severity[finding.rule];
+    all.push_back(std::move(finding));
+  }
+  entries_.clear();
+  llvm::sort(all, [](const Finding &a, const Finding &b) {
+    return std::tie(a.range.file, a.range.begin, a.rule, a.range.end) <
+           std::tie(b.range.file, b.range.begin, b.rule, b.range.end);
+  });
+  // Of two rules that would say the same thing of one block, the one that names the cause speaks.
+  std::vector<Finding> kept;
+  kept.reserve(all.size());
+  const auto lineOf = [&](const Finding &f) {
+    return sources.get(f.range.file).lines().lineBegin(f.range.begin);
+  };
+  for (size_t begin = 0; begin < all.size();) {
+    size_t end = begin + 1;
+    const uint32_t line = lineOf(all[begin]);
+    while (end < all.size() && all[end].range.file == all[begin].range.file &&
+           lineOf(all[end]) == line)
+      ++end;
+    for (size_t i = begin; i < end; ++i) {
+      const llvm::StringRef id = allRules()[all[i].rule].info.id;
+      bool consequence = false;
+      for (size_t j = begin; j < end && !consequence; ++j)
+        consequence = j != i && all[j].rule != all[i].rule &&
+                      llvm::is_contained(allRules()[all[j].rule].info.subsumes, id);
+      if (!consequence)
+        kept.push_back(std::move(all[i]));
+    }
+    begin = end;
+  }
+  return kept;
+}
+
+} // namespace ncvet

@@ -1,0 +1,79 @@
+// Collects findings while programs run: one per rule and place, with the shortest path to it.
+#pragma once
+
+#include "analyzer/analyze.h"
+#include "formats/finding/finding.h"
+
+#include <map>
+#include <unordered_map>
+
+namespace ncvet {
+
+/// A step of the way to a block; a list that grows at its head and is shared by all states.
+struct PathNode {
+  enum class Kind : uint8_t { Call, Jump, NoJump, Skip, LoopPass } kind;
+  SourceRange range;
+  int64_t number = 0;
+  unsigned length = 1;
+  const PathNode *before = nullptr;
+};
+
+/// Findings of one analysis. A block may be looked at several times at one stop, once for each
+/// state that is kept apart (`beginStop`, then one `beginVisit` per state, then `endStop`): what
+/// every state breaks for certain is definite, the rest possible.
+class Collector {
+public:
+  Collector(const RuleSelection &selection, const Dialect &dialect, const AnalysisLimits &limits);
+
+  void beginStop() { stop_.clear(); visits_ = 0; }
+  void beginVisit(const PathNode *path) {
+    path_ = path;
+    ++visits_;
+  }
+  void endStop();
+  /// While set, only what is certain counts: the entry state is not known.
+  void setDefiniteOnly(bool on) { definiteOnly_ = on; }
+
+  /// A finding to fill in; null when it is not wanted (known already, or over the rule's number).
+  Finding *report(RuleId rule, SourceRange range, bool certain);
+
+  /// All findings: severities set, causes' consequences dropped, sorted.
+  std::vector<Finding> take(const SourceSet &sources);
+
+private:
+  struct Key {
+    uint32_t rule, file, begin, end;
+    friend bool operator==(const Key &a, const Key &b) {
+      return a.rule == b.rule && a.file == b.file && a.begin == b.begin && a.end == b.end;
+    }
+  };
+  struct KeyHash {
+    size_t operator()(const Key &k) const {
+      return size_t((uint64_t(k.begin) << 20 ^ uint64_t(k.end) << 40) * 0x9E3779B97F4A7C15u ^
+                    (uint64_t(k.rule) << 8 ^ k.file));
+    }
+  };
+  struct Entry {
+    Finding finding;
+    unsigned pathLength = 0;
+  };
+  struct AtStop {
+    Key key;
+    unsigned reports = 0;
+    unsigned certain = 0;
+    unsigned lastVisit = 0;
+  };
+
+  const RuleSelection &selection_;
+  const Dialect &dialect_;
+  const AnalysisLimits &limits_;
+  std::unordered_map<Key, Entry, KeyHash> entries_;
+  std::vector<unsigned> perRule_;
+  llvm::SmallVector<AtStop, 8> stop_;
+  Finding scratch_;
+  const PathNode *path_ = nullptr;
+  unsigned visits_ = 0;
+  bool definiteOnly_ = false;
+};
+
+} // namespace ncvet

@@ -1,0 +1,100 @@
+// Hands the events of a block to the rules that listen for them.
+#include "analyzer/dispatch.h"
+
+namespace ncvet {
+
+Dispatcher::Dispatcher(const Dialect &dialect, const RuleSelection &selection, Collector &collector)
+    : byCode_(dialect.codes.size()), context_(collector) {
+  const llvm::ArrayRef<RuleEntry> table = allRules();
+  for (size_t i = 0; i < table.size(); ++i) {
+    if (i < selection.enabled.size() && !selection.enabled[i])
+      continue;
+    // The user's options lie over the dialect's.
+    RuleOverride options;
+    const auto ofDialect = dialect.rules.find(table[i].info.id);
+    if (ofDialect != dialect.rules.end())
+      options = ofDialect->second;
+    const auto ofUser = selection.options.find(table[i].info.id);
+    if (ofUser != selection.options.end())
+      for (const auto &entry : ofUser->second)
+        options.numbers[entry.first()] = entry.second;
+    rules_.push_back(table[i].make());
+    const Listener listener{rules_.back().get(), RuleId(i)};
+    all_.push_back(listener);
+    Subscriptions subscriptions(dialect, &options);
+    listener.rule->listen(subscriptions);
+    kinds_ |= subscriptions.kinds();
+    for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
+      if (subscriptions.kinds() >> kind & 1)
+        byKind_[kind].push_back(listener);
+    for (const CodeIndex code : subscriptions.codes()) {
+      kinds_ |= bitOf(EventKind::Code);
+      if (byCode_[code].empty() || byCode_[code].back().rule != listener.rule)
+        byCode_[code].push_back(listener);
+    }
+  }
+}
+
+void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
+                         const MachineState &before, const MachineState &after,
+                         unsigned callDepth) {
+  context_.dialect_ = unit.dialect.get();
+  context_.machine_ = &unit.machine;
+  context_.source_ = &unit.source;
+  context_.index_ = &unit.index;
+  context_.block_ = &block;
+  context_.outcome_ = &outcome;
+  context_.before_ = &before;
+  context_.after_ = &after;
+  context_.callDepth_ = callDepth;
+}
+
+void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
+                          const MachineState &before, const MachineState &after,
+                          unsigned callDepth) {
+  if (!(outcome.kinds & kinds_))
+    return;
+  prepare(unit, block, outcome, before, after, callDepth);
+  for (const Event &event : outcome.events) {
+    if (!(bitOf(event.kind) & kinds_))
+      continue;
+    for (const Listener &listener : byKind_[size_t(event.kind)]) {
+      context_.rule_ = listener.id;
+      listener.rule->on(event, context_);
+    }
+    if (event.kind == EventKind::Code)
+      for (const Listener &listener : byCode_[event.code]) {
+        context_.rule_ = listener.id;
+        listener.rule->on(event, context_);
+      }
+  }
+}
+
+void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
+                           const Outcome &outcome, const MachineState &before,
+                           const MachineState &after, unsigned callDepth, SourceRange where,
+                           SourceRange related) {
+  prepare(unit, block, outcome, before, after, callDepth);
+  context_.flowRange_ = where;
+  context_.flowRelated_ = related;
+  Event event;
+  event.kind = EventKind::FlowIssue;
+  event.number = int64_t(issue);
+  for (const Listener &listener : byKind_[size_t(EventKind::FlowIssue)]) {
+    context_.rule_ = listener.id;
+    listener.rule->on(event, context_);
+  }
+}
+
+void Dispatcher::finish(const FileSummary &summary, FileUnit &unit) {
+  static const Block noBlock;
+  const Outcome noOutcome;
+  const MachineState state = initialState(*unit.dialect);
+  prepare(unit, noBlock, noOutcome, state, state, 0);
+  for (const Listener &listener : all_) {
+    context_.rule_ = listener.id;
+    listener.rule->finish(summary, context_);
+  }
+}
+
+} // namespace ncvet

@@ -1,0 +1,145 @@
+// Follows a program as its control would: calls, jumps, loops, block skip, profiles.
+#pragma once
+
+#include "analyzer/dispatch.h"
+
+#include "llvm/ADT/DenseMap.h"
+#include "llvm/ADT/DenseSet.h"
+#include "llvm/Support/Allocator.h"
+
+#include <atomic>
+#include <map>
+#include <set>
+
+namespace ncvet {
+
+/// Runs the programs of one file. Straight-line blocks are read, executed and forgotten; states
+/// wait only where flow meets: at targets of jumps, behind conditions and skipped blocks.
+///
+/// Blocks are taken in the order of their place in the text, so that all ways to a block have
+/// arrived before it is executed, save those over a backward jump. A backward jump under a known
+/// condition is run for real; under an unknown one the states at its target are joined, later
+/// widened, until nothing new comes. Findings are made in every pass: the first pass through a
+/// loop is a way to each of its blocks, and later states only add ways, so what is reported early
+/// stays true.
+class Engine {
+public:
+  Engine(Project &project, FileUnit &unit, const RuleSelection &rules, const AnalysisLimits &limits,
+         const std::atomic<bool> *cancel);
+
+  AnalysisResult run();
+
+private:
+  /// One state on its way, and how it came there.
+  struct Live {
+    MachineState state;
+    const PathNode *path = nullptr;
+    /// Block skip switch per level, as far as this way has decided it: 0 unknown, 1 off, 2 on.
+    std::array<uint8_t, 10> skip{};
+  };
+  using Lives = llvm::SmallVector<Live, 1>;
+
+  enum class Kind : uint8_t { Main, Subprogram, LocalSubprogram, Profile };
+  struct Region {
+    FileUnit &unit;
+    const ProgramInfo &program;
+    uint32_t start;
+    Kind kind;
+    unsigned depth = 0;
+    uint32_t lastBlock = ~0u; ///< profile: offset of the last block
+  };
+  struct Returned {
+    Live live;
+    int64_t target = notSet; ///< block of the caller to go on with
+  };
+  using Exits = std::vector<Returned>;
+
+  /// What is remembered of a target of backward jumps.
+  struct Head {
+    unsigned visits = 0;
+    bool abstract = false;
+    bool hasSeen = false;
+    MachineState seen;
+    uint64_t snapshot = 0; ///< hash of the state at an earlier visit
+    unsigned nextSnapshot = 16;
+    unsigned windowEnd = 0; ///< visits up to this one are compared with the snapshot
+  };
+  struct Activation {
+    const Region &region;
+    std::map<uint32_t, Lives> pending;
+    uint32_t nextPending = ~0u;
+    std::map<uint32_t, Head> heads;
+    Exits exits;
+    uint32_t runBegin = 0, runEnd = 0; ///< blocks executed in a row
+    uint32_t high = 0;                 ///< behind the last block executed for the first time
+    uint32_t lastBegin = 0, lastEnd = 0;
+    bool executedAny = false;
+  };
+  struct Memo {
+    uint64_t hash;
+    MachineState entry;
+    Exits exits;
+  };
+  struct LoopShape {
+    llvm::DenseMap<uint32_t, uint32_t> endOf;   ///< loop head → block behind its END
+    llvm::DenseMap<uint32_t, uint32_t> headOf;  ///< END → loop head
+    std::vector<uint32_t> mismatched;
+  };
+
+  Exits execute(const Region &region, Lives entry);
+  void add(Activation &activation, uint32_t offset, Live live);
+  Lives takePending(Activation &activation, uint32_t &offset);
+  void mergeInto(const FileUnit &unit, Lives &lives, Live live);
+  /// Handles the flow of one executed block for one state; false when the state goes on with the
+  /// next block, and stays where it is.
+  bool leave(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  void backTo(Activation &activation, uint32_t target, Live live, bool certain);
+  void goTo(Activation &activation, uint32_t from, uint32_t target, Live live, bool certain);
+  void jump(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  void loop(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  /// True when a state goes on behind the block.
+  void call(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  void callMacro(Activation &activation, Live &live, int32_t program, const MachineState &before);
+  void profile(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  Exits callBody(const Region &region, Live live);
+  void runOut(Activation &activation, Lives &lives);
+  void issue(FlowIssue kind, Activation &activation, const Live &live, const MachineState &before,
+             SourceRange where, SourceRange related = {});
+  void forget(Live &live, const Dialect &dialect);
+  const LoopShape &loops(const FileUnit &unit, const ProgramInfo &program);
+  const PathNode *step(const PathNode *before, PathNode::Kind kind, SourceRange range,
+                       int64_t number = 0);
+  void cut(std::string why);
+  void cover(const FileUnit &unit, uint32_t begin, uint32_t end);
+  void runOtherPrograms();
+  std::vector<SourceRange> reachedRanges() const;
+  SourceRange flowRange(const FileUnit &unit) const {
+    return {unit.source.id(), outcome_.flow.begin, outcome_.flow.end};
+  }
+
+  Project &project_;
+  FileUnit &unit_;
+  const AnalysisLimits &limits_;
+  const std::atomic<bool> *cancel_;
+  Collector collector_;
+  Dispatcher dispatcher_;
+  llvm::BumpPtrAllocator paths_;
+  Block block_;
+  Outcome outcome_;
+  std::map<std::pair<FileId, uint32_t>, std::vector<Memo>> memos_;
+  std::map<std::pair<FileId, uint32_t>, LoopShape> loops_;
+  llvm::DenseMap<uint32_t, uint32_t> covered_; ///< of the main file: begin → end of runs
+  std::set<int64_t> usedNumbers_;
+  std::set<int64_t> calledPrograms_;
+  std::set<uint32_t> localTargets_, profileStarts_;
+  std::vector<std::pair<FileId, uint32_t>> callStack_;
+  uint64_t steps_ = 0;
+  uint64_t repeated_ = 0;
+  uint64_t blocks_ = 0;
+  bool abstract_ = false; ///< the budget is spent: loops are no longer run for real
+  bool stopped_ = false;
+  bool complete_ = true;
+  std::vector<std::string> cuts_;
+};
+
+} // namespace ncvet

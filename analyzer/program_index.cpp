@@ -1,0 +1,142 @@
+// What stands where in one file: its programs, and on demand the block numbers in them.
+#include "analyzer/program_index.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace ncvet {
+
+namespace {
+
+/// Calls `visit(lineBegin, firstContent)` for every line of [begin, end).
+template <typename Visit> void eachLine(llvm::StringRef text, size_t begin, size_t end, Visit visit) {
+  const char *const base = text.data();
+  const char *at = base + begin;
+  const char *const stop = base + end;
+  // Files with lone CR as line end are rare: look once.
+  const bool lineFeeds = memchr(at, '\n', size_t(stop - at)) != nullptr;
+  while (at < stop) {
+    const auto *next =
+        static_cast<const char *>(memchr(at, lineFeeds ? '\n' : '\r', size_t(stop - at)));
+    const char *content = at;
+    while (content < stop && (*content == ' ' || *content == '\t' || *content == '\0'))
+      ++content;
+    if (content < stop)
+      visit(uint32_t(at - base), uint32_t(content - base));
+    if (!next)
+      break;
+    at = next + 1;
+  }
+}
+
+} // namespace
+
+FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &)
+    : source_(source), reader_(reader) {
+  const llvm::StringRef text = source.text();
+  Block block;
+  ProgramInfo first;
+  first.begin = first.body = reader.first();
+  programs_.push_back(first);
+  uint32_t forget = 0;
+  eachLine(text, reader.first(), text.size(), [&](uint32_t line, uint32_t content) {
+    const char c = text[content];
+    if (c == '%')
+      tapeMarks_.push_back(line);
+    if (c != '%' && c != 'O' && c != 'o' && c != ':')
+      return;
+    reader.read(line, block);
+    if (block.kind != BlockKind::ProgramHeader)
+      return;
+    ProgramInfo program;
+    program.number = block.program;
+    program.begin = line;
+    // Words behind the number stand in the header's block and are executed with it.
+    program.body = line;
+    program.headerBegin = block.headerBegin;
+    program.headerEnd = block.headerEnd;
+    if (programs_.size() == 1 && !programs_[0].hasHeader()) {
+      // What stands in front of the first header is a leader (tape mark, comments) or a fragment.
+      bool content_ = false;
+      for (uint32_t at = programs_[0].begin; at < line;) {
+        Block other;
+        reader.read(at, other);
+        content_ |= !other.isEmpty();
+        at = other.next;
+        if (at > programs_[0].begin + 65536)
+          break;
+      }
+      if (!content_)
+        programs_.clear();
+    }
+    programs_.push_back(program);
+    if (line - forget > (16u << 20)) {
+      source.forget(line);
+      forget = line;
+    }
+  });
+  for (size_t i = 0; i < programs_.size(); ++i)
+    programs_[i].end = i + 1 < programs_.size() ? programs_[i + 1].begin : uint32_t(text.size());
+}
+
+const ProgramInfo &FileIndex::programAt(uint32_t offset) const {
+  auto at = std::upper_bound(programs_.begin(), programs_.end(), offset,
+                             [](uint32_t o, const ProgramInfo &p) { return o < p.begin; });
+  return at == programs_.begin() ? programs_.front() : *std::prev(at);
+}
+
+const ProgramInfo *FileIndex::find(int64_t number) const {
+  for (const ProgramInfo &program : programs_)
+    if (program.hasHeader() && program.number == number)
+      return &program;
+  return nullptr;
+}
+
+llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) const {
+  const auto found = numbers_.find(program.begin);
+  if (found != numbers_.end())
+    return found->second;
+  std::vector<NumberedBlock> &list = numbers_[program.begin];
+  const llvm::StringRef text = source_.text();
+  eachLine(text, program.begin, program.end, [&](uint32_t line, uint32_t content) {
+    uint32_t at = content;
+    // Block skip may stand in front of the number.
+    while (at < program.end && (text[at] == '/' || (text[at] >= '0' && text[at] <= '9') ||
+                                text[at] == ' '))
+      ++at;
+    if (at >= program.end || (text[at] != 'N' && text[at] != 'n'))
+      return;
+    ++at;
+    while (at < program.end && text[at] == ' ')
+      ++at;
+    int64_t number = 0;
+    unsigned digits = 0;
+    while (at < program.end && text[at] >= '0' && text[at] <= '9' && digits < 12) {
+      number = number * 10 + (text[at++] - '0');
+      ++digits;
+    }
+    if (digits)
+      list.push_back({number, line});
+  });
+  std::stable_sort(list.begin(), list.end(), [](const NumberedBlock &a, const NumberedBlock &b) {
+    return a.number < b.number;
+  });
+  return list;
+}
+
+std::optional<uint32_t> FileIndex::block(const ProgramInfo &program, int64_t number,
+                                         uint32_t from) const {
+  const llvm::ArrayRef<NumberedBlock> list = numbers(program);
+  auto at = std::lower_bound(list.begin(), list.end(), number,
+                             [](const NumberedBlock &b, int64_t n) { return b.number < n; });
+  std::optional<uint32_t> first;
+  for (; at != list.end() && at->number == number; ++at) {
+    if (at->offset > from)
+      return at->offset;
+    if (!first)
+      first = at->offset;
+  }
+  return first;
+}
+
+} // namespace ncvet

@@ -1,0 +1,139 @@
+// The files of one analysis: the program at hand and those that it calls from elsewhere.
+#include "analyzer/project.h"
+
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Path.h"
+
+namespace ncvet {
+
+namespace {
+
+/// Files of a folder whose first bytes are looked at for a program header: a shop's folder holds
+/// hundreds, and a folder that is no program store must not be read as a whole.
+constexpr unsigned maxHeaderFiles = 500;
+constexpr size_t headerBytes = 4096;
+/// Larger files are no subprograms.
+constexpr uint64_t maxSubprogramBytes = 64u << 20;
+
+/// `O1234.nc`, `1234`, `%O0012.txt`: the number; -1 for other names.
+int64_t numberOfName(llvm::StringRef name) {
+  llvm::StringRef stem = llvm::sys::path::stem(name);
+  stem.consume_front("%");
+  if (!stem.consume_front("O"))
+    stem.consume_front("o");
+  int64_t number = -1;
+  if (stem.empty() || stem.size() > 9 || stem.getAsInteger(10, number))
+    return -1;
+  return number;
+}
+
+int64_t numberOfHeader(llvm::StringRef text) {
+  unsigned lines = 0;
+  while (!text.empty() && lines++ < 50) {
+    llvm::StringRef line;
+    std::tie(line, text) = text.split('\n');
+    line = line.ltrim(" \t\r");
+    line.consume_front("%");
+    line = line.ltrim();
+    if (!line.consume_front("O") && !line.consume_front(":"))
+      continue;
+    const llvm::StringRef digits = line.take_while([](char c) { return c >= '0' && c <= '9'; });
+    int64_t number = -1;
+    if (!digits.empty() && digits.size() <= 9 && !digits.getAsInteger(10, number))
+      return number;
+  }
+  return -1;
+}
+
+} // namespace
+
+Project::Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
+                 std::vector<std::string> searchFolders)
+    : sources_(sources), dialect_(std::move(dialect)), machine_(std::move(machine)),
+      searchFolders_(std::move(searchFolders)) {}
+
+FileUnit &Project::unit(const SourceFile &file) {
+  auto &unit = units_[file.id()];
+  if (!unit)
+    unit = std::make_unique<FileUnit>(file, dialect_, machine_);
+  return *unit;
+}
+
+const std::map<int64_t, std::string> &Project::folder(const std::string &path) {
+  const auto [at, fresh] = folders_.try_emplace(path);
+  std::map<int64_t, std::string> &programs = at->second;
+  if (!fresh)
+    return programs;
+  std::vector<std::string> files;
+  std::error_code error;
+  for (llvm::sys::fs::directory_iterator i(path, error), end; i != end && !error; i.increment(error)) {
+    const auto type = i->type();
+    if (type == llvm::sys::fs::file_type::directory_file)
+      continue;
+    files.push_back(i->path());
+    if (files.size() > 20000) // not a program store
+      break;
+  }
+  std::sort(files.begin(), files.end());
+  for (const std::string &file : files) {
+    const int64_t number = numberOfName(llvm::sys::path::filename(file));
+    if (number >= 0)
+      programs.try_emplace(number, file);
+  }
+  unsigned looked = 0;
+  for (const std::string &file : files) {
+    uint64_t size = 0;
+    if (numberOfName(llvm::sys::path::filename(file)) >= 0 || looked >= maxHeaderFiles ||
+        llvm::sys::fs::file_size(file, size) || size > maxSubprogramBytes)
+      continue;
+    ++looked;
+    const auto buffer = llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, headerBytes), 0);
+    if (!buffer)
+      continue;
+    const int64_t number = numberOfHeader((*buffer)->getBuffer());
+    if (number >= 0)
+      programs.try_emplace(number, file);
+  }
+  return programs;
+}
+
+std::pair<FileUnit *, const ProgramInfo *> Project::findProgram(FileUnit &from, int64_t number) {
+  if (const ProgramInfo *program = from.index.find(number))
+    return {&from, program};
+  std::vector<std::string> folders;
+  if (!from.source.path().empty()) {
+    const llvm::StringRef parent = llvm::sys::path::parent_path(from.source.path());
+    folders.push_back(parent.empty() ? "." : parent.str());
+  }
+  folders.insert(folders.end(), searchFolders_.begin(), searchFolders_.end());
+  for (const std::string &path : folders) {
+    const auto &programs = folder(path);
+    const auto found = programs.find(number);
+    if (found == programs.end())
+      continue;
+    // A file that is in the set already keeps its number.
+    const SourceFile *file = nullptr;
+    for (FileId id = 0; id < sources_.size() && !file; ++id)
+      if (sources_.get(id).path() == found->second)
+        file = &sources_.get(id);
+    if (!file) {
+      llvm::StringRef display = found->second;
+      display.consume_front("./");
+      auto opened = sources_.open(found->second, display);
+      if (!opened) {
+        llvm::consumeError(opened.takeError());
+        continue;
+      }
+      file = *opened;
+    }
+    FileUnit &other = unit(*file);
+    if (const ProgramInfo *program = other.index.find(number))
+      return {&other, program};
+    // The file's name is the number; what it holds needs no header of its own.
+    if (!other.index.programs().empty() && !other.index.programs()[0].hasHeader())
+      return {&other, &other.index.programs()[0]};
+  }
+  return {nullptr, nullptr};
+}
+
+} // namespace ncvet
