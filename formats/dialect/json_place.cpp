@@ -136,19 +136,30 @@ unsigned lineAt(llvm::StringRef text, size_t offset) {
 
 bool nestsTooDeep(llvm::StringRef text) {
   unsigned depth = 0;
-  bool inString = false;
   for (size_t at = 0; at < text.size(); ++at) {
-    char c = text[at];
-    if (inString) {
-      at += c == '\\';
-      inString = c != '"';
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '{' || c == '[') {
+    switch (text[at]) {
+    case '"': // to the closing quote: one behind an odd number of backslashes is part of the text
+      for (at = text.find('"', at + 1); at != llvm::StringRef::npos; at = text.find('"', at + 1)) {
+        size_t slashes = at;
+        while (text[slashes - 1] == '\\')
+          --slashes;
+        if ((at - slashes) % 2 == 0)
+          break;
+      }
+      if (at == llvm::StringRef::npos)
+        return false;
+      break;
+    case '{':
+    case '[':
       if (++depth > maxDepth)
         return true;
-    } else if ((c == '}' || c == ']') && depth) {
-      --depth;
+      break;
+    case '}':
+    case ']':
+      depth -= depth > 0;
+      break;
+    default:
+      break;
     }
   }
   return false;
