@@ -28,14 +28,6 @@ uint32_t LineIndex::countLineEnds(uint32_t begin, uint32_t end) const {
   return count + (inner < end && endsLine(inner) ? 1 : 0);
 }
 
-bool LineIndex::onOneLine(uint32_t begin, uint32_t end) const {
-  constexpr uint32_t chunk = 256; // some lines of a usual program
-  for (end = std::min(end, size()); begin < end; begin += std::min(chunk, end - begin))
-    if (countLineEnds(begin, std::min(end, begin + std::min(chunk, end - begin))) > 0)
-      return false;
-  return true;
-}
-
 void LineIndex::countUpTo(uint32_t last) const {
   while (counts_.size() <= last) {
     const auto begin = static_cast<uint32_t>(counts_.size() - 1) * step;
@@ -52,18 +44,27 @@ uint32_t LineIndex::lineOf(uint32_t offset) const {
 
 uint32_t LineIndex::lineBegin(uint32_t offset) const {
   offset = std::min(offset, size());
-  while (offset > 0 && !endsLine(offset - 1))
-    --offset;
-  return offset;
+  const uint32_t near = offset - std::min(offset, step);
+  for (uint32_t begin = offset; begin > near; --begin)
+    if (endsLine(begin - 1))
+      return begin;
+  return near == 0 ? 0 : beginOfLine(lineOf(offset));
 }
 
 uint32_t LineIndex::lineEnd(uint32_t offset) const {
   offset = std::min(offset, size());
   if (offset > 0 && offset < size() && text_[offset] == '\n' && text_[offset - 1] == '\r')
     return offset - 1;
-  while (offset < size() && text_[offset] != '\n' && text_[offset] != '\r')
-    ++offset;
-  return offset;
+  const uint32_t near = offset + std::min(size() - offset, step);
+  for (uint32_t end = offset; end < near; ++end)
+    if (text_[end] == '\n' || text_[end] == '\r')
+      return end;
+  if (near == size())
+    return near;
+  const uint32_t next = beginOfLine(lineOf(offset) + 1);
+  if (!endsLine(next - 1)) // the last line, without a line end
+    return next;
+  return next - (text_[next - 1] == '\n' && text_[next - 2] == '\r' ? 2 : 1);
 }
 
 uint32_t LineIndex::beginOfLine(uint32_t line) const {

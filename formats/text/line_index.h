@@ -8,9 +8,10 @@
 
 namespace ncvet {
 
-/// Counts lines of a text on demand: one counter every 64 KiB as far as was ever asked, the rest
-/// is counted when asked. Line ends are LF, CR LF and a lone CR; a line end belongs to its line.
-/// Offsets behind the text count as its end. Not for several threads at a time.
+/// Counts lines of a text on demand: one counter every 4 KiB as far as was ever asked, the rest is
+/// counted when asked, so that no question takes long, not even in a text that is one long line.
+/// Line ends are LF, CR LF and a lone CR; a line end belongs to its line. Offsets behind the text
+/// count as its end. Not for several threads at a time.
 class LineIndex {
 public:
   explicit LineIndex(llvm::StringRef text) : text_(text) {}
@@ -27,11 +28,8 @@ public:
   /// Number of line ends that end within [begin, end).
   uint32_t countLineEnds(uint32_t begin, uint32_t end) const;
 
-  /// True when no line ends within [begin, end); quick when one ends soon behind `begin`.
-  bool onOneLine(uint32_t begin, uint32_t end) const;
-
 private:
-  static constexpr uint32_t step = 1u << 16;
+  static constexpr uint32_t step = 1u << 12;
 
   uint32_t size() const { return static_cast<uint32_t>(text_.size()); }
   /// True when a line ends with the byte at `offset`: LF, or CR without LF behind it.
@@ -40,7 +38,7 @@ private:
   void countUpTo(uint32_t last) const;
 
   llvm::StringRef text_;
-  mutable std::vector<uint32_t> counts_{0}; ///< line ends in front of each 64 KiB step
+  mutable std::vector<uint32_t> counts_ = {0}; ///< line ends in front of each step
 };
 
 } // namespace ncvet

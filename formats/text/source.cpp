@@ -17,6 +17,9 @@ namespace {
 /// memory, seldom enough that the system calls cost no time.
 constexpr uint32_t forgetStep = 4u << 20;
 
+/// Distance of the counters of code points, in bytes.
+constexpr uint32_t countStep = 1u << 12;
+
 llvm::Error cannotRead(llvm::StringRef display, std::error_code code, const llvm::Twine &why) {
   return llvm::createStringError(code, "cannot read " + display + ": " + why);
 }
@@ -84,22 +87,33 @@ Encoding SourceFile::encoding() const {
   return *encoding_;
 }
 
+uint32_t SourceFile::continuationsBefore(uint32_t offset) const {
+  const auto count = [this](uint32_t begin, uint32_t end) {
+    return end - begin - countCodePoints(text(begin, end), Encoding::Utf8);
+  };
+  const uint32_t step = offset / countStep;
+  while (continuations_.size() <= step) {
+    const auto begin = static_cast<uint32_t>(continuations_.size() - 1) * countStep;
+    continuations_.push_back(continuations_.back() + count(begin, begin + countStep));
+  }
+  return continuations_[step] + count(step * countStep, offset);
+}
+
+uint32_t SourceFile::codePointsIn(uint32_t begin, uint32_t end) const {
+  const uint32_t bytes = end - begin;
+  if (bytes <= countStep && isAscii(text(begin, end)))
+    return bytes;
+  if (encoding() != Encoding::Utf8)
+    return bytes;
+  if (bytes <= countStep)
+    return countCodePoints(text(begin, end), Encoding::Utf8);
+  return bytes - (continuationsBefore(end) - continuationsBefore(begin));
+}
+
 LineColumn SourceFile::position(uint32_t offset) const {
   offset = std::min(offset, static_cast<uint32_t>(text_.size()));
-  const bool onwards = offset >= lastOffset_ && lines_.onOneLine(lastOffset_, offset);
-  LineColumn result = lastPosition_;
-  uint32_t from = lastOffset_;
-  if (!onwards) {
-    from = lines_.lineBegin(offset);
-    result = {lines_.lineOf(from), 1};
-  }
-  from = std::max(from, std::min(textBegin(), offset));
-  const llvm::StringRef bytes = text(from, offset);
-  result.column +=
-      isAscii(bytes) ? static_cast<uint32_t>(bytes.size()) : countCodePoints(bytes, encoding());
-  lastOffset_ = offset;
-  lastPosition_ = result;
-  return result;
+  const uint32_t begin = std::max(lines_.lineBegin(offset), std::min(textBegin(), offset));
+  return {lines_.lineOf(offset), 1 + codePointsIn(begin, offset)};
 }
 
 std::string SourceFile::displayLine(uint32_t line) const {

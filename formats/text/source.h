@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ncvet {
 
@@ -72,6 +73,11 @@ public:
   void forget(uint32_t offset) const;
 
 private:
+  /// Code points in [begin, end).
+  uint32_t codePointsIn(uint32_t begin, uint32_t end) const;
+  /// UTF-8 bytes in front of `offset` that begin no code point.
+  uint32_t continuationsBefore(uint32_t offset) const;
+
   SourceFile(FileId id, std::string path, std::string display,
              std::unique_ptr<llvm::MemoryBuffer> buffer);
 
@@ -83,9 +89,9 @@ private:
   LineIndex lines_;
   mutable uint32_t forgotten_ = 0;
   mutable std::optional<Encoding> encoding_;
-  /// The last position asked for: findings come in order, and a line may be as long as the file.
-  mutable uint32_t lastOffset_ = 0;
-  mutable LineColumn lastPosition_;
+  /// Bytes in front of each 4 KiB step that begin no code point, as far as was ever asked: a line
+  /// may be as long as the file.
+  mutable std::vector<uint32_t> continuations_ = {0};
 };
 
 } // namespace ncvet

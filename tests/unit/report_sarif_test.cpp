@@ -146,7 +146,7 @@ TEST(SarifReportTest, ABaselineTellsNewUnchangedAndAbsentApart) {
   sample.report.absent = {{"missing-feed", "programs/sub.nc", "G1 without a feed", 9, 77},
                           {"retired-rule", "programs/old.nc", "it was so", 1, 78}};
   const Json run = runOf(sample.report);
-  const Json results = run["results"];
+  const Json &results = run["results"];
   ASSERT_EQ(results.size(), 5u);
   EXPECT_EQ(results[0]["baselineState"], "new");
   EXPECT_EQ(results[1]["baselineState"], "unchanged");
@@ -161,7 +161,7 @@ TEST(SarifReportTest, TheInvocationTellsOfUnreadableFilesAndCutAnalyses) {
   SampleReport sample;
   const Json failed = runOf(sample.report)["invocations"][0];
   EXPECT_EQ(failed["executionSuccessful"], false);
-  const Json notifications = failed["toolExecutionNotifications"];
+  const Json &notifications = failed["toolExecutionNotifications"];
   ASSERT_EQ(notifications.size(), 2u);
   EXPECT_EQ(notifications[0]["level"], "error");
   EXPECT_EQ(notifications[0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],

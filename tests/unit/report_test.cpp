@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <random>
+
 using namespace ncvet;
 using namespace ncvet::test;
 using testing::HasSubstr;
@@ -286,4 +288,48 @@ TEST(CheckstyleReportTest, GroupsFindingsByFileAndEscapesText) {
             "message=\"X100 has no decimal point\" source=\"ncvet.decimal-point\"/>\n"
             "  </file>\n"
             "</checkstyle>\n");
+}
+
+TEST(ReportTest, AnyBytesAndRangesGiveValidReports) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 300; ++round) {
+    SampleReport sample;
+    // Mostly what breaks lines, columns and encodings.
+    const llvm::StringRef pieces[] = {
+        "\n",   "\r",   "\r\n",        "\t",   "X1", llvm::StringRef("\0", 1),
+        "\xF6", "\xC3", "\xB6",        "\x1B", "\"", "\xEF\xBB\xBF",
+        "<",    "&",    "\xE9\x92\xBB"};
+    std::string text;
+    for (size_t i = random() % 60; i > 0; --i)
+      text += pieces[random() % std::size(pieces)];
+    const SourceFile &file = sample.sources.add(text, text); // its name is as bad
+    const auto anyRange = [&] {
+      return SourceRange{file.id(), static_cast<uint32_t>(random() % 70),
+                         static_cast<uint32_t>(random() % 70)};
+    };
+    Finding finding;
+    finding.range = anyRange();
+    finding.message = text;
+    finding.notes.push_back({anyRange(), text});
+    finding.path.push_back({anyRange(), text});
+    finding.fix = Fix{text, FixSafety::Unsafe, {}};
+    finding.fix->edits.push_back({anyRange(), text});
+    sample.report.findings.push_back(finding);
+    sortReport(sample.report);
+    const LineColumn begin = file.position(finding.range.begin);
+    const Json json = parsed(written("json", sample.report));
+    EXPECT_EQ(json["findings"].size(), 4u);
+    for (const Json &one : json["findings"]) {
+      EXPECT_LE(std::pair(one["line"].get<uint32_t>(), one["column"].get<uint32_t>()),
+                std::pair(one["endLine"].get<uint32_t>(), one["endColumn"].get<uint32_t>()));
+    }
+    EXPECT_TRUE(std::any_of(json["findings"].begin(), json["findings"].end(), [&](const Json &one) {
+      return one["line"] == begin.line && one["column"] == begin.column;
+    }));
+    EXPECT_EQ(parsed(written("sarif", sample.report))["runs"][0]["results"].size(), 4u);
+    EXPECT_TRUE(isValidUtf8(written("checkstyle", sample.report)));
+    const std::string shown = written("text", sample.report);
+    for (const char byte : shown)
+      EXPECT_TRUE(byte == '\n' || static_cast<unsigned char>(byte) >= 0x20);
+  }
 }

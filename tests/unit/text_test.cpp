@@ -94,13 +94,17 @@ TEST(LineIndexTest, AnEmptyTextHasOneLine) {
 
 TEST(LineIndexTest, AgreesWithSlowCountingOverManyCounterSteps) {
   std::mt19937 random(7);
-  for (const llvm::StringRef alphabet : {"X1 \n", "X1 \r", "X\r\n", "XXXXXXXXXXXXXXXXXX\r\n"}) {
+  for (const llvm::StringRef alphabet :
+       {"X1 \n", "X1 \r", "X\r\n", "XXXXXXXXXXXXXXXXXX\r\n", "X"}) {
     std::string text(300000, 'X');
     for (char &byte : text)
       byte = alphabet[random() % alphabet.size()];
+    text.replace(100000, 30000, 30000, 'Y'); // a line longer than several steps
+    text.replace(130000, 2, "\r\n");
     const LineIndex lines(text);
-    // Behind, in front of and on the 64 KiB steps, where CR and LF may be parted.
-    for (uint32_t offset : {200001u, 65535u, 65536u, 65537u, 131072u, 0u, 299999u, 300000u}) {
+    // Behind, in front of and on the steps, where CR and LF may be parted.
+    for (uint32_t offset : {200001u, 65535u, 65536u, 65537u, 110000u, 129999u, 130000u, 130001u,
+                            130002u, 131072u, 0u, 299999u, 300000u}) {
       const uint32_t line = lines.lineOf(offset);
       ASSERT_EQ(line, slowLineOf(text, offset)) << offset;
       const uint32_t begin = lines.lineBegin(offset);
@@ -109,7 +113,10 @@ TEST(LineIndexTest, AgreesWithSlowCountingOverManyCounterSteps) {
       if (begin > 0) {
         EXPECT_EQ(slowLineOf(text, begin - 1), line - 1);
       }
-      EXPECT_LE(begin, lines.lineEnd(offset));
+      const uint32_t end = lines.lineEnd(offset);
+      EXPECT_EQ(slowLineOf(text, end), line);
+      EXPECT_TRUE(end == text.size() || text[end] == '\r' || text[end] == '\n');
+      EXPECT_EQ(llvm::StringRef(text).slice(begin, end).find_first_of("\r\n"), std::string::npos);
     }
   }
 }
@@ -184,14 +191,18 @@ TEST(SourceFileTest, APositionDoesNotDependOnWhatWasAskedBefore) {
   EXPECT_EQ(at(*file, 4000000000u), at(*file, static_cast<uint32_t>(text.size())));
 }
 
-TEST(SourceFileTest, ALineAsLongAsTheFileIsCountedOnce) {
+TEST(SourceFileTest, ALineAsLongAsTheFileIsNotCountedAgainForEachPosition) {
   std::string text;
   for (int i = 0; i < 400000; ++i)
-    text += "X1.Y2.";
+    text += "X1.\xC3\xB6 ";
   const auto file = source(text);
-  // Quadratic counting would need 400,000 times 2.4 MB.
-  for (uint32_t offset = 0; offset < text.size(); offset += 6)
-    ASSERT_EQ(at(*file, offset), Place(1, offset + 1));
+  // Counting anew would read 20,000 times 1.2 MB on average; to and fro, as notes point back.
+  for (uint32_t i = 0; i < 400000; i += 20 + i % 3) {
+    const uint32_t word = i % 2 ? i : 400000 - i;
+    ASSERT_EQ(at(*file, word * 6), Place(1, word * 5 + 1));
+  }
+  EXPECT_EQ(file->lines().lineEnd(1000), text.size());
+  EXPECT_EQ(file->lines().lineBegin(2000000), 0u);
 }
 
 TEST(EncodingTest, HungarianTextOfANctControlIsCentralEuropean) {
