@@ -38,30 +38,32 @@ Collector::Collector(const RuleSelection &selection, const Dialect &dialect,
                      const AnalysisLimits &limits)
     : selection_(selection), dialect_(dialect), limits_(limits), perRule_(allRules().size()) {}
 
+/// Notes a report of the frame's present visit; certain in one state is enough for that visit.
+void Collector::count(Frame &frame, const Key &key, bool certain) {
+  for (AtStop &at : frame.reports)
+    if (at.key == key) {
+      if (at.lastVisit != frame.visits) {
+        at.lastVisit = frame.visits;
+        at.certain += certain;
+      }
+      return;
+    }
+  frame.reports.push_back({key, certain ? 1u : 0u, frame.visits});
+}
+
 Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
   if (definiteOnly_ && !certain)
     return nullptr;
   const Key key{rule, range.file, range.begin, range.end};
-  AtStop *here = nullptr;
-  for (AtStop &at : stop_)
-    if (at.key == key)
-      here = &at;
-  if (!here) {
-    stop_.push_back({key, 0, 0, 0});
-    here = &stop_.back();
-  }
-  if (here->lastVisit != visits_) {
-    here->lastVisit = visits_;
-    ++here->reports;
-    here->certain += certain;
-  }
-  const unsigned length = path_ ? path_->length : 0;
+  Frame &frame = frames_[depth_ - 1];
+  count(frame, key, certain);
+  const unsigned length = frame.path ? frame.path->length : 0;
   const auto found = entries_.find(key);
   if (found != entries_.end()) {
     // Known: a shorter way to it is the better explanation.
     if (length < found->second.pathLength) {
       found->second.pathLength = length;
-      fillPath(found->second.finding, path_);
+      fillPath(found->second.finding, frame.path);
     }
     return nullptr;
   }
@@ -77,19 +79,22 @@ Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
   const auto table = dialect_.rules.find(allRules()[rule].info.id);
   if (table != dialect_.rules.end() && table->second.severity)
     finding.severity = *table->second.severity;
-  fillPath(finding, path_);
+  fillPath(finding, frame.path);
   return &finding;
 }
 
-void Collector::endStop() {
-  for (const AtStop &at : stop_) {
-    if (at.certain < visits_)
-      continue;
-    const auto found = entries_.find(at.key);
-    if (found != entries_.end())
-      found->second.finding.certainty = Certainty::Definite;
+void Collector::settle() {
+  const Frame &frame = frames_[depth_ - 1];
+  for (const AtStop &at : frame.reports) {
+    const bool certain = at.certain >= frame.visits;
+    if (depth_ > 1) {
+      count(frames_[depth_ - 2], at.key, certain);
+    } else if (certain) {
+      const auto found = entries_.find(at.key);
+      if (found != entries_.end())
+        found->second.finding.certainty = Certainty::Definite;
+    }
   }
-  stop_.clear();
 }
 
 std::vector<Finding> Collector::take(const SourceSet &sources) {

@@ -4,7 +4,7 @@
 #include "analyzer/analyze.h"
 #include "formats/finding/finding.h"
 
-#include <map>
+#include <deque>
 #include <unordered_map>
 
 namespace ncvet {
@@ -20,17 +20,27 @@ struct PathNode {
 
 /// Findings of one analysis. A block may be looked at several times at one stop, once for each
 /// state that is kept apart (`beginStop`, then one `beginVisit` per state, then `endStop`): what
-/// every state breaks for certain is definite, the rest possible.
+/// every state breaks for certain is definite, the rest possible. Stops nest: what a called program
+/// is found to break for certain counts as a report of the visit that called it.
 class Collector {
 public:
   Collector(const RuleSelection &selection, const Dialect &dialect, const AnalysisLimits &limits);
 
-  void beginStop() { stop_.clear(); visits_ = 0; }
-  void beginVisit(const PathNode *path) {
-    path_ = path;
-    ++visits_;
+  void beginStop() {
+    if (++depth_ > frames_.size())
+      frames_.emplace_back();
+    frames_[depth_ - 1].reports.clear();
+    frames_[depth_ - 1].visits = 0;
   }
-  void endStop();
+  void beginVisit(const PathNode *path) {
+    frames_[depth_ - 1].path = path;
+    ++frames_[depth_ - 1].visits;
+  }
+  void endStop() {
+    if (!frames_[depth_ - 1].reports.empty())
+      settle();
+    --depth_;
+  }
   /// While set, only what is certain counts: the entry state is not known.
   void setDefiniteOnly(bool on) { definiteOnly_ = on; }
 
@@ -59,20 +69,25 @@ private:
   };
   struct AtStop {
     Key key;
-    unsigned reports = 0;
-    unsigned certain = 0;
-    unsigned lastVisit = 0;
+    unsigned certain = 0;   ///< visits in which it was certain
+    unsigned lastVisit = 0; ///< the last visit that reported it
   };
+
+  struct Frame {
+    llvm::SmallVector<AtStop, 4> reports;
+    const PathNode *path = nullptr;
+    unsigned visits = 0;
+  };
+  void count(Frame &frame, const Key &key, bool certain);
+  void settle();
 
   const RuleSelection &selection_;
   const Dialect &dialect_;
   const AnalysisLimits &limits_;
   std::unordered_map<Key, Entry, KeyHash> entries_;
   std::vector<unsigned> perRule_;
-  llvm::SmallVector<AtStop, 8> stop_;
-  Finding scratch_;
-  const PathNode *path_ = nullptr;
-  unsigned visits_ = 0;
+  std::deque<Frame> frames_; ///< a deque: frames stay where they are while inner ones are added
+  size_t depth_ = 0;
   bool definiteOnly_ = false;
 };
 
