@@ -1,0 +1,41 @@
+// Every rule has a wrong and a right program for every dialect that it claims.
+#include "tests/support/rule_pages.h"
+
+#include <set>
+
+namespace ncvet::test {
+namespace {
+
+/// Rules and dialects without programs, each with its reason. This list may only shrink.
+const std::set<std::string> exempt = {};
+
+TEST(Catalogue, EveryRuleHasAWrongAndARightProgramForEveryDialectThatItClaims) {
+  std::set<std::string> missing;
+  for (const RuleEntry &entry : allRules()) {
+    std::set<std::string> shown;
+    for (const PageProgram &program : programsOf(entry.info))
+      shown.insert(program.dialect + (program.wrong ? " wrong" : " right"));
+    const auto dialects = claimedDialects(entry.info.help);
+    EXPECT_FALSE(dialects.empty()) << entry.info.id.str() << " claims no dialect";
+    for (const std::string &dialect : dialects)
+      for (const char *kind : {" wrong", " right"})
+        if (!shown.count(dialect + kind))
+          missing.insert(entry.info.id.str() + " " + dialect + kind);
+  }
+  for (const std::string &entry : missing)
+    EXPECT_TRUE(exempt.count(entry)) << "no program: " << entry;
+  for (const std::string &entry : exempt)
+    EXPECT_TRUE(missing.count(entry)) << "has its program now, take it off the list: " << entry;
+}
+
+TEST(Catalogue, NoPageShowsAProgramForADialectThatItDoesNotClaim) {
+  for (const RuleEntry &entry : allRules()) {
+    const auto dialects = claimedDialects(entry.info.help);
+    for (const PageProgram &program : programsOf(entry.info))
+      EXPECT_TRUE(std::find(dialects.begin(), dialects.end(), program.dialect) != dialects.end())
+          << entry.info.id.str() << " shows a program for " << program.dialect;
+  }
+}
+
+} // namespace
+} // namespace ncvet::test

@@ -1,0 +1,214 @@
+// Runs the analysis on programs that a test holds as text, and reads the marks that say what is due.
+#pragma once
+
+#include "analyzer/analyze.h"
+#include "formats/dialect/loader.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace ncvet::test {
+
+/// A file of a test program.
+struct ProgramFile {
+  std::string name;
+  std::string text;
+};
+
+/// One finding, or one that is due; the parts that tests compare.
+struct Seen {
+  uint32_t line = 0;
+  uint32_t column = 0;
+  uint32_t endColumn = 0; ///< 0: not compared
+  std::string rule;
+  std::string certainty;
+  std::string message;
+
+  std::string describe() const {
+    return std::to_string(line) + ":" + std::to_string(column) +
+           (endColumn ? "-" + std::to_string(endColumn) : "") + " " + rule + " " + certainty +
+           (message.empty() ? "" : ": " + message);
+  }
+};
+
+/// A built-in dialect, loaded once for the whole test binary; fails the run when it does not load.
+inline std::shared_ptr<const Dialect> dialectNamed(const std::string &id) {
+  static std::map<std::string, std::shared_ptr<const Dialect>> loaded;
+  auto &entry = loaded[id];
+  if (!entry) {
+    auto dialect = loadDialect(id, builtinDialects());
+    if (!dialect) {
+      ADD_FAILURE() << "dialect " << id << ": " << llvm::toString(dialect.takeError());
+      return nullptr;
+    }
+    entry = *dialect;
+  }
+  return entry;
+}
+
+inline std::optional<size_t> ruleNamed(llvm::StringRef id) {
+  const auto rules = allRules();
+  for (size_t i = 0; i < rules.size(); ++i)
+    if (rules[i].info.id == id)
+      return i;
+  return std::nullopt;
+}
+
+/// Only this rule, whatever the tables say of it.
+inline RuleSelection only(const Dialect &dialect, size_t rule) {
+  RuleSelection selection = RuleSelection::defaults(dialect);
+  std::fill(selection.enabled.begin(), selection.enabled.end(), false);
+  selection.enabled[rule] = true;
+  return selection;
+}
+
+/// A folder that is removed when the object goes.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "ncvet-test-XXXXXX").string();
+    if (mkdtemp(pattern.data()))
+      path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty())
+      std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder &) = delete;
+  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+  const std::filesystem::path &path() const { return path_; }
+
+private:
+  std::filesystem::path path_;
+};
+
+/// Analyses the first file; what it calls is looked for in the others. `machine` is the text of a
+/// machine profile, or empty. Findings of other files than the first are left out.
+inline std::vector<Seen> analyseProgram(const std::string &dialectId,
+                                        const std::vector<ProgramFile> &files,
+                                        const std::string &machine,
+                                        llvm::function_ref<RuleSelection(const Dialect &)> select) {
+  std::vector<Seen> seen;
+  std::shared_ptr<const Dialect> dialect = dialectNamed(dialectId);
+  if (!dialect)
+    return seen;
+  MachineProfile profile;
+  if (!machine.empty()) {
+    auto parsed = parseMachineProfile("machine.json", machine);
+    auto overlaid = overlay(dialect, "machine.json", machine);
+    if (!parsed || !overlaid) {
+      ADD_FAILURE() << "machine profile: "
+                    << (parsed ? "" : llvm::toString(parsed.takeError()))
+                    << (overlaid ? "" : llvm::toString(overlaid.takeError()));
+      return seen;
+    }
+    profile = *parsed;
+    dialect = *overlaid;
+  }
+  SourceSet sources;
+  TemporaryFolder folder;
+  const SourceFile *main = nullptr;
+  if (files.size() == 1) {
+    main = &sources.add(files[0].name, files[0].text);
+  } else {
+    for (const ProgramFile &file : files)
+      std::ofstream(folder.path() / file.name, std::ios::binary) << file.text;
+    auto opened = sources.open((folder.path() / files[0].name).string(), files[0].name);
+    if (!opened) {
+      ADD_FAILURE() << llvm::toString(opened.takeError());
+      return seen;
+    }
+    main = *opened;
+  }
+  Project project(sources, dialect, profile);
+  const AnalysisResult result = analyze(project, project.unit(*main), select(*dialect));
+  for (const Finding &finding : result.findings) {
+    if (finding.range.file != main->id())
+      continue;
+    const LineColumn begin = main->position(finding.range.begin);
+    const LineColumn end = main->position(finding.range.end);
+    Seen &entry = seen.emplace_back();
+    entry.line = begin.line;
+    entry.column = begin.column;
+    entry.endColumn = end.line == begin.line ? end.column : 0;
+    entry.rule = allRules()[finding.rule].info.id.str();
+    entry.certainty = toString(finding.certainty).str();
+    entry.message = finding.message;
+  }
+  return seen;
+}
+
+inline std::vector<std::string> linesOf(const std::string &text) {
+  std::vector<std::string> lines;
+  size_t at = 0;
+  while (at < text.size()) {
+    size_t end = text.find('\n', at);
+    if (end == std::string::npos)
+      end = text.size();
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+/// Marks are comments below the block that they speak of: `(^^^ expect: rule-id definite)`, or
+/// without the rule where only one runs. The carets stand below the marked text as if the comment's
+/// `(` were not there; a single caret gives the start only.
+inline std::vector<Seen> marksOf(const std::string &text, const std::string &onlyRule = "") {
+  std::vector<Seen> marks;
+  uint32_t line = 0, marked = 0;
+  for (const std::string &content : linesOf(text)) {
+    ++line;
+    const size_t word = content.find("expect:");
+    const size_t caret = content.find('^');
+    if (word == std::string::npos || caret == std::string::npos || caret > word ||
+        content.find('(') != 0) {
+      marked = line;
+      continue;
+    }
+    Seen &mark = marks.emplace_back();
+    mark.line = marked;
+    mark.column = uint32_t(caret);
+    size_t last = caret;
+    while (last + 1 < content.size() && content[last + 1] == '^')
+      ++last;
+    if (last > caret)
+      mark.endColumn = uint32_t(last) + 1;
+    std::string rest = content.substr(word + 7);
+    rest.erase(std::remove(rest.begin(), rest.end(), ')'), rest.end());
+    llvm::SmallVector<llvm::StringRef, 3> parts;
+    llvm::StringRef(rest).split(parts, ' ', -1, false);
+    mark.rule = onlyRule.empty() && parts.size() > 1 ? parts[0].str() : onlyRule;
+    mark.certainty = parts.empty() ? "" : parts.back().rtrim("\r").str();
+    EXPECT_TRUE(mark.certainty == "definite" || mark.certainty == "possible")
+        << "line " << line << ": a mark ends in `definite` or `possible`: " << content;
+  }
+  return marks;
+}
+
+/// Every finding is due and every due finding is there.
+inline void expectSame(std::vector<Seen> due, std::vector<Seen> found, const std::string &where) {
+  for (const Seen &finding : found) {
+    const auto match = std::find_if(due.begin(), due.end(), [&](const Seen &mark) {
+      return mark.line == finding.line && mark.rule == finding.rule &&
+             mark.certainty == finding.certainty && mark.column == finding.column &&
+             (!mark.endColumn || mark.endColumn == finding.endColumn);
+    });
+    if (match == due.end())
+      ADD_FAILURE() << where << ": not marked: " << finding.describe();
+    else
+      due.erase(match);
+  }
+  for (const Seen &mark : due)
+    ADD_FAILURE() << where << ": marked, but not reported: " << mark.describe();
+}
+
+} // namespace ncvet::test
