@@ -124,19 +124,27 @@ std::string listOf(llvm::ArrayRef<double> values) {
 std::string describe(const ValueTest &test) {
   if (!test.oneOf.empty())
     return listOf(test.oneOf);
-  std::string bounds;
+  // Built by appending: GCC 12 warns wrongly about "literal" + std::string.
+  std::string bounds = test.integer ? "a whole number" : "";
+  const auto add = [&](const char *text, double value) {
+    if (!bounds.empty())
+      bounds += ' ';
+    bounds += text;
+    bounds += ' ';
+    bounds += number(value);
+  };
   const bool low = std::isfinite(test.min), high = std::isfinite(test.max);
-  if (low && high && !test.minExclusive && !test.maxExclusive)
-    bounds = "from " + number(test.min) + " to " + number(test.max);
-  else {
-    if (low)
-      bounds = (test.minExclusive ? "greater than " : "at least ") + number(test.min);
-    if (high)
-      bounds += (low ? " and " : "") + std::string(test.maxExclusive ? "less than " : "at most ") +
-                number(test.max);
+  if (low && high && !test.minExclusive && !test.maxExclusive) {
+    add("from", test.min);
+    add("to", test.max);
+    return bounds;
   }
-  if (test.integer)
-    bounds = bounds.empty() ? "a whole number" : "a whole number " + bounds;
+  if (low)
+    add(test.minExclusive ? "greater than" : "at least", test.min);
+  if (low && high)
+    bounds += " and";
+  if (high)
+    add(test.maxExclusive ? "less than" : "at most", test.max);
   return bounds;
 }
 
