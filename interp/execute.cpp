@@ -49,7 +49,27 @@ uint16_t axesOf(const Dialect &dialect, const Block &block) {
 }
 
 Executor::Executor(const Dialect &dialect, const MachineProfile &machine, FileId file)
-    : dialect_(dialect), machine_(machine), file_(file) {}
+    : dialect_(dialect), machine_(machine), file_(file), masks_(dialect, machine) {}
+
+ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
+    : motion(dialect.group(StandardGroup::Motion)), cycle(dialect.group(StandardGroup::Cycle)),
+      units(dialect.group(StandardGroup::Units)), distance(dialect.group(StandardGroup::Distance)),
+      polar(dialect.group(StandardGroup::Polar)) {
+  const auto members = [&](GroupIndex group, Action action) {
+    uint64_t mask = 0;
+    if (group != noGroup)
+      for (const CodeIndex member : dialect.groups[group].members)
+        if (dialect.codes[member].action == action)
+          mask |= uint64_t(1) << dialect.codes[member].bit;
+    return mask;
+  };
+  cancelled = members(cycle, Action::CycleCancel);
+  inch = members(units, Action::Inch);
+  metric = members(units, Action::Metric);
+  incremental = members(distance, Action::Incremental);
+  polarOn = members(polar, Action::PolarOn);
+  pointlessIsIncrement = machine.option("decimalPoint") == llvm::StringRef("increment");
+}
 
 Truth Executor::guard(const Block &block, const MachineState &state) const {
   for (size_t i = 0; i < block.items.size(); ++i) {
@@ -67,38 +87,64 @@ Truth Executor::guard(const Block &block, const MachineState &state) const {
 void Executor::execute(const Block &block, const MachineState &before, MachineState &state,
                        Outcome &outcome, bool guardHolds) const {
   outcome.clear();
-  Execution(dialect_, machine_, file_, block, before, state, outcome).run(guardHolds);
+  Execution(dialect_, machine_, masks_, file_, block, before, state, outcome).run(guardHolds);
 }
 
-/// Axis words, and perhaps G00 to G03 and F, with no cycle, compensation change, polar input or
-/// modal macro about: by far the most blocks of a long program.
+/// Axis words and perhaps F under G00 or G01, with no cycle, compensation, polar input or modal
+/// macro about: by far the most blocks of a long program. Does what `moveAxes` would do, with
+/// everything that such a block cannot do left out.
 bool Execution::runPlainMove() {
-  constexpr AddressMask other = lettersMask("GMTSHDPQRLEOIJK") | maskOf(commaA) | maskOf(commaC) |
-                                maskOf(commaR);
-  if (block_.addresses & other & ~maskOf('G'))
+  if ((block_.addresses & ~(dialect_.axisWords | maskOf('F'))) ||
+      !(block_.addresses & dialect_.axisWords) || state_.compensation != phaseOff ||
+      state_.modalMacro != notSet || state_.pendingCycle != noCode || masks_.motion == noGroup ||
+      polarMayBeOn())
     return false;
-  if (!block_.items.empty() || !(block_.addresses & dialect_.axisWords) ||
-      (block_.addresses & ~(dialect_.axisWords | maskOf('F') | maskOf('G'))))
+  if (masks_.cycle != noGroup && (state_.group[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
     return false;
-  if (block_.has(letterAddress('G')) || state_.compensation != phaseOff || state_.modalMacro != notSet ||
-      state_.pendingCycle != noCode)
+  const uint64_t motionSet = state_.group[masks_.motion];
+  if ((motionSet & (motionSet - 1)) || motionSet == groupUnset)
     return false;
-  const GroupIndex cycle = dialect_.group(StandardGroup::Cycle);
-  if (cycle != noGroup) {
-    const CodeInfo *active = state_.activeCode(dialect_, StandardGroup::Cycle);
-    if (!(state_.group[cycle] == groupUnset || (active && active->action == Action::CycleCancel)))
-      return false;
-  }
-  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
-  if (!motion || (motion->action != Action::Linear && motion->action != Action::Rapid))
-    return false;
-  if (block_.has(letterAddress('F')))
-    technologyWords();
-  const GroupIndex group = dialect_.group(StandardGroup::Motion);
   const CodeIndex index =
-      dialect_.groups[group].members[size_t(std::countr_zero(state_.group[group]))];
-  moveBy(motion, index, motion->action == Action::Rapid ? MotionKind::Rapid : MotionKind::Feed,
-         axesOf(dialect_, block_));
+      dialect_.groups[masks_.motion].members[size_t(std::countr_zero(motionSet))];
+  const Action action = dialect_.codes[index].action;
+  if (action != Action::Linear && action != Action::Rapid)
+    return false;
+  const Interval factor = lengthFactor();
+  const Truth relative = incremental();
+  if (!factor.isConstant() || relative == Truth::Unknown)
+    return false;
+  if (block_.addresses & maskOf('F'))
+    technologyWords();
+  uint16_t axes = 0;
+  for (const Word &word : block_.words) {
+    const AddressInfo &address = dialect_.addresses[word.address];
+    if (address.kind != AddressKind::Axis && address.kind != AddressKind::Increment)
+      continue;
+    axes |= axisBit(address.axis);
+    if (word.flags & (wordExpression | wordNoValue | wordIncremental)) {
+      storeTarget(word, false);
+      continue;
+    }
+    double target = word.value() + 0.0;
+    if (!(word.flags & wordPoint) && masks_.pointlessIsIncrement)
+      target *= leastIncrement;
+    if (factor.lo != 1 && address.unit == AddressUnit::Length)
+      target *= factor.lo;
+    Interval &position = state_.at(address.axis);
+    if (relative == Truth::Yes || address.kind == AddressKind::Increment) {
+      position.lo += target;
+      position.hi += target;
+    } else {
+      position.lo = position.hi = target;
+      state_.machineAxes &= ~uint32_t(axisBit(address.axis));
+    }
+  }
+  const bool rapid = action == Action::Rapid;
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.code = index;
+  event.motion = rapid ? MotionKind::Rapid : MotionKind::Feed;
+  event.axes = axes;
+  afterMove(rapid, axes);
   return true;
 }
 

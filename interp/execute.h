@@ -5,6 +5,18 @@
 
 namespace ncvet {
 
+/// What the transfer function asks of tables and profile with every block, looked up once.
+struct ModeMasks {
+  GroupIndex motion, cycle, units, distance, polar;
+  uint64_t cancelled = 0;   ///< members of the cycle group that mean "no cycle"
+  uint64_t inch = 0, metric = 0;
+  uint64_t incremental = 0;
+  uint64_t polarOn = 0;
+  bool pointlessIsIncrement = false; ///< the profile reads `X100` as 0.1 mm
+
+  ModeMasks(const Dialect &dialect, const MachineProfile &machine);
+};
+
 /// Executes blocks of one program text on one control.
 class Executor {
 public:
@@ -27,6 +39,7 @@ private:
   const Dialect &dialect_;
   const MachineProfile &machine_;
   FileId file_;
+  ModeMasks masks_;
 };
 
 /// Axes of the active plane as a bit mask over `Axis`; the usual plane of the machine's kind when

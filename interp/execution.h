@@ -6,13 +6,18 @@
 
 namespace ncvet {
 
+/// Least increment of a metric control, in millimetres.
+constexpr double leastIncrement = 0.001;
+
 /// One block on its way through the interpreter. Private to interp/.
 class Execution {
 public:
-  Execution(const Dialect &dialect, const MachineProfile &machine, FileId file, const Block &block,
-            const MachineState &before, MachineState &state, Outcome &outcome)
-      : dialect_(dialect), machine_(machine), file_(file), block_(block), before_(before),
-        state_(state), outcome_(outcome), context_{dialect, machine, block, {}, before} {}
+  Execution(const Dialect &dialect, const MachineProfile &machine, const ModeMasks &masks,
+            FileId file, const Block &block, const MachineState &before, MachineState &state,
+            Outcome &outcome)
+      : dialect_(dialect), machine_(machine), masks_(masks), file_(file), block_(block),
+        before_(before), state_(state), outcome_(outcome),
+        context_{dialect, machine, block, {}, before} {}
 
   void run(bool guardHolds);
 
@@ -43,6 +48,7 @@ private:
   // motion.cpp: axis words
   void moveAxes();
   void moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes);
+  void afterMove(bool rapid, uint16_t axes);
   void machineMove(uint16_t axes);
   void referenceReturn(uint16_t axes, const CodeUse &use);
   void shiftCoordinates(const CodeUse &use);
@@ -65,11 +71,16 @@ private:
   Origin originOfBlock() const { return {file_, block_.begin, std::max(block_.end, block_.begin + 1)}; }
   /// Millimetres per unit of a programmed length; none when it is not known which unit is in force.
   Interval lengthFactor() const;
+  Truth incremental() const; ///< distance mode
+  bool polarMayBeOn() const {
+    return masks_.polar != noGroup && (state_.group[masks_.polar] & masks_.polarOn);
+  }
   Interval value(const Word &word) const { return wordValue(word, block_, state_); }
   const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }
 
   const Dialect &dialect_;
   const MachineProfile &machine_;
+  const ModeMasks &masks_;
   const FileId file_;
   const Block &block_;
   const MachineState &before_;

@@ -4,27 +4,32 @@
 namespace ncvet {
 
 namespace {
+/// What any move of an axis makes true.
+constexpr uint64_t movedFacts =
+    bitOf(Fact::Moved) | bitOf(Fact::MovedSinceTool) | bitOf(Fact::MovedSincePreset);
 constexpr uint16_t bit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
 constexpr double millimetresPerInch = 25.4;
-/// Least increment of a metric control, for profiles that read a pointless number in increments.
-constexpr double leastIncrement = 0.001;
 } // namespace
 
 Interval Execution::lengthFactor() const {
-  const GroupIndex group = dialect_.group(StandardGroup::Units);
-  if (group == noGroup)
+  if (masks_.units == noGroup)
     return Interval::exactly(1);
-  const uint64_t set = state_.group[group];
-  if (set == groupUnset)
-    return Interval::exactly(1); // the program's own unit, whatever it is
-  switch (state_.activeAction(dialect_, StandardGroup::Units)) {
-  case Action::Inch:
+  const uint64_t set = state_.group[masks_.units];
+  // Not stated: the program's own unit, whatever it is.
+  if (set == groupUnset || !(set & ~masks_.metric))
+    return Interval::exactly(1);
+  if (!(set & ~masks_.inch))
     return Interval::exactly(millimetresPerInch);
-  case Action::Metric:
-    return Interval::exactly(1);
-  default:
-    return Interval::unknown();
-  }
+  return Interval::unknown();
+}
+
+Truth Execution::incremental() const {
+  if (masks_.distance == noGroup)
+    return Truth::No;
+  const uint64_t set = state_.group[masks_.distance];
+  if (!(set & masks_.incremental)) // not stated counts as absolute
+    return Truth::No;
+  return set & ~masks_.incremental ? Truth::Unknown : Truth::Yes;
 }
 
 Interval Execution::coordinate(const Word &word) const {
@@ -37,11 +42,8 @@ Interval Execution::coordinate(const Word &word) const {
   const Interval factor = lengthFactor();
   if (!factor.isConstant())
     return Interval::unknown();
-  if (word.isNumber() && !word.has(wordPoint) && word.mantissa != 0) {
-    const auto reading = machine_.option("decimalPoint");
-    if (reading && *reading == "increment")
-      result = result * leastIncrement;
-  }
+  if (word.isNumber() && !word.has(wordPoint) && masks_.pointlessIsIncrement)
+    result = result * leastIncrement;
   return factor.value() == 1 ? result : result * factor.value();
 }
 
@@ -56,18 +58,15 @@ void Execution::storeTarget(const Word &word, bool machineCoordinates) {
     position = address.kind == AddressKind::Increment ? Interval::unknown() : target;
     return;
   }
-  Truth incremental = Truth::No;
-  if (address.kind == AddressKind::Increment || word.has(wordIncremental))
-    incremental = Truth::Yes;
-  else if (dialect_.group(StandardGroup::Distance) != noGroup &&
-           state_.active(dialect_, StandardGroup::Distance) != groupUnset)
-    incremental = state_.isActive(dialect_, StandardGroup::Distance, {Action::Incremental});
-  if (incremental == Truth::Yes) {
+  const Truth relative =
+      address.kind == AddressKind::Increment || word.has(wordIncremental) ? Truth::Yes
+                                                                          : incremental();
+  if (relative == Truth::Yes) {
     position = position + target; // stays in the coordinates in which it was known
     return;
   }
   state_.machineAxes &= ~axis;
-  position = incremental == Truth::No ? target : Interval::unknown();
+  position = relative == Truth::No ? target : Interval::unknown();
 }
 
 void Execution::compensationStep(MotionKind, uint16_t axes) {
@@ -103,10 +102,7 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   event.motion = kind;
   event.axes = axes;
   event.certain = code != nullptr;
-  const bool polar =
-      dialect_.group(StandardGroup::Polar) != noGroup &&
-      state_.isActive(dialect_, StandardGroup::Polar, {Action::PolarOn}) != Truth::No &&
-      state_.active(dialect_, StandardGroup::Polar) != groupUnset;
+  const bool polar = polarMayBeOn();
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address)) {
       const Axis axis = dialect_.addresses[word.address].axis;
@@ -130,26 +126,28 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
       if (plane & bit(axis))
         state_.at(axis) = Interval::unknown();
   }
-  state_.set(Fact::Moved);
-  state_.set(Fact::MovedSinceTool);
-  state_.set(Fact::MovedSincePreset);
-  state_.clear(Fact::AtMachinePosition);
   if (!code) {
-    state_.factsMay |= bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool);
+    state_.factsMust |= movedFacts;
+    state_.factsMay |= movedFacts | bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool);
+    state_.clear(Fact::AtMachinePosition);
     return;
   }
-  if (kind == MotionKind::Rapid) {
-    state_.set(Fact::AwayFromPart);
+  afterMove(kind == MotionKind::Rapid, axes);
+}
+
+/// The facts that a move leaves behind.
+void Execution::afterMove(bool rapid, uint16_t axes) {
+  const uint64_t on = movedFacts | (rapid ? bitOf(Fact::AwayFromPart)
+                                          : bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
+  const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
+  state_.factsMust = (state_.factsMust | on) & ~off;
+  state_.factsMay = (state_.factsMay | on) & ~off;
+  if (rapid)
     return;
-  }
-  state_.set(Fact::Cut);
-  state_.set(Fact::CutSinceTool);
-  state_.clear(Fact::AwayFromPart);
-  state_.origin.lastCut = originOfBlock();
-  const Axis tool = toolAxis(dialect_, state_);
-  if (axes == bit(tool) && state_.compensation == phaseOff)
+  const uint16_t tool = bit(toolAxis(dialect_, state_));
+  if (axes == tool && state_.compensation == phaseOff)
     state_.set(Fact::PlungedUncompensated);
-  else if (axes & planeAxes(dialect_, state_))
+  else if (axes & ~tool)
     state_.clear(Fact::PlungedUncompensated);
 }
 

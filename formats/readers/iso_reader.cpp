@@ -74,6 +74,7 @@ private:
   void scanComment();
   void scanLetter();
   void scanWord(AddressId address, const char *begin);
+  bool scanPlainNumber(Word &word);
   bool scanNumber(Word &word, const char *begin);
   void scanComma();
   void scanOther();
@@ -229,6 +230,13 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   word.address = address;
   word.offset = offset(begin);
   const char *p = at_;
+  // By far the most words: a number stands right behind a letter that opens no header or number.
+  if (p < end_ && (isDigit(*p) || *p == '-') && address != letterAddress('N') &&
+      scanPlainNumber(word)) {
+    word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
+    addWord(word);
+    return;
+  }
   while (p < end_ && classOf(*p) == Blank)
     ++p;
   if (lexical_.incrementOperator && p < end_ && (*p | 32) == 'i' && p + 1 < end_ &&
@@ -279,8 +287,49 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   addWord(word);
 }
 
+/// The usual number: optional minus, digits, perhaps a point and more digits, fewer than maxDigits
+/// in all, and nothing odd behind it. False, with nothing read, for every other one.
+bool Scanner::scanPlainNumber(Word &word) {
+  const char *p = at_;
+  const bool negative = *p == '-';
+  p += negative;
+  const char *const first = p;
+  int64_t mantissa = 0;
+  // One test per digit suffices: too long a run is refused behind the loop, before its value counts.
+  const char *const limit = end_ - p > ptrdiff_t(maxDigits) ? p + maxDigits : end_;
+  while (p < limit && isDigit(*p))
+    mantissa = mantissa * 10 + (*p++ - '0');
+  const char *const point = p;
+  unsigned decimals = 0;
+  if (p < limit && *p == '.') {
+    ++p;
+    while (p < limit && isDigit(*p))
+      mantissa = mantissa * 10 + (*p++ - '0');
+    decimals = unsigned(p - point - 1);
+    if (point == first && decimals == 0)
+      return false;
+    word.flags |= wordPoint;
+  } else if (p == first) {
+    return false;
+  }
+  if (p >= limit || isDigit(*p) || *p == '.' || *p == ',' || *p == '-' || *p == '+') {
+    word.flags &= uint8_t(~wordPoint);
+    return false;
+  }
+  if (negative)
+    word.flags |= wordMinus;
+  if (point - first > 1 && *first == '0')
+    word.flags |= wordLeadingZero;
+  word.mantissa = negative ? -mantissa : mantissa;
+  word.decimals = uint8_t(decimals);
+  at_ = p;
+  return true;
+}
+
 /// Reads `[sign] digits [. digits]`; false when there is no digit at all.
 bool Scanner::scanNumber(Word &word, const char *begin) {
+  if (scanPlainNumber(word))
+    return true;
   bool negative = false;
   if (const unsigned bytes = typographicMinus(at_, end_)) {
     issue(SyntaxIssueKind::TypographicMinus, at_, at_ + bytes);
