@@ -96,7 +96,7 @@ private:
       ToolData tool;
       if (auto kind = in_.choice(in_.member(*entry, "kind"), "kind of tool", toolKinds))
         tool.kind = toolKinds[*kind].str();
-      readAmount(*entry, "radius", tool.radius);
+      in_.read(*entry, "radius", tool.radius); // a worn tool may be entered below zero
       readAmount(*entry, "length", tool.length);
       readAmount(*entry, "pitch", tool.pitch);
       readAmount(*entry, "width", tool.width);

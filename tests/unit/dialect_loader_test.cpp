@@ -385,6 +385,20 @@ TEST(BuiltinTables, EveryCodeHasATitleAndASource) {
   }
 }
 
+TEST(BuiltinTables, EveryExampleOfAMachineFitsItsDialect) {
+  unsigned examples = 0;
+  for (const RulesetFile &file : builtinRulesetFiles()) {
+    if (!file.name.startswith("machines/"))
+      continue;
+    ++examples;
+    auto profile = parseMachineProfile(file.name, file.text);
+    ASSERT_TRUE(bool(profile)) << llvm::toString(profile.takeError());
+    auto changed = overlay(builtin(profile->dialect), file.name, file.text);
+    EXPECT_TRUE(bool(changed)) << llvm::toString(changed.takeError());
+  }
+  EXPECT_GE(examples, 2u);
+}
+
 TEST(BuiltinTables, EveryMarkIsAValidExpressionWithAReason) {
   for (const DialectSummary &summary : listDialects())
     for (const DetectMark &mark : summary.detect) {
