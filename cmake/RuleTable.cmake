@@ -30,6 +30,7 @@ foreach(page IN LISTS pages)
   string(SUBSTRING ${severity} 1 -1 rest)
   set(severity ${first}${rest})
   string(JSON enabled ERROR_VARIABLE error GET "${head}" default)
+  string(TOUPPER "${enabled}" enabled) # "off" and false
   if(enabled STREQUAL "OFF")
     set(enabled false)
   else()

@@ -22,8 +22,11 @@ void Execution::applyModal(const CodeUse &use) {
   switch (code.action) {
   case Action::SurfaceSpeed:
   case Action::ConstantSpeed:
+    // A program that has stated no mode yet counts in revolutions.
     if (before_.active(dialect_, StandardGroup::SpeedMode) !=
-        state_.active(dialect_, StandardGroup::SpeedMode))
+            state_.active(dialect_, StandardGroup::SpeedMode) &&
+        (before_.active(dialect_, StandardGroup::SpeedMode) != groupUnset ||
+         code.action == Action::SurfaceSpeed))
       state_.clear(Fact::SpeedSinceMode);
     break;
   case Action::CompensationLeft:

@@ -308,6 +308,10 @@ void Execution::technologyWords() {
       const Interval number = value(word);
       const int32_t offset =
           number.isConstant() && std::fabs(number.value()) < 1e6 ? int32_t(number.value()) : notKnown;
+      // A new H while the length offset is on is taken at once.
+      if (!isD && state_.isActive(dialect_, StandardGroup::LengthOffset,
+                                  {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)
+        state_.set(Fact::LengthSinceTool);
       (isD ? state_.radiusOffset : state_.lengthOffset) = offset;
       (isD ? state_.origin.radiusOffset : state_.origin.lengthOffset) = originOf(word);
       Event &event = outcome_.emit(EventKind::OffsetWord);

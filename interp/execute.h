@@ -47,6 +47,10 @@ private:
 uint16_t planeAxes(const Dialect &dialect, const MachineState &state);
 /// Axis normal to the active plane: the axis along which a drilling cycle drills.
 Axis toolAxis(const Dialect &dialect, const MachineState &state);
+/// A length of the block in millimetres (other values as written), by the units in force and the
+/// profile's reading of numbers without a point.
+Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
+                  const MachineProfile &machine, const MachineState &state);
 /// Bit mask over `Axis` of the axes that the block's words name.
 uint16_t axesOf(const Dialect &dialect, const Block &block);
 

@@ -49,6 +49,8 @@ private:
   void moveAxes();
   void moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes);
   void afterMove(bool rapid, uint16_t axes);
+  void angleWords();
+  void contourFacts(MotionKind kind, uint16_t axes);
   void machineMove(uint16_t axes);
   void referenceReturn(uint16_t axes, const CodeUse &use);
   void shiftCoordinates(const CodeUse &use);

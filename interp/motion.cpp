@@ -47,6 +47,25 @@ Interval Execution::coordinate(const Word &word) const {
   return factor.value() == 1 ? result : result * factor.value();
 }
 
+Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
+                  const MachineProfile &machine, const MachineState &state) {
+  const Interval result = wordValue(word, block, state);
+  if (result.isUnknown() || dialect.addresses[word.address].unit != AddressUnit::Length)
+    return result;
+  double factor = 1;
+  const GroupIndex units = dialect.group(StandardGroup::Units);
+  if (units != noGroup && state.group[units] != groupUnset) {
+    const Action unit = state.activeAction(dialect, StandardGroup::Units);
+    if (unit == Action::None)
+      return Interval::unknown();
+    factor = unit == Action::Inch ? millimetresPerInch : 1;
+  }
+  if (word.isNumber() && !word.has(wordPoint))
+    if (const auto reading = machine.option("decimalPoint"); reading && *reading == "increment")
+      factor *= leastIncrement;
+  return result * factor;
+}
+
 /// Stores the end point that an axis word gives.
 void Execution::storeTarget(const Word &word, bool machineCoordinates) {
   const AddressInfo &address = dialect_.addresses[word.address];
@@ -95,6 +114,71 @@ void Execution::compensationStep(MotionKind, uint16_t axes) {
   outcome_.setupChanged = true;
 }
 
+/// `,A` (or A on lathes) gives the direction of a line: the coordinate that is not written comes
+/// from it, or from the next block.
+void Execution::angleWords() {
+  bool angle = block_.has(commaA);
+  for (const Word &word : block_.words) {
+    const AddressInfo &address = dialect_.addresses[word.address];
+    angle |= address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle;
+  }
+  if (!angle)
+    return;
+  const uint16_t plane = planeAxes(dialect_, state_);
+  uint16_t written = uint16_t(axesOf(dialect_, block_) & plane);
+  // Under compensation a line by angle and end point may be one of two whose intersection counts.
+  if (written == plane && state_.compensation != phaseOff)
+    written = 0;
+  for (unsigned i = 0; i < axisCount; ++i)
+    if ((plane & ~written) >> i & 1)
+      state_.position[i] = Interval::unknown();
+}
+
+/// What the contour under compensation looks like so far.
+void Execution::contourFacts(MotionKind kind, uint16_t axes) {
+  const uint16_t plane = planeAxes(dialect_, state_);
+  const bool engages = llvm::any_of(outcome_.events, [](const Event &event) {
+    return event.kind == EventKind::CompensationMove;
+  });
+  if ((state_.compensation == phaseOff && !engages) || !(axes & plane))
+    return;
+  const auto change = [&](Axis axis) {
+    if (!(axes & bit(axis)))
+      return Interval::exactly(0);
+    if (before_.inMachineCoordinates(axis) || state_.inMachineCoordinates(axis))
+      return Interval::unknown();
+    return state_.at(axis) - before_.at(axis);
+  };
+  if (engages) {
+    for (const Fact fact : {Fact::CompensatedCut, Fact::ContourCompensated, Fact::EnteredInward,
+                            Fact::EnteredOutward})
+      state_.clear(fact);
+    const Interval x = change(Axis::X);
+    if (x.hi < 0)
+      state_.set(Fact::EnteredInward);
+    else if (x.lo > 0)
+      state_.set(Fact::EnteredOutward);
+    return;
+  }
+  state_.set(Fact::CompensatedCut);
+  if (kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw ||
+      block_.hasAny(lettersMask("IJKRA") | maskOf(commaA) | maskOf(commaC) | maskOf(commaR))) {
+    state_.set(Fact::ContourCompensated);
+    return;
+  }
+  bool slanted = true, maySlant = true;
+  for (unsigned i = 0; i < axisCount; ++i)
+    if (plane >> i & 1) {
+      const Interval d = change(Axis(i));
+      slanted &= d.lo > 0 || d.hi < 0;
+      maySlant &= !(d.lo == 0 && d.hi == 0);
+    }
+  if (slanted)
+    state_.set(Fact::ContourCompensated);
+  else if (maySlant)
+    state_.factsMay |= bitOf(Fact::ContourCompensated);
+}
+
 void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes) {
   compensationStep(kind, axes);
   Event &event = outcome_.emit(EventKind::Motion);
@@ -132,6 +216,9 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
     state_.clear(Fact::AtMachinePosition);
     return;
   }
+  if (code->action == Action::Linear)
+    angleWords();
+  contourFacts(kind, axes);
   afterMove(kind == MotionKind::Rapid, axes);
 }
 
@@ -142,8 +229,10 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
   state_.factsMust = (state_.factsMust | on) & ~off;
   state_.factsMay = (state_.factsMay | on) & ~off;
-  if (rapid)
+  if (rapid) {
+    state_.clear(Fact::PlungedUncompensated);
     return;
+  }
   const uint16_t tool = bit(toolAxis(dialect_, state_));
   if (axes == tool && state_.compensation == phaseOff)
     state_.set(Fact::PlungedUncompensated);
@@ -244,7 +333,7 @@ void Execution::workOffset(const CodeUse &use) {
 }
 
 void Execution::moveAxes() {
-  const uint16_t axes = axesOf(dialect_, block_);
+  uint16_t axes = axesOf(dialect_, block_);
   if (actionCode_.word) {
     const CodeInfo &action = info(actionCode_);
     switch (action.action) {
@@ -336,10 +425,14 @@ void Execution::moveAxes() {
       }
     }
   }
-  if (!axes)
-    return;
   const GroupIndex group = dialect_.group(StandardGroup::Motion);
   const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  // An arc by its centre alone is a full circle: it ends where it starts.
+  if (!axes && motion && isArc(motion->action) &&
+      (block_.hasAny(lettersMask("IJK")) || (motionCode_.word && block_.has(letterAddress('R')))))
+    axes = planeAxes(dialect_, state_);
+  if (!axes)
+    return;
   if (!motion || !isMotion(motion->action)) {
     moveBy(nullptr, noCode, MotionKind::Rapid, axes);
     return;

@@ -48,6 +48,10 @@ enum class Fact : uint8_t {
   AxisEngaged,       ///< C axis coupled to the spindle
   OrientedSinceTool, ///< an oriented spindle stop was executed with this tool
   PlungedUncompensated, ///< fed along the tool axis into the work without compensation, not yet cut in the plane
+  CompensatedCut,    ///< since compensation engaged, an axis of the plane has moved
+  ContourCompensated, ///< … by an arc, a slanted line or a corner element
+  EnteredInward,     ///< compensation engaged on a move towards smaller X
+  EnteredOutward,    ///< … towards larger X
   Count
 };
 static_assert(unsigned(Fact::Count) <= 64);
@@ -125,7 +129,7 @@ struct OriginState {
   std::array<Origin, maxGroups> group;
   std::array<Origin, maxSwitches> switched;
   Origin tool, spindle, speed, feed, cycle, compensation, pending, preset, rough, lengthOffset,
-      radiusOffset, lastCut;
+      radiusOffset;
 };
 
 struct MachineState : MotionState, SetupState {

@@ -1,0 +1,100 @@
+// The words and the geometry of an arc block: plane, centre, radius, start and end.
+#include "interp/arc.h"
+
+#include "interp/execute.h"
+
+namespace ncvet {
+
+ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block &block) {
+  ArcWords result;
+  const Action plane = state.activeAction(dialect, StandardGroup::Plane);
+  const uint64_t set = state.active(dialect, StandardGroup::Plane);
+  result.planeKnown = plane != Action::None || set == groupUnset;
+  const uint16_t axes = planeAxes(dialect, state);
+  const auto has = [&](Axis axis) { return axes >> unsigned(axis) & 1; };
+  if (has(Axis::Z) && has(Axis::X))
+    result.axes = {Axis::Z, Axis::X};
+  else if (has(Axis::Y) && has(Axis::Z))
+    result.axes = {Axis::Y, Axis::Z};
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const auto address = AddressId(letterAddress('I') + axis);
+    const Word *word = block.find(address);
+    if (result.axes[0] == Axis(axis)) {
+      result.centreAddress[0] = address;
+      result.centre[0] = word;
+    } else if (result.axes[1] == Axis(axis)) {
+      result.centreAddress[1] = address;
+      result.centre[1] = word;
+    } else {
+      result.foreign = word;
+    }
+  }
+  result.radius = block.find('R');
+  return result;
+}
+
+std::optional<ArcGeometry::Point> ArcGeometry::centre() const {
+  if (!centreWords)
+    return std::nullopt;
+  if (centreAbsolute)
+    return centreWords;
+  if (!start)
+    return std::nullopt;
+  return Point{(*start)[0] + (*centreWords)[0], (*start)[1] + (*centreWords)[1]};
+}
+
+ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
+                        const MachineProfile &machine, const Block &block,
+                        const MachineState &before, const MachineState &after) {
+  ArcGeometry result;
+  if (!words.planeKnown)
+    return result;
+  const auto place = [&](const MachineState &state) -> std::optional<ArcGeometry::Point> {
+    ArcGeometry::Point point{};
+    for (size_t i = 0; i < 2; ++i) {
+      const Axis axis = words.axes[i];
+      const Interval &position = state.at(axis);
+      if (!position.isConstant() || state.inMachineCoordinates(axis))
+        return std::nullopt;
+      point[i] = position.value();
+      for (const AddressInfo &address : dialect.addresses)
+        if (address.kind == AddressKind::Axis && address.axis == axis && address.diameter) {
+          point[i] /= 2;
+          break;
+        }
+    }
+    return point;
+  };
+  result.start = place(before);
+  result.end = place(after);
+  const auto length = [&](const Word &word) -> std::optional<double> {
+    const Interval v = lengthOf(word, block, dialect, machine, after);
+    if (!v.isConstant())
+      return std::nullopt;
+    return v.value();
+  };
+  if (words.radius)
+    result.radius = length(*words.radius);
+  if (words.hasCentre()) {
+    ArcGeometry::Point point{};
+    bool known = true;
+    for (size_t i = 0; i < 2; ++i)
+      if (words.centre[i]) {
+        const auto v = length(*words.centre[i]);
+        known &= v.has_value();
+        point[i] = v.value_or(0);
+      }
+    if (known)
+      result.centreWords = point;
+  }
+  if (dialect.group(StandardGroup::ArcDistance) != noGroup &&
+      after.active(dialect, StandardGroup::ArcDistance) != groupUnset) {
+    const Truth absolute = after.isActive(dialect, StandardGroup::ArcDistance, {Action::ArcAbsolute});
+    result.centreAbsolute = absolute == Truth::Yes;
+    if (absolute == Truth::Unknown)
+      result.centreWords.reset();
+  }
+  return result;
+}
+
+} // namespace ncvet

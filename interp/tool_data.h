@@ -1,0 +1,28 @@
+// Which entry of the profile's tool list compensation works with.
+#pragma once
+
+#include "formats/dialect/machine.h"
+#include "interp/state.h"
+
+namespace ncvet {
+
+/// Number of the offset that holds radius and tip: D on mills, the second half of T on lathes.
+inline int32_t radiusOffsetNumber(const Dialect &dialect, const MachineState &state) {
+  return dialect.isLathe() ? state.toolOffset : state.radiusOffset;
+}
+
+/// Data of the tool whose radius compensation uses; null when the number is not known or not in the
+/// list.
+inline const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
+                                        const MachineState &state) {
+  const auto found = machine.tools.find(radiusOffsetNumber(dialect, state));
+  return found == machine.tools.end() ? nullptr : &found->second;
+}
+
+/// Data of the tool in use, or null.
+inline const ToolData *toolInUse(const MachineProfile &machine, const MachineState &state) {
+  const auto found = machine.tools.find(state.tool);
+  return found == machine.tools.end() ? nullptr : &found->second;
+}
+
+} // namespace ncvet
