@@ -1,0 +1,94 @@
+// An arc that closes only when its centre words are read another way than the control reads them.
+#include "analyzer/rule.h"
+#include "interp/arc.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+using Point = ArcGeometry::Point;
+
+double offCircle(const Point &start, const Point &end, const Point &centre) {
+  return std::fabs(std::hypot(start[0] - centre[0], start[1] - centre[1]) -
+                   std::hypot(end[0] - centre[0], end[1] - centre[1]));
+}
+
+class ArcCentreConvention final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Motion);
+    tolerance_ = to.option("tolerance", 0.01);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+        event.code == noCode)
+      return;
+    const Dialect &dialect = ctx.dialect();
+    const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
+    if (!words.hasCentre() || words.radius || words.foreign ||
+        (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
+      return;
+    const ArcGeometry arc =
+        arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const auto centre = arc.centre();
+    if (!centre || !arc.start || !arc.end || arc.centreAbsolute ||
+        offCircle(*arc.start, *arc.end, *centre) <= tolerance_)
+      return;
+    const Point &given = *arc.centreWords;
+    const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
+    // A diameter given for a radius.
+    for (size_t i = 0; i < 2; ++i) {
+      if (!isDiameter(dialect, words.axes[i]) || given[i] == 0 || !words.centre[i])
+        continue;
+      Point half = given;
+      half[i] /= 2;
+      if (!fits(arc, {(*arc.start)[0] + half[0], (*arc.start)[1] + half[1]}))
+        continue;
+      const Word &word = *words.centre[i];
+      if (auto finding = ctx.report(word, certain)) {
+        finding.message("the arc closes only with half of `{0}`: the control reads the centre "
+                        "distance as a radius, not as a diameter",
+                        ctx.text(word));
+        if (word.isNumber())
+          finding.fix(FixSafety::Unsafe, "write half the value",
+                      ctx.replace(valueRange(word, ctx), shortNumber(word.value() / 2)));
+      }
+      return;
+    }
+    // The centre's coordinates given for its distance.
+    if (!words.centre[0] || !words.centre[1] || !fits(arc, given))
+      return;
+    if (auto finding = ctx.report(*words.centre[0], certain))
+      finding.message("the arc closes only when `{0}` and `{1}` are the centre itself: the control "
+                      "reads them as its distance from the start point",
+                      ctx.text(*words.centre[0]), ctx.text(*words.centre[1]));
+  }
+
+private:
+  static bool isDiameter(const Dialect &dialect, Axis axis) {
+    return llvm::any_of(dialect.addresses, [&](const AddressInfo &info) {
+      return info.kind == AddressKind::Axis && info.axis == axis && info.diameter;
+    });
+  }
+  bool fits(const ArcGeometry &arc, const Point &centre) const {
+    const double radius = std::hypot((*arc.start)[0] - centre[0], (*arc.start)[1] - centre[1]);
+    return radius > tolerance_ && offCircle(*arc.start, *arc.end, centre) <= tolerance_;
+  }
+  static SourceRange valueRange(const Word &word, RuleContext &ctx) {
+    return {ctx.source().id(), word.offset + 1, ctx.block().endOf(word)};
+  }
+  /// As a machinist writes it: at most four decimals, no zeros behind the last.
+  static std::string shortNumber(double value) {
+    std::string text = llvm::formatv("{0:f4}", value).str();
+    text.erase(text.find_last_not_of('0') + 1);
+    return text;
+  }
+
+  double tolerance_ = 0.01; // mm
+};
+
+} // namespace
+NCVET_RULE(ArcCentreConvention, arc_centre_convention)
+} // namespace ncvet

@@ -1,0 +1,35 @@
+// An arc block that says neither where its centre is nor how large its radius is.
+#include "analyzer/rule.h"
+#include "interp/arc.h"
+
+namespace ncvet {
+namespace {
+
+class ArcCentreMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Motion); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw)
+      return;
+    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    // A centre word of the wrong axis is another rule's business.
+    if (words.radius || words.hasCentre() || words.foreign || event.code == noCode)
+      return;
+    const CodeUse *here = ctx.find({Action::ArcCw, Action::ArcCcw});
+    const std::string &name = ctx.code(event).name;
+    if (auto finding = here ? ctx.report(*here->word, event.certain)
+                            : ctx.report(ctx.blockRange(), event.certain)) {
+      finding.message("`{0}` has neither R nor {1}, {2}: the control does not know the arc", name,
+                      ctx.dialect().addressName(words.centreAddress[0]),
+                      ctx.dialect().addressName(words.centreAddress[1]));
+      if (!here)
+        finding.note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
+                     "`" + name + "` becomes active here and is still in force");
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(ArcCentreMissing, arc_centre_missing)
+} // namespace ncvet

@@ -1,0 +1,60 @@
+// An arc by radius that ends where it starts.
+#include "analyzer/rule.h"
+#include "interp/arc.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class ArcFullCircleWithRadius final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Motion);
+    withCentre_ = to.option("withCentre", 0) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+        event.code == noCode)
+      return;
+    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const bool byCentre = words.hasCentre() && !words.radius;
+    if (!words.radius && !(byCentre && withCentre_))
+      return;
+    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
+                                        ctx.before(), ctx.after());
+    // Without a word of the plane the end is the start, wherever that is.
+    uint16_t plane = 0;
+    for (const Axis axis : words.axes)
+      plane |= uint16_t(1u << unsigned(axis));
+    const bool staysPut = !(axesOf(ctx.dialect(), ctx.block()) & plane);
+    constexpr double same = 1e-6; // mm
+    const bool meets =
+        arc.start && arc.end &&
+        std::hypot((*arc.end)[0] - (*arc.start)[0], (*arc.end)[1] - (*arc.start)[1]) <= same &&
+        !(ctx.outcome().kinds & bitOf(EventKind::CoordinateChange));
+    if ((!staysPut && !meets) || !words.planeKnown)
+      return;
+    // A radius of zero is reported as such.
+    if (arc.radius && *arc.radius == 0)
+      return;
+    const bool certain =
+        event.certain && (staysPut || !ctx.before().may(Fact::UnknownCode));
+    if (auto finding = ctx.report(ctx.blockRange(), certain)) {
+      if (byCentre)
+        finding.message("`{0}` ends where it starts: a full circle cannot be turned",
+                        ctx.code(event).name);
+      else
+        finding.message("`{0}` with {1} ends where it starts: the control cannot find the circle",
+                        ctx.code(event).name, ctx.text(*words.radius));
+    }
+  }
+
+private:
+  bool withCentre_ = false;
+};
+
+} // namespace
+NCVET_RULE(ArcFullCircleWithRadius, arc_full_circle_with_radius)
+} // namespace ncvet

@@ -1,0 +1,55 @@
+// A negative radius where the arc over 180 degrees cannot be meant.
+#include "analyzer/rule.h"
+#include "interp/arc.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class ArcLargeArcSelection final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Motion);
+    everyNegative_ = to.option("everyNegative", 0) != 0;
+    tolerance_ = to.option("tolerance", 0.01);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+        event.code == noCode)
+      return;
+    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    if (!words.radius || words.hasCentre())
+      return;
+    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
+                                        ctx.before(), ctx.after());
+    if (!arc.radius || *arc.radius >= 0)
+      return;
+    bool semicircle = false;
+    if (arc.start && arc.end) {
+      const double chord =
+          std::hypot((*arc.end)[0] - (*arc.start)[0], (*arc.end)[1] - (*arc.start)[1]);
+      semicircle = std::fabs(chord / 2 + *arc.radius) <= tolerance_;
+    }
+    if (!semicircle && !everyNegative_)
+      return;
+    if (auto finding = ctx.report(*words.radius, event.certain)) {
+      if (semicircle)
+        finding.message("`{0}` asks for the arc over 180 degrees, but this one has 180: the sign "
+                        "does nothing, rounding decides",
+                        ctx.text(*words.radius));
+      else
+        finding.message("`{0}` selects the arc over 180 degrees, which is hardly ever turned",
+                        ctx.text(*words.radius));
+    }
+  }
+
+private:
+  bool everyNegative_ = false;
+  double tolerance_ = 0.01;
+};
+
+} // namespace
+NCVET_RULE(ArcLargeArcSelection, arc_large_arc_selection)
+} // namespace ncvet

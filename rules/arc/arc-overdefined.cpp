@@ -1,0 +1,36 @@
+// An arc block with both a radius and a centre.
+#include "analyzer/rule.h"
+#include "interp/arc.h"
+
+namespace ncvet {
+namespace {
+
+class ArcOverdefined final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Motion); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+        event.code == noCode)
+      return;
+    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const Word *centre = words.centre[0] ? words.centre[0] : words.centre[1];
+    if (!words.radius || !centre || words.radius->has(wordNoValue) || centre->has(wordNoValue))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    // Controls that compute the intersection of over-determined blocks choose it by Q; they do so
+    // under compensation.
+    constexpr AddressId choice = letterAddress('Q');
+    if ((code.takes & maskOf(choice)) && ctx.block().has(choice) &&
+        ctx.after().compensationActive(ctx.dialect()) != Truth::No)
+      return;
+    if (auto finding = ctx.report(*words.radius, event.certain))
+      finding.message("`{0}` has both the radius {1} and a centre ({2}): one of the two is ignored, "
+                      "or the control stops",
+                      code.name, ctx.text(*words.radius), ctx.text(*centre));
+  }
+};
+
+} // namespace
+NCVET_RULE(ArcOverdefined, arc_overdefined)
+} // namespace ncvet

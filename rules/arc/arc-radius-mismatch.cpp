@@ -1,0 +1,49 @@
+// An arc whose end is not as far from its centre as its start.
+#include "analyzer/rule.h"
+#include "interp/arc.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class ArcRadiusMismatch final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Motion);
+    tolerance_ = to.option("tolerance", 0.01);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+        event.code == noCode)
+      return;
+    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    if (!words.hasCentre() || words.radius || words.foreign ||
+        (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
+      return;
+    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
+                                        ctx.before(), ctx.after());
+    const auto centre = arc.centre();
+    if (!centre || !arc.start || !arc.end)
+      return;
+    const double atStart =
+        std::hypot((*arc.start)[0] - (*centre)[0], (*arc.start)[1] - (*centre)[1]);
+    const double atEnd = std::hypot((*arc.end)[0] - (*centre)[0], (*arc.end)[1] - (*centre)[1]);
+    // A centre on the start point is no circle at all: another rule says so.
+    if (std::fabs(atStart - atEnd) <= tolerance_ || atStart == 0)
+      return;
+    const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
+    if (auto finding = ctx.report(ctx.blockRange(), certain))
+      finding.message("the end of `{0}` does not lie on its circle: the start is {1:f3} mm from the "
+                      "centre, the end {2:f3} mm",
+                      ctx.code(event).name, atStart, atEnd);
+  }
+
+private:
+  double tolerance_ = 0.01; // mm
+};
+
+} // namespace
+NCVET_RULE(ArcRadiusMismatch, arc_radius_mismatch)
+} // namespace ncvet

@@ -1,0 +1,68 @@
+// An arc whose radius is zero or does not reach from start to end.
+#include "analyzer/rule.h"
+#include "interp/arc.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class ArcRadiusTooSmall final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Motion);
+    tolerance_ = to.option("tolerance", 0.01);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+        event.code == noCode)
+      return;
+    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
+                                        ctx.before(), ctx.after());
+    if (words.radius) {
+      byRadius(*words.radius, arc, event, ctx);
+      return;
+    }
+    const bool zero = arc.centreWords && !arc.centreAbsolute && (*arc.centreWords)[0] == 0 &&
+                      (*arc.centreWords)[1] == 0;
+    if (!zero || words.foreign)
+      return;
+    const Word &word = words.centre[0] ? *words.centre[0] : *words.centre[1];
+    if (auto finding = ctx.report(word, event.certain))
+      finding.message("the centre of `{0}` is the start point: an arc of radius 0 does not exist",
+                      ctx.code(event).name);
+  }
+
+private:
+  void byRadius(const Word &word, const ArcGeometry &arc, const Event &event, RuleContext &ctx) {
+    if (!arc.radius)
+      return;
+    if (*arc.radius == 0) {
+      if (auto finding = ctx.report(word, event.certain))
+        finding.message("`{0}`: an arc of radius 0 does not exist", ctx.text(word));
+      return;
+    }
+    const bool sameBlockShift = ctx.outcome().kinds & bitOf(EventKind::CoordinateChange);
+    // Radius and centre, or a Q: a circle of an intersection, whose ends are computed.
+    if (!arc.start || !arc.end || sameBlockShift || arc.centreWords ||
+        ctx.block().has(letterAddress('Q')))
+      return;
+    const double chord =
+        std::hypot((*arc.end)[0] - (*arc.start)[0], (*arc.end)[1] - (*arc.start)[1]);
+    if (chord / 2 - std::fabs(*arc.radius) <= tolerance_)
+      return;
+    const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
+    if (auto finding = ctx.report(word, certain))
+      finding.message("`{0}` is too small: start and end lie {1:f3} mm apart, so the radius must be "
+                      "at least {2:f3}",
+                      ctx.text(word), chord, chord / 2);
+  }
+
+  double tolerance_ = 0.01; // mm
+};
+
+} // namespace
+NCVET_RULE(ArcRadiusTooSmall, arc_radius_too_small)
+} // namespace ncvet
