@@ -11,16 +11,23 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.code == noCode || ctx.after().must(Fact::FeedSet))
+    // Only the first cut: it is the same mistake in all that follow.
+    if (event.code == noCode || ctx.after().must(Fact::FeedSet) || ctx.before().must(Fact::Cut) ||
+        ctx.after().may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);
-    if (!code.needsFeed || event.motion == MotionKind::Reference)
+    // A modal cycle without axis words sets modes only.
+    if (event.kind == EventKind::CycleRun && !event.axes && code.group != noGroup)
+      return;
+    if (!code.needsFeed || (event.kind == EventKind::Motion &&
+                            (event.motion == MotionKind::Reference ||
+                             event.motion == MotionKind::Rapid)))
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
     if (auto finding = ctx.report(event, certain))
       finding.message("`{0}` cuts, but no feed was programmed", code.name)
           .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
-                code.name + " becomes active here");
+                "`" + code.name + "` becomes active here");
   }
 };
 

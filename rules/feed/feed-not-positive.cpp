@@ -1,0 +1,24 @@
+// A feed of zero or less.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FeedNotPositive final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FeedWord); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (!(event.value.hi <= 0))
+      return;
+    const bool negative = event.value.hi < 0;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.message("`{0}`: {1}", ctx.text(*event.word),
+                      negative ? "a feed is above zero; the control stops with an alarm"
+                               : "the axes do not move with a feed of zero, the tool rubs in the cut");
+  }
+};
+
+} // namespace
+NCVET_RULE(FeedNotPositive, feed_not_positive)
+} // namespace ncvet

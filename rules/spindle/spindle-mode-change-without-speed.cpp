@@ -1,0 +1,73 @@
+// The speed mode changed without a new S, and an S that does not fit its mode.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SpindleModeChangeWithoutSpeed final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::Motion, EventKind::CycleRun, EventKind::SpeedWord});
+    highestCuttingSpeed_ = to.option("cuttingSpeedAbove", 1000);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::SpeedWord)
+      atSpeed(event, ctx);
+    else
+      atCut(event, ctx);
+  }
+
+private:
+  /// Reported where the mode changes, but only when something is cut with the old number.
+  static void atCut(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (event.code == noCode || state.profile == 1 || !state.must(Fact::SpeedSet) ||
+        state.may(Fact::SpeedSinceMode) || state.may(Fact::UnknownCode))
+      return;
+    if (event.kind == EventKind::Motion &&
+        (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
+         event.motion == MotionKind::Skip))
+      return;
+    const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
+    const Origin origin = state.originOf(ctx.dialect(), StandardGroup::SpeedMode);
+    if (!mode || !origin.known() || origin.file != ctx.source().id())
+      return;
+    const bool surface = mode->action == Action::SurfaceSpeed;
+    if (auto finding = ctx.report(origin.range())) {
+      std::string number = "the old S";
+      if (state.speed.isConstant())
+        number = llvm::formatv("S{0}", state.speed.value()).str();
+      finding.message("`{0}` comes without an S: {1} counts as {2} from here on", mode->name, number,
+                      surface ? "cutting speed" : "revolutions per minute")
+          .note(state.origin.speed, "the speed is programmed here, for the other mode")
+          .note(ctx.blockRange(), "the first cut with it is here");
+    }
+  }
+
+  void atSpeed(const Event &event, RuleContext &ctx) const {
+    if (!event.certain || !event.value.isConstant())
+      return;
+    const MachineState &state = ctx.after();
+    if (state.activeAction(ctx.dialect(), StandardGroup::SpeedMode) != Action::SurfaceSpeed)
+      return;
+    constexpr double feetPerMetre = 3.28;
+    const bool inch = state.active(ctx.dialect(), StandardGroup::Units) != groupUnset &&
+                      state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) != Truth::No;
+    if (event.value.value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1))
+      return;
+    if (auto finding = ctx.report(event)) {
+      const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
+      finding.message("`{0}` counts as cutting speed under `{1}`: it looks like revolutions per minute",
+                      ctx.text(*event.word), mode->name)
+          .note(state.originOf(ctx.dialect(), StandardGroup::SpeedMode),
+                "`" + mode->name + "` becomes active here");
+    }
+  }
+
+  double highestCuttingSpeed_ = 1000; // m/min
+};
+
+} // namespace
+NCVET_RULE(SpindleModeChangeWithoutSpeed, spindle_mode_change_without_speed)
+} // namespace ncvet

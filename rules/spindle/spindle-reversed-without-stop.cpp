@@ -1,0 +1,41 @@
+// The spindle reversed while it turns.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SpindleReversedWithoutStop final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::SpindleChange); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.before().profile == 1)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    uint8_t other = 0;
+    if (code.action == Action::SpindleCw)
+      other = spindleCcw;
+    else if (code.action == Action::SpindleCcw)
+      other = spindleCw;
+    else
+      return;
+    const bool certain = ctx.before().spindle == other;
+    if (!certain && (!(ctx.before().spindle & other) || ctx.before().may(Fact::UnknownCode) ||
+                     ctx.before().spindle == spindleAny))
+      return;
+    if (auto finding = ctx.report(event, certain)) {
+      finding.message("`{0}` reverses the spindle while it turns: chuck and drive take the load",
+                      code.name)
+          .note(ctx.before().origin.spindle, "it is started here");
+      if (code.opposite != noCode) {
+        const std::string &stop = ctx.dialect().codes[code.opposite].name;
+        finding.fix(FixSafety::Unsafe, "insert `" + stop + "` before this block",
+                    ctx.insertBlockBefore(stop));
+      }
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(SpindleReversedWithoutStop, spindle_reversed_without_stop)
+} // namespace ncvet

@@ -1,0 +1,59 @@
+// A spindle that is started without a speed, or with none above zero.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SpindleSpeedMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::SpindleChange, EventKind::CycleStart, EventKind::SpeedWord});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::SpeedWord)
+      atSpeed(event, ctx);
+    else
+      atStart(event, ctx);
+  }
+
+private:
+  static void atStart(const Event &event, RuleContext &ctx) {
+    if (event.code == noCode || ctx.before().profile == 1 ||
+        ctx.after().must(Fact::SpeedSet))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    const bool starts = code.action == Action::SpindleCw || code.action == Action::SpindleCcw;
+    const bool taps = code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
+                      code.spindle == SpindleNeed::StartsItself;
+    if (!starts && !taps)
+      return;
+    // The machine's builder may give a speed by a code of his own.
+    if (ctx.after().may(Fact::UnknownCode))
+      return;
+    const bool certain = event.certain && !ctx.after().may(Fact::SpeedSet);
+    if (auto finding = ctx.report(event, certain)) {
+      if (starts)
+        finding.message("`{0}` starts the spindle, but no speed was programmed", code.name);
+      else
+        finding.message("`{0}` runs the spindle itself, but no speed was programmed", code.name);
+    }
+  }
+
+  static void atSpeed(const Event &event, RuleContext &ctx) {
+    if (!event.certain || !event.value.isConstant() || event.value.value() > 0)
+      return;
+    constexpr uint8_t turning = spindleCw | spindleCcw;
+    const bool stops = ctx.find({Action::SpindleStop, Action::SpindleOrient});
+    const bool runs = ctx.after().spindle && !(ctx.after().spindle & ~turning);
+    // `M05 S0` is a habit and does no harm.
+    if (event.value.value() == 0 && (stops || !runs))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));
+  }
+};
+
+} // namespace
+NCVET_RULE(SpindleSpeedMissing, spindle_speed_missing)
+} // namespace ncvet
