@@ -1,0 +1,51 @@
+// Length compensation that is still on at a tool change, a machine move or the program's end.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ToolLengthOffsetLeftOn final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
+      to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Motion});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const char *where = nullptr;
+    switch (event.kind) {
+    case EventKind::ToolChange:
+      where = "the tool is changed";
+      break;
+    case EventKind::ProgramEnd:
+      where = "the program ends";
+      break;
+    default:
+      // Only machine moves along the tool axis depend on it.
+      if (event.number != 1 || !(event.axes >> unsigned(toolAxis(ctx.dialect(), ctx.after())) & 1))
+        return;
+      where = "the tool axis goes to a machine position";
+    }
+    // At an end the block's own G49 counts; a change comes before whatever else its block switches.
+    const MachineState &state =
+        event.kind == EventKind::ToolChange ? ctx.before() : ctx.after();
+    const Truth on = state.isActive(ctx.dialect(), StandardGroup::LengthOffset,
+                                    {Action::LengthPositive, Action::LengthNegative});
+    const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::LengthOffset);
+    if (on != Truth::Yes || !code || state.lengthOffset == 0)
+      return;
+    if (auto finding = event.word ? ctx.report(*event.word) : ctx.report(ctx.blockRange())) {
+      finding.message("{0} with `{1}` still on: the next move in the tool axis is off by the tool's "
+                      "length",
+                      where, code->name)
+          .note(state.origin.lengthOffset, "the length offset is switched on here");
+      if (event.kind != EventKind::Motion)
+        finding.fix(FixSafety::Unsafe, "insert `G49` before this block",
+                    ctx.insertBlockBefore("G49"));
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(ToolLengthOffsetLeftOn, tool_length_offset_left_on)
+} // namespace ncvet

@@ -1,0 +1,64 @@
+// A move along the tool axis after a tool change, before length compensation is on.
+#include "analyzer/once.h"
+
+namespace ncvet {
+namespace {
+
+class ToolLengthOffsetMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
+      to.on({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &state = ctx.after();
+    const Axis tool = toolAxis(ctx.dialect(), state);
+    const bool called = state.must(Fact::ToolCalled) || state.preselected > 0;
+    if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode || event.number == 1 ||
+        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
+      return;
+    // Drilling goes along the tool axis in every hole.
+    if (event.kind == EventKind::Motion && !(event.axes >> unsigned(tool) & 1))
+      return;
+    // Cancelled on purpose in this block, on the way up.
+    if (ctx.find({Action::LengthOff}))
+      return;
+    const bool certain =
+        event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
+    const Origin &origin = state.origin.tool;
+    if (!once_.speaks(origin, ctx))
+      return;
+    // A program that never speaks of length offsets may be for a machine without any.
+    const bool uses = programUsesOffsets(ctx);
+    if (auto finding = ctx.report(ctx.blockRange(), certain && uses)) {
+      finding.message("the tool moves along its axis before its length offset is on: it goes too deep "
+                      "by its length")
+          .note(origin, "the tool is changed here");
+      if (!uses)
+        finding.severity(Severity::Warning);
+    }
+  }
+
+private:
+  /// Whether the file names a code of the length offset's group anywhere; looked up once a file.
+  bool programUsesOffsets(RuleContext &ctx) {
+    const auto [entry, fresh] = uses_.try_emplace(ctx.source().id(), false);
+    if (fresh) {
+      const GroupIndex group = ctx.dialect().group(StandardGroup::LengthOffset);
+      for (const CodeIndex member : ctx.dialect().groups[group].members) {
+        const CodeInfo &code = ctx.dialect().codes[member];
+        if (code.action == Action::LengthPositive || code.action == Action::LengthNegative)
+          entry->second |= ctx.source().text().contains(code.name);
+      }
+    }
+    return entry->second;
+  }
+
+  llvm::DenseMap<uint32_t, bool> uses_;
+  OncePerCause once_;
+};
+
+} // namespace
+NCVET_RULE(ToolLengthOffsetMissing, tool_length_offset_missing)
+} // namespace ncvet

@@ -1,0 +1,35 @@
+// A cut before any tool was called.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ToolMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    // Only the first cut: it is the same mistake in all that follow.
+    if (event.code == noCode || ctx.after().must(Fact::ToolCalled) ||
+        ctx.before().must(Fact::Cut) || ctx.after().preselected != notSet ||
+        ctx.after().may(Fact::UnknownCode))
+      return;
+    if (event.kind == EventKind::CycleRun && !event.axes && ctx.code(event).group != noGroup)
+      return;
+    if (event.kind == EventKind::Motion &&
+        (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
+         event.motion == MotionKind::Skip))
+      return;
+    const bool certain = event.certain && !ctx.after().may(Fact::ToolCalled);
+    if (auto finding = ctx.report(ctx.blockRange(), certain))
+      finding.message("`{0}` cuts before any tool is called: whatever is in the machine cuts, with "
+                      "its old data",
+                      ctx.code(event).name);
+  }
+};
+
+} // namespace
+NCVET_RULE(ToolMissing, tool_missing)
+} // namespace ncvet

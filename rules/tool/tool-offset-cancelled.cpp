@@ -1,0 +1,39 @@
+// Work with a lathe tool whose offset is cancelled.
+#include "analyzer/once.h"
+
+namespace ncvet {
+namespace {
+
+class ToolOffsetCancelled final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().isLathe())
+      to.on({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &state = ctx.after();
+    // A machine position needs no offset, nor does the reference point.
+    if (state.toolOffset != 0 || state.tool <= 0 || event.number == 1 ||
+        event.motion == MotionKind::Reference || event.code == noCode ||
+        ctx.before().toolOffset != 0)
+      return;
+    // Having cut, the tool may go home without it.
+    const bool rapid = event.kind == EventKind::Motion && event.motion == MotionKind::Rapid;
+    if (rapid && ctx.before().may(Fact::CutSinceTool))
+      return;
+    if (!once_.speaks(state.origin.tool, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding.message("tool {0} moves without an offset: its length, nose radius and tip are missing",
+                      state.tool)
+          .note(state.origin.tool, "the tool is called here");
+  }
+
+private:
+  OncePerCause once_;
+};
+
+} // namespace
+NCVET_RULE(ToolOffsetCancelled, tool_offset_cancelled)
+} // namespace ncvet
