@@ -1,0 +1,67 @@
+// Codes that must not be used while radius compensation is on.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationForbiddenCode final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onAction({Action::ReferenceReturn, Action::ReferenceCheck, Action::ReferenceFrom,
+                 Action::DataInput, Action::LocalShift, Action::PresetPosition,
+                 Action::MachineMove, Action::Inch, Action::Metric, Action::WorkOffset,
+                 Action::Thread, Action::Cycle});
+    cycles_ = to.option("cycles", 0) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const CodeInfo &code = ctx.code(event);
+    // `G40` in the same block comes first.
+    const Truth active = ctx.after().compensationActive(ctx.dialect());
+    if (active == Truth::No || !ctx.after().origin.compensation.known() || !disturbs(code, ctx))
+      return;
+    const bool wasOn = ctx.before().compensationActive(ctx.dialect()) != Truth::No;
+    // Switched on in this very block: a unit or an offset comes before the move.
+    if (!wasOn && code.action != Action::Thread && code.action != Action::Cycle)
+      return;
+    if (auto finding = ctx.report(event, active == Truth::Yes)) {
+      const CodeInfo *on = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
+      finding.message("`{0}` while {1} is on: the control stops, or shifts the contour under the tool",
+                      code.name, on ? "`" + on->name + "`" : std::string("compensation"))
+          .note(ctx.after().origin.compensation, "compensation is switched on here")
+          .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
+    }
+  }
+
+private:
+  bool disturbs(const CodeInfo &code, RuleContext &ctx) const {
+    switch (code.action) {
+    case Action::Thread:
+      return cycles_;
+    case Action::WorkOffset: // the same once more changes nothing
+      return code.group == noGroup ||
+             ctx.before().group[code.group] != (uint64_t(1) << code.bit);
+    case Action::Cycle:
+      switch (cycles_ ? code.cycle : CycleKind::None) {
+      case CycleKind::TurnPass:
+      case CycleKind::FacePass:
+      case CycleKind::RoughTurn:
+      case CycleKind::RoughFace:
+      case CycleKind::PatternRepeat:
+      case CycleKind::Finish:
+      case CycleKind::None:
+        return false;
+      default:
+        return true;
+      }
+    default:
+      return true;
+    }
+  }
+
+  bool cycles_ = false;
+};
+
+} // namespace
+NCVET_RULE(CompensationForbiddenCode, compensation_forbidden_code)
+} // namespace ncvet

@@ -1,0 +1,107 @@
+// Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationIdleBlocks final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::Block, EventKind::Motion});
+    allowed_ = unsigned(to.option("allowed", 1));
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Motion)
+      zeroMove(event, ctx);
+    else
+      idle(ctx);
+  }
+
+private:
+  void idle(RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (state.compensation != phaseOn || state.profile == 1 ||
+        state.idleBlocks != allowed_ + 1 || ctx.before().idleBlocks != allowed_ ||
+        ctx.outcome().flow.kind == FlowKind::End || !contourGoesOn(ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.message("{0} blocks in a row without a move in the plane under {1}: the control cannot "
+                      "compute the next corner and cuts into it",
+                      allowed_ + 1, name(ctx))
+          .note(state.origin.compensation, "compensation is switched on here");
+  }
+
+  /// Looks ahead as the control does: only a compensated move behind the idle blocks is harmed.
+  static bool contourGoesOn(RuleContext &ctx) {
+    constexpr unsigned lookAhead = 12;
+    Block block;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    uint32_t at = ctx.block().next;
+    for (unsigned i = 0; i < lookAhead && at < program.end; ++i, at = block.next) {
+      ctx.index().reader().read(at, block);
+      bool resets = false;
+      for (const Word &word : block.words) {
+        if (word.address != letterAddress('G') && word.address != letterAddress('M'))
+          continue;
+        const CodeIndex index =
+            ctx.dialect().find(char('A' + word.address), word.codeNumber());
+        if (index == noCode)
+          continue;
+        switch (ctx.dialect().codes[index].action) {
+        case Action::CompensationOff:
+        case Action::ProgramEnd:
+        case Action::ProgramEndRewind:
+        case Action::Return:
+        case Action::ReferenceReturn:
+        case Action::ToolChange:
+          return false;
+        case Action::MachineMove:
+        case Action::DataInput:
+          resets = true;
+          break;
+        default:
+          break;
+        }
+      }
+      if (axesOf(ctx.dialect(), block) & plane)
+        return !resets;
+    }
+    return false;
+  }
+
+  static void zeroMove(const Event &event, RuleContext &ctx) {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (!(event.axes & plane) || event.number == 1 || event.code == noCode ||
+        event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw ||
+        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip ||
+        ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn ||
+        ctx.after().profile == 1 || (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
+      return;
+    for (unsigned i = 0; i < axisCount; ++i) {
+      if (!(plane >> i & 1))
+        continue;
+      const Interval &from = ctx.before().position[i], &to = ctx.after().position[i];
+      const bool frames = (ctx.before().machineAxes | ctx.after().machineAxes) >> i & 1;
+      if (!from.isConstant() || !(from == to) || (frames && (event.axes >> i & 1)))
+        return;
+    }
+    if (auto finding = ctx.report(ctx.blockRange(), !ctx.before().may(Fact::UnknownCode)))
+      finding.message("a move of zero length in the plane under {0}: the control sets the tool square "
+                      "to the last element and cuts into the next",
+                      name(ctx))
+          .note(ctx.after().origin.compensation, "compensation is switched on here");
+  }
+
+  static std::string name(RuleContext &ctx) {
+    const CodeInfo *code = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
+    return code ? "`" + code->name + "`" : "compensation";
+  }
+
+  unsigned allowed_ = 1;
+};
+
+} // namespace
+NCVET_RULE(CompensationIdleBlocks, compensation_idle_blocks)
+} // namespace ncvet

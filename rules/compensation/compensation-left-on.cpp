@@ -1,0 +1,115 @@
+// Radius compensation that is still on at a tool change, a return or the program's end.
+#include "analyzer/rule.h"
+
+#include <map>
+
+namespace ncvet {
+namespace {
+
+class CompensationLeftOn final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun,
+           EventKind::Block});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    switch (event.kind) {
+    case EventKind::CycleRun:
+      rememberProfile(ctx);
+      return;
+    case EventKind::Block:
+      atProfileEnd(event, ctx);
+      return;
+    case EventKind::ToolChange:
+      if (ctx.after().profile == 0)
+        leftOn(event, "the tool is changed", Severity::Error, ctx);
+      return;
+    case EventKind::ProgramEnd:
+      leftOn(event, "the program ends", std::nullopt, ctx);
+      return;
+    default:
+      // A subprogram called under compensation may return under it.
+      if (switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx))
+        leftOn(event, "the program returns", std::nullopt, ctx);
+    }
+  }
+
+private:
+  static std::string nameOf(RuleContext &ctx) {
+    const CodeInfo *code = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
+    return code ? "`" + code->name + "`" : "radius compensation";
+  }
+
+  static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {
+    const Origin &origin = ctx.after().origin.compensation;
+    return origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
+           origin.begin < program.end;
+  }
+
+  static void leftOn(const Event &event, const char *when, std::optional<Severity> severity,
+                     RuleContext &ctx) {
+    const Truth active = ctx.after().compensationActive(ctx.dialect());
+    if (active == Truth::No || !ctx.after().origin.compensation.known())
+      return;
+    if (auto finding = ctx.report(event, active == Truth::Yes && event.certain)) {
+      finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);
+      describe(finding, ctx);
+      if (event.kind != EventKind::ToolChange)
+        finding.fix(FixSafety::Unsafe, "insert `G40` before this block",
+                    ctx.insertBlockBefore(offCode(ctx)));
+    }
+  }
+
+  static void describe(FindingBuilder &finding, RuleContext &ctx) {
+    finding.note(ctx.after().origin.compensation, nameOf(ctx) + " is switched on here");
+  }
+
+  static std::string offCode(RuleContext &ctx) {
+    const GroupIndex group = ctx.dialect().group(StandardGroup::Compensation);
+    for (const CodeIndex member : ctx.dialect().groups[group].members)
+      if (ctx.dialect().codes[member].action == Action::CompensationOff)
+        return ctx.dialect().codes[member].name;
+    return "G40";
+  }
+
+  /// A cycle that reads a profile: its last block is where compensation has to be off again.
+  void rememberProfile(RuleContext &ctx) {
+    const Flow &flow = ctx.outcome().flow;
+    if (flow.kind != FlowKind::Profile || flow.first < 0 || flow.last < 0)
+      return;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const auto first = ctx.index().block(program, flow.first, ctx.block().begin);
+    if (!first)
+      return;
+    if (const auto last = ctx.index().block(program, flow.last, *first - 1))
+      profiles_[{ctx.source().id(), *last}] = {*first, flow.last};
+  }
+
+  void atProfileEnd(const Event &event, RuleContext &ctx) {
+    if (ctx.before().profile == 0)
+      return;
+    const auto found = profiles_.find({ctx.source().id(), ctx.block().begin});
+    if (found == profiles_.end())
+      return;
+    const Truth active = ctx.after().compensationActive(ctx.dialect());
+    const Origin &origin = ctx.after().origin.compensation;
+    // Only what the contour itself has switched on; the rest is the program's.
+    if (active == Truth::No || !origin.known() || origin.file != ctx.source().id() ||
+        origin.begin < found->second.first || origin.begin > ctx.block().end)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), active == Truth::Yes && event.certain)) {
+      finding.message("the contour ends in N{0} with {1} still on: the cycle returns under "
+                      "compensation",
+                      found->second.second, nameOf(ctx));
+      describe(finding, ctx);
+    }
+  }
+
+  /// Last block of a profile (file, offset) → offset of its first, number of its last.
+  std::map<std::pair<FileId, uint32_t>, std::pair<uint32_t, int64_t>> profiles_;
+};
+
+} // namespace
+NCVET_RULE(CompensationLeftOn, compensation_left_on)
+} // namespace ncvet

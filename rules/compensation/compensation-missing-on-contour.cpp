@@ -1,0 +1,78 @@
+// A turned contour with slants or arcs and no compensation, or compensation around a contour cycle.
+#include "analyzer/rule.h"
+#include "interp/tool_data.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationMissingOnContour final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().isLathe())
+      to.on({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::CycleRun)
+      atCycle(event, ctx);
+    else
+      atMotion(event, ctx);
+  }
+
+private:
+  void atMotion(const Event &event, RuleContext &ctx) {
+    const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                      event.motion == MotionKind::ArcCcw;
+    if (!cuts || event.code == noCode || ctx.after().profile == 1)
+      return;
+    // One finding for each contour: a run of blocks that cut.
+    const bool goesOn = ctx.source().id() == contourFile_ && ctx.block().begin == contourEnd_;
+    const bool known = goesOn && reported_;
+    contourFile_ = ctx.source().id();
+    contourEnd_ = ctx.block().next;
+    reported_ = known;
+    const Axis x = Axis::X, z = Axis::Z;
+    const uint16_t plane = uint16_t(1u << unsigned(x) | 1u << unsigned(z));
+    if (planeAxes(ctx.dialect(), ctx.after()) != plane || ctx.after().compensation != phaseOff ||
+        !goesOn || known)
+      return;
+    if (const ToolData *tool = toolInUse(ctx.machine(), ctx.after()))
+      if (tool->kind != "turning" && tool->kind != "boring" && !tool->kind.empty())
+        return;
+    bool slanted = event.motion != MotionKind::Feed;
+    if (!slanted) {
+      const Interval dx = ctx.after().at(x) - ctx.before().at(x);
+      const Interval dz = ctx.after().at(z) - ctx.before().at(z);
+      slanted = (dx.lo > 0 || dx.hi < 0) && (dz.lo > 0 || dz.hi < 0) &&
+                !ctx.before().inMachineCoordinates(x) && !ctx.before().inMachineCoordinates(z);
+    }
+    if (!slanted)
+      return;
+    reported_ = true;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding.message("this contour has slants or arcs and is cut without `G41` or `G42`: it comes "
+                      "out wrong by the nose radius");
+  }
+
+  static void atCycle(const Event &event, RuleContext &ctx) {
+    if (ctx.outcome().flow.kind != FlowKind::Profile || event.code == noCode ||
+        ctx.before().compensationActive(ctx.dialect()) != Truth::Yes)
+      return;
+    const Origin &origin = ctx.before().origin.compensation;
+    if (!origin.known() || origin.file != ctx.source().id())
+      return;
+    if (auto finding = ctx.report(origin.range(), event.certain))
+      finding.message("compensation is on around the contour cycle `{0}`: it belongs into the "
+                      "contour, on in its first block and off in its last",
+                      ctx.code(event).name)
+          .note(ctx.blockRange(), "the cycle is called here");
+  }
+
+  FileId contourFile_ = 0;
+  uint32_t contourEnd_ = ~0u;
+  bool reported_ = false;
+};
+
+} // namespace
+NCVET_RULE(CompensationMissingOnContour, compensation_missing_on_contour)
+} // namespace ncvet

@@ -1,0 +1,32 @@
+// Nose radius compensation around a path that runs parallel to the axes only.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationNotNeeded final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().isLathe()) // a mill's radius matters on every line
+      to.onAction({Action::CompensationOff});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &state = ctx.before();
+    const Origin &origin = state.origin.compensation;
+    if (state.compensation != phaseOn || !state.must(Fact::CompensatedCut) ||
+        state.may(Fact::ContourCompensated) || !origin.known() || origin.file != ctx.source().id())
+      return;
+    const uint16_t plane = uint16_t(1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z));
+    if (planeAxes(ctx.dialect(), state) != plane)
+      return;
+    if (auto finding = ctx.report(origin.range()))
+      finding.message("compensation is on for moves parallel to the axes only: the nose radius does "
+                      "nothing there")
+          .note(ctx.range(*event.word), "it is switched off here");
+  }
+};
+
+} // namespace
+NCVET_RULE(CompensationNotNeeded, compensation_not_needed)
+} // namespace ncvet

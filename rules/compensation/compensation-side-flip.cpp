@@ -1,0 +1,63 @@
+// The side of compensation changed without switching it off in between.
+#include "analyzer/rule.h"
+#include "interp/tool_data.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationSideFlip final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::OffsetWord);
+    to.onAction({Action::CompensationLeft, Action::CompensationRight});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::OffsetWord)
+      atOffset(event, ctx);
+    else
+      atCode(event, ctx);
+  }
+
+private:
+  static void atCode(const Event &event, RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    const Action other = code.action == Action::CompensationLeft ? Action::CompensationRight
+                                                                 : Action::CompensationLeft;
+    const uint64_t set = ctx.before().active(ctx.dialect(), StandardGroup::Compensation);
+    if (set == groupUnset || ctx.find({Action::CompensationOff}))
+      return;
+    const Truth flips = ctx.before().isActive(ctx.dialect(), StandardGroup::Compensation, {other});
+    const CodeInfo *was = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
+    if (flips == Truth::No || !ctx.before().origin.compensation.known())
+      return;
+    if (auto finding = ctx.report(event, flips == Truth::Yes)) {
+      finding.message("`{0}` while {1} is on: the tool changes the side without `G40` and crosses "
+                      "the contour",
+                      code.name, was ? "`" + was->name + "`" : std::string("the other side"))
+          .note(ctx.before().origin.compensation, "the other side is selected here")
+          .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
+    }
+  }
+
+  /// An offset of the other sign swaps the sides as well.
+  static void atOffset(const Event &event, RuleContext &ctx) {
+    if (ctx.dialect().isLathe() || ctx.before().compensation != phaseOn ||
+        ctx.after().compensationActive(ctx.dialect()) != Truth::Yes ||
+        event.word->address != letterAddress('D'))
+      return;
+    const ToolData *was = compensatingTool(ctx.dialect(), ctx.machine(), ctx.before());
+    const ToolData *now = compensatingTool(ctx.dialect(), ctx.machine(), ctx.after());
+    if (!was || !now || !was->radius || !now->radius || *was->radius * *now->radius >= 0)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` has a radius of the other sign: the tool changes the side without "
+                      "`G40` and crosses the contour",
+                      ctx.text(*event.word))
+          .note(ctx.before().origin.radiusOffset, "the offset so far is set here");
+  }
+};
+
+} // namespace
+NCVET_RULE(CompensationSideFlip, compensation_side_flip)
+} // namespace ncvet

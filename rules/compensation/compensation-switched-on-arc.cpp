@@ -1,0 +1,40 @@
+// Compensation that an arc has to build up or take away.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationSwitchedOnArc final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::CompensationMove); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || event.by == noCode)
+      return;
+    const CodeInfo &motion = ctx.dialect().codes[event.by];
+    if (!isArc(motion.action))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    const bool off = code.action == Action::CompensationOff;
+    const CodeUse *arc = ctx.find({Action::ArcCw, Action::ArcCcw});
+    auto finding = arc ? ctx.report(*arc->word, event.certain)
+                       : ctx.report(ctx.blockRange(), event.certain);
+    if (!finding)
+      return;
+    finding.message("compensation is switched {0} by `{1}` in an arc (`{2}`): the control needs a "
+                    "straight move for it and stops with an alarm",
+                    off ? "off" : "on", code.name, motion.name);
+    const CodeUse *here = ctx.find({Action::CompensationLeft, Action::CompensationRight,
+                                    Action::CompensationOff});
+    if (!here)
+      finding.note(ctx.after().originOf(ctx.dialect(), StandardGroup::Compensation),
+                   "`" + code.name + "` is read here and waits for a move in the plane");
+    if (!arc)
+      finding.note(ctx.after().originOf(ctx.dialect(), StandardGroup::Motion),
+                   "`" + motion.name + "` becomes active here and is still in force");
+  }
+};
+
+} // namespace
+NCVET_RULE(CompensationSwitchedOnArc, compensation_switched_on_arc)
+} // namespace ncvet

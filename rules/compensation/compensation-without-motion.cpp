@@ -1,0 +1,78 @@
+// A compensation code without a move in the plane, and a subprogram that begins without one.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationWithoutMotion final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Block);
+    to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Block)
+      atSubprogramStart(ctx);
+    else
+      atCode(event, ctx);
+  }
+
+private:
+  static bool movesInPlane(RuleContext &ctx) {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    return llvm::any_of(ctx.outcome().events, [&](const Event &e) {
+      return e.kind == EventKind::Motion && (e.axes & plane);
+    });
+  }
+
+  static void atCode(const Event &event, RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    const bool off = code.action == Action::CompensationOff;
+    const uint8_t before = ctx.before().compensation, after = ctx.after().compensation;
+    const uint8_t waiting = off ? phaseEnding : phaseStarting;
+    if (!(after & waiting) || (off ? !(before & phaseOn) : (before & phaseOn)) || movesInPlane(ctx))
+      return;
+    const bool certain = after == waiting && (off ? before == phaseOn : !(before & phaseOn));
+    auto finding = ctx.report(event, certain);
+    if (!finding)
+      return;
+    const bool alone = axesOf(ctx.dialect(), ctx.block()) == 0;
+    finding.message("`{0}` has no move in the plane{1}: compensation is {2} by whichever move comes "
+                    "next",
+                    code.name, alone ? "" : " in its block", off ? "removed" : "built up");
+  }
+
+  /// Called under compensation, the program's first block has to move in the plane: the call is a
+  /// block without a move already.
+  static void atSubprogramStart(RuleContext &ctx) {
+    if (ctx.callDepth() == 0 || ctx.before().compensation != phaseOn ||
+        ctx.before().profile != 0 || ctx.before().idleBlocks == 0 || movesInPlane(ctx))
+      return;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    Block block;
+    uint32_t first = program.body;
+    for (; first < ctx.block().begin; first = block.next) {
+      ctx.index().reader().read(first, block);
+      if (!block.isEmpty())
+        return; // another block comes before
+    }
+    // Switched on in the caller, not in a previous pass of this program.
+    const Origin &origin = ctx.before().origin.compensation;
+    if (origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
+        origin.begin < program.end)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange())) {
+      const CodeInfo *code =
+          ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
+      finding.message("the subprogram is called under {0} and begins without a move in the plane: "
+                      "the path is distorted",
+                      code ? "`" + code->name + "`" : std::string("compensation"))
+          .note(origin, "compensation is switched on here");
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(CompensationWithoutMotion, compensation_without_motion)
+} // namespace ncvet

@@ -1,0 +1,73 @@
+// Compensation without an offset number, or with an offset that holds no radius.
+#include "analyzer/rule.h"
+#include "interp/tool_data.h"
+
+namespace ncvet {
+namespace {
+
+class CompensationWithoutOffset final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CompensationMove);
+    to.onAction({Action::CompensationLeft, Action::CompensationRight});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.action == Action::CompensationOff)
+      return;
+    // The offset counts when compensation engages; a cycle engages it without a move of its own.
+    if (event.kind == EventKind::Code &&
+        ((ctx.outcome().kinds & bitOf(EventKind::CompensationMove)) ||
+         ctx.after().compensation != phaseOn))
+      return;
+    check(code, event, ctx);
+  }
+
+private:
+  static void check(const CodeInfo &code, const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const bool lathe = ctx.dialect().isLathe();
+    const int32_t number = radiusOffsetNumber(ctx.dialect(), state);
+    const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
+    const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();
+    if (number == notSet || number == 0) {
+      // Some older controls keep radii in the H table.
+      if (state.must(Fact::UnknownCode) || (!lathe && ctx.block().has(letterAddress('H'))))
+        return;
+      const bool certain = event.certain && !state.may(Fact::UnknownCode);
+      auto finding = ctx.report(where, certain);
+      if (!finding)
+        return;
+      if (lathe)
+        finding.message(number == 0 ? "`{0}` with the tool offset cancelled: nose radius and tip "
+                                      "direction are missing"
+                                    : "`{0}` before any tool offset was called: nose radius and tip "
+                                      "direction are missing",
+                        code.name);
+      else
+        finding.message(number == 0 ? "`{0}` with D0: the radius is zero, the tool runs on the "
+                                      "contour line"
+                                    : "`{0}` without a D: the radius is zero, the tool runs on the "
+                                      "contour line",
+                        code.name);
+      finding.note(lathe ? state.origin.tool : state.origin.radiusOffset,
+                   lathe ? "the tool is called here" : "D is set here");
+      return;
+    }
+    const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), state);
+    if (!tool || !tool->radius || *tool->radius != 0)
+      return;
+    if (auto finding = ctx.report(where, event.certain))
+      finding.message("`{0}` with {1} {2}, whose {3} is 0: the tool runs on the contour line",
+                      code.name, lathe ? "offset" : "D", number, lathe ? "nose radius" : "radius")
+          .note(lathe ? state.origin.tool : state.origin.radiusOffset,
+                lathe ? "the tool is called here" : "D is set here");
+  }
+};
+
+} // namespace
+NCVET_RULE(CompensationWithoutOffset, compensation_without_offset)
+} // namespace ncvet
