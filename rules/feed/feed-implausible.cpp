@@ -1,5 +1,5 @@
 // A feed whose size belongs to the other feed unit.
-#include "analyzer/rule.h"
+#include "analyzer/once.h"
 
 namespace ncvet {
 namespace {
@@ -7,15 +7,19 @@ namespace {
 class FeedImplausible final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::FeedWord);
+    to.on({EventKind::FeedWord, EventKind::Motion});
     perMinuteBelow_ = to.option("perMinuteBelow", 1);
     perRevolutionAbove_ = to.option("perRevolutionAbove", 5);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
-    if (!event.value.isConstant() || event.value.value() <= 0 || state.must(Fact::FeedIsLead) ||
-        isLead(ctx))
+    const bool carried = event.kind == EventKind::Motion;
+    // An F that was fit for its mode may be unfit for the one that is in force at the cut.
+    if (carried && (!cuts(event) || ctx.block().has(letterAddress('F')) || !isCarried(ctx)))
+      return;
+    const Interval value = carried ? state.feed : event.value;
+    if (!value.isConstant() || value.value() <= 0 || state.may(Fact::FeedIsLead) || isLead(ctx))
       return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     if (!mode)
@@ -26,20 +30,39 @@ public:
                            state.active(ctx.dialect(), StandardGroup::Units) == groupUnset;
     if (!unitKnown)
       return;
-    const double feed = event.value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
+    const double feed = value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
     const bool tooSlow = mode->action == Action::FeedPerMinute && feed < perMinuteBelow_;
     const bool tooFast = mode->action == Action::FeedPerRevolution && feed > perRevolutionAbove_;
     if (!tooSlow && !tooFast)
       return;
+    if (carried && !once_.speaks(state.originOf(ctx.dialect(), StandardGroup::FeedMode), ctx))
+      return;
+    const std::string written =
+        carried ? llvm::formatv("F{0}", value.value()).str() : ctx.text(*event.word).str();
     if (auto finding = ctx.report(event))
       finding.message("`{0}` under `{1}` is a feed per {2}: its size is that of a feed per {3}",
-                      ctx.text(*event.word), mode->name, tooSlow ? "minute" : "revolution",
+                      written, mode->name, tooSlow ? "minute" : "revolution",
                       tooSlow ? "revolution" : "minute")
           .note(state.originOf(ctx.dialect(), StandardGroup::FeedMode),
-                "`" + mode->name + "` becomes active here");
+                "`" + mode->name + "` becomes active here")
+          .note(carried ? state.origin.feed : Origin(), "the feed is programmed here");
   }
 
 private:
+  static bool cuts(const Event &event) {
+    return event.code != noCode &&
+           (event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+            event.motion == MotionKind::ArcCcw);
+  }
+
+  /// The mode was switched behind the F, in the same text.
+  static bool isCarried(RuleContext &ctx) {
+    const Origin &feed = ctx.after().origin.feed;
+    const Origin mode = ctx.after().originOf(ctx.dialect(), StandardGroup::FeedMode);
+    return feed.known() && mode.known() && feed.file == mode.file && feed.begin < mode.begin &&
+           ctx.before().must(Fact::FeedSet) && !ctx.after().may(Fact::UnknownCode);
+  }
+
   /// The F of a threading or tapping block may be a lead.
   static bool isLead(RuleContext &ctx) {
     for (const CodeUse &use : ctx.codes())
@@ -49,6 +72,7 @@ private:
     return false;
   }
 
+  OncePerCause once_;
   double perMinuteBelow_ = 1;     // mm/min
   double perRevolutionAbove_ = 5; // mm
 };

@@ -19,11 +19,18 @@ public:
 
 private:
   static void atStart(const Event &event, RuleContext &ctx) {
-    if (event.code == noCode || ctx.before().profile == 1 ||
-        ctx.after().must(Fact::SpeedSet))
+    if (event.code == noCode || ctx.before().profile == 1)
       return;
     const CodeInfo &code = ctx.code(event);
     const bool starts = code.action == Action::SpindleCw || code.action == Action::SpindleCcw;
+    if (ctx.after().must(Fact::SpeedSet)) {
+      // An S0 of an earlier block; in the same block the S itself is reported.
+      if (starts && ctx.after().speed.hi <= 0 && !ctx.block().has(letterAddress('S')))
+        if (auto finding = ctx.report(event))
+          finding.message("`{0}` starts the spindle with a speed of zero", code.name)
+              .note(ctx.after().origin.speed, "the speed is programmed here");
+      return;
+    }
     const bool taps = code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
                       code.spindle == SpindleNeed::StartsItself;
     if (!starts && !taps)

@@ -21,12 +21,13 @@ public:
         return;
       }
     }
-    // A machining centre takes the tool to its own change position.
-    if (!ctx.dialect().isLathe() || !before.must(Fact::Cut) || before.may(Fact::AwayFromPart))
+    // With M06 a machining centre takes the tool to its own change position.
+    const bool atOnce = ctx.dialect().isLathe() || ctx.dialect().toolChangeByT;
+    if (!atOnce || !before.must(Fact::Cut) || before.may(Fact::AwayFromPart))
       return;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
-      finding.message("the turret indexes where the last cut ended: the next tool may hit part or "
-                      "chuck");
+      finding.message("the tool is changed where the last cut ended: the next one may hit part, chuck "
+                      "or clamps");
   }
 };
 
