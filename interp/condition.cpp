@@ -98,6 +98,10 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
   if (condition.first && code && code->group != noGroup &&
       (context.before.group[code->group] >> code->bit & 1))
     return false;
+  if (condition.pending &&
+      (context.before.pendingCycle == noCode ||
+       context.dialect.codes[context.before.pendingCycle].cycle != *condition.pending))
+    return false;
   for (const auto &option : condition.options)
     if (!optionHolds(option, context))
       return false;

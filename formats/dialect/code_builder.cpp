@@ -293,8 +293,10 @@ void DialectBuilder::readVariants(const std::string &name, const Json &value, Co
     info.base = base;
     entry.code = CodeIndex(dialect_.codes.size());
     dialect_.codes.push_back(info);
-    if (in_.member(variant, "group"))
+    if (in_.member(variant, "group")) { // a group of its own, or with null none at all
+      dialect_.codes[entry.code].group = noGroup;
       joinGroup(whole, entry.code);
+    }
     dialect_.codes[entry.code] = readCode(whole, dialect_.codes[entry.code]);
     dialect_.codes[base].variants.push_back(std::move(entry));
     in_.setOverlay(nullptr);
@@ -303,12 +305,16 @@ void DialectBuilder::readVariants(const std::string &name, const Json &value, Co
 
 Condition DialectBuilder::readCondition(const Json &value) {
   Condition when;
-  in_.allowKeys(value,
-                {"has", "any", "lacks", "active", "with", "without", "first", "options", "broken"});
+  in_.allowKeys(value, {"has", "any", "lacks", "active", "with", "without", "first", "pending",
+                        "options", "broken"});
   readSet(value, "has", when.has);
   readSet(value, "any", when.any);
   readSet(value, "lacks", when.lacks);
   in_.read(value, "first", when.first);
+  if (in_.member(value, "pending")) {
+    when.pending = CycleKind::None;
+    in_.readName(value, "pending", "cycle", cycleNames(), *when.pending);
+  }
   readConditionCodes(value, when);
   readConditionOptions(value, when);
   const Json *broken = in_.member(value, "broken");

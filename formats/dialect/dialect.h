@@ -45,6 +45,15 @@ struct ValueTest {
   std::vector<double> oneOf; ///< when not empty: also broken by any other value
 };
 
+/// Canned and turning cycles, by the motions that they make.
+enum class CycleKind : uint8_t {
+  None, Drill, DrillDwell, Peck, ChipBreak, Tap, TapLeft, RigidTap, RigidTapLeft, Ream, ReamDwell,
+  BoreStop, BoreManual, BoreDwellManual, FineBore, BackBore, TurnPass, FacePass, ThreadPass,
+  RoughTurn, RoughFace, PatternRepeat, Finish, GrooveFace, GrooveRadial, ThreadMulti
+};
+llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
+std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
+
 /// When a notice, a word requirement or a variant applies. Every part that is given must hold.
 struct Condition {
   AddressMask has = 0;   ///< all of these addresses stand in the block
@@ -60,6 +69,8 @@ struct Condition {
   std::vector<CodeIndex> withoutCode; ///< the block holds none of these codes
   /// The code was not active before this block (a modal code's first block).
   bool first = false;
+  /// The block before was the parameter block of a two-block cycle of this kind.
+  std::optional<CycleKind> pending;
   /// An option of the machine profile has this value (text form: "true", "SL-30", "2.5").
   std::vector<std::pair<std::string, std::vector<std::string>>> options;
   std::vector<ValueTest> broken; ///< each of these tests is broken
@@ -104,15 +115,6 @@ struct WordSpec {
   std::optional<bool> pointAdvised;
   std::string note; ///< what the word means, for messages and hover: "peck depth"
 };
-
-/// Canned and turning cycles, by the motions that they make.
-enum class CycleKind : uint8_t {
-  None, Drill, DrillDwell, Peck, ChipBreak, Tap, TapLeft, RigidTap, RigidTapLeft, Ream, ReamDwell,
-  BoreStop, BoreManual, BoreDwellManual, FineBore, BackBore, TurnPass, FacePass, ThreadPass,
-  RoughTurn, RoughFace, PatternRepeat, Finish, GrooveFace, GrooveRadial, ThreadMulti
-};
-llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
-std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
 
 enum class SpindleNeed : uint8_t { Any, Running, Clockwise, CounterClockwise, StartsItself };
 

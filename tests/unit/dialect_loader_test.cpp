@@ -138,6 +138,18 @@ TEST(DialectLoader, AVariantIsItsCodeWithItsOwnKeysLaidOver) {
   EXPECT_EQ(dialect->groups[base.group].members.size(), 2u) << "a variant is no further member";
 }
 
+TEST(DialectLoader, AVariantMayLeaveItsCodesGroupAndAskForTheParameterBlockBefore) {
+  Files files{{"t", table(plain + R"(, "G83": { "title": "peck", "group": "cycle", "does": "cycle",
+    "variants": [ { "when": { "pending": "rough-turn" }, "group": null, "does": "none" } ] })")}};
+  auto dialect = load(files, "t");
+  ASSERT_TRUE(dialect);
+  const CodeInfo &base = dialect->codes[dialect->find("G83")];
+  ASSERT_EQ(base.variants.size(), 1u);
+  EXPECT_EQ(base.variants[0].when.pending, CycleKind::RoughTurn);
+  EXPECT_NE(base.group, noGroup);
+  EXPECT_EQ(dialect->codes[base.variants[0].code].group, noGroup);
+}
+
 TEST(DialectLoader, ConditionsNameGroupsOrCodes) {
   Files files{
       {"t", table(plain + R"(, "G01": { "group": "motion" }, "G04": {}, "M05": { "notices": [
