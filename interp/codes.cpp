@@ -306,6 +306,8 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
   state_.clear(Fact::LengthSinceTool);
   state_.clear(Fact::OrientedSinceTool);
   state_.clear(Fact::PlungedUncompensated);
+  state_.fedFrom = Interval::unknown();
+  state_.cutArea.fill(emptyInterval);
   if (dialect_.isLathe()) {
     // Another offset: the same place has other coordinates.
     if (offset != state_.toolOffset || offset == notKnown)

@@ -63,6 +63,7 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   event.code = index;
   event.axes = axes;
   event.certain = index != noCode;
+  state_.fedFrom = Interval::unknown();
   state_.set(Fact::Moved);
   state_.set(Fact::MovedSinceTool);
   state_.set(Fact::MovedSincePreset);

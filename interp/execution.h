@@ -57,6 +57,7 @@ private:
   void workOffset(const CodeUse &use);
   Interval coordinate(const Word &word) const;
   void storeTarget(const Word &word, bool machineCoordinates);
+  void trackDepth(bool rapid);
   void compensationStep(MotionKind kind, uint16_t axes);
 
   // cycles.cpp

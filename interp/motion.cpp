@@ -211,6 +211,7 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
         state_.at(axis) = Interval::unknown();
   }
   if (!code) {
+    state_.fedFrom = Interval::unknown();
     state_.factsMust |= movedFacts;
     state_.factsMay |= movedFacts | bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool);
     state_.clear(Fact::AtMachinePosition);
@@ -229,6 +230,8 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
   state_.factsMust = (state_.factsMust | on) & ~off;
   state_.factsMay = (state_.factsMay | on) & ~off;
+  if (!dialect_.isLathe())
+    trackDepth(rapid);
   if (rapid) {
     state_.clear(Fact::PlungedUncompensated);
     return;
@@ -240,6 +243,23 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
     state_.clear(Fact::PlungedUncompensated);
 }
 
+/// Keeps the level from which a mill's tool was fed in, and the area in which it has cut. The tool
+/// stands along Z whatever the plane: arcs in G18 and G19 lead in and out.
+void Execution::trackDepth(bool rapid) {
+  constexpr Axis tool = Axis::Z;
+  const Interval &from = before_.at(tool), &to = state_.at(tool);
+  const bool known = from.isConstant() && to.isConstant() &&
+                     before_.inMachineCoordinates(tool) == state_.inMachineCoordinates(tool);
+  if (!known || (state_.fedFrom.isConstant() && to.value() >= state_.fedFrom.value()))
+    state_.fedFrom = Interval::unknown();
+  if (rapid)
+    return;
+  if (known && to.value() < from.value() && !state_.fedFrom.isConstant())
+    state_.fedFrom = from;
+  for (unsigned i = 0; i < 2; ++i)
+    state_.cutArea[i] = join(state_.cutArea[i], state_.position[i]);
+}
+
 /// G53: this block counts in machine coordinates.
 void Execution::machineMove(uint16_t axes) {
   compensationStep(MotionKind::Rapid, axes);
@@ -249,6 +269,7 @@ void Execution::machineMove(uint16_t axes) {
   event.motion = motion && motion->action == Action::Linear ? MotionKind::Feed : MotionKind::Rapid;
   event.code = motion ? CodeIndex(motion - dialect_.codes.data()) : noCode;
   event.number = 1; // in machine coordinates
+  state_.fedFrom = Interval::unknown();
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address))
       storeTarget(word, true);
@@ -265,6 +286,7 @@ void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
   event.motion = MotionKind::Reference;
   event.axes = axes;
   event.code = use.code;
+  state_.fedFrom = Interval::unknown();
   for (unsigned i = 0; i < axisCount; ++i)
     if (axes == 0 || (axes >> i & 1)) {
       state_.position[i] = Interval::unknown();
@@ -282,6 +304,7 @@ void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
 void Execution::shiftCoordinates(const CodeUse &use) {
   const CodeInfo &code = info(use);
   outcome_.setupChanged = true;
+  state_.fedFrom = Interval::unknown();
   Event &event = outcome_.emit(EventKind::CoordinateChange);
   event.code = use.code;
   event.word = use.word;
@@ -316,6 +339,7 @@ void Execution::workOffset(const CodeUse &use) {
   Event &event = outcome_.emit(EventKind::CoordinateChange);
   event.code = use.code;
   event.word = use.word;
+  state_.fedFrom = Interval::unknown();
   if (code.group == noGroup || before_.group[code.group] == (uint64_t(1) << code.bit))
     return; // the same offset as before
   const CodeInfo *old = before_.activeCode(dialect_, StandardGroup::WorkOffset);

@@ -40,6 +40,9 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   r.factsMay = a.factsMay | b.factsMay;
   r.factsMust = a.factsMust & b.factsMust;
   r.feed = combine(a.feed, b.feed, wide);
+  r.fedFrom = combine(a.fedFrom, b.fedFrom, wide);
+  for (size_t i = 0; i < 2; ++i)
+    r.cutArea[i] = combine(a.cutArea[i], b.cutArea[i], wide);
   r.tool = combine(a.tool, b.tool);
   r.toolOffset = combine(a.toolOffset, b.toolOffset);
   r.preselected = combine(a.preselected, b.preselected);
@@ -108,6 +111,9 @@ template <typename Sink> void visitParts(const MachineState &s, Sink sink) {
   sink(s.factsMay);
   sink(s.factsMust);
   interval(s.feed);
+  interval(s.fedFrom);
+  for (const Interval &i : s.cutArea)
+    interval(i);
   sink(uint64_t(uint32_t(s.tool)) << 32 | uint32_t(s.toolOffset));
   sink(uint64_t(uint32_t(s.preselected)) << 32 | uint32_t(s.lengthOffset));
   sink(uint64_t(uint32_t(s.radiusOffset)) << 32 | uint32_t(s.modalMacro));

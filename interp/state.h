@@ -88,6 +88,10 @@ struct CycleWords {
   double get(char letter) const { return value[size_t(letter - 'A')]; }
 };
 
+/// Holds no number; joined to another interval it gives that one.
+constexpr Interval emptyInterval{std::numeric_limits<double>::infinity(),
+                                 -std::numeric_limits<double>::infinity()};
+
 /// What changes with nearly every block.
 struct MotionState {
   std::array<uint64_t, maxGroups> group; ///< bit set of members that may be active
@@ -96,6 +100,11 @@ struct MotionState {
   uint32_t machineAxes = 0; ///< bit per axis: `position` is in machine coordinates
   uint64_t factsMay = 0, factsMust = 0;
   Interval feed; ///< as programmed; unknown when never set (see Fact::FeedSet)
+  /// Mills: Z from which the tool was fed down and below which it has been
+  /// since; unknown when it is clear of the work or nothing is known.
+  Interval fedFrom;
+  /// Mills: box of X and Y in which the tool in use has cut; empty (lo > hi) before its first cut.
+  std::array<Interval, 2> cutArea{emptyInterval, emptyInterval};
 };
 
 /// What changes with set-up codes.
