@@ -86,6 +86,19 @@ void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
   }
 }
 
+void Dispatcher::callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
+                              const MachineState &before, const MachineState &after,
+                              unsigned callDepth) {
+  prepare(unit, block, outcome, before, after, callDepth);
+  Event event;
+  event.kind = EventKind::CallReturned;
+  event.code = outcome.flow.code;
+  for (const Listener &listener : byKind_[size_t(EventKind::CallReturned)]) {
+    context_.rule_ = listener.id;
+    listener.rule->on(event, context_);
+  }
+}
+
 void Dispatcher::finish(const FileSummary &summary, FileUnit &unit) {
   static const Block noBlock;
   const Outcome noOutcome;

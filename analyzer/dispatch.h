@@ -19,6 +19,9 @@ public:
   void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
                  const MachineState &before, const MachineState &after, unsigned callDepth,
                  SourceRange where, SourceRange related);
+  /// A `CallReturned` event at the call: the state before the call and the one that came back.
+  void callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
+                    const MachineState &before, const MachineState &after, unsigned callDepth);
   void finish(const FileSummary &summary, FileUnit &unit);
 
 private:

@@ -213,6 +213,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       Lives executing;
       for (Live &live : lives) {
         if (live.skip[level] != 1) {
+          activation.forks += live.skip[level] == 0;
           Live skipped = live;
           skipped.skip[level] = 2;
           if (live.skip[level] == 0)
@@ -239,6 +240,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       Lives forked;
       for (Live &live : lives)
         if (unit.executor.guard(block_, live.state) == Truth::Unknown) {
+          ++activation.forks;
           Live other = live;
           other.path = step(live.path, PathNode::Kind::NoJump,
                             {unit.source.id(), block_.items[0].begin, block_.items[0].end});
@@ -263,6 +265,10 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
           block_.items.empty() || unit.executor.guard(block_, live.state) != Truth::No;
       unit.executor.execute(block_, before, live.state, outcome_, guardHolds);
       collector_.beginVisit(live.path);
+      if (region.kind == Kind::Main && block_.number >= 0 && &unit == &unit_ &&
+          localTargets_.count(at))
+        issue(FlowIssue::RunsIntoSubprogram, activation, live, before,
+              {unit.source.id(), block_.begin, block_.end});
       if (outcome_.kinds & dispatcher_.kinds())
         dispatcher_.dispatch(unit, block_, outcome_, before, live.state, region.depth);
       const int32_t macro = outcome_.macroAfterMove;
@@ -387,11 +393,14 @@ void Engine::backTo(Activation &activation, uint32_t target, Live live, bool cer
     constexpr unsigned window = 4;
     if (head.visits == head.nextSnapshot) {
       head.snapshot = hash(live.state);
+      head.snapshotForks = activation.forks;
       head.windowEnd = head.visits + window;
       head.nextSnapshot *= 4;
     } else if (head.visits <= head.windowEnd && hash(live.state) == head.snapshot) {
-      issue(FlowIssue::EndlessLoop, activation, live, live.state,
-            {activation.region.unit.source.id(), activation.lastBegin, activation.lastEnd});
+      // A way out that depends on something unknown was taken beside this one.
+      if (head.snapshotForks == activation.forks)
+        issue(FlowIssue::EndlessLoop, activation, live, live.state,
+              {activation.region.unit.source.id(), activation.lastBegin, activation.lastEnd});
       return;
     }
     add(activation, target, std::move(live));
@@ -418,8 +427,10 @@ void Engine::jump(Activation &activation, Live &live, uint32_t at, const Machine
   const SourceRange where = flowRange(region.unit);
   if (flow.condition != Truth::Yes) {
     Live straight = live;
-    if (flow.condition == Truth::Unknown)
+    if (flow.condition == Truth::Unknown) {
+      ++activation.forks;
       straight.path = step(live.path, PathNode::Kind::NoJump, where);
+    }
     add(activation, block_.next, std::move(straight));
     if (flow.condition == Truth::No)
       return;
@@ -431,6 +442,7 @@ void Engine::jump(Activation &activation, Live &live, uint32_t at, const Machine
     return;
   }
   if (!flow.target.isConstant()) {
+    ++activation.forks;
     issue(FlowIssue::ComputedTarget, activation, live, before, where);
     const llvm::ArrayRef<NumberedBlock> all = region.unit.index.numbers(region.program);
     if (all.size() > maxComputedTargets) {
@@ -513,6 +525,7 @@ void Engine::loop(Activation &activation, Live &live, uint32_t at, const Machine
   }
   if (flow.condition == Truth::Unknown) {
     // From now on this head is a place where states are joined.
+    ++activation.forks;
     activation.heads[at].abstract = true;
     Live body = live;
     body.path = step(live.path, PathNode::Kind::Jump, flowRange(region.unit));
@@ -683,6 +696,7 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
     if (!changed) // every further pass is the same
       break;
   }
+  activation.forks += current.size() > 1;
   for (Live &one : current) {
     one.path = path;
     if (flow.macro)
@@ -690,6 +704,8 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
     if (!counted)
       for (Interval &position : one.state.position)
         position = Interval::unknown();
+    if (dispatcher_.kinds() & bitOf(EventKind::CallReturned))
+      dispatcher_.callReturned(unit, block_, outcome_, before, one.state, region.depth);
     add(activation, next, std::move(one));
   }
 }

@@ -62,6 +62,7 @@ private:
     MachineState seen;
     uint64_t snapshot = 0; ///< hash of the state at an earlier visit
     unsigned nextSnapshot = 16;
+    unsigned snapshotForks = 0; ///< forks of the activation at the time of the snapshot
     unsigned windowEnd = 0; ///< visits up to this one are compared with the snapshot
   };
   struct Activation {
@@ -74,6 +75,7 @@ private:
     uint32_t high = 0;                 ///< behind the last block executed for the first time
     uint32_t lastBegin = 0, lastEnd = 0;
     bool executedAny = false;
+    unsigned forks = 0; ///< times that the way went on in more than one direction
   };
   struct Memo {
     uint64_t hash;

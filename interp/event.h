@@ -24,6 +24,7 @@ enum class EventKind : uint8_t {
   SpindleChange,    ///< M03, M04, M05, M19 and their like; `code`
   Dwell,            ///< `value` is the time in seconds
   Call,             ///< a subprogram or macro is called; `code`
+  CallReturned,     ///< the called program came back: the state before the call, and behind it
   Return,           ///< M99 and its like
   ProgramEnd,       ///< the program ends here: M30, M02, end of file
   Assignment,       ///< a variable is written; `number`, `value`
