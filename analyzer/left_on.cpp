@@ -7,19 +7,18 @@ namespace ncvet {
 
 namespace {
 
-/// The block that switches `info` off, from the table's `off`: a code, or a code "with zeros", which
-/// takes each axis that may be on. Empty when the table names no code of this control.
+/// The block that switches `info` off, from the table's `off`: a block as it stands, or a code
+/// "with zeros" or of a mirror, which takes each axis that may be on. Empty when the table names no
+/// code of this control.
 std::string offBlock(const SwitchInfo &info, uint16_t axes, const Dialect &dialect) {
   const llvm::StringRef name = llvm::StringRef(info.off).split(' ').first;
   const CodeIndex index = dialect.find(name);
   if (index == noCode)
     return "";
-  const CodeInfo &code = dialect.codes[index];
   std::string block = name.str();
-  const bool perAxis =
-      llvm::StringRef(info.off).contains("zero") || code.action == Action::MirrorOff;
-  if (!perAxis)
-    return name == info.off ? block : "";
+  const bool perAxis = dialect.codes[index].action == Action::MirrorOff;
+  if (!perAxis && !llvm::StringRef(info.off).contains("zero"))
+    return info.off;
   bool any = false;
   for (unsigned letter = 0; letter < 26; ++letter) {
     const AddressInfo &address = dialect.addresses[letter];
@@ -64,8 +63,8 @@ void reportLeftOn(llvm::StringRef id, const Event &event, RuleContext &ctx) {
       may &= ctx.before().switchMayBeOn(i);
     }
     // After a code that nobody knows everything may be on: only what is certain counts.
-    if (!may || (!must && (ctx.after().may(Fact::UnknownCode) ||
-                           !ctx.after().origin.switched[i].known())))
+    if (!may ||
+        (!must && (ctx.after().may(Fact::UnknownCode) || !ctx.after().origin.switched[i].known())))
       continue;
     left.push_back(i);
     certain |= must;
