@@ -1,0 +1,44 @@
+// A condition has always the same result.
+#include "analyzer/rule.h"
+#include "interp/expression.h"
+
+namespace ncvet {
+namespace {
+
+class FlowConstantCondition final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Block); }
+
+  void on(const Event &, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    for (const Item &item : block.items)
+      if ((item.kind == ItemKind::If || item.kind == ItemKind::While) &&
+          item.condition < block.expressions.size())
+        check(block.expressions[item.condition], item, ctx);
+  }
+
+private:
+  /// Only what no variable decides: a parameter that is set at the program's head is there to be
+  /// changed. `WHILE [1 EQ 1]` is the usual way to write a loop that is left by a jump.
+  static void check(const Expression &condition, const Item &item, RuleContext &ctx) {
+    if (condition.bad || condition.count == 0)
+      return;
+    const auto operations =
+        llvm::makeArrayRef(ctx.block().operations).slice(condition.first, condition.count);
+    for (const ExpressionOp &op : operations)
+      if (op.op == Op::Variable || op.op == Op::VariableAt || op.op == Op::NamedVariable ||
+          op.op == Op::Vacant || op.op == Op::Unknown)
+        return;
+    const Truth truth = truthOf(evaluate(ctx.block(), item.condition, ctx.before(), nullptr));
+    if (truth == Truth::Unknown || (item.kind == ItemKind::While && truth == Truth::Yes))
+      return;
+    const SourceRange range{ctx.source().id(), condition.begin, condition.end};
+    if (auto finding = ctx.report(range))
+      finding.message("this condition is always {0}: no variable stands in it",
+                      truth == Truth::Yes ? "true" : "false");
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowConstantCondition, flow_constant_condition)
+} // namespace ncvet

@@ -1,0 +1,23 @@
+// The main flow runs on into a local subprogram.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FlowFallsIntoSubprogram final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::RunsIntoSubprogram)
+      return;
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+      finding.message("the program runs on into this subprogram: no `M30` stands in front of it")
+          .fix(FixSafety::Unsafe, "insert `M30` before the subprogram",
+               {{ctx.flowRange().file, ctx.flowRange().begin, ctx.flowRange().begin}, "M30\n"});
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowFallsIntoSubprogram, flow_falls_into_subprogram)
+} // namespace ncvet

@@ -1,0 +1,24 @@
+// WHILE, DO and END do not belong together.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FlowStructureMismatch final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::StructureMismatch || ctx.outcome().flow.loop == 0)
+      return; // an END without a number is no statement of this control
+    auto finding = ctx.report(ctx.flowRange(), event.certain);
+    if (!finding)
+      return;
+    finding.message("`{0}` has no partner: the control stops with an alarm",
+                    ctx.text(ctx.flowRange()));
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowStructureMismatch, flow_structure_mismatch)
+} // namespace ncvet

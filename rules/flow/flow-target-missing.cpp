@@ -1,0 +1,36 @@
+// A call or jump code stands without the word that names its target.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FlowTargetMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onAction({Action::CallProgram, Action::CallLocal, Action::MacroCall, Action::MacroModal,
+                 Action::ConditionalJump});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    if (block.has(letterAddress('P')))
+      return;
+    // A number written as `M97 N500` is the business of flow-call-format.
+    const CodeInfo &code = ctx.code(event);
+    if (code.action == Action::CallLocal && block.has(letterAddress('N')))
+      return;
+    // A call by name: the text behind the code is its target.
+    for (const SyntaxIssue &issue : block.issues)
+      if (issue.begin >= event.word->offset)
+        return;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "`{0}` without `P` names no {1}: the control stops with an alarm", ctx.text(*event.word),
+          code.action == Action::CallLocal || code.action == Action::ConditionalJump ? "block"
+                                                                                     : "program");
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowTargetMissing, flow_target_missing)
+} // namespace ncvet

@@ -1,0 +1,42 @@
+// A called program, or a locally called block, exists nowhere.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+/// Programs from here on are kept in the control's protected memory: macros of the machine builder
+/// and of probing systems.
+constexpr double firstProtected = 8000;
+
+class FlowUndefinedSubprogram final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const auto issue = FlowIssue(event.number);
+    const Flow &flow = ctx.outcome().flow;
+    const bool local = flow.kind == FlowKind::CallLocal;
+    if (issue != FlowIssue::UnknownProgram && !(issue == FlowIssue::UnknownBlock && local))
+      return;
+    // A macro of the control itself is not part of any folder of programs.
+    const bool builtIn =
+        flow.macro && flow.target.isConstant() && flow.target.number.value() >= firstProtected;
+    auto finding = ctx.report(ctx.flowRange(), event.certain && !builtIn);
+    if (!finding)
+      return;
+    if (local)
+      finding.message("`{0}` calls a block that this program does not have: the control stops here",
+                      ctx.text(ctx.flowRange()));
+    else if (builtIn)
+      finding.severity(Severity::Style)
+          .message("`{0}` calls a program that was not found: nothing is known of what it does",
+                   ctx.text(ctx.flowRange()));
+    else
+      finding.message("`{0}` calls a program that was not found: the control stops here",
+                      ctx.text(ctx.flowRange()));
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowUndefinedSubprogram, flow_undefined_subprogram)
+} // namespace ncvet

@@ -1,0 +1,23 @@
+// A jump or a return names a block that does not exist.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FlowUndefinedTarget final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::UnknownBlock ||
+        ctx.outcome().flow.kind == FlowKind::CallLocal)
+      return;
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+      finding.message("`{0}` leads to a block that is not there: the control stops with an alarm",
+                      ctx.text(ctx.flowRange()));
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowUndefinedTarget, flow_undefined_target)
+} // namespace ncvet

@@ -1,0 +1,93 @@
+// A subprogram that nothing calls.
+#include "analyzer/rule.h"
+
+#include <algorithm>
+
+namespace ncvet {
+namespace {
+
+/// Codes of the block with one of these actions, variants not looked at.
+bool holdsCode(const Block &block, const Dialect &dialect, std::initializer_list<Action> actions) {
+  for (const Word &word : block.words) {
+    if (dialect.addresses[word.address].kind != AddressKind::Code || !word.isNumber())
+      continue;
+    const CodeIndex code = dialect.find(char('A' + word.address), word.codeNumber());
+    if (code != noCode && llvm::is_contained(actions, dialect.codes[code].action))
+      return true;
+  }
+  return false;
+}
+
+class FlowUnusedTarget final : public Rule {
+public:
+  void listen(Subscriptions &) override {}
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!file.complete)
+      return;
+    const auto programs = file.index.programs();
+    // A file of one program is a main program or a subprogram for callers in other files.
+    if (programs.size() > 1)
+      for (const ProgramInfo &program : programs.drop_front())
+        if (program.hasHeader() && program.number >= 0 &&
+            !llvm::is_contained(file.calledPrograms, program.number) &&
+            endsWithReturn(file, program, ctx.dialect()))
+          if (auto finding =
+                  ctx.report(SourceRange{file.source.id(), program.headerBegin, program.headerEnd}))
+            finding.message("nothing calls program {0}", program.number);
+    for (const ProgramInfo &program : programs)
+      localSections(file, program, ctx);
+  }
+
+private:
+  static bool endsWithReturn(const FileSummary &file, const ProgramInfo &program,
+                             const Dialect &dialect) {
+    Block block;
+    bool returns = false;
+    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
+      file.reader.read(at, block);
+      if (!block.isEmpty() && block.kind == BlockKind::Normal)
+        returns = holdsCode(block, dialect, {Action::Return});
+    }
+    return returns;
+  }
+
+  /// Sections behind the program's end that begin with a number and end with a return, and that no
+  /// call names. Only where the control has local calls.
+  static void localSections(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
+    if (llvm::none_of(ctx.dialect().codes,
+                      [](const CodeInfo &code) { return code.action == Action::CallLocal; }))
+      return;
+    if (llvm::any_of(file.reached, [&](const SourceRange &range) {
+          return range.begin <= program.body && program.end <= range.end;
+        }))
+      return;
+    Block block;
+    bool ended = false;
+    SourceRange first;
+    int64_t number = -1;
+    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
+      file.reader.read(at, block);
+      if (block.isEmpty() || block.kind != BlockKind::Normal)
+        continue;
+      if (ended && number < 0 && block.number >= 0 && !file.isReached(block.begin) &&
+          !std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number)) {
+        number = block.number;
+        first = {file.source.id(), block.numberBegin, block.numberEnd};
+      }
+      const bool returns = holdsCode(block, ctx.dialect(), {Action::Return});
+      if (returns && number >= 0 && !file.isReached(block.begin))
+        if (auto finding = ctx.report(first))
+          finding.message("nothing calls the subprogram that begins with block {0}", number);
+      if (returns ||
+          holdsCode(block, ctx.dialect(), {Action::ProgramEnd, Action::ProgramEndRewind})) {
+        ended = true;
+        number = -1;
+      }
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowUnusedTarget, flow_unused_target)
+} // namespace ncvet
