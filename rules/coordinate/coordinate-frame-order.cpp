@@ -1,0 +1,136 @@
+// Shifts, rotations, scaling and mirrors are ended in an order that the control does not allow.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CoordinateFrameOrder final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onAction({Action::PresetPosition, Action::LocalShift, Action::MirrorOn, Action::MirrorOff,
+                 Action::ScalingOff, Action::RotationOff});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const CodeInfo &code = ctx.code(event);
+    switch (code.action) {
+    case Action::PresetPosition:
+      return preset(event, code, ctx);
+    case Action::LocalShift:
+      return localShift(event, ctx);
+    case Action::MirrorOn:
+    case Action::MirrorOff:
+      return mirror(event, code, ctx);
+    default:
+      return nesting(event, code, ctx);
+    }
+  }
+
+private:
+  static bool is(const RuleContext &ctx, StandardGroup group, Action action) {
+    return ctx.dialect().group(group) != noGroup &&
+           ctx.before().isActive(ctx.dialect(), group, {action}) == Truth::Yes;
+  }
+  /// Every axis word of the block is a known zero, and there is one.
+  static bool allZero(const RuleContext &ctx) {
+    bool any = false;
+    for (const Word &word : ctx.block().words)
+      if (ctx.dialect().axisWords & maskOf(word.address)) {
+        const Interval value = ctx.value(word);
+        if (!value.isConstant() || value.value() != 0)
+          return false;
+        any = true;
+      }
+    return any;
+  }
+
+  /// `G92 X0 Y0` gives the former system back only where it was left.
+  static void preset(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (code.effect.index == 0xFF || !before.switchMustBeOn(code.effect.index) ||
+        !before.must(Fact::MovedSincePreset) || !allZero(ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` with zeros restores the system only where the shift was made, and the "
+                   "tool has moved since",
+                   ctx.text(*event.word))
+          .note(before.origin.preset, "shifted here");
+  }
+
+  static void localShift(const Event &event, RuleContext &ctx) {
+    if (!is(ctx, StandardGroup::Polar, Action::PolarOn) || !allZero(ctx) ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("the local system is taken back while polar input is still on: end that first")
+          .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Polar),
+                "polar input begins here");
+  }
+
+  static void mirror(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const bool scaled = is(ctx, StandardGroup::Scaling, Action::ScalingOn);
+    if (scaled || is(ctx, StandardGroup::Rotation, Action::RotationOn)) {
+      if (auto finding = ctx.report(event))
+        finding
+            .message("`{0}` is allowed only without {1}: that was switched on inside or before it",
+                     ctx.text(*event.word), scaled ? "scaling" : "rotation")
+            .note(ctx.before().originOf(ctx.dialect(),
+                                        scaled ? StandardGroup::Scaling : StandardGroup::Rotation),
+                  scaled ? "scaling begins here" : "rotation begins here");
+      return;
+    }
+    if (code.action != Action::MirrorOff || code.effect.index == 0xFF ||
+        !ctx.before().switchMustBeOn(code.effect.index))
+      return;
+    const uint16_t named = axesOf(ctx.dialect(), ctx.block());
+    const uint16_t mirrored = ctx.before().switchAxes[code.effect.index];
+    if (!named || !mirrored || !(mirrored & ~named))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` ends the mirror image of the axes that it names only: {1} stays mirrored",
+                   ctx.text(*event.word), namesOf(uint16_t(mirrored & ~named)))
+          .note(ctx.before().origin.switched[code.effect.index], "mirrored here");
+  }
+
+  /// What was switched on last is switched off first.
+  static void nesting(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    if (code.effect.index == 0xFF)
+      return;
+    const auto mark = uint8_t(code.effect.index + 1);
+    uint8_t last = 0;
+    bool there = false;
+    for (const uint8_t open : ctx.before().transforms)
+      if (open) {
+        last = open;
+        there |= open == mark;
+      }
+    if (!there || last == mark || ctx.after().switchMayBeOn(code.effect.index) ||
+        !ctx.after().switchMustBeOn(last - 1u))
+      return;
+    // A mirror image inside the others is the mistake that was reported where it was switched on.
+    for (const CodeInfo &other : ctx.dialect().codes)
+      if (other.action == Action::MirrorOn && other.effect.index == last - 1u)
+        return;
+    const SwitchInfo &inner = ctx.dialect().switches[last - 1u];
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` comes too early: {1} was switched on later and has to end first",
+                   ctx.text(*event.word), inner.title)
+          .note(ctx.before().origin.switched[last - 1u], inner.title + " begins here");
+  }
+
+  static std::string namesOf(uint16_t axes) {
+    std::string names;
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (axes >> i & 1)
+        names += "XYZABCUVW"[i];
+    return names;
+  }
+};
+
+} // namespace
+NCVET_RULE(CoordinateFrameOrder, coordinate_frame_order)
+} // namespace ncvet

@@ -1,0 +1,62 @@
+// An active scaling or mirror image changes more than it seems to.
+#include "analyzer/rule.h"
+
+#include <set>
+
+namespace ncvet {
+namespace {
+
+class CoordinateFrameSideEffect final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    const Dialect &dialect = to.dialect();
+    if (dialect.group(StandardGroup::Scaling) != noGroup)
+      to.on({EventKind::Motion, EventKind::CycleRun});
+    if (dialect.group(StandardGroup::Mirror) != noGroup)
+      to.onAction({Action::CompensationLeft, Action::CompensationRight});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code)
+      return mirror(event, ctx);
+    const MachineState &state = ctx.after();
+    if (state.isActive(ctx.dialect(), StandardGroup::Scaling, {Action::ScalingOn}) != Truth::Yes)
+      return;
+    const Axis tool = toolAxis(ctx.dialect(), state);
+    const bool cuts = event.kind == EventKind::CycleRun || event.motion == MotionKind::Feed;
+    if (ctx.dialect().isLathe() || !cuts || !(event.axes >> unsigned(tool) & 1))
+      return;
+    const Origin origin = state.originOf(ctx.dialect(), StandardGroup::Scaling);
+    if (!reported_.insert(origin.begin).second)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("scaling is on: it changes the depth of this move too")
+          .note(origin, "scaling begins here");
+  }
+
+private:
+  static void mirror(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (state.isActive(ctx.dialect(), StandardGroup::Mirror, {Action::MirrorOn}) != Truth::Yes)
+      return;
+    const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::Mirror);
+    if (!code || code->effect.index == 0xFF)
+      return;
+    const auto axes =
+        uint16_t(state.switchAxes[code->effect.index] & planeAxes(ctx.dialect(), state));
+    if (!axes || (axes & (axes - 1))) // mirrored in both axes, the path keeps its sense
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Style)
+          .message("one axis of the plane is mirrored: `{0}` runs on the other side, climb becomes "
+                   "conventional milling",
+                   ctx.text(*event.word))
+          .note(state.origin.switched[code->effect.index], "mirrored here");
+  }
+
+  std::set<uint32_t> reported_; ///< one finding for each scaling code
+};
+
+} // namespace
+NCVET_RULE(CoordinateFrameSideEffect, coordinate_frame_side_effect)
+} // namespace ncvet

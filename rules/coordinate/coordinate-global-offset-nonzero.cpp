@@ -1,0 +1,35 @@
+// A common offset of the machine shifts every program.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CoordinateGlobalOffsetNonzero final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().options.count("commonOffsetX"))
+      to.on(EventKind::Motion);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (reported_ || event.number || event.motion == MotionKind::Reference)
+      return;
+    reported_ = true;
+    // With measuring of type B the common offset in X belongs to the tool setting arm.
+    const bool typeB = ctx.machine().option("toolMeasuring").value_or("") == "B";
+    const double x = typeB ? 0 : ctx.machine().number("commonOffsetX").value_or(0);
+    const double z = ctx.machine().number("commonOffsetZ").value_or(0);
+    if (x == 0 && z == 0)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.message(
+          "the common offset of this machine is X{0} Z{1}: every position is shifted by it", x, z);
+  }
+
+private:
+  bool reported_ = false; ///< the first move in work coordinates is looked at
+};
+
+} // namespace
+NCVET_RULE(CoordinateGlobalOffsetNonzero, coordinate_global_offset_nonzero)
+} // namespace ncvet

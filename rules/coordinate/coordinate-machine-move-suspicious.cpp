@@ -1,0 +1,60 @@
+// A machine-coordinate move is not at rapid, or leads to the wrong side of machine zero.
+#include "analyzer/rule.h"
+
+#include <algorithm>
+
+namespace ncvet {
+namespace {
+
+class CoordinateMachineMoveSuspicious final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Motion);
+    positive_ = to.option("positive", 1) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.number != 1)
+      return;
+    const CodeUse *use = ctx.find({Action::MachineMove});
+    if (!use)
+      return;
+    if (event.motion == MotionKind::Feed && event.code != noCode && event.certain) {
+      if (auto finding = ctx.report(*use->word))
+        finding
+            .message("`{0}` moves by the active code `{1}`: this move is made at feed",
+                     ctx.text(*use->word), ctx.code(event).name)
+            .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
+                  "`" + ctx.code(event).name + "` becomes active here")
+            .fix(FixSafety::Unsafe, "write `G00` in front of it",
+                 ctx.insertBefore(use->word->offset, "G00 "));
+      return;
+    }
+    if (!positive_)
+      return;
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if (address.kind != AddressKind::Axis || address.unit != AddressUnit::Length)
+        continue;
+      const Interval value = ctx.value(word);
+      const AxisLimits &limits = ctx.machine().axes[unsigned(address.axis)];
+      if (!value.isConstant() || value.value() <= (limits.max ? std::max(*limits.max, 0.0) : 0.0))
+        continue;
+      if (limits.max)
+        continue; // beyond the travel: limit-axis-travel says it
+      if (auto finding = ctx.report(word))
+        finding.message(
+            "`{0}` in machine coordinates: machine zero is the end of travel, positions "
+            "are negative",
+            ctx.text(word));
+      return;
+    }
+  }
+
+private:
+  bool positive_ = true;
+};
+
+} // namespace
+NCVET_RULE(CoordinateMachineMoveSuspicious, coordinate_machine_move_suspicious)
+} // namespace ncvet

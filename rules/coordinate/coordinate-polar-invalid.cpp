@@ -1,0 +1,70 @@
+// A polar point lacks its radius, or gives it as an increment.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CoordinatePolarInvalid final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().group(StandardGroup::Polar) != noGroup)
+      to.on({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const Dialect &dialect = ctx.dialect();
+    if (event.number || event.motion == MotionKind::Reference ||
+        after.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
+      return;
+    // The first axis of the plane carries the radius, the second the angle.
+    Axis radius = Axis::X, angle = Axis::Y;
+    switch (after.activeAction(dialect, StandardGroup::Plane)) {
+    case Action::PlaneZX:
+      radius = Axis::Z;
+      angle = Axis::X;
+      break;
+    case Action::PlaneYZ:
+      radius = Axis::Y;
+      angle = Axis::Z;
+      break;
+    case Action::PlaneXY:
+      break;
+    default:
+      if (dialect.isLathe())
+        return;
+    }
+    const bool hasRadius = event.axes >> unsigned(radius) & 1;
+    const bool hasAngle = event.axes >> unsigned(angle) & 1;
+    if (hasAngle && !hasRadius) {
+      const bool wasOn =
+          before.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) == Truth::Yes;
+      if (wasOn && before.may(Fact::PolarRadiusSet))
+        return;
+      if (auto finding = ctx.report(event))
+        finding.message("under polar input this block gives an angle, but no radius was programmed")
+            .note(after.originOf(dialect, StandardGroup::Polar), "polar input begins here");
+      return;
+    }
+    if (!hasRadius)
+      return;
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = dialect.addresses[word.address];
+      if (address.axis != radius ||
+          (address.kind != AddressKind::Axis && address.kind != AddressKind::Increment))
+        continue;
+      if (!word.has(wordIncremental) && address.kind != AddressKind::Increment)
+        return;
+      if (auto finding = ctx.report(word))
+        finding.severity(Severity::Style)
+            .message("`{0}` does not lengthen the radius: the tool goes that far from where it is, "
+                     "in the direction of the angle",
+                     ctx.text(word));
+      return;
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(CoordinatePolarInvalid, coordinate_polar_invalid)
+} // namespace ncvet

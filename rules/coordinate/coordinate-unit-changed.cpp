@@ -1,0 +1,49 @@
+// Inch and metric are mixed, or the unit is selected after motion.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CoordinateUnitChanged final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.onAction({Action::Inch, Action::Metric}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &before = ctx.before();
+    const GroupIndex group = ctx.dialect().group(StandardGroup::Units);
+    if (group == noGroup || before.may(Fact::UnknownCode))
+      return;
+    const bool stated = before.statedMust >> group & 1;
+    const CodeInfo *active = before.activeCode(ctx.dialect(), StandardGroup::Units);
+    const CodeInfo &code = ctx.code(event);
+    if (active && active->action == code.action)
+      return; // says the same again
+    if (stated) {
+      if (!active)
+        return;
+    } else {
+      // Selected for the first time: too late when the tool has been driven by numbers.
+      const bool drove = before.must(Fact::Moved) &&
+                         (before.must(Fact::Cut) || !before.may(Fact::AtMachinePosition));
+      if (!drove || (before.statedMay >> group & 1))
+        return;
+    }
+    auto finding = ctx.report(event);
+    if (!finding)
+      return;
+    if (stated)
+      finding
+          .message("`{0}` changes the unit: `{1}` was in force", ctx.text(*event.word),
+                   active->name)
+          .note(before.originOf(ctx.dialect(), StandardGroup::Units),
+                "`" + active->name + "` becomes active here");
+    else
+      finding.message("`{0}` selects the unit after the tool has moved: the moves before it were "
+                      "read in whatever unit was in force",
+                      ctx.text(*event.word));
+  }
+};
+
+} // namespace
+NCVET_RULE(CoordinateUnitChanged, coordinate_unit_changed)
+} // namespace ncvet

@@ -1,0 +1,43 @@
+// The tool moves in work coordinates before a work offset was selected.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CoordinateWorkOffsetNotSet final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().group(StandardGroup::WorkOffset) != noGroup)
+      to.on({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &state = ctx.after();
+    if (reported_ || state.must(Fact::WorkOffsetStated) || event.motion == MotionKind::Reference ||
+        event.number || !event.axes)
+      return;
+    // A preset makes a coordinate system of its own; increments need none.
+    if (state.origin.preset.known() || state.may(Fact::UnknownCode))
+      return;
+    const AddressMask absolute = ctx.dialect().axisWords & ~ctx.dialect().incrementWords;
+    const Word *word = ctx.block().findAny(absolute);
+    if (!word || word->has(wordNoValue) ||
+        (state.active(ctx.dialect(), StandardGroup::Distance) != groupUnset &&
+         state.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+             Truth::No))
+      return;
+    reported_ = true;
+    if (auto finding = ctx.report(*word, !state.may(Fact::WorkOffsetStated)))
+      finding
+          .message("`{0}` is driven before the program has selected a work offset", ctx.text(*word))
+          .fix(FixSafety::Unsafe, "write `G54` in front of it",
+               ctx.insertBefore(word->offset, "G54 "));
+  }
+
+private:
+  bool reported_ = false; ///< every further move says the same again
+};
+
+} // namespace
+NCVET_RULE(CoordinateWorkOffsetNotSet, coordinate_work_offset_not_set)
+} // namespace ncvet
