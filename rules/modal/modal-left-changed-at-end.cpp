@@ -1,0 +1,66 @@
+// Turning goes on in the plane that a drilling cycle selected.
+#include "analyzer/rule.h"
+
+#include <set>
+
+namespace ncvet {
+namespace {
+
+class ModalLeftChangedAtEnd final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().isLathe())
+      to.on(EventKind::Motion);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    constexpr uint16_t turning = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
+    if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
+        event.motion == MotionKind::Skip || !event.axes || (event.axes & ~turning))
+      return;
+    const MachineState &state = ctx.after();
+    const CodeInfo *plane = state.activeCode(ctx.dialect(), StandardGroup::Plane);
+    if (!plane || plane->action == Action::PlaneZX || state.liveTool != spindleOff)
+      return;
+    // The plane was selected in the block of a drilling cycle, or for one.
+    const Origin origin = state.originOf(ctx.dialect(), StandardGroup::Plane);
+    if (!origin.known() || !origin.range().begin || !reported_.insert(origin.begin).second ||
+        !drillsAt(origin, ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("turning in the plane of `{0}`: it was selected for drilling and not set back",
+                   plane->name)
+          .note(origin, "`" + plane->name + "` becomes active here");
+  }
+
+private:
+  /// Whether the block of `origin` or one of the next two holds a cycle.
+  static bool drillsAt(const Origin &origin, RuleContext &ctx) {
+    const llvm::StringRef text = ctx.source().text();
+    if (origin.file != ctx.source().id())
+      return false;
+    const size_t line = text.rfind('\n', origin.begin);
+    uint32_t at = line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1);
+    Block block;
+    for (unsigned i = 0; i < 3 && at < text.size(); ++i) {
+      ctx.index().reader().read(at, block);
+      for (const Word &word : block.words)
+        if (word.address == letterAddress('G') && word.isNumber()) {
+          const CodeIndex code = ctx.dialect().find('G', word.codeNumber());
+          if (code != noCode && ctx.dialect().codes[code].action == Action::Cycle)
+            return true;
+        }
+      if (block.next <= at)
+        break;
+      at = block.next;
+    }
+    return false;
+  }
+
+  std::set<uint32_t> reported_;
+};
+
+} // namespace
+NCVET_RULE(ModalLeftChangedAtEnd, modal_left_changed_at_end)
+} // namespace ncvet

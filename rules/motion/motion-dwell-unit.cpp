@@ -1,0 +1,43 @@
+// The size of a dwell time points to the wrong unit.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class MotionDwellUnit final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (!to.dialect().dwellInMilliseconds)
+      return;
+    to.on(EventKind::Dwell);
+    wholeBelow_ = to.option("wholeBelow", 10);
+    pointAbove_ = to.option("pointAbove", 60);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (!event.word || !event.word->isNumber())
+      return;
+    const Word &word = *event.word;
+    const double value = word.value();
+    const bool point = word.has(wordPoint);
+    if (point ? value <= pointAbove_ : value <= 0 || value >= wholeBelow_)
+      return;
+    auto finding = ctx.report(word);
+    if (!finding)
+      return;
+    if (point)
+      finding.message("`{0}` with a point are seconds: the tool dwells for {1:f1} minutes",
+                      ctx.text(word), value / 60);
+    else
+      finding
+          .message("`{0}` without a point are milliseconds: the tool hardly dwells", ctx.text(word))
+          .fix(FixSafety::Unsafe, "write the point", ctx.insertBefore(ctx.range(word).end, "."));
+  }
+
+private:
+  double wholeBelow_ = 10, pointAbove_ = 60;
+};
+
+} // namespace
+NCVET_RULE(MotionDwellUnit, motion_dwell_unit)
+} // namespace ncvet

@@ -1,0 +1,36 @@
+// A rapid move in the plane while the tool is still at cutting depth.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class MotionRapidTraverseAtDepth final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (!to.dialect().isLathe())
+      to.on(EventKind::Motion);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.motion != MotionKind::Rapid || event.number || !event.certain)
+      return;
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    constexpr Axis tool = Axis::Z; // arcs in G18 and G19 do not turn the spindle
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    if (!(event.axes & plane) || !before.fedFrom.isConstant() || before.compensation != phaseOff)
+      return;
+    const Interval &from = before.at(tool), &to = after.at(tool);
+    const double level = before.fedFrom.value();
+    // Down in the work at both ends of the move, and the last move was a cut.
+    if (!from.isConstant() || !to.isConstant() || from.value() >= level || to.value() >= level ||
+        before.must(Fact::AwayFromPart))
+      return;
+    if (auto finding = ctx.report(event, !before.may(Fact::AwayFromPart)))
+      finding.message("rapid in the plane at depth {0:f3}: the tool was fed in from {1:f3}",
+                      from.value(), level);
+  }
+};
+
+} // namespace
+NCVET_RULE(MotionRapidTraverseAtDepth, motion_rapid_traverse_at_depth)
+} // namespace ncvet

@@ -1,0 +1,70 @@
+// A rapid move to where the tool has cut, and then the tool is changed.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class MotionUselessMove final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (!to.dialect().isLathe())
+      to.on(EventKind::Motion);
+    margin_ = to.option("margin", 10);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    if (event.motion != MotionKind::Rapid || event.number || !event.axes || (event.axes & ~plane))
+      return;
+    const MachineState &state = ctx.after();
+    const Interval &x = state.cutArea[0], &y = state.cutArea[1];
+    if (!x.isBounded() || !y.isBounded() || (x.hi <= x.lo && y.hi <= y.lo))
+      return;
+    for (unsigned i = 0; i < 2; ++i) {
+      const Interval &area = state.cutArea[i], &to = state.position[i];
+      if (!to.isConstant() || to.value() < area.lo - margin_ || to.value() > area.hi + margin_)
+        return;
+    }
+    if (!changesToolNext(ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("the tool is sent to where it has been cutting and then changed: was an "
+                      "operation forgotten?");
+  }
+
+private:
+  /// Whether the next block that does more than switch something changes the tool.
+  static bool changesToolNext(RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    Block block;
+    for (uint32_t at = ctx.block().next, i = 0; i < 6 && at < ctx.source().text().size(); ++i) {
+      ctx.index().reader().read(at, block);
+      if (block.next <= at || !block.items.empty() || block.hasAny(dialect.axisWords))
+        return false;
+      at = block.next;
+      if (dialect.toolChangeByT && block.has(letterAddress('T')))
+        return true;
+      for (const Word &word : block.words) {
+        if (dialect.addresses[word.address].kind != AddressKind::Code || !word.isNumber())
+          continue;
+        const CodeIndex index = dialect.find(char('A' + word.address), word.codeNumber());
+        if (index == noCode)
+          return false;
+        const Action action = dialect.codes[index].action;
+        if (action == Action::ToolChange)
+          return true;
+        if (action == Action::CallProgram || action == Action::CallLocal ||
+            action == Action::MacroCall || action == Action::ProgramStop ||
+            action == Action::OptionalStop || action == Action::SkipMove)
+          return false;
+      }
+    }
+    return false;
+  }
+
+  double margin_ = 10;
+};
+
+} // namespace
+NCVET_RULE(MotionUselessMove, motion_useless_move)
+} // namespace ncvet
