@@ -1,0 +1,120 @@
+// A programmed value lies outside of the machine.
+#include "analyzer/rule.h"
+
+#include <utility>
+
+namespace ncvet {
+namespace {
+
+class LimitAxisTravel final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::Motion, EventKind::SpeedWord, EventKind::FeedWord});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    switch (event.kind) {
+    case EventKind::SpeedWord:
+      return speed(event, ctx);
+    case EventKind::FeedWord:
+      return feed(event, ctx);
+    default:
+      return travel(event, ctx);
+    }
+  }
+
+private:
+  static void speed(const Event &event, RuleContext &ctx) {
+    const MachineProfile &machine = ctx.machine();
+    // A surface speed is no speed of the spindle; the clamp (`certain` false) is one.
+    if (event.certain && ctx.dialect().group(StandardGroup::SpeedMode) != noGroup &&
+        ctx.after().active(ctx.dialect(), StandardGroup::SpeedMode) != groupUnset &&
+        ctx.after().isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed}) !=
+            Truth::No)
+      return;
+    if (!event.value.isConstant())
+      return;
+    const double value = event.value.value();
+    if (machine.spindleMax && value > *machine.spindleMax) {
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}`: the spindle of this machine turns at {1} 1/min at most",
+                        ctx.text(*event.word), *machine.spindleMax);
+    } else if (machine.spindleMin && value > 0 && value < *machine.spindleMin && event.certain) {
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}`: the spindle of this machine turns at {1} 1/min at least",
+                        ctx.text(*event.word), *machine.spindleMin);
+    }
+  }
+
+  static void feed(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (!ctx.machine().feedMax || !event.value.isConstant() ||
+        state.isActive(ctx.dialect(), StandardGroup::FeedMode, {Action::FeedPerMinute}) !=
+            Truth::Yes ||
+        state.activeAction(ctx.dialect(), StandardGroup::Units) == Action::Inch)
+      return;
+    if (event.value.value() > *ctx.machine().feedMax)
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}`: the axes of this machine feed at {1} mm/min at most",
+                        ctx.text(*event.word), *ctx.machine().feedMax);
+  }
+
+  static void travel(const Event &event, RuleContext &ctx) {
+    if (event.motion == MotionKind::Reference)
+      return;
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if (address.kind != AddressKind::Axis && address.kind != AddressKind::Increment)
+        continue;
+      const AxisLimits &limits = ctx.machine().axes[unsigned(address.axis)];
+      if (!limits.min && !limits.max)
+        continue;
+      const Interval place = inMachine(address.axis, ctx);
+      const bool over = limits.max && place.lo > *limits.max;
+      const bool under = limits.min && place.hi < *limits.min;
+      if (!over && !under)
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` leads to {1:f3} in machine coordinates: the travel ends at {2:f3}",
+                        ctx.text(word), over ? place.lo : place.hi,
+                        over ? *limits.max : *limits.min);
+    }
+  }
+
+  /// Machine coordinate of an axis behind the block; unknown where tool data or a transformation
+  /// have a say in it.
+  static Interval inMachine(Axis axis, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Dialect &dialect = ctx.dialect();
+    const Interval place = state.at(axis);
+    if (state.inMachineCoordinates(axis))
+      return place;
+    if (dialect.isLathe()) // every tool has offsets in both axes
+      return Interval::unknown();
+    for (const auto &[group, action] : {std::pair(StandardGroup::Rotation, Action::RotationOn),
+                                        std::pair(StandardGroup::Scaling, Action::ScalingOn),
+                                        std::pair(StandardGroup::Mirror, Action::MirrorOn),
+                                        std::pair(StandardGroup::Polar, Action::PolarOn)})
+      if (dialect.group(group) != noGroup && state.active(dialect, group) != groupUnset &&
+          state.isActive(dialect, group, {action}) != Truth::No)
+        return Interval::unknown();
+    if (state.origin.preset.known() || unsigned(axis) >= 3)
+      return Interval::unknown();
+    if (axis == toolAxis(dialect, state) &&
+        state.active(dialect, StandardGroup::LengthOffset) != groupUnset &&
+        state.isActive(dialect, StandardGroup::LengthOffset, {Action::LengthOff}) != Truth::Yes)
+      return Interval::unknown();
+    const CodeInfo *offset = state.activeCode(dialect, StandardGroup::WorkOffset);
+    if (!offset)
+      return Interval::unknown();
+    const auto origin = ctx.machine().offsets.find(offset->name);
+    if (origin == ctx.machine().offsets.end() || !origin->second[unsigned(axis)])
+      return Interval::unknown();
+    return place + Interval::exactly(*origin->second[unsigned(axis)]) +
+           state.localShift[unsigned(axis)];
+  }
+};
+
+} // namespace
+NCVET_RULE(LimitAxisTravel, limit_axis_travel)
+} // namespace ncvet

@@ -1,0 +1,30 @@
+// A spindle speed lies above the clamp that the program set.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class LimitSpeedOrFeed final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::SpeedWord); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &state = ctx.after();
+    // `event.certain` false: the word is the clamp itself.
+    if (!event.certain || !state.must(Fact::SpeedLimitSet) || !state.speedLimit.isConstant() ||
+        ctx.dialect().group(StandardGroup::SpeedMode) == noGroup ||
+        state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::ConstantSpeed}) !=
+            Truth::Yes)
+      return;
+    if (!(event.value.lo > state.speedLimit.value()))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "`{0}` lies above the speed limit of {1} 1/min: the spindle turns no faster than that",
+          ctx.text(*event.word), state.speedLimit.value());
+  }
+};
+
+} // namespace
+NCVET_RULE(LimitSpeedOrFeed, limit_speed_or_feed)
+} // namespace ncvet

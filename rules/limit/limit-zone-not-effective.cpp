@@ -1,0 +1,44 @@
+// A zone that was set with one tool is used with another.
+#include "analyzer/rule.h"
+
+#include <bit>
+
+namespace ncvet {
+namespace {
+
+class LimitZoneNotEffective final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (llvm::any_of(to.dialect().codes,
+                     [](const CodeInfo &code) { return code.action == Action::ZoneOn; }))
+      to.on(EventKind::ToolChange);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &before = ctx.before();
+    const Dialect &dialect = ctx.dialect();
+    if (before.tool == notSet || !before.origin.lengthOffset.known() ||
+        before.isActive(dialect, StandardGroup::LengthOffset,
+                        {Action::LengthPositive, Action::LengthNegative}) != Truth::Yes)
+      return;
+    for (size_t i = 0; i < dialect.groups.size(); ++i) {
+      if (!std::has_single_bit(before.group[i]) || before.group[i] == groupUnset)
+        continue;
+      const Origin zone = before.origin.group[i];
+      const auto member = size_t(std::countr_zero(before.group[i]));
+      if (dialect.codes[dialect.groups[i].members[member]].action != Action::ZoneOn ||
+          zone.file != before.origin.lengthOffset.file ||
+          zone.begin < before.origin.lengthOffset.begin)
+        continue;
+      if (auto finding = ctx.report(event))
+        finding
+            .message("the zone was set with the length offset of the tool before: it guards the "
+                     "wrong height now")
+            .note(zone, "the zone is switched on here");
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(LimitZoneNotEffective, limit_zone_not_effective)
+} // namespace ncvet

@@ -1,0 +1,26 @@
+// A division by zero, or a function of a value outside its domain.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class VariableDomainError final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::DomainError); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const auto at = uint32_t(event.number);
+    SourceRange range{ctx.source().id(), at, at + 1};
+    for (const Expression &expression : ctx.block().expressions)
+      if (expression.begin <= at && at < expression.end)
+        range = {ctx.source().id(), expression.begin, expression.end};
+    if (auto finding = ctx.report(range, event.certain))
+      finding.message("`{0}` divides by zero or takes a function of a value that it does not have: "
+                      "the control stops with an alarm",
+                      ctx.text(range));
+  }
+};
+
+} // namespace
+NCVET_RULE(VariableDomainError, variable_domain_error)
+} // namespace ncvet

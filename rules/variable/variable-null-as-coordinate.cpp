@@ -1,0 +1,28 @@
+// An axis word whose variable was never set.
+#include "analyzer/rule.h"
+#include "interp/expression.h"
+
+namespace ncvet {
+namespace {
+
+class VariableNullAsCoordinate final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::Motion, EventKind::CycleRun}); }
+
+  void on(const Event &, RuleContext &ctx) override {
+    // In a called macro a word without an argument is left out on purpose.
+    if (ctx.callDepth() > 0)
+      return;
+    for (const Word &word : ctx.block().words)
+      if ((ctx.dialect().axisWords & maskOf(word.address)) && word.has(wordExpression) &&
+          evaluate(ctx.block(), uint16_t(word.mantissa), ctx.before(), nullptr).isVacant())
+        if (auto finding = ctx.report(word))
+          finding.message("the variable of `{0}` was never set: the control leaves the word out "
+                          "and the axis stays",
+                          ctx.text(word));
+  }
+};
+
+} // namespace
+NCVET_RULE(VariableNullAsCoordinate, variable_null_as_coordinate)
+} // namespace ncvet
