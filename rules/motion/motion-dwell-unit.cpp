@@ -18,6 +18,10 @@ public:
     if (!event.word || !event.word->isNumber())
       return;
     const Word &word = *event.word;
+    // `X2` is read as the control reads X: only P changes its unit with the point.
+    const AddressKind kind = ctx.dialect().addresses[word.address].kind;
+    if (kind == AddressKind::Axis || kind == AddressKind::Increment)
+      return;
     const double value = word.value();
     const bool point = word.has(wordPoint);
     if (point ? value <= pointAbove_ : value <= 0 || value >= wholeBelow_)
