@@ -71,10 +71,10 @@ llvm::Expected<std::unique_ptr<SourceFile>> SourceFile::open(FileId id, llvm::St
 }
 
 std::unique_ptr<SourceFile> SourceFile::fromText(FileId id, llvm::StringRef display,
-                                                 llvm::StringRef text) {
+                                                 llvm::StringRef text, llvm::StringRef path) {
   assert(text.size() <= std::numeric_limits<uint32_t>::max() && "offsets are 32 bit");
   return std::unique_ptr<SourceFile>(
-      new SourceFile(id, std::string(), llvm::sys::path::convert_to_slash(display),
+      new SourceFile(id, path.str(), llvm::sys::path::convert_to_slash(display),
                      llvm::MemoryBuffer::getMemBufferCopy(text, display)));
 }
 

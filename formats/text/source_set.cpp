@@ -14,9 +14,10 @@ llvm::Expected<const SourceFile *> SourceSet::open(llvm::StringRef path, llvm::S
   return files_.back().get();
 }
 
-const SourceFile &SourceSet::add(llvm::StringRef display, llvm::StringRef text) {
+const SourceFile &SourceSet::add(llvm::StringRef display, llvm::StringRef text,
+                                 llvm::StringRef path) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  files_.push_back(SourceFile::fromText(static_cast<FileId>(files_.size()), display, text));
+  files_.push_back(SourceFile::fromText(static_cast<FileId>(files_.size()), display, text, path));
   return *files_.back();
 }
 

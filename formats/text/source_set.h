@@ -16,8 +16,8 @@ public:
   /// Adds the file at `path`; errors as those of `SourceFile::open`, and nothing is added then.
   llvm::Expected<const SourceFile *> open(llvm::StringRef path, llvm::StringRef display);
   llvm::Expected<const SourceFile *> open(llvm::StringRef path) { return open(path, path); }
-  /// Adds text that is already in memory.
-  const SourceFile &add(llvm::StringRef display, llvm::StringRef text);
+  /// Adds text that is already in memory; see `SourceFile::fromText`.
+  const SourceFile &add(llvm::StringRef display, llvm::StringRef text, llvm::StringRef path = {});
   /// The file of an id that this set gave out.
   const SourceFile &get(FileId id) const;
   size_t size() const;
