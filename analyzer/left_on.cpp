@@ -83,21 +83,18 @@ void reportLeftOn(llvm::StringRef id, const Event &event, RuleContext &ctx) {
       titles += i == left.back() ? " and " : ", ";
     titles += info.title;
     const std::string off = offBlock(info, ctx.after().switchAxes[i], dialect);
-    if (!off.empty()) {
-      if (!blocks.empty())
-        blocks += '\n';
-      blocks += off;
-    }
+    if (!off.empty())
+      blocks += (blocks.empty() ? "" : "\n") + off;
     finding.note(ctx.after().origin.switched[i], info.title + " is switched on here");
   }
   const std::string what = toolChange ? "the tool is changed" : "the program ends";
   finding.severity(severity).message("{0} with {1} still on", what, titles);
   if (!blocks.empty() && event.word) {
+    std::string description = "insert ";
     llvm::SmallVector<llvm::StringRef, 4> lines;
     llvm::StringRef(blocks).split(lines, '\n');
-    std::string description =
-        llvm::formatv("insert `{0}` before this block", llvm::join(lines, "`, `")).str();
-    finding.fix(FixSafety::Unsafe, std::move(description), ctx.insertBlockBefore(lines.front()));
+    description += ("`" + llvm::Twine(llvm::join(lines, "`, `")) + "` before this block").str();
+    finding.fix(FixSafety::Unsafe, description, ctx.insertBlockBefore(lines.front()));
     for (const llvm::StringRef line : llvm::drop_begin(lines))
       finding.edit(ctx.insertBlockBefore(line));
   }

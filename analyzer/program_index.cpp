@@ -139,4 +139,10 @@ std::optional<uint32_t> FileIndex::block(const ProgramInfo &program, int64_t num
   return first;
 }
 
+llvm::ArrayRef<Suppression> FileIndex::suppressions() const {
+  if (!suppressions_)
+    suppressions_ = findSuppressions(source_, reader_);
+  return *suppressions_;
+}
+
 } // namespace ncvet

@@ -1,6 +1,7 @@
 // What stands where in one file: its programs, and on demand the block numbers in them.
 #pragma once
 
+#include "analyzer/suppress.h"
 #include "formats/readers/reader.h"
 #include "formats/text/source.h"
 
@@ -44,6 +45,8 @@ public:
   llvm::ArrayRef<NumberedBlock> numbers(const ProgramInfo &program) const;
   /// Offsets of the lines that hold a tape mark `%` first, ascending.
   llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
+  /// The suppression comments of the file; looked for when first asked.
+  llvm::ArrayRef<Suppression> suppressions() const;
   const SourceFile &source() const { return source_; }
   const Reader &reader() const { return reader_; }
 
@@ -53,6 +56,7 @@ private:
   std::vector<ProgramInfo> programs_;
   std::vector<uint32_t> tapeMarks_;
   mutable llvm::DenseMap<uint32_t, std::vector<NumberedBlock>> numbers_; ///< by program's begin
+  mutable std::optional<std::vector<Suppression>> suppressions_;
 };
 
 } // namespace ncvet

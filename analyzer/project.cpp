@@ -70,7 +70,9 @@ const std::map<int64_t, std::string> &Project::folder(const std::string &path) {
     const auto type = i->type();
     if (type == llvm::sys::fs::file_type::directory_file)
       continue;
-    files.push_back(i->path());
+    llvm::StringRef name = i->path();
+    name.consume_front("./"); // as the user names the files of the present folder
+    files.push_back(name.str());
     if (files.size() > 20000) // not a program store
       break;
   }
@@ -111,15 +113,14 @@ std::pair<FileUnit *, const ProgramInfo *> Project::findProgram(FileUnit &from, 
     const auto found = programs.find(number);
     if (found == programs.end())
       continue;
-    // A file that is in the set already keeps its number.
+    // A file of this project keeps its number. Others' files in the set are left alone: they may be
+    // at work on another thread.
     const SourceFile *file = nullptr;
-    for (FileId id = 0; id < sources_.size() && !file; ++id)
-      if (sources_.get(id).path() == found->second)
-        file = &sources_.get(id);
+    for (const auto &known : units_)
+      if (known.second->source.path() == found->second)
+        file = &known.second->source;
     if (!file) {
-      llvm::StringRef display = found->second;
-      display.consume_front("./");
-      auto opened = sources_.open(found->second, display);
+      auto opened = sources_.open(found->second);
       if (!opened) {
         llvm::consumeError(opened.takeError());
         continue;

@@ -1,0 +1,30 @@
+// A rule's page taken apart: its metadata and the text that people read.
+#pragma once
+
+#include "formats/finding/finding.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncvet {
+
+/// A number that changes how a rule works, as its page describes it.
+struct RuleOption {
+  std::string name;
+  std::string help;
+  double fallback = 0; ///< used when nobody sets it
+  std::optional<double> min, max;
+};
+
+struct RulePage {
+  std::vector<std::string> dialects; ///< ids that the page claims to work for
+  std::vector<RuleOption> options;
+  llvm::StringRef body; ///< Markdown without the metadata
+};
+
+/// The page of a rule. A page's form is checked when ncvet is built; on bad metadata the lists are
+/// empty.
+RulePage readRulePage(const RuleInfo &info);
+
+} // namespace ncvet

@@ -1,0 +1,44 @@
+// Suppression: comments in a program that say which findings are not wanted there.
+//
+//     (ncvet: allow rule, rule)      on the block, or alone on the line above it
+//     (ncvet: off rule) … (ncvet: on rule)
+//     (ncvet: allow-file rule)       in the whole file
+//
+// A rule is named by its id, its category or `all`; `off` and `on` without a name mean all. Behind
+// ` -- ` there is room for a reason. Upper case is read as well: many controls know no other.
+#pragma once
+
+#include "formats/finding/finding.h"
+#include "formats/readers/reader.h"
+
+#include <vector>
+
+namespace ncvet {
+
+/// One name in a suppression comment.
+struct SuppressedName {
+  SourceRange range;         ///< of the name; of the word `off` or `on` where none is given
+  std::vector<RuleId> rules; ///< empty: no rule has this name
+  uint32_t begin = 0;        ///< first byte that it covers
+  std::vector<uint32_t> ends; ///< per rule: behind the last byte
+  bool dead = false; ///< covers nothing, whatever is found: an `on` without `off`, no block below
+  bool used = false; ///< has suppressed a finding
+};
+
+enum class SuppressionVerb : uint8_t { Allow, AllowFile, Off, On, Unknown };
+
+struct Suppression {
+  SuppressionVerb verb = SuppressionVerb::Unknown;
+  SourceRange verbRange; ///< of `allow`, `off`, …; of `ncvet:` when nothing follows
+  std::vector<SuppressedName> names;
+};
+
+/// All suppression comments of a file, in their order. Looks at every byte once, and reads only
+/// the blocks around the comments.
+std::vector<Suppression> findSuppressions(const SourceFile &source, const Reader &reader);
+
+/// Marks the findings that lie in `source` and are covered, and the names that cover them.
+void applySuppressions(std::vector<Suppression> &suppressions, const SourceFile &source,
+                       llvm::MutableArrayRef<Finding> findings);
+
+} // namespace ncvet
