@@ -1,0 +1,223 @@
+// A session: configuration, dialect, machine and rules for each file, made once for all that share
+// them.
+#include "analyzer/session.h"
+
+#include "analyzer/failure.h"
+#include "formats/dialect/json_reader.h"
+
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Path.h"
+
+namespace ncvet {
+
+namespace path = llvm::sys::path;
+
+namespace {
+
+std::string nearestDialect(llvm::StringRef given, llvm::ArrayRef<DialectSummary> own) {
+  std::vector<std::string> ids;
+  for (const std::vector<DialectSummary> &list : {own.vec(), listDialects()})
+    for (const DialectSummary &dialect : list)
+      if (!dialect.abstract)
+        ids.push_back(dialect.id);
+  const std::vector<llvm::StringRef> known(ids.begin(), ids.end());
+  return suggest(given, known);
+}
+
+} // namespace
+
+llvm::Expected<std::string> OwnDialects::add(llvm::StringRef file) {
+  auto text = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  if (!text)
+    return failure("cannot read " + file + ": " + text.getError().message());
+  auto summary = summarize(file, (*text)->getBuffer());
+  if (!summary)
+    return summary.takeError();
+  if (summary->id.empty())
+    return failure(file + ":1: a dialect needs an \"id\"");
+  tables_.push_back({summary->id, file.str(), std::move(*text)});
+  summaries_.push_back(std::move(*summary));
+  return tables_.back().id;
+}
+
+std::optional<std::pair<std::string, llvm::StringRef>> OwnDialects::find(llvm::StringRef id) {
+  for (const Table &table : tables_)
+    if (table.id == id)
+      return std::pair(table.file, table.text->getBuffer());
+  if (auto builtin = builtinDialects()(id))
+    return builtin;
+  if (!path::filename(id).equals(id) || id.startswith("."))
+    return std::nullopt; // never out of the folder
+  for (size_t i = 0; i < tables_.size(); ++i) {
+    llvm::SmallString<256> beside = path::parent_path(tables_[i].file);
+    path::append(beside, id + ".json");
+    auto text = llvm::MemoryBuffer::getFile(beside, /*IsText=*/false);
+    if (!text)
+      continue;
+    tables_.push_back({id.str(), std::string(beside), std::move(*text)});
+    return std::pair(tables_.back().file, tables_.back().text->getBuffer());
+  }
+  return std::nullopt;
+}
+
+DialectSource OwnDialects::source() {
+  return [this](llvm::StringRef id) { return find(id); };
+}
+
+template <typename T>
+llvm::Expected<T> Session::keep(std::map<std::string, Kept<T>> &cache, const std::string &key,
+                                llvm::function_ref<llvm::Expected<T>()> make) {
+  const auto [entry, isNew] = cache.try_emplace(key);
+  if (isNew) {
+    if (auto made = make())
+      entry->second.value = std::move(*made);
+    else
+      entry->second.error = llvm::toString(made.takeError());
+  }
+  return entry->second.get();
+}
+
+llvm::Expected<std::shared_ptr<const Config>> Session::config(llvm::StringRef folder) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::string file = options_.configFile;
+  if (file.empty()) {
+    const auto [entry, isNew] = configOfFolder_.try_emplace(folder.str());
+    if (isNew)
+      entry->second = findConfig(folder);
+    file = entry->second;
+  }
+  return keep<std::shared_ptr<const Config>>(
+      configs_, file, [&]() -> llvm::Expected<std::shared_ptr<const Config>> {
+        if (file.empty())
+          return std::make_shared<const Config>();
+        auto config = loadConfig(file);
+        if (!config)
+          return config.takeError();
+        return std::make_shared<const Config>(std::move(*config));
+      });
+}
+
+llvm::Expected<std::shared_ptr<const Detector>> Session::detector(const Config &config) {
+  const std::string key = llvm::join(config.dialectFiles, "\n");
+  return keep<std::shared_ptr<const Detector>>(
+      detectors_, key, [&]() -> llvm::Expected<std::shared_ptr<const Detector>> {
+        OwnDialects own;
+        for (const std::string &file : config.dialectFiles)
+          if (auto id = own.add(file); !id)
+            return id.takeError();
+        auto detector = Detector::create(own.summaries());
+        if (!detector)
+          return detector.takeError();
+        return std::make_shared<const Detector>(std::move(*detector));
+      });
+}
+
+llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, const Config &config,
+                                                    const MachineSource *machine) {
+  const std::string key =
+      (dialect + "\n" + (machine ? machine->name : "") + "\n" + llvm::join(config.dialectFiles, "\n"))
+          .str();
+  return keep<Language>(languages_, key, [&]() -> llvm::Expected<Language> {
+    OwnDialects own;
+    std::string id = dialect.str();
+    for (const std::string &file : config.dialectFiles)
+      if (auto added = own.add(file); !added)
+        return added.takeError();
+    if (dialect.endswith(".json")) {
+      auto added = own.add(dialect);
+      if (!added)
+        return added.takeError();
+      id = *added;
+    }
+    if (!own.source()(id))
+      return failure("unknown dialect \"" + id + "\"" + nearestDialect(id, own.summaries()));
+    auto table = loadDialect(id, own.source());
+    if (!table)
+      return table.takeError();
+    if ((*table)->abstract)
+      return failure("dialect \"" + id + "\" is only a base of others; "
+                                     "`ncvet dialects` lists those that can be chosen");
+    auto profile = std::make_shared<MachineProfile>();
+    if (machine) {
+      auto parsed = parseMachineProfile(machine->name, machine->text);
+      if (!parsed)
+        return parsed.takeError();
+      *profile = std::move(*parsed);
+      table = overlay(*table, machine->name, machine->text);
+      if (!table)
+        return table.takeError();
+    }
+    return Language{*table, std::move(profile)};
+  });
+}
+
+llvm::Expected<std::shared_ptr<const RuleSelection>>
+Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &config) {
+  // A dialect lives as long as the session, so its address is its name.
+  const std::string key =
+      llvm::formatv("{0}\n{1}", static_cast<const void *>(dialect.get()), config.file).str();
+  return keep<std::shared_ptr<const RuleSelection>>(
+      selections_, key, [&]() -> llvm::Expected<std::shared_ptr<const RuleSelection>> {
+        auto layers = loadProfile(options_.profile.empty() ? config.profile : options_.profile);
+        if (!layers)
+          return layers.takeError();
+        auto selection = std::make_shared<RuleSelection>(RuleSelection::defaults(*dialect));
+        for (const RuleSettings &layer : *layers)
+          applySettings(*selection, layer);
+        applySettings(*selection, config.rules);
+        applySettings(*selection, options_.rules);
+        return std::shared_ptr<const RuleSelection>(std::move(selection));
+      });
+}
+
+llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringRef text) {
+  auto config = this->config(path::parent_path(fileName));
+  if (!config)
+    return config.takeError();
+  FileSetup setup;
+  setup.config = *config;
+  const MachineSource *machine = nullptr;
+  if (options_.machine)
+    machine = &*options_.machine;
+  else if (setup.config->machine)
+    machine = &*setup.config->machine;
+
+  std::string dialect;
+  if (options_.dialect != "auto") {
+    dialect = options_.dialect;
+    setup.reason = "--dialect";
+  } else if (!setup.config->dialect.empty() && setup.config->dialect != "auto") {
+    dialect = setup.config->dialect;
+    setup.reason = setup.config->file;
+  } else if (machine) {
+    auto profile = parseMachineProfile(machine->name, machine->text);
+    if (!profile)
+      return profile.takeError();
+    dialect = profile->dialect;
+    setup.reason = "machine profile " + machine->name;
+  }
+  // Detection compiles expressions, but it runs unlocked: only making the detector needs the lock.
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (dialect.empty()) {
+    auto found = detector(*setup.config);
+    if (!found)
+      return found.takeError();
+    lock.unlock();
+    Detection detection = (*found)->detect(fileName, text);
+    lock.lock();
+    dialect = std::move(detection.dialect);
+    setup.reason = std::move(detection.reason);
+  }
+  auto known = language(dialect, *setup.config, machine);
+  if (!known)
+    return known.takeError();
+  setup.dialect = known->dialect;
+  setup.machine = known->machine;
+  auto rules = selection(setup.dialect, *setup.config);
+  if (!rules)
+    return rules.takeError();
+  setup.rules = *rules;
+  return setup;
+}
+
+} // namespace ncvet

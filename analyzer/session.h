@@ -1,0 +1,96 @@
+// A session: everything that must be known before a file is checked, found once and shared.
+#pragma once
+
+#include "analyzer/config.h"
+#include "analyzer/detect.h"
+#include "analyzer/failure.h"
+#include "analyzer/project.h"
+
+#include <mutex>
+
+namespace ncvet {
+
+/// What the command line says; it goes before every configuration.
+struct SessionOptions {
+  std::string dialect = "auto";         ///< id, path of a table (`….json`), or `auto`
+  std::optional<MachineSource> machine; ///< profile for all files
+  std::string configFile;               ///< instead of the nearest one; empty: the nearest
+  std::string profile;                  ///< empty: as configured
+  RuleSettings rules;
+};
+
+/// All that the check of one file needs.
+struct FileSetup {
+  std::shared_ptr<const Config> config;
+  std::shared_ptr<const Dialect> dialect;
+  std::shared_ptr<const MachineProfile> machine;
+  std::shared_ptr<const RuleSelection> rules;
+  std::string reason; ///< why this dialect
+};
+
+/// Finds and keeps configurations, dialects and machine profiles. Safe for several threads.
+class Session {
+public:
+  explicit Session(SessionOptions options) : options_(std::move(options)) {}
+
+  /// Configuration for the files of `folder`.
+  llvm::Expected<std::shared_ptr<const Config>> config(llvm::StringRef folder);
+  /// Setup for the file of this name and text. Errors are those of configurations and tables.
+  llvm::Expected<FileSetup> setup(llvm::StringRef fileName, llvm::StringRef text);
+
+private:
+  struct Language {
+    std::shared_ptr<const Dialect> dialect;
+    std::shared_ptr<const MachineProfile> machine;
+  };
+  /// A result or the error's text: a file that cannot be read is tried once.
+  template <typename T> struct Kept {
+    T value;
+    std::string error;
+    llvm::Expected<T> get() const {
+      if (error.empty())
+        return value;
+      return failure(error);
+    }
+  };
+  template <typename T>
+  static llvm::Expected<T> keep(std::map<std::string, Kept<T>> &cache, const std::string &key,
+                                llvm::function_ref<llvm::Expected<T>()> make);
+
+  llvm::Expected<std::shared_ptr<const Detector>> detector(const Config &config);
+  llvm::Expected<Language> language(llvm::StringRef dialect, const Config &config,
+                                    const MachineSource *machine);
+  llvm::Expected<std::shared_ptr<const RuleSelection>>
+  selection(const std::shared_ptr<const Dialect> &dialect, const Config &config);
+
+  SessionOptions options_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> configOfFolder_;
+  std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file
+  std::map<std::string, Kept<std::shared_ptr<const Detector>>> detectors_;
+  std::map<std::string, Kept<Language>> languages_;
+  std::map<std::string, Kept<std::shared_ptr<const RuleSelection>>> selections_;
+};
+
+/// Tables of one's own in front of the built-in ones. `extends` also finds the file `<id>.json`
+/// beside one of them.
+class OwnDialects {
+public:
+  /// Reads `file`; an error when it cannot be read. Returns the table's id.
+  llvm::Expected<std::string> add(llvm::StringRef file);
+  llvm::ArrayRef<DialectSummary> summaries() const { return summaries_; }
+  /// Valid as long as this object.
+  DialectSource source();
+
+private:
+  std::optional<std::pair<std::string, llvm::StringRef>> find(llvm::StringRef id);
+
+  struct Table {
+    std::string id, file;
+    std::unique_ptr<llvm::MemoryBuffer> text;
+  };
+  std::vector<Table> tables_;
+  std::vector<DialectSummary> summaries_;
+};
+
+} // namespace ncvet
