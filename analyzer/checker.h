@@ -1,0 +1,34 @@
+// Checker: one file from its setup to its findings, with suppressions and what names a finding.
+#pragma once
+
+#include "analyzer/session.h"
+
+namespace ncvet {
+
+/// A finding with what its fingerprint is made of.
+struct CheckedFinding {
+  Finding finding;
+  std::string program;   ///< name of the enclosing program
+  std::string blockText; ///< see `fingerprintText`
+  FailOn failOn = Severity::Error; ///< as configured where it was found
+};
+
+struct FileOutcome {
+  std::string error; ///< not empty: the file was not checked
+  std::string dialect;
+  std::string reason; ///< why this dialect
+  uint64_t blocks = 0;
+  bool complete = true;
+  std::vector<std::string> cuts; ///< why not complete
+  FailOn failOn = Severity::Error;
+  /// Those that are suppressed among them, and those about unused suppressions.
+  std::vector<CheckedFinding> findings;
+  /// (name of the file, offset) of suppressions in called files that this file made use of.
+  std::vector<std::pair<std::string, uint32_t>> usedSuppressions;
+};
+
+/// Checks `file`, a file of `sources`. Findings may lie in other files that it calls; these are
+/// added to `sources`.
+FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file);
+
+} // namespace ncvet
