@@ -61,7 +61,7 @@ _ncvet() {
     if [[ $cur == -* ]]; then
       local options="--dialect --machine --config --help"
       [[ $command == check ]] && options+=" --profile --select --ignore --severity --format --report
-        --fail-on --baseline --write-baseline --jobs --stats --fix --diff --stdin-filename"
+        --fail-on --baseline --write-baseline --jobs --stats --fix --diff --unsafe-fixes --color --stdin-filename"
       mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
     else
       _filedir

@@ -1,0 +1,61 @@
+// `ncvet dialects`: the controls that are known, and the check of a table of one's own.
+#include "analyzer/cli/explain.h"
+
+#include "analyzer/failure.h"
+#include "analyzer/session.h"
+
+#include "llvm/Support/Format.h"
+#include "llvm/Support/Regex.h"
+#include "llvm/Support/raw_ostream.h"
+
+namespace ncvet::cli {
+
+namespace cl = llvm::cl;
+
+namespace {
+
+/// Loads the table with all that it extends, and compiles its marks.
+llvm::Error checkTable(llvm::StringRef file) {
+  OwnDialects own;
+  auto id = own.add(file);
+  if (!id)
+    return id.takeError();
+  auto dialect = loadDialect(*id, own.source());
+  if (!dialect)
+    return dialect.takeError();
+  auto detector = Detector::create(own.summaries());
+  if (!detector)
+    return failure(file + ": " + llvm::toString(detector.takeError()));
+  llvm::outs() << file << ": " << *id << " is well formed: " << (*dialect)->codes.size()
+               << " codes, " << (*dialect)->groups.size() << " groups\n";
+  return llvm::Error::success();
+}
+
+} // namespace
+
+DialectsCommand::DialectsCommand()
+    : command_("dialects", "list the controls, or check a table of your own"),
+      category_("Options of ncvet dialects"),
+      check_("check", cl::value_desc("FILE"), cl::desc("Say whether a table is well formed"),
+             cl::sub(command_), cl::cat(category_)) {}
+
+int DialectsCommand::run() {
+  if (!check_.empty()) {
+    if (llvm::Error wrong = checkTable(check_))
+      return fail(llvm::toString(std::move(wrong)));
+    llvm::outs().flush();
+    return exitClean;
+  }
+  for (const DialectSummary &dialect : listDialects()) {
+    if (dialect.abstract)
+      continue;
+    llvm::outs() << llvm::left_justify(dialect.id, 12) << "  " << dialect.title;
+    if (!dialect.extends.empty())
+      llvm::outs() << " (extends " << dialect.extends << ')';
+    llvm::outs() << '\n';
+  }
+  llvm::outs().flush();
+  return exitClean;
+}
+
+} // namespace ncvet::cli
