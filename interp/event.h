@@ -31,12 +31,23 @@ enum class EventKind : uint8_t {
   VacantRead,       ///< a variable that was never set is used in arithmetic
   DomainError,      ///< a value outside a function's domain: division by zero, root of a negative
   Syntax,           ///< the reader found something; `number` is the index of the issue
+  WordIssue,        ///< a word of the block wants a look; `number` is a `WordIssue`, `word` the first one
   FlowIssue,        ///< control cannot go where the block says; `number` is a `FlowIssue`
   Count
 };
 static_assert(unsigned(EventKind::Count) <= 32);
 
 constexpr uint32_t bitOf(EventKind kind) { return uint32_t(1) << unsigned(kind); }
+
+/// What is odd about words of a block, told by their addresses alone.
+enum class WordIssue : uint8_t {
+  Unknown,      ///< no address of this control
+  Repeated,     ///< the address stands more than once
+  NoPoint,      ///< a number without a decimal point where one may be advised
+  PointInWhole, ///< a decimal point in a word that takes whole numbers
+  NumberInside, ///< a block number behind other words
+  Special       ///< a word that only some codes take
+};
 
 /// What the engine finds when it follows calls, jumps and ends. The event's range is in
 /// `RuleContext::flowRange`.

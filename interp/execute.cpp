@@ -152,6 +152,9 @@ void Execution::run(bool guardHolds) {
   outcome_.emit(EventKind::Block);
   for (size_t i = 0; i < block_.issues.size(); ++i)
     outcome_.emit(EventKind::Syntax).number = int64_t(i);
+  if ((block_.addresses & ~dialect_.plain) | (block_.repeated & ~dialect_.repeatable) |
+      (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole))
+    wordIssues();
   if (block_.items.empty()) {
     if (runPlainMove())
       return;
@@ -176,6 +179,24 @@ void Execution::run(bool guardHolds) {
   for (const CodeUse &use : outcome_.codes)
     applyFlow(use);
   finish();
+}
+
+/// Tells what is odd about the words, so that rules need not look at every block.
+void Execution::wordIssues() {
+  const auto emit = [&](WordIssue issue, AddressMask which) {
+    const Word *word = block_.findAny(which);
+    if (!word)
+      return;
+    Event &event = outcome_.emit(EventKind::WordIssue);
+    event.number = int64_t(issue);
+    event.word = word;
+  };
+  emit(WordIssue::Unknown, block_.addresses & ~dialect_.known);
+  emit(WordIssue::Repeated, block_.repeated & ~dialect_.repeatable);
+  emit(WordIssue::NoPoint, block_.pointless & dialect_.pointAdvised);
+  emit(WordIssue::PointInWhole, block_.pointed & dialect_.whole);
+  emit(WordIssue::NumberInside, block_.addresses & maskOf('N'));
+  emit(WordIssue::Special, block_.addresses & dialect_.known & ~dialect_.plain);
 }
 
 void Execution::resolveCodes() {

@@ -24,6 +24,7 @@ public:
 private:
   // execute.cpp: the order of things
   bool runPlainMove();
+  void wordIssues();
   void resolveCodes();
   void technologyWords();
   void finish();

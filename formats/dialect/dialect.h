@@ -281,6 +281,11 @@ struct Dialect {
   AddressMask axisWords = 0;      ///< all addresses of kind Axis and Increment
   AddressMask incrementWords = 0; ///< those of kind Increment
   AddressMask known = 0;          ///< all addresses of this control
+  AddressMask repeatable = 0;     ///< may stand more than once in a block
+  AddressMask whole = 0;          ///< take whole numbers
+  AddressMask pointAdvised = 0;   ///< in some code at least, a decimal point is advised
+  /// Axis words, codes and the words that always act by themselves (F, S, T, tool offsets).
+  AddressMask plain = 0;
   /// File names and texts of the tables that this one was made of, base first: for `overlay`.
   std::vector<std::pair<std::string, std::string>> layers;
 

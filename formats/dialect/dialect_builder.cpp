@@ -62,6 +62,9 @@ void DialectBuilder::build() {
     if (!in_.failed())
       readCodes(*codes);
   }
+  for (const CodeInfo &code : dialect_.codes)
+    for (const WordSpec &word : code.words)
+      dialect_.pointAdvised |= word.pointAdvised.value_or(false) ? word.any : 0;
   if (!in_.failed())
     readInitialStates();
   readRules();
@@ -205,7 +208,13 @@ void DialectBuilder::readAddresses() {
     dialect_.known |= kind == AddressKind::Unknown ? 0 : mask;
     dialect_.incrementWords |= kind == AddressKind::Increment ? mask : 0;
     dialect_.axisWords |= kind == AddressKind::Axis || kind == AddressKind::Increment ? mask : 0;
+    dialect_.whole |= dialect_.addresses[address].unit == AddressUnit::Whole ? mask : 0;
+    dialect_.repeatable |= dialect_.addresses[address].repeatable ? mask : 0;
+    dialect_.pointAdvised |= dialect_.addresses[address].pointAdvised ? mask : 0;
+    dialect_.plain |= kind == AddressKind::Code || kind == AddressKind::Number ? mask : 0;
   }
+  dialect_.plain |= dialect_.axisWords | lettersMask("FS");
+  dialect_.plain &= ~lettersMask("NOL");
 }
 
 void DialectBuilder::readAddress(const std::string &name, const Json &value) {

@@ -40,7 +40,7 @@ void Block::clear() {
   numberIsFirst = true;
   number = program = -1;
   numberBegin = numberEnd = headerBegin = headerEnd = 0;
-  addresses = 0;
+  addresses = repeated = pointed = pointless = 0;
   words.clear();
   items.clear();
   expressions.clear();

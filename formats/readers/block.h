@@ -143,6 +143,9 @@ struct Block {
   int64_t program = -1; ///< number of a program header; -1: none or unreadable
   uint32_t headerBegin = 0, headerEnd = 0;
   AddressMask addresses = 0; ///< of `words`
+  AddressMask repeated = 0;  ///< addresses that stand more than once
+  AddressMask pointed = 0;   ///< addresses of numbers with a decimal point
+  AddressMask pointless = 0; ///< addresses of numbers other than 0 without a decimal point
 
   llvm::SmallVector<Word, 16> words; ///< without the block number and the program header
   llvm::SmallVector<Item, 2> items;

@@ -82,8 +82,14 @@ private:
   void scanAssignment();
   uint16_t expression(MacroExpression::Form form);
   void addWord(const Word &word) {
+    const AddressMask mask = maskOf(word.address);
     block_.words.push_back(word);
-    block_.addresses |= maskOf(word.address);
+    block_.repeated |= block_.addresses & mask;
+    block_.addresses |= mask;
+    if (word.flags & wordPoint)
+      block_.pointed |= mask;
+    else if (!(word.flags & (wordExpression | wordNoValue)) && word.mantissa)
+      block_.pointless |= mask;
   }
 
   const Lexical &lexical_;
@@ -263,7 +269,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
           block_.number = word.mantissa;
           block_.numberBegin = word.offset;
           block_.numberEnd = offset(at_);
-          if (word.decimals)
+          if (word.has(wordPoint))
             issue(SyntaxIssueKind::MalformedNumber, begin, at_);
           return;
         }
