@@ -1,0 +1,53 @@
+// A code without a word that it requires.
+#include "analyzer/word_checks.h"
+
+namespace ncvet {
+namespace {
+
+bool isMine(const CodeInfo &code, const WordSpec &spec) {
+  return topicOf(code, spec) == WordTopic::Block;
+}
+
+class BlockMissingWord final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onCode([](const CodeInfo &code) {
+      return code.action == Action::Sleep ||
+             llvm::any_of(code.words,
+                          [&](const WordSpec &spec) {
+                            return spec.need != Need::Optional && isMine(code, spec);
+                          }) ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    ctx.reportNotices(id, event);
+    if (ctx.code(event).action == Action::Sleep && !hasTime(ctx))
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}` has no time behind it: four digits, hours and minutes", ctx.text(*event.word));
+    // A bare axis letter is a word: reference returns name their axes so.
+    reportMissingWords(ctx, event, isMine);
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"block-missing-word"};
+
+  /// The time of a sleep code is a comment of four digits, a bare number or any word.
+  static bool hasTime(const RuleContext &ctx) {
+    const Block &block = ctx.block();
+    for (const Comment &comment : block.comments) {
+      const llvm::StringRef text =
+          ctx.text(SourceRange{ctx.source().id(), comment.begin, comment.end}).trim("() ");
+      if (text.size() == 4 && llvm::all_of(text, llvm::isDigit))
+        return true;
+    }
+    return llvm::any_of(block.issues, [](const SyntaxIssue &i) {
+             return i.kind == SyntaxIssueKind::MissingAddress;
+           }) || block.words.size() > ctx.codes().size();
+  }
+};
+
+} // namespace
+NCVET_RULE(BlockMissingWord, block_missing_word)
+} // namespace ncvet

@@ -1,0 +1,88 @@
+// Two codes of one block that exclude each other.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+/// Codes that send control somewhere else or hold it: a block has one way to go on.
+bool leadsElsewhere(Action action) {
+  switch (action) {
+  case Action::ProgramStop:
+  case Action::OptionalStop:
+  case Action::ProgramEnd:
+  case Action::ProgramEndRewind:
+  case Action::ConditionalJump:
+  case Action::CallProgram:
+  case Action::CallLocal:
+  case Action::Return:
+    return true;
+  default:
+    return false;
+  }
+}
+
+class BlockModalGroupConflict final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onCode([&](const CodeInfo &code) {
+      return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
+             code.opposite != noCode ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    ctx.reportNotices(id, event);
+    if (ctx.codes().size() < 2)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    for (const CodeUse &use : ctx.codes()) {
+      if (use.word->offset >= event.word->offset) // the later one of a pair reports
+        return;
+      const CodeInfo &other = ctx.code(use);
+      const char *why = conflict(ctx.dialect(), other, code);
+      if (!why)
+        continue;
+      const Word &first = *use.word;
+      if (auto finding = ctx.report(event)) {
+        finding.message(why, ctx.text(first), ctx.text(*event.word));
+        finding.note(ctx.range(first), "the first of the two")
+            .fix(FixSafety::Unsafe, "delete the first of the two codes",
+                 ctx.remove(first));
+      }
+      return;
+    }
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"block-modal-group-conflict"};
+
+  /// Message of the conflict, or null.
+  static const char *conflict(const Dialect &dialect, const CodeInfo &a, const CodeInfo &b) {
+    if (a.letter == b.letter && a.number == b.number)
+      return nullptr; // the same code twice says the same thing
+    if (a.group != noGroup && a.group == b.group && dialect.groups[a.group].exclusive)
+      return "`{0}` and `{1}` belong to one group: only one of them can be in force";
+    if (a.exclusive && b.exclusive)
+      return "`{0}` and `{1}` are both actions of their own: a block executes one of them";
+    if (leadsElsewhere(a.action) && leadsElsewhere(b.action))
+      return "`{0}` and `{1}` both say how the program goes on: a block has one way";
+    if ((a.action == Action::CoolantOn && b.action == Action::CoolantOff) ||
+        (a.action == Action::CoolantOff && b.action == Action::CoolantOn))
+      return "`{0}` and `{1}` switch the same thing on and off";
+    // A motion code ends the canned cycle that the same block defines.
+    if ((isMotion(a.action) && a.cancelsCycle && isModalCycle(dialect, b)) ||
+        (isMotion(b.action) && b.cancelsCycle && isModalCycle(dialect, a)))
+      return "`{0}` and `{1}` end each other: a motion code cancels the cycle";
+    return nullptr;
+  }
+
+  static bool isModalCycle(const Dialect &dialect, const CodeInfo &code) {
+    return code.action == Action::Cycle && code.group != noGroup &&
+           code.group == dialect.group(StandardGroup::Cycle);
+  }
+};
+
+} // namespace
+NCVET_RULE(BlockModalGroupConflict, block_modal_group_conflict)
+} // namespace ncvet

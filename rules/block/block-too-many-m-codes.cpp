@@ -1,0 +1,47 @@
+// More M codes in a block than the control takes.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class BlockTooManyMCodes final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::UnknownCode);
+    to.onCode([](const CodeInfo &code) { return code.letter == 'M'; });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    if (event.word->address != letterAddress('M') || !(block.repeated & maskOf('M')))
+      return;
+    const double limit =
+        ctx.machine().number("mCodesPerBlock").value_or(ctx.dialect().limits.mCodesPerBlock);
+    if (limit < 1 || ctx.find({Action::MacroCall, Action::MacroModal}))
+      return;
+    double count = 0;
+    for (const Word &word : block.words) {
+      if (word.address != letterAddress('M'))
+        continue;
+      if (++count > limit && &word == event.word)
+        return report(word, limit, ctx);
+    }
+  }
+
+private:
+  static void report(const Word &word, double limit, RuleContext &ctx) {
+    auto finding = ctx.report(word);
+    if (!finding)
+      return;
+    const char *message = limit == 1 ? "`{0}` is the second M code of its block: the control executes one"
+                                     : "`{0}` is one M code too many: the control takes {1} in a block";
+    finding.message(message, ctx.text(word), int(limit))
+        .fix(FixSafety::Unsafe, "put the code into a block of its own behind this one",
+             ctx.remove(word))
+        .edit(ctx.insertBlockAfter(ctx.text(word)));
+  }
+};
+
+} // namespace
+NCVET_RULE(BlockTooManyMCodes, block_too_many_m_codes)
+} // namespace ncvet

@@ -1,0 +1,22 @@
+// A G code that this control's table does not have.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class BlockUnknownGCode final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::UnknownCode); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.word->address != letterAddress('G') ||
+        ctx.find({Action::MacroCall, Action::MacroModal}))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` does not exist on this control: the block is refused", ctx.text(*event.word));
+  }
+};
+
+} // namespace
+NCVET_RULE(BlockUnknownGCode, block_unknown_g_code)
+} // namespace ncvet

@@ -1,0 +1,84 @@
+// A word that no code of the block and no code in force takes.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class BlockUnusedWord final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::WordIssue);
+    to.onNotices(id);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code)
+      return ctx.reportNotices(id, event);
+    if (WordIssue(event.number) != WordIssue::Special)
+      return;
+    // What an unknown code takes is not known either; the letters of a macro call are arguments.
+    if ((ctx.outcome().kinds & bitOf(EventKind::UnknownCode)) || ctx.before().may(Fact::UnknownCode) ||
+        ctx.after().may(Fact::UnknownCode) || ctx.before().modalMacro != notSet)
+      return;
+    const std::optional<AddressMask> taken = takenBy(ctx);
+    if (!taken)
+      return;
+    const Dialect &dialect = ctx.dialect();
+    for (const Word &word : ctx.block().words) {
+      const AddressMask mask = maskOf(word.address);
+      if ((mask & dialect.plain) || !(mask & dialect.known) || (mask & *taken) ||
+          word.address == letterAddress('N') || word.address == letterAddress('O'))
+        continue;
+      if (auto finding = ctx.report(word))
+        finding
+            .message("`{0}` is used by no code of the block{1}: the control ignores it or stops",
+                     ctx.text(word), ctx.codes().empty() ? " or in force" : "")
+            .fix(FixSafety::Unsafe, "delete the word", ctx.remove(word));
+    }
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"block-unused-word"};
+
+  static AddressMask wordsOf(const CodeInfo &code) {
+    AddressMask mask = code.takes;
+    for (const WordSpec &spec : code.words)
+      mask |= spec.any;
+    return mask;
+  }
+
+  /// Words that some code of the block, or one that may be in force, reads; none: anything may be.
+  static std::optional<AddressMask> takenBy(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    AddressMask taken = 0;
+    for (const CodeUse &use : ctx.codes()) {
+      const CodeInfo &code = ctx.code(use);
+      if (code.action == Action::MacroCall || code.action == Action::MacroModal ||
+          code.action == Action::MachineSpecific)
+        return std::nullopt;
+      taken |= wordsOf(code);
+    }
+    for (const StandardGroup which : {StandardGroup::Motion, StandardGroup::Cycle}) {
+      const GroupIndex group = dialect.group(which);
+      if (group == noGroup)
+        continue;
+      // Behind the block: a code of the block itself has replaced the one before.
+      const uint64_t active = ctx.before().group[group] | ctx.after().group[group];
+      for (size_t i = 0; i < dialect.groups[group].members.size(); ++i) {
+        if (!(active >> i & 1))
+          continue;
+        const CodeInfo &code = dialect.codes[dialect.groups[group].members[i]];
+        const bool replaced = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+          return ctx.code(use).group == group;
+        });
+        if (!replaced)
+          taken |= wordsOf(code);
+      }
+    }
+    return taken;
+  }
+};
+
+} // namespace
+NCVET_RULE(BlockUnusedWord, block_unused_word)
+} // namespace ncvet

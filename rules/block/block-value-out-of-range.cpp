@@ -1,0 +1,77 @@
+// A value outside of what its code takes.
+#include "analyzer/word_checks.h"
+
+namespace ncvet {
+namespace {
+
+bool isMine(const CodeInfo &code, const WordSpec &spec) {
+  return spec.hasRange && topicOf(code, spec) == WordTopic::Block;
+}
+
+class BlockValueOutOfRange final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onCode([](const CodeInfo &code) {
+      return code.action == Action::ZoneOn || !code.excludes.empty() ||
+             llvm::any_of(code.words, [&](const WordSpec &spec) { return isMine(code, spec); }) ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    ctx.reportNotices(id, event);
+    const CodeInfo &code = ctx.code(event);
+    reportWordRanges(ctx, event, [](const CodeInfo &c, const WordSpec &spec, Breach breach) {
+      // Points in whole numbers are syntax-integer-required's.
+      return isMine(c, spec) && breach != Breach::PointMissing && breach != Breach::PointWritten;
+    });
+    if (code.action != Action::Cycle)
+      reportExcludedWords(ctx, event);
+    if (code.action == Action::ZoneOn)
+      zone(ctx);
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"block-value-out-of-range"};
+
+  /// The limits of a working-space zone: X Y Z are the upper ones, I J K the lower ones.
+  static void zone(RuleContext &ctx) {
+    const Word *side = ctx.block().find('P');
+    const Interval inside = side ? ctx.value(*side) : Interval::unknown();
+    const struct {
+      char upper, lower;
+    } pairs[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
+    for (const auto &pair : pairs) {
+      const Word *upper = ctx.block().find(pair.upper), *lower = ctx.block().find(pair.lower);
+      if (!upper || !lower)
+        continue;
+      const Interval high = ctx.value(*upper), low = ctx.value(*lower);
+      if (high.isUnknown() || low.isUnknown())
+        continue;
+      if (high.hi < low.lo) {
+        if (auto finding = ctx.report(*upper))
+          finding
+              .message("`{0}` lies below `{1}`: the upper limit of the zone is smaller than the lower one",
+                       ctx.text(*upper), ctx.text(*lower))
+              .note(ctx.range(*lower), "the lower limit");
+        continue;
+      }
+      if (!high.isConstant() || !low.isConstant() || high.value() != low.value())
+        continue;
+      const bool forbidsAll = inside.isConstant() && inside.value() == 1;
+      const bool allowsAll = inside.isConstant() && inside.value() == 0;
+      if (!forbidsAll && !allowsAll)
+        continue;
+      if (auto finding = ctx.report(*upper))
+        finding
+            .message(forbidsAll ? "`{0}` and `{1}` are equal: the zone is empty and every place is forbidden"
+                                : "`{0}` and `{1}` are equal: the zone is empty and forbids nothing",
+                     ctx.text(*upper), ctx.text(*lower))
+            .severity(forbidsAll ? Severity::Error : Severity::Style);
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(BlockValueOutOfRange, block_value_out_of_range)
+} // namespace ncvet

@@ -1,0 +1,65 @@
+// A block number that occurs twice in a program.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramBlockNumberDuplicate final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    unreferenced_ = to.option("unreferencedIsWarning", 1) != 0 ? Severity::Warning : Severity::Style;
+  }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    for (const ProgramInfo &program : file.index.programs())
+      check(program, file, ctx);
+  }
+
+private:
+  void check(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    const llvm::ArrayRef<NumberedBlock> numbers = file.index.numbers(program);
+    const NumberedBlock *plain = nullptr, *plainFirst = nullptr;
+    size_t others = 0;
+    for (size_t i = 1; i < numbers.size(); ++i) {
+      if (numbers[i].number != numbers[i - 1].number)
+        continue;
+      const NumberedBlock &first = numbers[i - 1], &again = numbers[i];
+      if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
+        report(first, again, "N{0} stands twice, and a jump, call or profile names it: it may go to the wrong one",
+               Severity::Error, file, ctx);
+        continue;
+      }
+      ++others;
+      if (!plain || again.offset < plain->offset) {
+        plain = &again;
+        plainFirst = &first;
+      }
+    }
+    // One report for all those that nothing refers to: numbers of long programs begin anew.
+    if (plain)
+      report(*plainFirst, *plain,
+             others == 1 ? "N{0} stands twice in the program"
+                         : "N{0} stands twice in the program, and {1} further numbers do",
+             others == 1 ? unreferenced_ : Severity::Style, file, ctx, others - 1);
+  }
+
+  static SourceRange numberAt(const NumberedBlock &where, const FileSummary &file) {
+    Block block;
+    file.reader.read(where.offset, block);
+    return {file.source.id(), block.numberBegin, block.numberEnd};
+  }
+
+  static void report(const NumberedBlock &first, const NumberedBlock &again, const char *message,
+                     Severity severity, const FileSummary &file, RuleContext &ctx, size_t further = 0) {
+    if (auto finding = ctx.report(numberAt(again, file)))
+      finding.message(message, again.number, further)
+          .severity(severity)
+          .note(numberAt(first, file), "the first one");
+  }
+
+  Severity unreferenced_ = Severity::Warning;
+};
+
+} // namespace
+NCVET_RULE(ProgramBlockNumberDuplicate, program_block_number_duplicate)
+} // namespace ncvet

@@ -1,0 +1,34 @@
+// The first block of a tool section has no number.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramBlockNumberMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::ToolChange); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    if (block.number >= 0 || !event.word || ctx.callDepth() > 0)
+      return;
+    auto finding = ctx.report(event, event.certain);
+    if (!finding)
+      return;
+    finding.message("the block of `{0}` has no number: a restart at this tool cannot find it",
+                    ctx.text(*event.word));
+    // A number that nothing else has, after the tool's own.
+    const int64_t tool = event.number > 0 ? event.number : 1;
+    const ProgramInfo &program = ctx.index().programAt(block.begin);
+    int64_t number = tool * 100;
+    while (ctx.index().block(program, number, 0))
+      ++number;
+    const SourceRange words = ctx.blockRange();
+    finding.fix(FixSafety::Unsafe, "number the block",
+                ctx.insertBefore(words.begin, "N" + std::to_string(number) + " "));
+  }
+};
+
+} // namespace
+NCVET_RULE(ProgramBlockNumberMissing, program_block_number_missing)
+} // namespace ncvet

@@ -1,0 +1,65 @@
+// Blocks behind the program's end that nothing reaches.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramCodeAfterEnd final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::ProgramEnd, EventKind::Return}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (!ends_.empty() && ends_.back().file == ctx.source().id() &&
+        ends_.back().begin == ctx.block().begin)
+      return;
+    if (event.word)
+      ends_.push_back({ctx.source().id(), ctx.block().begin, ctx.block().next, ctx.range(*event.word)});
+  }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!file.complete)
+      return;
+    for (const End &end : ends_)
+      if (end.file == file.source.id())
+        behind(end, file, ctx);
+  }
+
+private:
+  struct End {
+    FileId file;
+    uint32_t begin, next;
+    SourceRange code;
+  };
+
+  void behind(const End &end, const FileSummary &file, RuleContext &ctx) {
+    const uint32_t stop = file.index.programAt(end.begin).end;
+    Block block;
+    SourceRange dead;
+    unsigned count = 0;
+    for (uint32_t at = end.next; at < stop; at = block.next) {
+      file.reader.read(at, block);
+      if (block.kind == BlockKind::Tape || block.kind == BlockKind::ProgramHeader)
+        break;
+      if (block.isEmpty())
+        continue;
+      if (file.isReached(at))
+        break;
+      if (count++ == 0)
+        dead = {file.source.id(), block.begin, block.end};
+    }
+    if (!count)
+      return;
+    if (auto finding = ctx.report(dead))
+      finding
+          .message(count == 1 ? "this block behind `{0}` is never executed: no call, jump or profile reaches it"
+                              : "these {1} blocks behind `{0}` are never executed: no call, jump or profile reaches them",
+                   ctx.text(end.code), count)
+          .note(end.code, "the program ends here");
+  }
+
+  std::vector<End> ends_;
+};
+
+} // namespace
+NCVET_RULE(ProgramCodeAfterEnd, program_code_after_end)
+} // namespace ncvet

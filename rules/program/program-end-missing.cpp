@@ -1,0 +1,39 @@
+// A path of the main program reaches the end of the text without an end code.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramEndMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::FlowIssue);
+    for (const CodeInfo &code : to.dialect().codes) {
+      if (code.action == Action::ProgramEndRewind)
+        end_ = code.name;
+      else if (code.action == Action::ProgramEnd && end_.empty())
+        end_ = code.name;
+    }
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::MainRunsOut)
+      return;
+    const SourceRange where = ctx.flowRange();
+    auto finding = ctx.report(where, event.certain);
+    if (!finding)
+      return;
+    finding.message("the program runs out behind this block: no `{0}` ends it", end_);
+    const llvm::StringRef rest = ctx.source().text().substr(where.end, 2);
+    const llvm::StringRef lineEnd = rest.startswith("\r\n") ? "\r\n" : "\n";
+    finding.fix(FixSafety::Unsafe, "end the program here",
+                ctx.insertBefore(where.end, (lineEnd + end_).str()));
+  }
+
+private:
+  std::string end_;
+};
+
+} // namespace
+NCVET_RULE(ProgramEndMissing, program_end_missing)
+} // namespace ncvet

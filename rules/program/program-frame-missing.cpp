@@ -1,0 +1,76 @@
+// The program number, or the closing mark, that the control wants around a program is missing.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramFrameMissing final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::ProgramEnd);
+    wantsHeader_ = to.option("header", 1) != 0;
+    wantsEndMark_ = to.option("endMark", to.dialect().lexical.percentHeader ? 1 : 0) != 0;
+    percent_ = to.dialect().lexical.percentHeader;
+  }
+
+  void on(const Event &, RuleContext &ctx) override {
+    // What ends a program is a whole program; anything else is a fragment or a part of one.
+    if (ctx.callDepth() == 0)
+      ends_.push_back({ctx.source().id(), ctx.block().begin, ctx.block().end});
+    if (ctx.block().tapeInside && wantsEndMark_ && ctx.callDepth() == 0)
+      if (auto finding = ctx.report(SourceRange{ctx.source().id(), ctx.block().end - 1, ctx.block().end}))
+        finding.text("the tape mark `%` stands behind other words: it wants a line of its own")
+            .severity(Severity::Style);
+  }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    const SourceRange *end = nullptr;
+    for (const SourceRange &range : ends_)
+      if (range.file == file.source.id() && (!end || range.begin > end->begin))
+        end = &range;
+    if (!end)
+      return;
+    const ProgramInfo &first = file.index.programs().front();
+    if (wantsHeader_ && !first.hasHeader())
+      header(first, file, ctx);
+    if (wantsEndMark_)
+      endMark(*end, file, ctx);
+  }
+
+private:
+  void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    Block block;
+    for (uint32_t at = program.begin; at < program.end; at = block.next) {
+      file.reader.read(at, block);
+      if (block.isEmpty() && block.number < 0)
+        continue;
+      if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
+        finding.message("the program begins without {0}: the control cannot store it under a number",
+                        percent_ ? "its line `%O` and number" : "its `O` number");
+      return;
+    }
+  }
+
+  void endMark(const SourceRange &end, const FileSummary &file, RuleContext &ctx) {
+    // A mark inside the last block has been spoken of.
+    const auto marks = file.index.tapeMarks();
+    const llvm::StringRef block = ctx.text(end);
+    if ((!marks.empty() && marks.back() >= end.begin) || block.contains('%'))
+      return;
+    if (auto finding = ctx.report(end))
+      finding.text("the file does not close with a line `%`")
+          .severity(Severity::Style)
+          .fix(FixSafety::Unsafe, "add a line `%`",
+               ctx.insertBefore(uint32_t(file.source.text().size()),
+                                file.source.text().endswith("\n") ? "%\n" : "\n%\n"));
+  }
+
+  std::vector<SourceRange> ends_;
+  bool wantsHeader_ = true;
+  bool wantsEndMark_ = false;
+  bool percent_ = false;
+};
+
+} // namespace
+NCVET_RULE(ProgramFrameMissing, program_frame_missing)
+} // namespace ncvet

@@ -1,0 +1,34 @@
+// Two programs of one file have the same number.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramNumberDuplicate final : public Rule {
+public:
+  void listen(Subscriptions &) override {}
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (file.index.programs().size() < 2)
+      return;
+    for (const ProgramInfo &program : file.index.programs()) {
+      if (!program.hasHeader() || program.number < 0)
+        continue;
+      const ProgramInfo *first = file.index.find(program.number);
+      if (first == &program)
+        continue;
+      const auto headerOf = [&](const ProgramInfo &p) {
+        return SourceRange{file.source.id(), p.headerBegin, p.headerEnd};
+      };
+      if (auto finding = ctx.report(headerOf(program)))
+        finding
+            .message("a second program O{0} in this file: one overwrites the other, calls find one of them",
+                     program.number)
+            .note(headerOf(*first), "the first one");
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(ProgramNumberDuplicate, program_number_duplicate)
+} // namespace ncvet

@@ -1,0 +1,38 @@
+// A statement, expression or run of letters that does not fit the control's grammar.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SyntaxError final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const char *what = nullptr;
+    switch (issue.kind) {
+    case SyntaxIssueKind::UnbalancedBracket:
+      what = "`{0}` has no bracket to match it";
+      break;
+    case SyntaxIssueKind::BadExpression:
+      what = "`{0}` is no expression that the control can compute";
+      break;
+    case SyntaxIssueKind::BadStatement:
+      what = "`{0}` is no statement that the control knows";
+      break;
+    case SyntaxIssueKind::UnknownWord:
+      what = "`{0}` is neither a word of address and number nor a statement";
+      break;
+    default:
+      return;
+    }
+    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    if (auto finding = ctx.report(range))
+      finding.message(what, ctx.source().displayText(ctx.text(range)));
+  }
+};
+
+} // namespace
+NCVET_RULE(SyntaxError, syntax_error)
+} // namespace ncvet

@@ -1,0 +1,44 @@
+// An address without a number, or a number without an address.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SyntaxIncompleteWord final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    if (issue.kind == SyntaxIssueKind::MissingAddress) {
+      // A sleep code takes its time as a bare number.
+      if (ctx.find({Action::Sleep}))
+        return;
+      if (auto finding = ctx.report(range))
+        finding.message("`{0}` has no address in front of it", ctx.text(range));
+      return;
+    }
+    if (issue.kind != SyntaxIssueKind::MissingValue || mayStandBare(issue, ctx))
+      return;
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` has no value behind it", ctx.text(range));
+  }
+
+private:
+  /// Axis letters alone name the axes of a reference return; an unknown letter has its own rule.
+  static bool mayStandBare(const SyntaxIssue &issue, const RuleContext &ctx) {
+    for (const Word &word : ctx.block().words) {
+      if (word.offset != issue.begin)
+        continue;
+      const AddressMask mask = maskOf(word.address);
+      return !(ctx.dialect().known & mask) ||
+             ((ctx.dialect().axisWords & mask) && ctx.find({Action::ReferenceReturn}));
+    }
+    return false;
+  }
+};
+
+} // namespace
+NCVET_RULE(SyntaxIncompleteWord, syntax_incomplete_word)
+} // namespace ncvet

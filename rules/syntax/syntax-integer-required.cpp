@@ -1,0 +1,73 @@
+// A word that takes a whole number has a fraction or a decimal point.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+/// Words that name a block, a program or a method: whole numbers without a point.
+bool namesSomething(Role role) {
+  return role == Role::ProfileFirst || role == Role::ProfileLast || role == Role::Sequence ||
+         role == Role::Program || role == Role::Method;
+}
+
+class SyntaxIntegerRequired final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::WordIssue, EventKind::Syntax});
+    to.onCode([](const CodeInfo &code) {
+      return llvm::any_of(code.words, [](const WordSpec &w) { return namesSomething(w.role); });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    if (event.kind == EventKind::Syntax) {
+      const SyntaxIssue &issue = block.issues[size_t(event.number)];
+      if (issue.kind == SyntaxIssueKind::MalformedNumber && block.number >= 0 &&
+          issue.begin == block.numberBegin && issue.end == block.numberEnd) {
+        const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+        if (ctx.text(range).count('.') == 1)
+          if (auto finding = ctx.report(range))
+            finding.message("`{0}`: a block number is a whole number without a point", ctx.text(range));
+      }
+      return;
+    }
+    if (event.kind == EventKind::WordIssue) {
+      if (WordIssue(event.number) != WordIssue::PointInWhole ||
+          ctx.find({Action::MacroCall, Action::MacroModal}))
+        return;
+      for (const Word &word : block.words)
+        if (word.has(wordPoint) && ctx.dialect().whole & maskOf(word.address) && !isCode(word, ctx))
+          report(word, ctx);
+      return;
+    }
+    const CodeInfo &code = ctx.code(event);
+    for (const WordSpec &spec : code.words) {
+      if (!namesSomething(spec.role) || !(spec.any & block.pointed))
+        continue;
+      for (const Word &word : block.words)
+        if (spec.any & maskOf(word.address) && word.has(wordPoint))
+          report(word, ctx);
+    }
+  }
+
+private:
+  /// `G84.2` is a code with its digit behind the point; an unknown code has its own rule.
+  static bool isCode(const Word &word, const RuleContext &ctx) {
+    return ctx.dialect().addresses[word.address].kind == AddressKind::Code && word.decimals > 0;
+  }
+
+  static void report(const Word &word, RuleContext &ctx) {
+    auto finding = ctx.report(word);
+    if (!finding)
+      return;
+    finding.message("`{0}` takes a whole number without a decimal point", ctx.text(word));
+    if (word.decimals == 0)
+      finding.fix(FixSafety::Unsafe, "take the decimal point away",
+                  ctx.replace(ctx.range(word), ctx.text(word).rtrim('.')));
+  }
+};
+
+} // namespace
+NCVET_RULE(SyntaxIntegerRequired, syntax_integer_required)
+} // namespace ncvet

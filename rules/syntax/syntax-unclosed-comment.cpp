@@ -1,0 +1,38 @@
+// A comment that is not closed in its block, is nested, or is closed without having been opened.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SyntaxUnclosedComment final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    switch (issue.kind) {
+    case SyntaxIssueKind::UnclosedComment:
+      if (auto finding = ctx.report(range))
+        finding.text("the comment is not closed in its block: the control reads it into the next one")
+            .fix(FixSafety::Unsafe, "close the comment at the end of the block",
+                 ctx.insertBefore(issue.end, ")"));
+      return;
+    case SyntaxIssueKind::NestedComment:
+      if (auto finding = ctx.report(range))
+        finding.text("a `(` inside a comment: the comment ends at the first `)`, what follows is read as code")
+            .severity(Severity::Warning);
+      return;
+    case SyntaxIssueKind::StrayParenthesis:
+      if (auto finding = ctx.report(range))
+        finding.text("a `)` without its `(`: the control cannot read it");
+      return;
+    default:
+      return;
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(SyntaxUnclosedComment, syntax_unclosed_comment)
+} // namespace ncvet

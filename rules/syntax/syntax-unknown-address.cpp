@@ -1,0 +1,36 @@
+// An address letter that this control does not have.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SyntaxUnknownAddress final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::Syntax, EventKind::WordIssue}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Syntax) {
+      const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+      if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
+        return;
+      const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      if (auto finding = ctx.report(range))
+        finding.message("`{0}`: no address of this control is written so", ctx.text(range));
+      return;
+    }
+    if (WordIssue(event.number) != WordIssue::Unknown)
+      return;
+    // The letters of a macro call are arguments, whatever they mean elsewhere.
+    if (ctx.find({Action::MacroCall, Action::MacroModal}))
+      return;
+    for (const Word &word : ctx.block().words)
+      if (!(ctx.dialect().known & maskOf(word.address)))
+        if (auto finding = ctx.report(word))
+          finding.message("`{0}`: this control has no address {1}, the block is refused",
+                          ctx.text(word), ctx.dialect().addressName(word.address));
+  }
+};
+
+} // namespace
+NCVET_RULE(SyntaxUnknownAddress, syntax_unknown_address)
+} // namespace ncvet
