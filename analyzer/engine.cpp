@@ -864,6 +864,44 @@ void Engine::runOtherPrograms() {
   }
 }
 
+/// Blocks that no path reaches are read all the same: what the control cannot read stops it when
+/// the program is loaded. Only what the text alone decides is told to the rules.
+void Engine::inspectUnreached() {
+  constexpr uint32_t wanted = bitOf(EventKind::Syntax) | bitOf(EventKind::WordIssue);
+  if (!(dispatcher_.kinds() & wanted) || stopped_)
+    return;
+  const Dialect &dialect = *unit_.dialect;
+  const std::vector<SourceRange> reached = reachedRanges();
+  const auto size = uint32_t(unit_.source.text().size());
+  const MachineState unknown = unknownState(dialect);
+  MachineState state;
+  size_t range = 0;
+  for (uint32_t at = unit_.reader->first(); at < size;) {
+    while (range < reached.size() && reached[range].end <= at)
+      ++range;
+    if (range < reached.size() && reached[range].begin <= at) {
+      at = reached[range].end;
+      continue;
+    }
+    unit_.reader->read(at, block_);
+    const ProgramInfo &program = unit_.index.programAt(at);
+    // Behind the closing mark of the tape stands no program.
+    const bool closes = block_.kind == BlockKind::Tape && at > program.begin;
+    at = closes ? std::max(program.end, block_.next) : block_.next;
+    if (block_.issues.empty() && !(block_.addresses & ~dialect.known) &&
+        !(block_.repeated & ~dialect.repeatable))
+      continue;
+    state = unknown;
+    unit_.executor.execute(block_, unknown, state, outcome_);
+    llvm::erase_if(outcome_.events, [](const Event &event) { return !(bitOf(event.kind) & wanted); });
+    outcome_.kinds &= wanted;
+    collector_.beginStop();
+    collector_.beginVisit(nullptr);
+    dispatcher_.dispatch(unit_, block_, outcome_, unknown, state, 0);
+    collector_.endStop();
+  }
+}
+
 AnalysisResult Engine::run() {
   const llvm::ArrayRef<ProgramInfo> programs = unit_.index.programs();
   const ProgramInfo &main = programs.front();
@@ -895,6 +933,7 @@ AnalysisResult Engine::run() {
   execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));
   collector_.setDefiniteOnly(false);
   runOtherPrograms();
+  inspectUnreached();
 
   const std::vector<SourceRange> reached = reachedRanges();
   const std::vector<int64_t> numbers(usedNumbers_.begin(), usedNumbers_.end());

@@ -114,6 +114,7 @@ private:
   void cut(std::string why);
   void cover(const FileUnit &unit, uint32_t begin, uint32_t end);
   void runOtherPrograms();
+  void inspectUnreached();
   std::vector<SourceRange> reachedRanges() const;
   SourceRange flowRange(const FileUnit &unit) const {
     return {unit.source.id(), outcome_.flow.begin, outcome_.flow.end};
