@@ -118,9 +118,11 @@ llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) con
     if (digits)
       list.push_back({number, line});
   });
-  std::stable_sort(list.begin(), list.end(), [](const NumberedBlock &a, const NumberedBlock &b) {
+  const auto byNumber = [](const NumberedBlock &a, const NumberedBlock &b) {
     return a.number < b.number;
-  });
+  };
+  if (!std::is_sorted(list.begin(), list.end(), byNumber)) // mostly they ascend as they stand
+    std::stable_sort(list.begin(), list.end(), byNumber);
   return list;
 }
 

@@ -23,22 +23,36 @@ public:
     for (const Word &word : ctx.block().words) {
       if (&word == event.word || own & maskOf(word.address))
         continue;
-      if (auto finding = ctx.report(word))
-        finding
-            .message("`{0}` stands in the block of `{1}`, which wants a block of its own",
-                     ctx.text(word), ctx.text(*event.word))
-            .fix(FixSafety::Unsafe, "put the code into a block of its own", ctx.remove(*event.word))
-            .edit(ctx.insertBlockBefore(own_block(event, own, ctx)));
+      auto finding = ctx.report(word);
+      if (!finding)
+        return;
+      finding.message("`{0}` stands in the block of `{1}`, which wants a block of its own",
+                      ctx.text(word), ctx.text(*event.word));
+      moveOut(finding, *event.word, own, ctx);
       return;
     }
   }
 
 private:
-  static constexpr llvm::StringLiteral id{"block-must-stand-alone"};
-
-  static std::string own_block(const Event &event, AddressMask, const RuleContext &ctx) {
-    return ctx.text(*event.word).str();
+  /// The code goes into a block in front of this one, with the words that belong to it.
+  static void moveOut(FindingBuilder &finding, const Word &code, AddressMask own,
+                      const RuleContext &ctx) {
+    const auto goes = [&](const Word &w) { return &w == &code || own & maskOf(w.address); };
+    std::string text;
+    for (const Word &word : ctx.block().words)
+      if (goes(word)) {
+        if (!text.empty())
+          text += ' ';
+        text += ctx.text(word);
+      }
+    finding.fix(FixSafety::Unsafe, "put the code into a block of its own",
+                ctx.insertBlockBefore(text));
+    for (const Word &word : ctx.block().words)
+      if (goes(word))
+        finding.edit(ctx.remove(word));
   }
+
+  static constexpr llvm::StringLiteral id{"block-must-stand-alone"};
 };
 
 } // namespace

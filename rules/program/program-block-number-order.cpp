@@ -30,11 +30,18 @@ public:
 private:
   /// The first descent of a program. Numbers that something refers to are labels, not an order.
   static void ascending(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    const llvm::ArrayRef<NumberedBlock> numbers = file.index.numbers(program);
+    const auto byOffset = [](const NumberedBlock &a, const NumberedBlock &b) {
+      return a.offset < b.offset;
+    };
+    // Sorted by number already: when the places ascend too, so do the numbers.
+    if (std::is_sorted(numbers.begin(), numbers.end(), byOffset))
+      return;
     std::vector<NumberedBlock> blocks;
-    for (const NumberedBlock &block : file.index.numbers(program))
+    for (const NumberedBlock &block : numbers)
       if (!std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number))
         blocks.push_back(block);
-    llvm::sort(blocks, [](const NumberedBlock &a, const NumberedBlock &b) { return a.offset < b.offset; });
+    llvm::sort(blocks, byOffset);
     for (size_t i = 1; i < blocks.size(); ++i) {
       if (blocks[i].number >= blocks[i - 1].number)
         continue;

@@ -17,9 +17,12 @@ public:
     // What ends a program is a whole program; anything else is a fragment or a part of one.
     if (ctx.callDepth() == 0)
       ends_.push_back({ctx.source().id(), ctx.block().begin, ctx.block().end});
-    if (ctx.block().tapeInside && wantsEndMark_ && ctx.callDepth() == 0)
-      if (auto finding = ctx.report(SourceRange{ctx.source().id(), ctx.block().end - 1, ctx.block().end}))
-        finding.text("the tape mark `%` stands behind other words: it wants a line of its own")
+    if (!ctx.block().tapeInside || !wantsEndMark_ || ctx.callDepth() > 0)
+      return;
+    const llvm::StringRef text = ctx.source().text(ctx.block().begin, ctx.block().end);
+    const auto mark = uint32_t(ctx.block().begin + text.rfind('%'));
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), mark, mark + 1}))
+      finding.text("the tape mark `%` stands behind other words: it wants a line of its own")
             .severity(Severity::Style);
   }
 
