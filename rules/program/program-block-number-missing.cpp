@@ -25,7 +25,7 @@ public:
       ++number;
     const SourceRange words = ctx.blockRange();
     finding.fix(FixSafety::Unsafe, "number the block",
-                ctx.insertBefore(words.begin, "N" + std::to_string(number) + " "));
+                ctx.insertBefore(words.begin, llvm::formatv("N{0} ", number).str()));
   }
 };
 
