@@ -17,6 +17,8 @@ struct Golden {
   }
 };
 
+void PrintTo(const Golden &golden, std::ostream *out) { *out << golden.name(); }
+
 /// tests/programs/<dialect>/*.nc; other files there are called programs, or belong to a golden one.
 std::vector<Golden> goldenPrograms() {
   std::vector<Golden> all;

@@ -22,6 +22,9 @@ struct PageProgram {
   }
 };
 
+/// Shown by the test runner in place of the object's bytes.
+inline void PrintTo(const PageProgram &program, std::ostream *out) { *out << program.name(); }
+
 /// The dialects that a page's metadata claims.
 inline std::vector<std::string> claimedDialects(llvm::StringRef page) {
   std::vector<std::string> dialects;
