@@ -210,6 +210,9 @@ void Execution::runCompound(const CodeUse &use) {
       state_.roughFirst = state_.roughLast = notSet;
   } else {
     state_.roughFirst = flow.first;
+    for (const Axis axis : {Axis::X, Axis::Z})
+      state_.roughStart[axis == Axis::X ? 0 : 1] =
+          state_.inMachineCoordinates(axis) ? Interval::unknown() : state_.at(axis);
     state_.roughLast = flow.last;
     state_.origin.rough = originOf(*use.word);
   }

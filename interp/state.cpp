@@ -72,6 +72,8 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   r.initialLevel = combine(a.initialLevel, b.initialLevel, wide);
   if (a.pendingCycle != b.pendingCycle)
     r.pendingCycle = noCode;
+  for (size_t i = 0; i < 2; ++i)
+    r.roughStart[i] = combine(a.roughStart[i], b.roughStart[i], wide);
   if (a.roughFirst != b.roughFirst || a.roughLast != b.roughLast)
     r.roughFirst = r.roughLast = notKnown;
   if (a.transforms != b.transforms)
@@ -135,6 +137,8 @@ template <typename Sink> void visitParts(const MachineState &s, Sink sink) {
       sink(std::bit_cast<uint64_t>(s.cycle.value[i]));
   sink(uint64_t(s.roughFirst));
   sink(uint64_t(s.roughLast));
+  for (const Interval &i : s.roughStart)
+    interval(i);
   for (uint8_t t : s.transforms)
     sink(t);
 }

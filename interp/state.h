@@ -128,6 +128,7 @@ struct SetupState {
   std::array<Interval, 3> cycleStart; ///< X Y Z when the cycle began
   CodeIndex pendingCycle = noCode; ///< two-block cycle whose parameter block was the last block
   int64_t roughFirst = notSet, roughLast = notSet; ///< P and Q of the last roughing not yet finished
+  std::array<Interval, 2> roughStart; ///< X and Z where that roughing began
   std::array<uint8_t, 4> transforms{}; ///< switches of transformations, in the order switched on
   int32_t modalMacro = notSet; ///< program that G66 calls after each move
   uint8_t profile = 0; ///< 0: not in a profile; 1: read as data for roughing; 2: finishing
