@@ -12,6 +12,9 @@ WordTopic topicOf(const CodeInfo &code, const WordSpec &spec) {
   case Role::PeckFirst:
   case Role::PeckStep:
   case Role::PeckLeast:
+    // The pecks of a groove are words of their cycle like any other.
+    if (code.cycle == CycleKind::GrooveFace || code.cycle == CycleKind::GrooveRadial)
+      break;
     return WordTopic::Peck;
   case Role::Lead:
     return WordTopic::Lead;
