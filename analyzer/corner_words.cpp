@@ -1,0 +1,47 @@
+// Which words of a block are chamfers, roundings and line angles.
+#include "analyzer/corner_words.h"
+
+namespace ncvet {
+
+CornerAddresses cornerAddresses(const Dialect &dialect) {
+  CornerAddresses result;
+  AddressMask takes = 0;
+  for (const CodeInfo &code : dialect.codes)
+    if (code.action == Action::Linear)
+      takes |= code.takes;
+  // A lathe's line takes I, K, R and A for itself; on a mill these are other words.
+  if (dialect.isLathe()) {
+    result.chamfer |= takes & lettersMask("IK");
+    result.rounding |= takes & maskOf('R');
+    if (dialect.addresses[letterAddress('A')].kind == AddressKind::Parameter)
+      result.angle |= takes & maskOf('A');
+  }
+  result.plain = result.chamfer | result.rounding | result.angle;
+  result.chamfer |= takes & maskOf(commaC);
+  result.rounding |= takes & maskOf(commaR);
+  result.angle |= takes & maskOf(commaA);
+  return result;
+}
+
+bool takenByOther(const RuleContext &ctx, AddressMask letters) {
+  for (const CodeUse &use : ctx.codes()) {
+    const CodeInfo &code = ctx.code(use);
+    if (isMotion(code.action))
+      continue;
+    AddressMask takes = code.takes;
+    for (const WordSpec &spec : code.words)
+      takes |= spec.any;
+    if (takes & letters)
+      return true;
+  }
+  return false;
+}
+
+bool isLine(const RuleContext &ctx, const Event &motion) {
+  (void)ctx;
+  return motion.kind == EventKind::Motion && motion.certain && motion.motion == MotionKind::Feed;
+}
+
+uint16_t axesOf(const RuleContext &ctx, const Block &block) { return axesOf(ctx.dialect(), block); }
+
+} // namespace ncvet

@@ -1,0 +1,28 @@
+// Which words of a block are chamfers, roundings and line angles.
+#pragma once
+
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+
+/// The words by which a control writes corners and lines by angle.
+struct CornerAddresses {
+  AddressMask chamfer = 0;  ///< `,C`, or I and K
+  AddressMask rounding = 0; ///< `,R`, or R
+  AddressMask angle = 0;    ///< `,A`, or A
+  AddressMask plain = 0;    ///< of these: letters that mean something else in other blocks
+  AddressMask corner() const { return chamfer | rounding; }
+};
+
+/// The addresses that the dialect's linear move takes as corners and angles.
+CornerAddresses cornerAddresses(const Dialect &dialect);
+
+/// Whether the block at hand is a straight feed move without a code that reads `letters` otherwise.
+bool isLine(const RuleContext &ctx, const Event &motion);
+/// True when a code of the block other than a motion takes one of the letters for itself.
+bool takenByOther(const RuleContext &ctx, AddressMask letters);
+
+/// Axes that the words of a block that was read ahead name.
+uint16_t axesOf(const RuleContext &ctx, const Block &block);
+
+} // namespace ncvet

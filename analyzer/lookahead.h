@@ -1,0 +1,78 @@
+// Looks ahead in the text for rules: the next block, and the blocks of a turning profile.
+#pragma once
+
+#include "analyzer/rule.h"
+
+namespace ncvet {
+
+/// Reads the next block behind the one at hand that holds anything to execute, in the same program.
+/// False at the program's end. Jumps and calls are not followed.
+bool readNext(const RuleContext &ctx, Block &next);
+/// The same, behind a block that `readNext` returned; `block` is overwritten.
+bool readOn(const RuleContext &ctx, Block &block);
+
+/// Codes of a block that was read ahead, without their variants.
+llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block);
+/// First code of the block with one of the actions, or null.
+const CodeInfo *findCode(const Dialect &dialect, const Block &block,
+                         std::initializer_list<Action> actions);
+/// True when the block holds a motion code (G00 to G03, threads) or a modal cycle.
+bool hasMotionCode(const Dialect &dialect, const Block &block);
+
+/// One block of a profile, executed for itself.
+struct ProfileBlock {
+  SourceRange range;            ///< the block's words
+  Block block;
+  llvm::SmallVector<CodeUse, 4> codes;
+  bool moves = false;
+  MotionKind motion = MotionKind::Rapid;
+  bool motionKnown = false;
+  uint16_t axes = 0;
+  Interval fromX, fromZ, toX, toZ; ///< mm, X as programmed
+};
+
+enum class Side : uint8_t { Unknown, Outside, Inside };
+
+/// The blocks that a turning cycle works along.
+struct Profile {
+  bool known = false; ///< false: the blocks are not there, or not a plain list
+  std::vector<ProfileBlock> blocks;
+  size_t lastCut = 0; ///< index behind the last block that belongs to the contour
+  /// Least and greatest X and Z of the contour, from the first block's end point on; none when one
+  /// end point is not known.
+  std::optional<double> minX, maxX, minZ, maxZ;
+  Side side = Side::Unknown;
+};
+
+/// Reads the profile of the cycle that the block at hand runs (`Outcome::flow` names its blocks).
+/// `startX`, `startZ`: where the cycle begins, for the side.
+Profile readProfile(const RuleContext &ctx);
+
+/// First word of the block that has this role in the code's format, or null.
+const Word *wordOf(const Block &block, const CodeInfo &code, Role role);
+/// All addresses with this role in the code's format.
+AddressMask addressesOf(const CodeInfo &code, Role role);
+/// Value of a role's word as the active cycle keeps it; none when it is absent or not known.
+std::optional<double> kept(const CycleWords &words, const CodeInfo &code, Role role);
+/// Known value of a role's word in the block at hand, as written.
+std::optional<double> valueOf(const RuleContext &ctx, const CodeInfo &code, Role role);
+/// Millimetres per unit of a length in the state; none when the unit is not known.
+std::optional<double> millimetresPer(const Dialect &dialect, const MachineState &state);
+/// End coordinate of an axis that the block gives: its absolute word, or its increment from `start`.
+std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &start);
+
+/// True for cycles that make a hole along the tool axis.
+bool makesHole(CycleKind kind);
+/// True for tapping cycles.
+bool taps(CycleKind kind);
+/// True for threads cut by turning.
+bool cutsThread(CycleKind kind);
+/// "drills", "taps", "bores", "turns", … for messages.
+llvm::StringRef verbOf(CycleKind kind);
+
+/// What ends the modal cycle, for fixes: "G80", or "G00" for the cycles of turning.
+std::string cancelOf(const Dialect &dialect, const CodeInfo &cycle);
+/// Line number of a place, from 1.
+unsigned lineOf(const RuleContext &ctx, const Origin &origin);
+
+} // namespace ncvet

@@ -1,0 +1,21 @@
+// Whether the contour of a turning profile rises or falls steadily.
+#pragma once
+
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+
+/// Where a contour turns back along one axis.
+struct ShapeBreak {
+  bool decided = false; ///< all end points are known
+  bool found = false;
+  size_t index = 0;     ///< block that turns back
+  unsigned pockets = 0; ///< how often it turns into a pocket
+};
+
+/// Where the contour's X turns back, so that a pocket forms.
+ShapeBreak undercutOf(const Profile &profile);
+/// Where Z turns back.
+ShapeBreak returnInZ(const Profile &profile);
+
+} // namespace ncvet

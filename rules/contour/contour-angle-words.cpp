@@ -1,0 +1,77 @@
+// A line by angle has too many or too few coordinates, or stands in a block that is no line.
+#include "analyzer/corner_words.h"
+
+#include <bit>
+
+namespace ncvet {
+namespace {
+
+class ContourAngleWords final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    corners_ = cornerAddresses(to.dialect());
+    if (corners_.angle)
+      to.on({EventKind::Motion, EventKind::Block});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Word *angle = ctx.block().findAny(corners_.angle);
+    if (!angle || ctx.before().profile == 1)
+      return;
+    const bool plain = corners_.plain & maskOf(angle->address);
+    if (plain && takenByOther(ctx, corners_.angle))
+      return;
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (event.kind == EventKind::Block) {
+      // Without an axis word there is no motion event.
+      const Action mode = ctx.after().activeAction(ctx.dialect(), StandardGroup::Motion);
+      if (axesOf(ctx, ctx.block()) & plane)
+        return;
+      if (mode != Action::Linear && !(mode == Action::Rapid && !plain))
+        return;
+      if (!plain && nextIntersects(ctx, plane))
+        return;
+      if (auto finding = ctx.report(*angle))
+        finding.message("`{0}` gives the direction of a line, but neither of its coordinates is given: it "
+                        "has no end",
+                        ctx.text(*angle));
+      return;
+    }
+    if (!event.certain)
+      return;
+    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    if (arc || event.motion == MotionKind::Thread || (plain && event.motion == MotionKind::Rapid)) {
+      if (plain && arc)
+        return;
+      if (auto finding = ctx.report(*angle))
+        finding.message(arc ? "`{0}` stands in an arc: an angle gives the direction of a straight line"
+                            : "`{0}` stands in a move that is no feed line: a line by angle is a G01 block",
+                        ctx.text(*angle));
+      return;
+    }
+    if (plain && event.motion == MotionKind::Feed && std::popcount(unsigned(event.axes & plane)) > 1)
+      if (auto finding = ctx.report(*angle))
+        finding.message("`{0}` gives the direction of a line whose both coordinates are given: it takes one "
+                        "of them",
+                        ctx.text(*angle));
+  }
+
+private:
+  /// A line of which only the angle is known ends where the next element begins.
+  static bool nextIntersects(const RuleContext &ctx, uint16_t plane) {
+    Block next;
+    if (!readNext(ctx, next))
+      return false;
+    if (!next.items.empty())
+      return true;
+    if (findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw}))
+      return true;
+    return next.has(commaA) && (axesOf(ctx, next) & plane) == plane;
+  }
+
+  CornerAddresses corners_;
+};
+
+} // namespace
+NCVET_RULE(ContourAngleWords, contour_angle_words)
+} // namespace ncvet

@@ -1,0 +1,131 @@
+// A chamfer or rounding stands where the control does not take one.
+#include "analyzer/corner_words.h"
+
+namespace ncvet {
+namespace {
+
+class ContourCornerNotAllowed final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    corners_ = cornerAddresses(to.dialect());
+    if (corners_.corner())
+      to.on(EventKind::Motion);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    const Word *word = block.findAny(corners_.corner());
+    if (!word || !event.certain || event.number != 0 || ctx.before().profile == 1)
+      return;
+    const bool plain = corners_.plain & maskOf(word->address);
+    if (event.motion == MotionKind::Rapid) {
+      if (takenByOther(ctx, maskOf(word->address)))
+        return;
+      if (auto finding = ctx.report(*word))
+        finding.message("`{0}` asks for a corner in a rapid move: corners lie between feed moves",
+                        ctx.text(*word));
+      return;
+    }
+    if (plain) {
+      if (event.motion == MotionKind::Feed && !takenByOther(ctx, corners_.plain))
+        plainCorner(event, *word, ctx);
+      return;
+    }
+    commaCorner(event, *word, ctx);
+  }
+
+private:
+  /// Plain letters: between two moves along X and along Z, one behind the other.
+  void plainCorner(const Event &event, const Word &word, RuleContext &ctx) const {
+    constexpr uint16_t x = 1u << unsigned(Axis::X), z = 1u << unsigned(Axis::Z);
+    const uint16_t axes = event.axes & (x | z);
+    // With an angle the block is a line by angle, which may be anything.
+    if (ctx.block().hasAny(corners_.angle))
+      return;
+    if (axes == (x | z)) {
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` asks for a corner at the end of a slanting line: both moves have to run "
+                        "along one axis",
+                        ctx.text(word));
+      return;
+    }
+    Block next;
+    if (!readNext(ctx, next) || !next.items.empty())
+      return;
+    const uint16_t then = axesOf(ctx, next) & (x | z);
+    if (then == 0 || hasOtherAction(ctx, next))
+      return;
+    if (findCode(ctx.dialect(), next, {Action::Rapid})) {
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
+                        ctx.text(word));
+      return;
+    }
+    if (then != axes && then != (x | z))
+      return;
+    if (auto finding = ctx.report(word))
+      finding
+          .message(then == axes ? "`{0}` asks for a corner, but the next move goes on along the same axis"
+                                : "`{0}` asks for a corner in front of a slanting line: both moves have to "
+                                  "run along one axis",
+                   ctx.text(word))
+          .note(SourceRange{ctx.source().id(), next.words.front().offset,
+                            next.endOf(next.words.back())},
+                "the next move");
+  }
+
+  /// `,R` and `,C`: between two feed moves in the selected plane.
+  void commaCorner(const Event &event, const Word &word, RuleContext &ctx) const {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    constexpr uint16_t linear =
+        1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y) | 1u << unsigned(Axis::Z);
+    if ((event.axes & linear) && !(event.axes & plane)) {
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` asks for a corner in a move outside of the selected plane", ctx.text(word));
+      return;
+    }
+    Block next;
+    if (!readNext(ctx, next) || !next.items.empty())
+      return;
+    const CodeInfo *rapid = findCode(ctx.dialect(), next, {Action::Rapid});
+    const CodeInfo *cycle = findCode(ctx.dialect(), next, {Action::Cycle});
+    const uint16_t then = axesOf(ctx, next);
+    if (rapid && (then & linear)) {
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
+                        ctx.text(word));
+      return;
+    }
+    if (cycle) {
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` asks for a corner in front of `{1}`: corners lie between feed moves",
+                        ctx.text(word), cycle->name);
+      return;
+    }
+    if (hasOtherAction(ctx, next) ||
+        findCode(ctx.dialect(), next, {Action::PlaneXY, Action::PlaneZX, Action::PlaneYZ}))
+      return;
+    if ((then & linear) && !(then & plane))
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` asks for a corner, but the next move leaves the selected plane",
+                        ctx.text(word));
+  }
+
+  /// The axis words of the next block are not those of a move.
+  static bool hasOtherAction(const RuleContext &ctx, const Block &next) {
+    for (const CodeIndex index : codesOf(ctx.dialect(), next)) {
+      const CodeInfo &code = ctx.dialect().codes[index];
+      if (code.exclusive || code.action == Action::MachineMove ||
+          code.action == Action::ReferenceReturn || code.action == Action::LocalShift ||
+          code.action == Action::PresetPosition || code.action == Action::Dwell)
+        return true;
+    }
+    return false;
+  }
+
+  CornerAddresses corners_;
+};
+
+} // namespace
+NCVET_RULE(ContourCornerNotAllowed, contour_corner_not_allowed)
+} // namespace ncvet

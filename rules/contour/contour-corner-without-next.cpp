@@ -1,0 +1,84 @@
+// A chamfer or rounding has no following move.
+#include "analyzer/corner_words.h"
+
+namespace ncvet {
+namespace {
+
+/// Blocks without a move that may stand between the two moves of a corner written with a comma.
+constexpr unsigned blocksBetween = 3;
+
+class ContourCornerWithoutNext final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    corners_ = cornerAddresses(to.dialect());
+    if (corners_.corner())
+      to.on({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::CycleRun) {
+      lastOfProfile(event, ctx);
+      return;
+    }
+    const Block &block = ctx.block();
+    const Word *word = block.findAny(corners_.corner());
+    if (!word || ctx.before().profile != 0 || !event.certain)
+      return;
+    const bool plain = corners_.plain & maskOf(word->address);
+    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    if (!(event.motion == MotionKind::Feed || (arc && !plain)) || takenByOther(ctx, corners_.plain))
+      return;
+    Block next;
+    bool more = readNext(ctx, next);
+    for (unsigned i = 0; more; ++i, more = readOn(ctx, next)) {
+      if (!next.items.empty() || next.skip >= 0)
+        return;
+      if (axesOf(ctx, next) || next.hasAny(corners_.angle))
+        return;
+      if (findCode(ctx.dialect(), next, {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
+        return;
+      if (plain || i + 1 >= blocksBetween ||
+          findCode(ctx.dialect(), next,
+                   {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return, Action::ProgramStop,
+                    Action::ToolChange}))
+        break;
+    }
+    if (auto finding = ctx.report(*word)) {
+      finding.message("`{0}` asks for a corner, and no move follows with which it could be made",
+                      ctx.text(*word));
+      if (more)
+        finding.note(SourceRange{ctx.source().id(), next.begin, next.end}, "the next block");
+    }
+  }
+
+private:
+  /// The last block of a profile has no next element.
+  void lastOfProfile(const Event &event, RuleContext &ctx) const {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known)
+      return;
+    const ProfileBlock &last = profile.blocks.back();
+    if (!last.moves || last.motion != MotionKind::Feed)
+      return;
+    const Word *word = last.block.findAny(corners_.corner());
+    if (!word)
+      return;
+    for (const CodeUse &use : last.codes)
+      if (ctx.code(use).action == Action::CompensationOff)
+        return;
+    const SourceRange at{ctx.source().id(), word->offset, last.block.endOf(*word)};
+    if (auto finding = ctx.report(at, event.certain))
+      finding
+          .message("`{0}` asks for a corner in the last block of the profile of `{1}`: nothing follows there",
+                   ctx.text(at), ctx.code(event).name)
+          .note(ctx.blockRange(), "the cycle that works along this profile");
+  }
+
+  CornerAddresses corners_;
+};
+
+} // namespace
+NCVET_RULE(ContourCornerWithoutNext, contour_corner_without_next)
+} // namespace ncvet

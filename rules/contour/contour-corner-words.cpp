@@ -1,0 +1,88 @@
+// Chamfer and rounding stand together, have the wrong letter or the wrong sign.
+#include "analyzer/corner_words.h"
+
+namespace ncvet {
+namespace {
+
+constexpr llvm::StringLiteral id = "contour-corner-words";
+
+class ContourCornerWords final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    corners_ = cornerAddresses(to.dialect());
+    to.onNotices(id);
+    if (corners_.corner())
+      to.on(EventKind::Motion);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code) {
+      ctx.reportNotices(id, event);
+      return;
+    }
+    const Block &block = ctx.block();
+    if (!block.hasAny(corners_.corner()) || !isLine(ctx, event) || takenByOther(ctx, corners_.plain))
+      return;
+    const Word *chamfer = block.findAny(corners_.chamfer);
+    const Word *rounding = block.findAny(corners_.rounding);
+    if (chamfer && rounding) {
+      const Word &second = chamfer->offset > rounding->offset ? *chamfer : *rounding;
+      const Word &first = &second == chamfer ? *rounding : *chamfer;
+      if (auto finding = ctx.report(second))
+        finding.message("`{0}` and `{1}` ask for two corners at one place: a block takes a chamfer or a "
+                        "rounding",
+                        ctx.text(first), ctx.text(second));
+      return;
+    }
+    const Word &word = chamfer ? *chamfer : *rounding;
+    if (!(corners_.plain & maskOf(word.address)))
+      return;
+    constexpr uint16_t x = 1u << unsigned(Axis::X), z = 1u << unsigned(Axis::Z);
+    const bool onlyX = (event.axes & (x | z)) == x, onlyZ = (event.axes & (x | z)) == z;
+    if ((word.address == letterAddress('I') && onlyX) ||
+        (word.address == letterAddress('K') && onlyZ)) {
+      if (auto finding = ctx.report(word))
+        finding.message("the chamfer of a move in {0} is written with {1}, not `{2}`", onlyX ? "X" : "Z",
+                        onlyX ? "K" : "I", ctx.text(word));
+      return;
+    }
+    sign(event, word, onlyX, onlyZ, ctx);
+  }
+
+private:
+  /// The corner word carries the sign of the move that follows.
+  void sign(const Event &event, const Word &word, bool onlyX, bool onlyZ, RuleContext &ctx) const {
+    if (onlyX == onlyZ)
+      return;
+    const Axis axis = onlyX ? Axis::Z : Axis::X;
+    const Interval size = ctx.value(word);
+    Block next;
+    if (!size.isConstant() || size.value() == 0 || !readNext(ctx, next) || !next.items.empty() ||
+        axesOf(ctx, next) != uint16_t(1u << unsigned(axis)))
+      return;
+    const Word *target = next.findAny(ctx.dialect().axisWords);
+    if (!target || !target->isNumber())
+      return;
+    double way = target->value();
+    if (ctx.dialect().addresses[target->address].kind != AddressKind::Increment) {
+      const Interval &here = ctx.after().at(axis);
+      const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+      if (!here.isConstant() || !unit || ctx.after().inMachineCoordinates(axis))
+        return;
+      way = way * *unit - here.value();
+    }
+    if (way == 0 || (way > 0) == (size.value() > 0))
+      return;
+    if (auto finding = ctx.report(word, event.certain))
+      finding
+          .message("`{0}` points towards {1}{2}, but the next move goes towards {3}{2}", ctx.text(word),
+                   size.value() > 0 ? "+" : "-", axis == Axis::X ? "X" : "Z", way > 0 ? "+" : "-")
+          .note(SourceRange{ctx.source().id(), target->offset, next.endOf(*target)}, "the next move");
+  }
+
+  CornerAddresses corners_;
+};
+
+} // namespace
+NCVET_RULE(ContourCornerWords, contour_corner_words)
+} // namespace ncvet

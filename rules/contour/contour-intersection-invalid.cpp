@@ -1,0 +1,178 @@
+// Two blocks that the control has to intersect are incomplete or do not meet.
+#include "analyzer/corner_words.h"
+
+#include <bit>
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+/// A control that intersects has the angle with a comma and compensation.
+class ContourIntersectionInvalid final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    // The block behind names an over-determined element; only controls with an `I` operator do it.
+    if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) &&
+        to.option("intersects", 0) != 0)
+      to.on({EventKind::Motion, EventKind::Block});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (event.kind == EventKind::Block) {
+      // A line of which only the angle is given, in front of a circle.
+      if (block.has(commaA) && !(axesOf(ctx, block) & plane))
+        lineAndCircle(ctx);
+      return;
+    }
+    if (!event.certain || ctx.before().profile == 1)
+      return;
+    const bool line = event.motion == MotionKind::Feed || event.motion == MotionKind::Rapid;
+    if (!line || !block.has(commaA) || (event.axes & plane) != plane)
+      return;
+    // Both coordinates and the angle: it is intersected with the element before.
+    if (ctx.before().compensation == phaseOff && ctx.after().compensation == phaseOff) {
+      if (auto finding = ctx.report(event))
+        finding.message("this line has its end and its angle, so that it is to be intersected with the "
+                        "element before, but compensation is off (G41 or G42, with D00 for none)");
+      return;
+    }
+    previous(event, plane, ctx);
+  }
+
+private:
+  /// What stands in front: the last block with a move.
+  static void previous(const Event &event, uint16_t plane, RuleContext &ctx) {
+    const Origin &origin = ctx.before().origin.lastCut;
+    if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
+      return;
+    Block last;
+    // The last cut must stand right in front of this block.
+    ctx.index().reader().read(origin.begin, last);
+    Block between;
+    for (uint32_t at = last.next; at < ctx.block().begin; at = between.next) {
+      ctx.index().reader().read(at, between);
+      if (!between.isEmpty())
+        return;
+    }
+    if (findCode(ctx.dialect(), last, {Action::ArcCw, Action::ArcCcw})) {
+      selector(ctx.block(), ctx.blockRange(), ctx);
+      incremental(ctx, ctx.blockRange());
+      return;
+    }
+    parallel(event, last, plane, ctx);
+  }
+
+  /// Two lines: the one before by its end points, this one by its end and its angle.
+  static void parallel(const Event &event, const Block &last, uint16_t plane, RuleContext &ctx) {
+    if (last.has(commaA))
+      return; // the first line's start would have to be known
+    if (std::popcount(unsigned(plane)) != 2)
+      return;
+    const Word *angleWord = ctx.block().find(commaA);
+    const Interval angle = ctx.value(*angleWord);
+    if (!angle.isConstant())
+      return;
+    // The line before ran to where the tool stands now; its direction is that of its only axis.
+    uint16_t moved = axesOf(ctx, last) & plane;
+    if (std::popcount(unsigned(moved)) == 2) {
+      // `X10 Y0` behind `X0 Y0`: the start is not kept, only an unchanged coordinate would show.
+      const auto start = startOf(ctx, last, plane);
+      if (!start)
+        return;
+      moved = *start;
+    }
+    if (std::popcount(unsigned(moved)) != 1)
+      return;
+    constexpr uint16_t x = 1u << unsigned(Axis::X), y = 1u << unsigned(Axis::Y),
+                       z = 1u << unsigned(Axis::Z);
+    const uint16_t first = plane == (x | z) ? z : plane == (y | z) ? y : x;
+    const double a = std::fabs(std::fmod(angle.value(), 180.0));
+    const bool alongFirst = a < 1e-9 || a > 180 - 1e-9;
+    const bool alongSecond = std::fabs(a - 90) < 1e-9;
+    if (!(moved == first ? alongFirst : alongSecond))
+      return;
+    if (auto finding = ctx.report(*angleWord, event.certain))
+      finding
+          .message("this line at `{0}` and the one before run parallel: they do not meet",
+                   ctx.text(*angleWord))
+          .note(SourceRange{ctx.source().id(), last.begin, last.end}, "the line before");
+  }
+
+  /// Which single axis changed in `last`, by looking at the block in front of it.
+  static std::optional<uint16_t> startOf(const RuleContext &ctx, const Block &last, uint16_t plane) {
+    if (last.begin == 0)
+      return std::nullopt;
+    Block before;
+    ctx.index().reader().read(ctx.source().lines().lineBegin(last.begin - 1), before);
+    uint16_t changed = 0;
+    for (const Word &word : last.words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if (address.kind != AddressKind::Axis || !(plane >> unsigned(address.axis) & 1))
+        continue;
+      const Word *was = before.find(word.address);
+      if (!was || !was->isNumber() || !word.isNumber() || was->has(wordIncremental) ||
+          word.has(wordIncremental))
+        return std::nullopt;
+      if (was->value() != word.value())
+        changed |= uint16_t(1u << unsigned(address.axis));
+    }
+    return changed;
+  }
+
+  /// A line by angle alone, then a circle that has to be complete.
+  static void lineAndCircle(RuleContext &ctx) {
+    Block next;
+    if (!readNext(ctx, next) || !next.items.empty() ||
+        !findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw}))
+      return;
+    SourceRange range{ctx.source().id(), next.words.front().offset, next.endOf(next.words.back())};
+    const unsigned centres = unsigned(next.has(letterAddress('I'))) +
+                             unsigned(next.has(letterAddress('J'))) +
+                             unsigned(next.has(letterAddress('K')));
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (centres < 2 || !next.has(letterAddress('R')) || (axesOf(ctx, next) & plane) != plane) {
+      if (auto finding = ctx.report(range))
+        finding.message("this circle is to be intersected with the line before: it needs its end, its "
+                        "centre and R");
+      return;
+    }
+    selector(next, range, ctx);
+    incremental(ctx, range);
+    if (ctx.after().compensation == phaseOff)
+      if (auto finding = ctx.report(range))
+        finding.message("this circle is to be intersected with the line before, but compensation is off "
+                        "(G41 or G42, with D00 for none)");
+  }
+
+  static void selector(const Block &block, SourceRange range, RuleContext &ctx) {
+    const Word *q = block.find('Q');
+    if (q && (!q->isNumber() || q->mantissa != 0))
+      return;
+    if (q)
+      range = {ctx.source().id(), q->offset, block.endOf(*q)};
+    if (auto finding = ctx.report(range))
+      finding.message(q ? "Q0 selects neither of the two points in which the elements meet"
+                        : "a line and a circle meet in two points: Q below 0 selects the first, above 0 the "
+                          "second");
+  }
+
+  static void incremental(RuleContext &ctx, SourceRange range) {
+    const GroupIndex group = ctx.dialect().group(StandardGroup::Distance);
+    if (group == noGroup || ctx.after().group[group] == groupUnset ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+            Truth::Yes)
+      return;
+    if (auto finding = ctx.report(range))
+      finding
+          .message("G91 is active, but the end and the centre of an intersected element are read as "
+                   "absolute")
+          .severity(Severity::Warning)
+          .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Distance), "G91 becomes active here");
+  }
+};
+
+} // namespace
+NCVET_RULE(ContourIntersectionInvalid, contour_intersection_invalid)
+} // namespace ncvet

@@ -1,0 +1,86 @@
+// The levels of a drilling cycle lie in the wrong order: start, R, depth.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class CycleDepthOrder final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::CycleStart, EventKind::CycleRun}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (!makesHole(code.cycle))
+      return;
+    const Block &block = ctx.block();
+    const Word *rWord = wordOf(block, code, Role::Retract);
+    const Word *zWord = wordOf(block, code, Role::Depth);
+    if (!rWord && !zWord)
+      return;
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    const auto unit = millimetresPer(dialect, state);
+    const auto r = kept(state.cycle, code, Role::Retract);
+    const auto z = kept(state.cycle, code, Role::Depth);
+    if (!unit || !r || !z || mixed(state.cycle, code, dialect) ||
+        (rWord && rWord->has(wordIncremental)) || (zWord && zWord->has(wordIncremental)))
+      return;
+    if (dialect.group(StandardGroup::Distance) != noGroup &&
+        state.active(dialect, StandardGroup::Distance) != groupUnset &&
+        state.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::No)
+      return;
+    const Word &word = rWord ? *rWord : *zWord;
+    const double level = *r * *unit, depth = *z * *unit;
+    constexpr double tolerance = 1e-6;
+    if (code.cycle == CycleKind::BackBore) {
+      if (level < depth - tolerance)
+        return;
+      if (auto finding = ctx.report(word, event.certain))
+        finding.message("back boring `{0}` cuts upwards: its R ({1}) must lie deeper than Z ({2})",
+                        code.name, text(*r), text(*z));
+      return;
+    }
+    const Interval &from = state.initialLevel;
+    if (level < depth - tolerance) {
+      // Drilling towards plus is a matter of lathes with a second spindle; the start tells.
+      const bool startKnown = from.isConstant();
+      if (startKnown && from.value() <= level + tolerance && dialect.isLathe())
+        return;
+      if (auto finding = ctx.report(word, event.certain && (startKnown || !dialect.isLathe())))
+        finding.message("R ({0}) of `{1}` lies below the depth {2}: there is nothing to drill "
+                        "between them",
+                        text(*r), code.name, text(*z));
+      return;
+    }
+    if (level > depth + tolerance && from.isConstant() && from.value() < level - tolerance &&
+        event.kind == EventKind::CycleStart) {
+      const bool inside = from.value() < depth - tolerance;
+      if (auto finding = ctx.report(word, event.certain && inside))
+        finding
+            .message("`{0}` begins at {1}, below its R ({2}): the tool rises to R at rapid first",
+                     code.name, text(from.value() / *unit), text(*r))
+            .severity(Severity::Warning);
+    }
+  }
+
+private:
+  static std::string text(double value) {
+    return llvm::formatv("{0}", llvm::format("%g", value)).str();
+  }
+  /// The depth was given as an increment (W), alone or beside an absolute one.
+  static bool mixed(const CycleWords &words, const CodeInfo &code, const Dialect &dialect) {
+    const AddressMask mask = addressesOf(code, Role::Depth);
+    for (char letter = 'A'; letter <= 'Z'; ++letter)
+      if ((mask & maskOf(letter) & dialect.incrementWords) && words.has(letter))
+        return true;
+    return false;
+  }
+};
+
+} // namespace
+NCVET_RULE(CycleDepthOrder, cycle_depth_order)
+} // namespace ncvet

@@ -1,0 +1,110 @@
+// A cycle makes the same hole more than once.
+#include "analyzer/lookahead.h"
+
+
+namespace ncvet {
+namespace {
+
+class CycleHoleDrilledTwice final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::CycleStart, EventKind::CycleRun}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || !makesHole(ctx.code(event).cycle))
+      return;
+    if (event.kind == EventKind::CycleRun) {
+      samePlace(event, ctx);
+      repeatedHere(event, ctx);
+    }
+  }
+
+private:
+  /// A repeat count with absolute positions, or with none.
+  static void repeatedHere(const Event &event, RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    const Word *count = wordOf(ctx.block(), code, Role::Repeat);
+    const auto n = valueOf(ctx, code, Role::Repeat);
+    if (!count || !n || *n < 2)
+      return;
+    const Dialect &dialect = ctx.dialect();
+    const Axis tool = toolAxis(dialect, ctx.after());
+    const GroupIndex group = dialect.group(StandardGroup::Distance);
+    if (group != noGroup && ctx.after().group[group] != groupUnset &&
+        ctx.after().isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::No)
+      return;
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = dialect.addresses[word.address];
+      if (!(dialect.axisWords & maskOf(word.address)) || address.axis == tool)
+        continue;
+      if (address.kind == AddressKind::Increment || word.has(wordIncremental) || !word.isNumber())
+        return;
+    }
+    if (auto finding = ctx.report(*count, event.certain))
+      finding.message("`{0}` runs `{1}` {2} times at the same place: the positions are absolute",
+                      ctx.text(*count), code.name, *n);
+  }
+
+  /// A position that the same list of holes has had before.
+  void samePlace(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const CodeInfo &code = ctx.code(event);
+    const Axis tool = toolAxis(ctx.dialect(), state);
+    if (state.profile || state.switchMay)
+      return; // a shifted or turned system makes other places of the same numbers
+    Place place;
+    place.file = ctx.source().id();
+    place.block = ctx.block().begin;
+    place.list = state.origin.cycle.begin;
+    place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
+    for (unsigned i = 0; i < axisCount; ++i) {
+      if (i == unsigned(tool))
+        continue;
+      if (!state.position[i].isConstant()) {
+        if (event.axes >> i & 1)
+          return;
+        continue;
+      }
+      place.at[i] = state.position[i].value();
+    }
+    if (!state.position[0].isConstant())
+      return;
+    if (ctx.callDepth() != depth_ || place.list != list_ || place.file != file_) {
+      places_.clear();
+      list_ = place.list;
+      file_ = place.file;
+      depth_ = ctx.callDepth();
+    }
+    // Another depth at the same place is a second step, and a longer path cannot be one list.
+    const bool deeper = wordOf(ctx.block(), code, Role::Depth) ||
+                        wordOf(ctx.block(), code, Role::Retract);
+    if (places_.size() > 5000)
+      return;
+    for (const Place &other : places_) {
+      if (other.block == place.block || other.offset != place.offset || other.at != place.at)
+        continue;
+      if (deeper && state.origin.cycle.begin < ctx.block().begin)
+        break;
+      if (auto finding = ctx.report(ctx.blockRange(), false))
+        finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
+            .note(SourceRange{place.file, other.block, other.end}, "this block was here already");
+      break;
+    }
+    place.end = ctx.block().end;
+    places_.push_back(place);
+  }
+
+  struct Place {
+    FileId file = 0;
+    uint32_t block = 0, end = 0, list = 0;
+    uint64_t offset = 0;
+    std::array<double, axisCount> at{};
+  };
+  std::vector<Place> places_; ///< of the list of holes that is being run, in text order
+  uint32_t list_ = 0;
+  FileId file_ = 0;
+  unsigned depth_ = 0;
+};
+
+} // namespace
+NCVET_RULE(CycleHoleDrilledTwice, cycle_hole_drilled_twice)
+} // namespace ncvet

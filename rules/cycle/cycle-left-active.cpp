@@ -1,0 +1,108 @@
+// A modal cycle is still active where the operation is over: tool change, program end, return.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class CycleLeftActive final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun});
+    to.onCode([](const CodeInfo &code) {
+      return code.action == Action::Cycle && code.group == noGroup;
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &before = ctx.before();
+    const Dialect &dialect = ctx.dialect();
+    if (before.profile != 0)
+      return;
+    const Truth active = before.cycleActive(dialect);
+    if (active == Truth::No || before.may(Fact::UnknownCode))
+      return;
+    const CodeInfo *cycle = activeCycle(before, dialect);
+    if (event.kind == EventKind::CycleRun) {
+      repeatedPass(event, ctx);
+      return;
+    }
+    if (!cycle)
+      return;
+    for (const CodeUse &use : ctx.codes()) { // the block itself ends the cycle
+      const CodeInfo &code = ctx.code(use);
+      if (code.cancelsCycle || code.action == Action::CycleCancel ||
+          (isMotion(code.action) && code.action != Action::None))
+        return;
+    }
+    const Origin &origin = before.origin.cycle;
+    const char *where = "";
+    switch (event.kind) {
+    case EventKind::ToolChange:
+      where = "at this tool change";
+      break;
+    case EventKind::ProgramEnd:
+      where = "at the program's end";
+      break;
+    case EventKind::Return: {
+      // A cycle that the caller switched on is the caller's to switch off.
+      const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+      if (origin.file != ctx.source().id() || origin.begin < program.begin ||
+          origin.begin >= program.end)
+        return;
+      where = "at the return from this program";
+      break;
+    }
+    default:
+      where = "where a cycle of turning begins";
+      break;
+    }
+    const std::string cancel = cancelOf(dialect, *cycle);
+    if (auto finding = ctx.report(event, active == Truth::Yes))
+      finding
+          .message("`{0}` of line {1} is still active {2}: the next position {3} again",
+                   cycle->name, lineOf(ctx, origin), where, verbOf(cycle->cycle))
+          .note(origin, cycle->name + " becomes active here")
+          .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
+               ctx.insertBlockBefore(cancel));
+  }
+
+private:
+  static const CodeInfo *activeCycle(const MachineState &state, const Dialect &dialect) {
+    for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion})
+      for (const CodeInfo *code : state.candidates(dialect, which))
+        if (code->action == Action::Cycle)
+          return code;
+    return nullptr;
+  }
+
+  /// A cycle that every block without a motion code runs again, in a block that gives it nothing.
+  static void repeatedPass(const Event &event, RuleContext &ctx) {
+    if (event.code == noCode || !event.certain)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (!code.firesOnEveryBlock || ctx.block().words.empty())
+      return;
+    AddressMask own = code.takes | ctx.dialect().axisWords;
+    for (const WordSpec &spec : code.words)
+      own |= spec.any;
+    if (ctx.block().hasAny(own))
+      return;
+    for (const CodeUse &use : ctx.codes())
+      if (use.code == event.code)
+        return;
+    const Origin &origin = ctx.before().origin.cycle;
+    const std::string cancel = cancelOf(ctx.dialect(), code);
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("`{0}` of line {1} is still active: this block {2} the last pass again",
+                   code.name, lineOf(ctx, origin),
+                   code.cycle == CycleKind::ThreadPass ? "cuts" : verbOf(code.cycle))
+          .note(origin, code.name + " becomes active here")
+          .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
+               ctx.insertBlockBefore(cancel));
+  }
+};
+
+} // namespace
+NCVET_RULE(CycleLeftActive, cycle_left_active)
+} // namespace ncvet

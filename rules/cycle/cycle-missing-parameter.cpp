@@ -1,0 +1,28 @@
+// A canned or turning cycle lacks a word that it needs.
+#include "analyzer/word_checks.h"
+
+namespace ncvet {
+namespace {
+
+constexpr llvm::StringLiteral id = "cycle-missing-parameter";
+
+class CycleMissingParameter final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onCode([](const CodeInfo &code) {
+      return code.action == Action::Cycle ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    reportMissingWords(ctx, event, [](const CodeInfo &code, const WordSpec &spec) {
+      return code.action == Action::Cycle && topicOf(code, spec) == WordTopic::Cycle;
+    });
+    ctx.reportNotices(id, event);
+  }
+};
+
+} // namespace
+NCVET_RULE(CycleMissingParameter, cycle_missing_parameter)
+} // namespace ncvet

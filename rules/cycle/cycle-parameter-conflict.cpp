@@ -1,0 +1,27 @@
+// Words of a cycle exclude each other.
+#include "analyzer/word_checks.h"
+
+namespace ncvet {
+namespace {
+
+constexpr llvm::StringLiteral id = "cycle-parameter-conflict";
+
+class CycleParameterConflict final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onCode([](const CodeInfo &code) {
+      return (code.action == Action::Cycle && !code.excludes.empty()) ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (ctx.code(event).action == Action::Cycle)
+      reportExcludedWords(ctx, event);
+    ctx.reportNotices(id, event);
+  }
+};
+
+} // namespace
+NCVET_RULE(CycleParameterConflict, cycle_parameter_conflict)
+} // namespace ncvet

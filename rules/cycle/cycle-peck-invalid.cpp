@@ -1,0 +1,68 @@
+// The pecks of a drilling cycle are missing, not positive, or contradict each other.
+#include "analyzer/lookahead.h"
+#include "analyzer/word_checks.h"
+
+namespace ncvet {
+namespace {
+
+constexpr llvm::StringLiteral id = "cycle-peck-invalid";
+
+class CyclePeckInvalid final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    to.onCode([](const CodeInfo &code) {
+      return code.action == Action::Cycle ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const bool again = event.kind == EventKind::CycleRun;
+    if (again &&
+        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; }))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.action == Action::Cycle) {
+      if (!again)
+        reportMissingWords(ctx, event, [](const CodeInfo &of, const WordSpec &spec) {
+          return topicOf(of, spec) == WordTopic::Peck;
+        });
+      reportWordRanges(ctx, event, [](const CodeInfo &of, const WordSpec &spec, Breach) {
+        return topicOf(of, spec) == WordTopic::Peck;
+      });
+      checkOrder(event, code, ctx);
+    }
+    if (!again)
+      ctx.reportNotices(id, event);
+  }
+
+private:
+  /// Shrinking pecks: the reduction and the least peck are smaller than the first one.
+  static void checkOrder(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const Word *firstWord = wordOf(ctx.block(), code, Role::PeckFirst);
+    const auto first = valueOf(ctx, code, Role::PeckFirst);
+    if (!firstWord || !first || *first <= 0)
+      return;
+    const auto check = [&](Role role, bool mayEqual, const char *what) {
+      const Word *word = wordOf(ctx.block(), code, role);
+      const auto value = valueOf(ctx, code, role);
+      if (!word || !value || *value < *first || (mayEqual && *value == *first))
+        return;
+      if (auto finding = ctx.report(*word, event.certain))
+        finding
+            .message("{0} `{1}` is not smaller than the first peck `{2}`: the pecks cannot shrink",
+                     what, ctx.text(*word), ctx.text(*firstWord))
+            .note(ctx.range(*firstWord), "the first peck")
+            .severity(Severity::Warning);
+    };
+    check(Role::PeckStep, false, "the reduction");
+    check(Role::PeckLeast, true, "the least peck");
+  }
+};
+
+} // namespace
+NCVET_RULE(CyclePeckInvalid, cycle_peck_invalid)
+} // namespace ncvet

@@ -1,0 +1,87 @@
+// The spindle turns the other way than the cycle needs.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class CycleSpindleDirection final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::CycleStart, EventKind::CycleRun}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    // The spindle as the block leaves it, unless the cycle turns it itself.
+    uint8_t spindle = ctx.before().spindle;
+    for (const CodeUse &use : ctx.codes()) {
+      if (ctx.code(use).action == Action::SpindleCw)
+        spindle = spindleCw;
+      else if (ctx.code(use).action == Action::SpindleCcw)
+        spindle = spindleCcw;
+    }
+    if (spindle != spindleCw && spindle != spindleCcw)
+      return;
+    if (cutsThread(code.cycle)) {
+      if (event.kind == EventKind::CycleRun)
+        threadHand(event, code, spindle, ctx);
+      return;
+    }
+    if (event.kind != EventKind::CycleStart || !makesHole(code.cycle))
+      return;
+    uint8_t needed = 0;
+    if (code.spindle == SpindleNeed::Clockwise)
+      needed = spindleCw;
+    else if (code.spindle == SpindleNeed::CounterClockwise)
+      needed = spindleCcw;
+    else if (code.spindle == SpindleNeed::StartsItself && code.cycle == CycleKind::Tap)
+      needed = spindleCw;
+    else if (code.spindle == SpindleNeed::StartsItself && code.cycle == CycleKind::TapLeft)
+      needed = spindleCcw;
+    if (!needed || needed == spindle || ctx.before().may(Fact::UnknownCode))
+      return;
+    const bool itself = code.spindle == SpindleNeed::StartsItself;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message(itself ? "`{0}` starts with {1} by itself, but the spindle turns with {2}: "
+                            "perhaps the tap of the other hand is meant"
+                          : "`{0}` needs the spindle turning with {1}, but it turns with {2}",
+                   code.name, needed == spindleCw ? "M03" : "M04",
+                   spindle == spindleCw ? "M03" : "M04")
+          .note(ctx.before().origin.spindle, "the spindle is started here");
+  }
+
+private:
+  /// Right-hand threads with the turret behind the axis: M03 towards -Z, M04 towards +Z.
+  static void threadHand(const Event &event, const CodeInfo &code, uint8_t spindle,
+                         RuleContext &ctx) {
+    const auto rear = ctx.machine().option("rearTurret");
+    if (!rear || *rear != "true")
+      return;
+    const Interval &start = ctx.before().at(Axis::Z);
+    const auto end = endOf(ctx, Axis::Z, start);
+    if (!start.isConstant() || !end || *end == start.value())
+      return;
+    const bool towardsMinus = *end < start.value();
+    const uint8_t needed = towardsMinus ? spindleCw : spindleCcw;
+    if (needed == spindle)
+      return;
+    const Word *word = event.word;
+    for (const CodeUse &use : ctx.codes())
+      if (use.code == event.code)
+        word = use.word;
+    if (!word)
+      return;
+    if (auto finding = ctx.report(*word, event.certain))
+      finding
+          .message("`{0}` cuts towards {1} with {2}: with the tools behind the axis that is a "
+                   "left-hand thread",
+                   code.name, towardsMinus ? "-Z" : "+Z", spindle == spindleCw ? "M03" : "M04")
+          .severity(Severity::Warning)
+          .note(ctx.before().origin.spindle, "the spindle is started here");
+  }
+};
+
+} // namespace
+NCVET_RULE(CycleSpindleDirection, cycle_spindle_direction)
+} // namespace ncvet

@@ -1,0 +1,112 @@
+// Feed and speed of a tapping cycle do not give the pitch.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class CycleTapFeedMismatch final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    leastPitch_ = to.option("leastPitch", 0.05);
+    greatestPitch_ = to.option("greatestPitch", 12);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || !taps(ctx.code(event).cycle))
+      return;
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    const CodeInfo &code = ctx.code(event);
+    const auto unit = millimetresPer(dialect, state);
+    if (!unit || !state.feed.isConstant() || !state.must(Fact::FeedSet) ||
+        state.active(dialect, StandardGroup::FeedMode) == groupUnset)
+      return;
+    const double feed = state.feed.value() * *unit;
+    const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
+    std::optional<double> pitch;
+    if (const auto tool = ctx.machine().tools.find(state.tool); tool != ctx.machine().tools.end())
+      pitch = tool->second.pitch;
+    const Word *word = ctx.block().find('F');
+    if (!word)
+      word = ctx.block().find('S');
+    const bool stated = word || llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      return use.code == event.code;
+    });
+    if (!stated)
+      return;
+    const Word *code_ = nullptr;
+    for (const CodeUse &use : ctx.codes())
+      if (use.code == event.code)
+        code_ = use.word;
+    const SourceRange at = word    ? ctx.range(*word)
+                           : code_ ? ctx.range(*code_)
+                                   : ctx.blockRange();
+    if (mode == Action::FeedPerRevolution) {
+      const bool off = pitch ? std::fabs(feed - *pitch) > 0.02 * *pitch : feed > greatestPitch_;
+      if (!off)
+        return;
+      if (auto finding = ctx.report(at, event.certain)) {
+        if (pitch)
+          finding.message("`{0}` with F{1} per revolution taps a pitch of {1}, but the tap has {2}",
+                          code.name, text(feed / *unit), text(*pitch / *unit));
+        else
+          finding.message("`{0}` with F{1} under feed per revolution: that is no pitch, it looks "
+                          "like a feed per minute",
+                          code.name, text(feed / *unit));
+        finding.note(state.origin.feed, "the feed is set here");
+      }
+      return;
+    }
+    if (mode != Action::FeedPerMinute || !state.speed.isConstant() || state.speed.value() <= 0 ||
+        (dialect.group(StandardGroup::SpeedMode) != noGroup &&
+         state.activeAction(dialect, StandardGroup::SpeedMode) == Action::SurfaceSpeed))
+      return;
+    const double cuts = feed / state.speed.value();
+    const bool off = pitch ? std::fabs(cuts - *pitch) > 0.02 * *pitch
+                           : cuts < leastPitch_ || cuts > greatestPitch_;
+    if (off) {
+      if (auto finding = ctx.report(at, event.certain)) {
+        if (pitch)
+          finding.message("`{0}` with F{1} and S{2} taps a pitch of {3}, but the tap has {4}: its "
+                          "feed per minute is F{5}",
+                          code.name, text(feed / *unit), text(state.speed.value()),
+                          text(cuts / *unit), text(*pitch / *unit),
+                          text(*pitch / *unit * state.speed.value()));
+        else
+          finding.message("`{0}` with F{1} per minute and S{2} taps a pitch of {3}: F is speed times "
+                          "pitch here",
+                          code.name, text(feed / *unit), text(state.speed.value()),
+                          text(cuts / *unit));
+        finding.note(state.origin.speed, "the speed is set here");
+      }
+      return;
+    }
+    // A later hole with another speed, but the old feed.
+    const MachineState &before = ctx.before();
+    if (pitch || !word || code_ || !before.feed.isConstant() || !before.speed.isConstant() ||
+        before.speed.value() <= 0 || !before.must(Fact::CycleRan))
+      return;
+    const double was = before.feed.value() * *unit / before.speed.value();
+    if (std::fabs(was - cuts) <= 0.005 * was)
+      return;
+    if (auto finding = ctx.report(at, event.certain))
+      finding
+          .message("`{0}` taps a pitch of {1} from here on, before it was {2}: F and S have to change "
+                   "together",
+                   code.name, text(cuts / *unit), text(was / *unit))
+          .note(before.origin.cycle, code.name + " becomes active here");
+  }
+
+private:
+  static std::string text(double value) {
+    return llvm::formatv("{0}", llvm::format("%.4g", value)).str();
+  }
+  double leastPitch_ = 0.05, greatestPitch_ = 12;
+};
+
+} // namespace
+NCVET_RULE(CycleTapFeedMismatch, cycle_tap_feed_mismatch)
+} // namespace ncvet

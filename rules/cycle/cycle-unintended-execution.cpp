@@ -1,0 +1,248 @@
+// A block runs the active cycle again although it looks like a retract or a plain move.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+/// Blocks that are read behind a position to see whether the operation is over.
+constexpr unsigned lookahead = 12;
+/// Holes that are read back to know how far the holes of a list lie apart.
+constexpr unsigned lookback = 200;
+
+class CycleUnintendedExecution final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    farFactor_ = to.option("farFactor", 1.5);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.block().words.empty())
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.group == noGroup) // a cycle of one block
+      return;
+    for (const CodeUse &use : ctx.codes())
+      if (ctx.code(use).action == Action::Cycle)
+        return;
+    if (makesHole(code.cycle))
+      checkHole(event, code, ctx);
+    else if (code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::ThreadPass)
+      checkPass(event, code, ctx);
+  }
+
+private:
+  void checkHole(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    const MachineState &before = ctx.before();
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    const auto toolBit = uint16_t(1u << unsigned(tool));
+    // A depth that lies above the level from which the cycle drills is a retract.
+    if ((event.axes & toolBit) && isRetract(code, tool, ctx)) {
+      report(event, code, ctx, true, "to a depth above its start level");
+      return;
+    }
+    // The first position after a tool change cannot belong to the list of the old tool.
+    if (before.must(Fact::ToolCalled) && !before.may(Fact::MovedSinceTool) &&
+        before.origin.tool.file == before.origin.cycle.file &&
+        before.origin.tool.begin > before.origin.cycle.begin) {
+      report(event, code, ctx, true, "with the new tool");
+      return;
+    }
+    // A lathe's main spindle drills on its axis only: a move in X leaves it.
+    if (ctx.dialect().isLathe() && tool == Axis::Z && (event.axes & 1u << unsigned(Axis::X)) &&
+        before.position[0].isConstant() && std::fabs(before.position[0].value()) < 1e-6 &&
+        before.liveTool == spindleOff && (before.spindle == spindleCw || before.spindle == spindleCcw) &&
+        ctx.after().position[0].isConstant() &&
+        std::fabs(ctx.after().position[0].value()) > 1e-6 && !before.may(Fact::UnknownCode)) {
+      report(event, code, ctx, true, "beside the spindle's axis");
+      return;
+    }
+    if (!event.axes || (event.axes & toolBit))
+      return;
+    const bool said = commentSaysAway(ctx);
+    const bool notCancelled = endsWithoutCancel(ctx);
+    if (said && notCancelled)
+      report(event, code, ctx, true, nullptr);
+    else if (said || (notCancelled && isFar(code, ctx)))
+      report(event, code, ctx, false, nullptr);
+  }
+
+  /// A pass of a turning cycle whose end lies on the free side of its start cuts nothing.
+  static void checkPass(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (!(event.axes & 1u << unsigned(Axis::X)) || !(event.axes & 1u << unsigned(Axis::Z)))
+      return;
+    const Interval &startX = ctx.after().cycleStart[0];
+    const auto unit = millimetresPer(ctx.dialect(), before);
+    const auto end = endOf(ctx, Axis::X, startX);
+    if (!startX.isConstant() || !unit || !end || !before.cycle.has('X'))
+      return;
+    const double was = before.cycle.get('X') * *unit - startX.value();
+    const double is = *end - startX.value();
+    constexpr double least = 0.5;
+    if (std::isnan(was) || std::fabs(was) < least || std::fabs(is) < least || (was > 0) == (is > 0))
+      return;
+    report(event, code, ctx, false, "on the free side of its start");
+  }
+
+  static bool isRetract(const CodeInfo &code, Axis tool, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Dialect &dialect = ctx.dialect();
+    if (code.cycle == CycleKind::BackBore)
+      return false;
+    const Word *depth = wordOf(ctx.block(), code, Role::Depth);
+    if (!depth)
+      return false;
+    const Interval value = ctx.value(*depth);
+    const auto unit = millimetresPer(dialect, state);
+    if (!value.isConstant() || !unit)
+      return false;
+    const bool incrementMode =
+        dialect.group(StandardGroup::Distance) != noGroup &&
+        state.active(dialect, StandardGroup::Distance) != groupUnset;
+    const Truth incremental =
+        incrementMode ? state.isActive(dialect, StandardGroup::Distance, {Action::Incremental})
+                      : Truth::No;
+    if (incremental == Truth::Unknown)
+      return false;
+    if (incremental == Truth::Yes || depth->has(wordIncremental) ||
+        dialect.addresses[depth->address].kind == AddressKind::Increment)
+      return value.value() > 0 && !dialect.isLathe();
+    // The level from which the cycle drills, as it was before this block.
+    std::optional<double> level;
+    if (const auto r = kept(ctx.before().cycle, code, Role::Retract))
+      level = *r * *unit;
+    else if (ctx.before().initialLevel.isConstant())
+      level = ctx.before().initialLevel.value();
+    std::optional<double> old;
+    if (const auto z = kept(ctx.before().cycle, code, Role::Depth))
+      old = *z * *unit;
+    if (!level || !old || *old == *level)
+      return false;
+    (void)tool;
+    const double z = value.value() * *unit;
+    // As far off the level as it is, or farther, and on the other side than the hole.
+    return *old < *level ? z > *level : z < *level;
+  }
+
+  /// True when nothing ends the cycle before the tool changes, the spindle stops or the program ends.
+  static bool endsWithoutCancel(RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    Block next;
+    bool more = readNext(ctx, next);
+    bool signs = false;
+    for (unsigned i = 0; more && i < lookahead; ++i, more = readOn(ctx, next)) {
+      if (!next.items.empty())
+        return false;
+      for (const CodeIndex index : codesOf(dialect, next)) {
+        const CodeInfo &code = dialect.codes[index];
+        if (isMotion(code.action) || code.action == Action::CycleCancel || code.cancelsCycle ||
+            code.action == Action::Cycle)
+          return false;
+        switch (code.action) {
+        case Action::ToolChange:
+        case Action::ProgramEnd:
+        case Action::ProgramEndRewind:
+        case Action::ReferenceReturn:
+        case Action::SpindleStop:
+        case Action::ProgramStop:
+          return true;
+        case Action::CoolantOff:
+          signs = true;
+          break;
+        case Action::CallProgram:
+        case Action::CallLocal:
+        case Action::MacroCall:
+        case Action::Return:
+          return false;
+        default:
+          break;
+        }
+      }
+      if (dialect.toolChangeByT && next.has(letterAddress('T')))
+        return true;
+      if (next.hasAny(dialect.axisWords) && !signs)
+        return false; // the list goes on
+    }
+    return false;
+  }
+
+  /// The block's own comment says that the tool is to go away.
+  static bool commentSaysAway(const RuleContext &ctx) {
+    for (const Comment &comment : ctx.block().comments) {
+      const std::string text = ctx.source().text(comment.begin, comment.end).upper();
+      for (const char *word : {"TO CLAMP", "CLEAR OF", "RETRACT", "MOVE AWAY", "GO AWAY", "GO HOME",
+                               "TO HOME", "HOME POS", "PARK", "TOOL CHANGE", "CHANGE POS", "SAFE POS",
+                               "UNLOAD", "MOVE OFF", "OUT OF THE WAY"})
+        if (llvm::StringRef(text).contains(word))
+          return true;
+    }
+    return false;
+  }
+
+  /// Whether this position lies farther from the one before than any two of the list.
+  bool isFar(const CodeInfo &code, RuleContext &ctx) const {
+    const Origin &origin = ctx.before().origin.cycle;
+    if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
+      return false;
+    struct Point {
+      double x, y;
+    };
+    std::vector<Point> points;
+    Block block;
+    uint32_t at = ctx.source().lines().lineBegin(origin.begin);
+    double x = NAN, y = NAN;
+    for (unsigned i = 0; i < lookback && at <= ctx.block().begin; ++i, at = block.next) {
+      ctx.index().reader().read(at, block);
+      bool moved = false;
+      for (const Word &word : block.words) {
+        if (word.address != letterAddress('X') && word.address != letterAddress('Y'))
+          continue;
+        if (!word.isNumber() || word.has(wordIncremental))
+          return false;
+        (word.address == letterAddress('X') ? x : y) = word.value();
+        moved = true;
+      }
+      if (moved)
+        points.push_back({x, y});
+    }
+    if (at <= ctx.block().begin || points.size() < 3)
+      return false;
+    if (ctx.dialect().group(StandardGroup::Distance) != noGroup &&
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+            Truth::No)
+      return false;
+    (void)code;
+    double longest = 0;
+    const auto distance = [&](size_t i) {
+      return std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+    };
+    for (size_t i = 1; i + 1 < points.size(); ++i)
+      longest = std::fmax(longest, distance(i));
+    const double last = distance(points.size() - 1);
+    return longest > 0 && last > farFactor_ * longest;
+  }
+
+  static void report(const Event &event, const CodeInfo &code, RuleContext &ctx, bool certain,
+                     const char *how) {
+    const Origin &origin = ctx.before().origin.cycle;
+    const SourceRange range = ctx.blockRange();
+    const std::string cancel = cancelOf(ctx.dialect(), code);
+    if (auto finding = ctx.report(range, certain && event.certain))
+      finding
+          .message("`{0}` {1} again{2}{3}: `{4}` of line {5} is still active", ctx.text(range),
+                   verbOf(code.cycle), how ? ", " : "", how ? how : "", code.name,
+                   lineOf(ctx, origin))
+          .note(origin, code.name + " becomes active here")
+          .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
+               ctx.insertBlockBefore(cancel));
+  }
+
+  double farFactor_ = 1.5;
+};
+
+} // namespace
+NCVET_RULE(CycleUnintendedExecution, cycle_unintended_execution)
+} // namespace ncvet

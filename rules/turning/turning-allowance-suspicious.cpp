@@ -1,0 +1,69 @@
+// The finishing allowance of a roughing cycle has the wrong sign for the side, or there is none.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class TurningAllowanceSuspicious final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::CycleRun); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const CodeInfo &cycle = ctx.code(event);
+    if (cycle.cycle == CycleKind::Finish)
+      return;
+    checkNone(event, cycle, ctx);
+    const Profile profile = readProfile(ctx);
+    if (!profile.known || profile.side == Side::Unknown || !profile.minX)
+      return;
+    // A start inside of the contour is that rule's business, and leaves the side in doubt.
+    const Interval &start = ctx.after().at(Axis::X);
+    if (!start.isConstant())
+      return;
+    constexpr double overshoot = 2 + 1e-6;
+    const bool fits = profile.side == Side::Outside ? start.value() >= *profile.maxX - overshoot
+                                                    : start.value() <= *profile.minX + overshoot;
+    if (!fits)
+      return;
+    const bool inside = profile.side == Side::Inside;
+    for (const WordSpec &spec : cycle.words) {
+      if (spec.role != Role::AllowanceX)
+        continue;
+      const Word *word = ctx.block().findAny(spec.any);
+      if (!word)
+        continue;
+      const Interval value = ctx.value(*word);
+      if (!value.isConstant() || value.value() == 0 || (value.value() < 0) == inside)
+        continue;
+      if (auto finding = ctx.report(*word, event.certain))
+        finding
+            .message(inside ? "`{0}` is positive, but `{1}` roughs inside: the bore is cut oversize"
+                            : "`{0}` is negative, but `{1}` roughs outside: the part is cut undersize",
+                     ctx.text(*word), cycle.name)
+            .note(profile.blocks.front().range, "the profile begins here");
+    }
+  }
+
+private:
+  static void checkNone(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
+    const Word *x = wordOf(ctx.block(), cycle, Role::AllowanceX);
+    const Word *z = wordOf(ctx.block(), cycle, Role::AllowanceZ);
+    if (!x || !z)
+      return;
+    const Interval ofX = ctx.value(*x), ofZ = ctx.value(*z);
+    if (!ofX.isConstant() || !ofZ.isConstant() || ofX.value() != 0 || ofZ.value() != 0)
+      return;
+    if (auto finding = ctx.report(*x, event.certain))
+      finding
+          .message("`{0}` roughs to size: no allowance covers the form errors of roughing without nose "
+                   "compensation",
+                   cycle.name)
+          .severity(Severity::Style);
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningAllowanceSuspicious, turning_allowance_suspicious)
+} // namespace ncvet

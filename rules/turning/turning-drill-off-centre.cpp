@@ -1,0 +1,43 @@
+// A drilling cycle that the main spindle drives runs beside its axis.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class TurningDrillOffCentre final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().isLathe())
+      to.on(EventKind::CycleRun);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || !makesHole(ctx.code(event).cycle))
+      return;
+    const MachineState &state = ctx.after(), &before = ctx.before();
+    const Interval &x = state.at(Axis::X);
+    if (toolAxis(ctx.dialect(), state) != Axis::Z || !x.isConstant() ||
+        std::fabs(x.value()) < 1e-3 || state.inMachineCoordinates(Axis::X))
+      return;
+    // With a driven tool the main spindle stands.
+    const auto live = ctx.machine().option("liveTools");
+    const bool noLive = live && *live == "false";
+    const bool mainTurns = before.spindle == spindleCw || before.spindle == spindleCcw;
+    if (!mainTurns || before.liveTool != spindleOff ||
+        (!noLive && (before.may(Fact::UnknownCode) || before.may(Fact::AxisEngaged) ||
+                     before.may(Fact::SpindleClamped))))
+      return;
+    if (auto finding = ctx.report(event, event.certain && noLive))
+      finding
+          .message("`{0}` drills at X{1} while the main spindle turns: the drill does not stand on its axis",
+                   ctx.code(event).name,
+                   llvm::formatv("{0}", llvm::format("%g", x.value())).str())
+          .note(before.origin.spindle, "the spindle is started here");
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningDrillOffCentre, turning_drill_off_centre)
+} // namespace ncvet

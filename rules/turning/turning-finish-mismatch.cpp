@@ -1,0 +1,100 @@
+// The finishing cycle runs along other blocks, or starts elsewhere, than the roughing before it.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class TurningFinishMismatch final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    sameStart_ = to.option("sameStart", 0) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile ||
+        ctx.code(event).cycle != CycleKind::Finish)
+      return;
+    const CodeInfo &cycle = ctx.code(event);
+    const Flow &flow = ctx.outcome().flow;
+    const MachineState &before = ctx.before();
+    if (before.roughFirst < 0 || before.roughLast < 0 || flow.first < 0 || flow.last < 0)
+      return;
+    if (flow.first == before.roughFirst && flow.last == before.roughLast) {
+      if (sameStart_)
+        checkStart(event, cycle, ctx);
+      return;
+    }
+    // Another profile altogether is finished for itself, unless nobody has roughed it.
+    const bool related = flow.first == before.roughFirst || flow.last == before.roughLast;
+    if (!related && isRoughed(ctx, flow.first))
+      return;
+    if (auto finding = ctx.report(event, event.certain && related))
+      finding
+          .message("`{0}` finishes N{1} to N{2}, but the roughing of line {3} worked along N{4} to N{5}",
+                   cycle.name, flow.first, flow.last, lineOf(ctx, before.origin.rough),
+                   before.roughFirst, before.roughLast)
+          .note(before.origin.rough, "the roughing cycle");
+  }
+
+private:
+  /// Whether some roughing cycle of the program names `first` as its first block.
+  static bool isRoughed(const RuleContext &ctx, int64_t first) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    Block block;
+    for (uint32_t at = program.body; at < program.end; at = block.next) {
+      ctx.index().reader().read(at, block);
+      if (block.begin == ctx.block().begin || !block.has(letterAddress('P')))
+        continue;
+      const Word *p = block.find('P');
+      if (!p->isNumber() || p->value() != double(first))
+        continue;
+      for (const Word &word : block.words) {
+        if (word.address != letterAddress('G') || !word.isNumber())
+          continue;
+        const CodeIndex index = ctx.dialect().find('G', word.codeNumber());
+        if (index == noCode)
+          continue;
+        for (const CodeInfo &code : ctx.dialect().codes)
+          if (code.letter == 'G' && code.number == ctx.dialect().codes[index].number &&
+              (code.cycle == CycleKind::RoughTurn || code.cycle == CycleKind::RoughFace ||
+               code.cycle == CycleKind::PatternRepeat))
+            return true;
+      }
+    }
+    return false;
+  }
+
+  static void checkStart(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
+    constexpr double least = 0.5; // mm
+    const MachineState &before = ctx.before();
+    const auto unit = millimetresPer(ctx.dialect(), before);
+    if (!unit)
+      return;
+    for (const Axis axis : {Axis::X, Axis::Z}) {
+      const Interval &was = before.roughStart[axis == Axis::X ? 0 : 1];
+      const Interval &is = before.at(axis);
+      if (!was.isConstant() || !is.isConstant() || before.inMachineCoordinates(axis) ||
+          std::fabs(was.value() - is.value()) < least)
+        continue;
+      if (auto finding = ctx.report(event, event.certain))
+        finding
+            .message("`{0}` starts at {1}{2}, the roughing of line {3} started at {1}{4}: the tool "
+                     "returns to its own start",
+                     cycle.name, axis == Axis::X ? "X" : "Z",
+                     llvm::formatv("{0}", llvm::format("%g", is.value() / *unit)).str(),
+                     lineOf(ctx, before.origin.rough),
+                     llvm::formatv("{0}", llvm::format("%g", was.value() / *unit)).str())
+            .note(before.origin.rough, "the roughing cycle");
+      return;
+    }
+  }
+
+  bool sameStart_ = false;
+};
+
+} // namespace
+NCVET_RULE(TurningFinishMismatch, turning_finish_mismatch)
+} // namespace ncvet

@@ -1,0 +1,91 @@
+// The first block of a profile has the wrong motion code or axes for the roughing cycle.
+#include "analyzer/lookahead.h"
+#include "analyzer/profile_shape.h"
+
+namespace ncvet {
+namespace {
+
+class TurningProfileFirstBlock final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    codeRequired_ = to.option("codeRequired", 0) != 0;
+    zForbidden_ = to.option("zForbidden", 0) != 0;
+    faceXForbidden_ = to.option("faceXForbidden", 0) != 0;
+    undercutNeedsZ_ = to.option("undercutNeedsZ", 0) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const CodeInfo &cycle = ctx.code(event);
+    if (cycle.cycle == CycleKind::Finish)
+      return;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known)
+      return;
+    const ProfileBlock &first = profile.blocks.front();
+    const auto report = [&](bool certain = true) {
+      FindingBuilder finding = ctx.report(first.range, certain && event.certain);
+      finding.note(ctx.blockRange(), "the cycle that works along this profile");
+      return finding;
+    };
+    bool stated = false;
+    for (const CodeUse &use : first.codes)
+      stated |= isMotion(ctx.code(use).action);
+    const bool linear =
+        !first.moves || !first.motionKnown || first.motion == MotionKind::Rapid ||
+        first.motion == MotionKind::Feed;
+    if (!linear || (codeRequired_ && !stated)) {
+      if (auto finding = report())
+        finding.message(linear ? "the first block of the profile of `{0}` needs a G00 or G01 of its own: "
+                                 "it decides how the tool feeds in"
+                               : "the profile of `{0}` begins with an arc: its first block is a G00 or "
+                                 "G01 move",
+                        cycle.name);
+      return;
+    }
+    const bool hasX = first.axes >> unsigned(Axis::X) & 1;
+    const bool hasZ = first.axes >> unsigned(Axis::Z) & 1;
+    if (cycle.cycle == CycleKind::RoughFace) {
+      if (faceXForbidden_ && hasX)
+        if (auto finding = report())
+          finding.message("the first block of the profile of `{0}` moves in X: it may move in Z only",
+                          cycle.name);
+      return;
+    }
+    if (cycle.cycle != CycleKind::RoughTurn)
+      return;
+    if (zForbidden_) {
+      if (hasZ)
+        if (auto finding = report())
+          finding.message("the first block of the profile of `{0}` moves in Z: it may move in X only",
+                          cycle.name);
+      return;
+    }
+    const ShapeBreak undercut = undercutOf(profile);
+    if (hasX && hasZ && !undercut.found && undercut.decided) {
+      if (auto finding = report())
+        finding
+            .message("the first block of the profile of `{0}` has X and Z, which selects the type for "
+                     "pockets, but the contour has none",
+                     cycle.name)
+            .severity(Severity::Style);
+    } else if (undercutNeedsZ_ && hasX && !hasZ && undercut.found) {
+      if (auto finding = report())
+        finding
+            .message("the contour of `{0}` has a pocket, and its first block has no Z word, which would "
+                     "select the type for pockets",
+                     cycle.name)
+            .note(profile.blocks[undercut.index].range, "the contour turns back here");
+    }
+  }
+
+private:
+  bool codeRequired_ = false, zForbidden_ = false, faceXForbidden_ = false,
+       undercutNeedsZ_ = false;
+};
+
+} // namespace
+NCVET_RULE(TurningProfileFirstBlock, turning_profile_first_block)
+} // namespace ncvet

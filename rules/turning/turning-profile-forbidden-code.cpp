@@ -1,0 +1,89 @@
+// The profile of a turning cycle holds a code that may not stand there.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class TurningProfileForbiddenCode final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    motionOnly_ = to.option("motionOnly", 0) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const CodeInfo &cycle = ctx.code(event);
+    const Profile profile = readProfile(ctx);
+    for (const ProfileBlock &entry : profile.blocks)
+      for (const CodeUse &use : entry.codes) {
+        const CodeInfo &code = ctx.code(use);
+        const char *what = forbidden(code);
+        if (!what && motionOnly_ && code.letter == 'G' && !contour(code) &&
+            !(cycle.cycle == CycleKind::PatternRepeat &&
+              (code.action == Action::SurfaceSpeed || code.action == Action::ConstantSpeed)))
+          what = "only moves, dwell and compensation may stand there";
+        if (!what)
+          continue;
+        const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
+        if (auto finding = ctx.report(at, event.certain))
+          finding
+              .message("`{0}` stands in the profile of `{1}` in line {2}: {3}", code.name, cycle.name,
+                       ctx.source().lines().lineOf(ctx.block().begin), what)
+              .note(ctx.blockRange(), "the cycle that works along this profile");
+      }
+  }
+
+private:
+  static const char *forbidden(const CodeInfo &code) {
+    switch (code.action) {
+    case Action::CallProgram:
+    case Action::CallLocal:
+    case Action::MacroCall:
+    case Action::MacroModal:
+      return "a profile calls nothing";
+    case Action::ConditionalJump:
+    case Action::Return:
+    case Action::ProgramEnd:
+    case Action::ProgramEndRewind:
+      return "a profile is read as data, control does not leave it";
+    case Action::Cycle:
+      return "no cycle runs inside a profile";
+    case Action::ReferenceReturn:
+    case Action::ReferenceFrom:
+    case Action::MachineMove:
+      return "a profile stays in work coordinates";
+    case Action::WorkOffset:
+    case Action::LocalShift:
+    case Action::PresetPosition:
+    case Action::DataInput:
+      return "offsets cannot change inside a profile";
+    default:
+      return nullptr;
+    }
+  }
+
+  static bool contour(const CodeInfo &code) {
+    switch (code.action) {
+    case Action::Rapid:
+    case Action::Linear:
+    case Action::ArcCw:
+    case Action::ArcCcw:
+    case Action::Dwell:
+    case Action::CompensationOff:
+    case Action::CompensationLeft:
+    case Action::CompensationRight:
+    case Action::None:
+      return true;
+    default:
+      return false;
+    }
+  }
+
+  bool motionOnly_ = false;
+};
+
+} // namespace
+NCVET_RULE(TurningProfileForbiddenCode, turning_profile_forbidden_code)
+} // namespace ncvet

@@ -1,0 +1,66 @@
+// A profile turns back where its roughing cycle needs a steadily rising or falling contour.
+#include "analyzer/profile_shape.h"
+
+namespace ncvet {
+namespace {
+
+class TurningProfileNotMonotonic final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    maxPockets_ = to.option("maxPockets", 10);
+    zSelectsType_ = to.option("zSelectsType", 1) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const CodeInfo &cycle = ctx.code(event);
+    if (cycle.cycle != CycleKind::RoughTurn && cycle.cycle != CycleKind::RoughFace)
+      return;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known || profile.blocks.size() < 2)
+      return;
+    const ProfileBlock &first = profile.blocks.front();
+    const bool both = (first.axes >> unsigned(Axis::X) & 1) && (first.axes >> unsigned(Axis::Z) & 1);
+    const bool pocketType = both && zSelectsType_;
+    const bool face = cycle.cycle == CycleKind::RoughFace;
+    Profile shape = profile;
+    if (face)
+      shape.side = Side::Unknown;
+    const ShapeBreak x = undercutOf(shape);
+    const ShapeBreak z = returnInZ(profile);
+    // The axis along which the passes run must be steady in every type.
+    const ShapeBreak &along = face ? x : z;
+    const ShapeBreak &across = face ? z : x;
+    if (along.decided && along.found)
+      report(event, cycle, profile.blocks[along.index], face ? 'X' : 'Z', ctx);
+    if (!across.decided || !across.found)
+      return;
+    if (!pocketType) {
+      report(event, cycle, profile.blocks[across.index], face ? 'Z' : 'X', ctx);
+    } else if (across.pockets > maxPockets_) {
+      if (auto finding = ctx.report(event, event.certain))
+        finding.message("the profile of `{0}` has {1} pockets, the cycle takes {2}", cycle.name,
+                        across.pockets, maxPockets_);
+    }
+  }
+
+private:
+  static void report(const Event &event, const CodeInfo &cycle, const ProfileBlock &block, char axis,
+                     RuleContext &ctx) {
+    if (auto finding = ctx.report(block.range, event.certain))
+      finding
+          .message("the profile of `{0}` turns back in {1} here, but this type of roughing needs it "
+                   "steadily rising or falling",
+                   cycle.name, axis)
+          .note(ctx.blockRange(), "the cycle that works along this profile");
+  }
+
+  double maxPockets_ = 10;
+  bool zSelectsType_ = true;
+};
+
+} // namespace
+NCVET_RULE(TurningProfileNotMonotonic, turning_profile_not_monotonic)
+} // namespace ncvet

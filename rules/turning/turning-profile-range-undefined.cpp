@@ -1,0 +1,37 @@
+// The blocks that a turning cycle names as its profile do not exist or stand in the wrong order.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class TurningProfileRangeUndefined final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const auto issue = FlowIssue(event.number);
+    if (issue != FlowIssue::ProfileMissing && issue != FlowIssue::ProfileReversed)
+      return;
+    const Flow &flow = ctx.outcome().flow;
+    const std::string name =
+        flow.code == noCode ? std::string("the cycle") : ctx.dialect().codes[flow.code].name;
+    if (issue == FlowIssue::ProfileReversed) {
+      if (auto finding = ctx.report(ctx.flowRange()))
+        finding.message(flow.first == flow.last
+                            ? "`{0}` names N{1} as the first and the last block of its profile"
+                            : "`{0}` names a profile from N{1} to N{2}, but N{2} stands in front of N{1}",
+                        name, flow.first, flow.last);
+      return;
+    }
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const bool noFirst = !ctx.index().block(program, flow.first, ctx.block().begin);
+    if (auto finding = ctx.report(ctx.flowRange()))
+      finding.message("`{0}` names N{1} as the {2} block of its profile, and this program has no such "
+                      "block",
+                      name, noFirst ? flow.first : flow.last, noFirst ? "first" : "last");
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningProfileRangeUndefined, turning_profile_range_undefined)
+} // namespace ncvet

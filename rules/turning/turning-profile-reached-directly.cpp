@@ -1,0 +1,47 @@
+// Plain flow runs the blocks of a profile that a finishing cycle runs as well.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class TurningProfileReachedDirectly final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::ProfileReached)
+      return;
+    const Flow &flow = ctx.outcome().flow;
+    const std::string name =
+        flow.code == noCode ? std::string("the cycle") : ctx.dialect().codes[flow.code].name;
+    const SourceRange first = ctx.flowRelated();
+    if (ctx.dialect().profileRunsThrough) {
+      if (auto finding = ctx.report(ctx.flowRange()))
+        finding
+            .message("`{0}` runs N{1} to N{2} once more: behind the roughing cycle the control has "
+                     "finished along them already",
+                     name, flow.first, flow.last)
+            .note(first, "the profile begins here");
+      return;
+    }
+    Block block;
+    ctx.index().reader().read(first.begin, block);
+    SourceRange range{first.file, block.end, block.begin};
+    for (const Word &word : block.words) {
+      range.begin = std::min(range.begin, word.offset);
+      range.end = std::max(range.end, block.endOf(word));
+    }
+    if (range.begin >= range.end)
+      range = first;
+    if (auto finding = ctx.report(range))
+      finding
+          .message("plain flow reaches the profile N{0} to N{1}: the finished contour is cut at once, "
+                   "and `{2}` of line {3} cuts it again",
+                   flow.first, flow.last, name, ctx.source().lines().lineOf(ctx.flowRange().begin))
+          .note(ctx.flowRange(), "the cycle that runs this profile");
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningProfileReachedDirectly, turning_profile_reached_directly)
+} // namespace ncvet

@@ -1,0 +1,66 @@
+// Words of a profile that the roughing cycle does not obey.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class TurningProfileWordsIgnored final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    onlyWithoutOwn_ = to.option("onlyWithoutOwn", 0) != 0;
+    corners_ = to.option("cornersIgnored", 0) != 0;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const CodeInfo &cycle = ctx.code(event);
+    if (cycle.cycle == CycleKind::Finish)
+      return;
+    const Profile profile = readProfile(ctx);
+    AddressMask technology = lettersMask("FST");
+    if (onlyWithoutOwn_ && ctx.block().has(letterAddress('F')))
+      return;
+    const bool sharp = corners_ && cycle.cycle != CycleKind::PatternRepeat;
+    for (const ProfileBlock &entry : profile.blocks) {
+      const bool line = entry.moves && entry.motionKnown && entry.motion == MotionKind::Feed;
+      for (const Word &word : entry.block.words) {
+        const AddressMask bit = maskOf(word.address);
+        const bool corner =
+            sharp && line &&
+            (bit & (lettersMask("IKR") | maskOf(commaR) | maskOf(commaC))) &&
+            !llvm::any_of(entry.codes, [&](const CodeUse &use) {
+              return ctx.code(use).action == Action::CompensationOff;
+            });
+        const bool angle =
+            sharp && line && (bit & (maskOf('A') | maskOf(commaA))) &&
+            (word.address == commaA ||
+             ctx.dialect().addresses[word.address].kind == AddressKind::Parameter);
+        if (!(bit & technology) && !corner && !angle)
+          continue;
+        const SourceRange at{ctx.source().id(), word.offset, entry.block.endOf(word)};
+        if (auto finding = ctx.report(at, event.certain)) {
+          if (corner)
+            finding.message("`{0}` roughs along this profile without its corners: the shape stays sharp "
+                            "at `{1}`",
+                            cycle.name, ctx.text(at));
+          else if (angle)
+            finding.message("`{0}` roughs along this profile by X and Z words alone: `{1}` is ignored",
+                            cycle.name, ctx.text(at));
+          else
+            finding.message("`{1}` inside the profile does nothing while `{0}` roughs", cycle.name,
+                            ctx.text(at));
+          finding.note(ctx.blockRange(), "the cycle that works along this profile");
+        }
+      }
+    }
+  }
+
+private:
+  bool onlyWithoutOwn_ = false, corners_ = false;
+};
+
+} // namespace
+NCVET_RULE(TurningProfileWordsIgnored, turning_profile_words_ignored)
+} // namespace ncvet

@@ -1,0 +1,80 @@
+// The return to the start point at the end of a cycle can cross the part.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+constexpr double tolerance = 1e-4; // mm
+
+class TurningReturnPath final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.option("axisByAxis", 0) != 0)
+      to.on(EventKind::CycleRun);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const CodeInfo &cycle = ctx.code(event);
+    const Profile profile = readProfile(ctx);
+    const Interval &startX = ctx.after().at(Axis::X), &startZ = ctx.after().at(Axis::Z);
+    if (!profile.known || !profile.minX || !profile.minZ || !startX.isConstant() ||
+        !startZ.isConstant() || ctx.after().inMachineCoordinates(Axis::X) ||
+        ctx.after().inMachineCoordinates(Axis::Z))
+      return;
+    const ProfileBlock &end = profile.blocks.back();
+    if (!end.toX.isConstant() || !end.toZ.isConstant())
+      return;
+    // Whether the contour opens towards the axis or away from it; the start says nothing here.
+    const double rise =
+        profile.blocks[profile.lastCut - 1].toX.value() - profile.blocks.front().toX.value();
+    if (rise > -tolerance && rise < tolerance)
+      return;
+    const bool inside = rise < 0;
+    const double x = end.toX.value(), z = end.toZ.value();
+    const bool zFirst = startX.value() < x;
+    bool crosses = false;
+    if (zFirst) {
+      // Along Z at the last block's diameter: through every part of the contour that stands in it.
+      crosses = inside ? x > *profile.minX + tolerance : x < *profile.maxX - tolerance;
+      if (crosses) {
+        // Only what lies on the way.
+        crosses = false;
+        for (size_t i = 0; i < profile.lastCut; ++i) {
+          const ProfileBlock &block = profile.blocks[i];
+          if (!block.moves || !block.toZ.isConstant())
+            continue;
+          const double cz = block.toZ.value(), cx = block.toX.value();
+          const bool onWay = cz > std::min(z, startZ.value()) + tolerance &&
+                             cz < std::max(z, startZ.value()) - tolerance;
+          crosses |= onWay && (inside ? cx < x - tolerance : cx > x + tolerance);
+        }
+      }
+    } else {
+      // Along X where the last block ends: through the wall of a bore.
+      const double wall = profile.blocks[profile.lastCut - 1].toX.value();
+      const bool behindFace = z < *profile.maxZ - tolerance;
+      crosses = inside && behindFace && startX.value() > wall + tolerance;
+    }
+    if (!crosses)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("behind its last block `{0}` returns {1} first, from X{2} Z{3} to X{4} Z{5}: that way "
+                   "crosses the part",
+                   cycle.name, zFirst ? "in Z" : "in X", text(x, ctx), text(z, ctx),
+                   text(startX.value(), ctx), text(startZ.value(), ctx))
+          .note(end.range, "the last block of the profile");
+  }
+
+private:
+  static std::string text(double value, RuleContext &ctx) {
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    return llvm::formatv("{0}", llvm::format("%g", value / unit.value_or(1))).str();
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningReturnPath, turning_return_path)
+} // namespace ncvet

@@ -1,0 +1,122 @@
+// A turning cycle starts inside of what it is to cut.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+constexpr double tolerance = 1e-4;  // mm
+constexpr double overshoot = 2;     // mm in diameter, by which a last facing block may pass the start
+
+class TurningStartInsideContour final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::CycleRun}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    switch (code.cycle) {
+    case CycleKind::RoughTurn:
+    case CycleKind::RoughFace:
+      rough(event, code, ctx);
+      break;
+    case CycleKind::TurnPass:
+    case CycleKind::FacePass:
+      pass(event, code, ctx);
+      break;
+    default:
+      break;
+    }
+  }
+
+private:
+  static std::string text(double value) {
+    return llvm::formatv("{0}", llvm::format("%g", value)).str();
+  }
+
+  static void rough(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    if (ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
+    const Interval &startX = ctx.after().at(Axis::X), &startZ = ctx.after().at(Axis::Z);
+    const Profile profile = readProfile(ctx);
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    if (!profile.known || !profile.minX || !unit || ctx.after().inMachineCoordinates(Axis::X))
+      return;
+    if (code.cycle == CycleKind::RoughFace) {
+      if (startZ.isConstant() && profile.maxZ && !ctx.after().inMachineCoordinates(Axis::Z) &&
+          profile.minZ && startZ.value() < *profile.maxZ - tolerance &&
+          startZ.value() > *profile.minZ + tolerance)
+        if (auto finding = ctx.report(event, event.certain))
+          finding.message("`{0}` starts at Z{1}, inside of its contour, which reaches from Z{2} to Z{3}: "
+                          "the tool returns to the start at rapid",
+                          code.name, text(startZ.value() / *unit), text(*profile.minZ / *unit),
+                          text(*profile.maxZ / *unit));
+    }
+    if (!startX.isConstant())
+      return;
+    const double start = startX.value();
+    double over = 0;
+    if (profile.side == Side::Outside && start < *profile.maxX - tolerance)
+      over = *profile.maxX - start;
+    else if (profile.side == Side::Inside && start > *profile.minX + tolerance)
+      over = start - *profile.minX;
+    else if (profile.side == Side::Unknown && start < *profile.maxX - tolerance &&
+             start > *profile.minX + tolerance)
+      over = std::min(*profile.maxX - start, start - *profile.minX);
+    if (over <= 0)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("`{0}` starts at X{1}, inside of its contour, which reaches from X{2} to X{3}: the "
+                   "tool returns to the start at rapid",
+                   code.name, text(start / *unit), text(*profile.minX / *unit),
+                   text(*profile.maxX / *unit))
+          .severity(over <= overshoot + tolerance ? std::optional(Severity::Warning) : std::nullopt)
+          .note(profile.blocks.front().range, "the profile begins here");
+  }
+
+  /// A single pass returns to its start: what follows tells on which side the tool works.
+  static void pass(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    if (!llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; }))
+      return;
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    const bool face = code.cycle == CycleKind::FacePass;
+    const Axis axis = face ? Axis::Z : Axis::X;
+    const Interval &start = ctx.after().cycleStart[unsigned(axis)];
+    const auto end = ctx.before().inMachineCoordinates(axis) ? std::nullopt : endOf(ctx, axis, start);
+    if (!unit || !end || !start.isConstant() || *end <= start.value() + tolerance)
+      return;
+    if (!face && !leavesOutwards(ctx, *end / *unit))
+      return;
+    if (auto finding = ctx.report(event, false))
+      finding.message(face ? "`{0}` starts at Z{1}, behind the face Z{2} that it cuts: the tool returns "
+                             "through it at rapid"
+                           : "`{0}` starts at X{1}, below the diameter X{2} that it turns, and then leaves "
+                             "outwards: it returned through the part at rapid",
+                      code.name, text(start.value() / *unit), text(*end / *unit));
+  }
+
+  /// Behind the passes the tool leaves straight outwards in X, which a boring bar could not do; and
+  /// no later pass is larger.
+  static bool leavesOutwards(const RuleContext &ctx, double diameter) {
+    Block next;
+    bool more = readNext(ctx, next);
+    for (unsigned i = 0; more && i < 30; ++i, more = readOn(ctx, next)) {
+      if (!next.items.empty())
+        return false;
+      const Word *x = next.find('X');
+      if (!findCode(ctx.dialect(), next, {Action::Rapid})) {
+        if (hasMotionCode(ctx.dialect(), next) || (x && x->isNumber() && x->value() > diameter))
+          return false;
+        continue;
+      }
+      return x && x->isNumber() && x->value() > diameter && !next.hasAny(lettersMask("ZWU")) &&
+             !findCode(ctx.dialect(), next, {Action::MachineMove, Action::ReferenceReturn});
+    }
+    return false;
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningStartInsideContour, turning_start_inside_contour)
+} // namespace ncvet

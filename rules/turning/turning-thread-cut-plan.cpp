@@ -1,0 +1,117 @@
+// The passes of a thread do not fit its depth, or do not go deeper.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class TurningThreadCutPlan final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    firstCutSeverity_ = to.option("firstCutIsError", 0) != 0 ? std::optional(Severity::Error)
+                                                             : std::nullopt;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.cycle == CycleKind::ThreadMulti)
+      multi(event, code, ctx);
+    else if (code.cycle == CycleKind::ThreadPass)
+      pass(event, code, ctx);
+  }
+
+private:
+  void multi(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    const Word *firstWord = wordOf(ctx.block(), code, Role::FirstCut);
+    const Word *heightWord = wordOf(ctx.block(), code, Role::Height);
+    const auto first = valueOf(ctx, code, Role::FirstCut);
+    const auto height = valueOf(ctx, code, Role::Height);
+    // A point tells millimetres from micrometres; values that are written differently do not compare.
+    if (!firstWord || !first || *first <= 0)
+      return;
+    if (heightWord && height && *height > 0 && *first > *height &&
+        firstWord->has(wordPoint) == heightWord->has(wordPoint)) {
+      if (auto finding = ctx.report(*firstWord, event.certain))
+        finding
+            .message("the first cut `{0}` of `{1}` is deeper than the whole thread `{2}`",
+                     ctx.text(*firstWord), code.name, ctx.text(*heightWord))
+            .severity(firstCutSeverity_)
+            .note(ctx.range(*heightWord), "the depth of the thread");
+      return;
+    }
+    const MachineState &before = ctx.before();
+    if (before.pendingCycle == noCode || !event.word)
+      return;
+    const CodeInfo &data = ctx.dialect().codes[before.pendingCycle];
+    const auto least = kept(before.cycle, data, Role::LeastCut);
+    if (!least || *least <= *first)
+      return;
+    if (auto finding = ctx.report(*firstWord, event.certain))
+      finding
+          .message("the first cut `{0}` of `{1}` is smaller than the least cut {2} of its data block",
+                   ctx.text(*firstWord), code.name,
+                   llvm::formatv("{0}", llvm::format("%g", *least)).str())
+          .note(before.origin.pending, "the data block");
+  }
+
+  static void pass(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    for (const CodeUse &use : ctx.codes())
+      if (ctx.code(use).action == Action::Cycle)
+        return;
+    const Word *x = ctx.block().find('X');
+    if (!x || ctx.block().hasAny(lettersMask("ZWQUFE")) || !before.cycle.has('X') || !event.certain)
+      return;
+    const double last = before.cycle.get('X');
+    const Interval now = ctx.value(*x);
+    const Interval &start = ctx.after().cycleStart[0];
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    if (!now.isConstant() || std::isnan(last) || !start.isConstant() || !unit ||
+        before.inMachineCoordinates(Axis::X))
+      return;
+    const double from = start.value() / *unit;
+    if (now.value() == last) {
+      if (!deeperFollows(ctx, last, from))
+        return;
+      if (auto finding = ctx.report(*x))
+        finding
+            .message("`{0}` cuts the last pass of `{1}` once more, although deeper passes follow",
+                     ctx.text(*x), code.name)
+            .severity(Severity::Style)
+            .note(before.origin.cycle, code.name + " becomes active here");
+      return;
+    }
+    const bool outside = from > last;
+    if (from == last || (outside ? now.value() < last : now.value() > last))
+      return;
+    if (auto finding = ctx.report(*x))
+      finding
+          .message("the pass at `{0}` of `{1}` is less deep than the one before at X{2}: it cuts nothing",
+                   ctx.text(*x), code.name, llvm::formatv("{0}", llvm::format("%g", last)).str())
+          .note(before.origin.cycle, code.name + " becomes active here");
+  }
+
+  /// Whether a later pass of the list is deeper than `x`.
+  static bool deeperFollows(const RuleContext &ctx, double x, double from) {
+    Block next;
+    bool more = readNext(ctx, next);
+    for (unsigned i = 0; more && i < 30; ++i, more = readOn(ctx, next)) {
+      if (next.hasAny(maskOf('G') | maskOf('T')) || !next.items.empty())
+        return false;
+      const Word *word = next.find('X');
+      if (word && word->isNumber() && (from > x ? word->value() < x : word->value() > x))
+        return true;
+    }
+    return false;
+  }
+
+  std::optional<Severity> firstCutSeverity_;
+};
+
+} // namespace
+NCVET_RULE(TurningThreadCutPlan, turning_thread_cut_plan)
+} // namespace ncvet

@@ -1,0 +1,52 @@
+// A single thread stroke is not followed by a retract at rapid.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+constexpr uint16_t xBit = 1u << unsigned(Axis::X), zBit = 1u << unsigned(Axis::Z);
+
+class TurningThreadNoRetract final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().isLathe())
+      to.on(EventKind::Motion);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &before = ctx.before();
+    if (before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Thread)
+      return;
+    // The stroke before: a thread on a face runs along X and retracts in Z.
+    const Origin &last = before.origin.lastCut;
+    if (!last.known() || last.file != ctx.source().id() || last.begin >= ctx.block().begin)
+      return;
+    Block stroke;
+    ctx.index().reader().read(last.begin, stroke);
+    const uint16_t along = axesOf(ctx.dialect(), stroke);
+    if (!(along & zBit))
+      return;
+    if (event.motion == MotionKind::Thread && !hasMotionCode(ctx.dialect(), ctx.block()) &&
+        (event.axes & (xBit | zBit)) == xBit) {
+      const SourceRange range = ctx.blockRange();
+      if (auto finding = ctx.report(range, event.certain))
+        finding
+            .message("`{0}` is cut as a thread: `{1}` of line {2} is still active", ctx.text(range),
+                     ctx.code(event).name,
+                     lineOf(ctx, before.originOf(ctx.dialect(), StandardGroup::Motion)))
+            .note(before.originOf(ctx.dialect(), StandardGroup::Motion),
+                  ctx.code(event).name + " becomes active here")
+            .fix(FixSafety::Unsafe, "insert G00 in front of it", ctx.insertBefore(range.begin, "G00 "));
+    } else if (event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
+               event.number == 0) {
+      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+        finding
+            .message("the tool goes back in Z at the depth of the thread: it was not retracted in X")
+            .note(before.origin.lastCut, "the thread is cut here");
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningThreadNoRetract, turning_thread_no_retract)
+} // namespace ncvet

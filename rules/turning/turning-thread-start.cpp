@@ -1,0 +1,97 @@
+// A thread starts too near in diameter or in run-in length.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class TurningThreadStart final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::CycleRun, EventKind::Motion});
+    clearance_ = to.option("clearance", 0);
+    depthUnit_ = to.option("depthUnit", 1);
+    runIn_ = to.option("runInPitches", 2);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    const bool cycle = event.kind == EventKind::CycleRun;
+    if (cycle ? !cutsThread(code.cycle) : event.motion != MotionKind::Thread)
+      return;
+    const Word *word = nullptr;
+    for (const CodeUse &use : ctx.codes())
+      if (use.code == event.code)
+        word = use.word;
+    if (!word)
+      return;
+    if (cycle && code.cycle == CycleKind::ThreadMulti)
+      diameter(event, code, *word, ctx);
+    runIn(event, code, *word, ctx);
+  }
+
+private:
+  static std::string text(double value) {
+    return llvm::formatv("{0}", llvm::format("%g", value)).str();
+  }
+
+  void diameter(const Event &event, const CodeInfo &code, const Word &word, RuleContext &ctx) const {
+    const Interval &start = ctx.before().at(Axis::X);
+    const auto unit = millimetresPer(ctx.dialect(), ctx.before());
+    const Word *heightWord = wordOf(ctx.block(), code, Role::Height);
+    const auto height = valueOf(ctx, code, Role::Height);
+    if (!unit || !start.isConstant() || ctx.before().inMachineCoordinates(Axis::X) || !heightWord ||
+        !height || *height <= 0)
+      return;
+    const auto end = endOf(ctx, Axis::X, start);
+    // A taper moves the crest between the ends of the thread.
+    if (!end || (wordOf(ctx.block(), code, Role::Taper) && valueOf(ctx, code, Role::Taper) != 0.0))
+      return;
+    const double scale = heightWord->has(wordPoint) ? 1 : depthUnit_;
+    const double depth = *height * *unit * scale;
+    if (depth > 20) // no thread: the unit was meant otherwise
+      return;
+    const bool outside = start.value() > *end;
+    const double crest = outside ? *end + 2 * depth : *end - 2 * depth;
+    const double clear = outside ? start.value() - crest : crest - start.value();
+    constexpr double tolerance = 1e-6;
+    if (clear >= clearance_ - tolerance && (clearance_ > 0 || clear > tolerance))
+      return;
+    if (auto finding = ctx.report(word, event.certain))
+      finding.message("`{0}` starts at X{1}, and the crest of the thread lies at X{2}: the tool returns "
+                      "{3} the crest",
+                      code.name, text(start.value() / *unit), text(crest / *unit),
+                      clear < 0 ? "through" : "too near to");
+  }
+
+  void runIn(const Event &event, const CodeInfo &code, const Word &word, RuleContext &ctx) const {
+    const auto face = ctx.machine().number("partFaceZ");
+    const Interval &start = ctx.before().at(Axis::Z);
+    const auto unit = millimetresPer(ctx.dialect(), ctx.before());
+    const Word *lead = wordOf(ctx.block(), code, Role::Lead);
+    if (!face || !unit || !lead || !start.isConstant() || ctx.before().inMachineCoordinates(Axis::Z))
+      return;
+    const Interval pitch = ctx.value(*lead);
+    const auto end = endOf(ctx, Axis::Z, start);
+    if (!pitch.isConstant() || !end || *end >= *face)
+      return;
+    const double distance = start.value() - *face;
+    if (distance < -1e-6 || distance >= runIn_ * pitch.value() * *unit - 1e-6)
+      return;
+    if (auto finding = ctx.report(word, event.certain))
+      finding
+          .message("`{0}` starts {1} before the face: the slide needs about {2} pitches ({3}) to reach its "
+                   "speed",
+                   code.name, text(distance / *unit), text(runIn_), text(runIn_ * pitch.value()))
+          .severity(Severity::Warning);
+  }
+
+  double clearance_ = 0, depthUnit_ = 1, runIn_ = 2;
+};
+
+} // namespace
+NCVET_RULE(TurningThreadStart, turning_thread_start)
+} // namespace ncvet

@@ -1,0 +1,74 @@
+// A thread or a hole is cut while constant surface speed is active.
+#include "analyzer/lookahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class TurningThreadUnderCss final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on({EventKind::CycleRun, EventKind::Motion}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || ctx.dialect().group(StandardGroup::SpeedMode) == noGroup)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    const MachineState &state = ctx.after();
+    const bool cycle = event.kind == EventKind::CycleRun;
+    const bool thread = cycle ? cutsThread(code.cycle) || taps(code.cycle)
+                              : event.motion == MotionKind::Thread;
+    // On the axis every surface speed asks for the highest speed of all.
+    const bool hole = cycle && makesHole(code.cycle) && ctx.dialect().isLathe() &&
+                      toolAxis(ctx.dialect(), state) == Axis::Z && state.at(Axis::X).isConstant() &&
+                      std::fabs(state.at(Axis::X).value()) < 1e-6;
+    if ((!thread && !hole) ||
+        state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
+      return;
+    const Truth css =
+        state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed});
+    if (css == Truth::No || (css == Truth::Unknown && state.may(Fact::UnknownCode)))
+      return;
+    const Word *word = nullptr;
+    for (const CodeUse &use : ctx.codes())
+      if (use.code == event.code)
+        word = use.word;
+    if (!word) // a further pass or hole of what was reported already
+      return;
+    if (auto finding = ctx.report(*word, event.certain && css == Truth::Yes)) {
+      if (thread)
+        finding.message("`{0}` cuts a thread under constant surface speed: the spindle changes its speed "
+                        "between the passes",
+                        code.name);
+      else
+        finding.message("`{0}` drills on the axis under constant surface speed: the spindle runs at its "
+                        "highest speed",
+                        code.name);
+      finding.note(state.originOf(ctx.dialect(), StandardGroup::SpeedMode),
+                   "constant surface speed is selected here");
+      fix(finding, ctx);
+    }
+  }
+
+private:
+  /// The speed that the surface speed gives at the start diameter, as a constant one.
+  static void fix(FindingBuilder &finding, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const auto unit = millimetresPer(ctx.dialect(), before);
+    const Interval &x = before.at(Axis::X);
+    constexpr double pi = 3.14159265358979323846;
+    if (!unit || *unit != 1 || !x.isConstant() || x.value() < 1 || !before.speed.isConstant() ||
+        before.speed.value() <= 0 || before.inMachineCoordinates(Axis::X))
+      return;
+    const double speed = std::floor(before.speed.value() * 1000 / (pi * x.value()));
+    if (speed < 1)
+      return;
+    const std::string block = llvm::formatv("G97 S{0}", int64_t(speed)).str();
+    finding.fix(FixSafety::Unsafe, "insert " + block + " before this block",
+                ctx.insertBlockBefore(block));
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningThreadUnderCss, turning_thread_under_css)
+} // namespace ncvet

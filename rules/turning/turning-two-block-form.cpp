@@ -1,0 +1,54 @@
+// A turning cycle is written in another control's form, or one of its two blocks is missing.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+constexpr llvm::StringLiteral id = "turning-two-block-form";
+
+class TurningTwoBlockForm final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleStart);
+    to.onNotices(id);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code) {
+      ctx.reportNotices(id, event);
+      return;
+    }
+    const CodeInfo &code = ctx.code(event);
+    if (!code.twoBlock || ctx.after().pendingCycle != event.code)
+      return;
+    Block next;
+    const bool more = readNext(ctx, next);
+    if (more)
+      for (const Word &word : next.words) {
+        if (word.address != letterAddress('G') || !word.isNumber())
+          continue;
+        const CodeIndex index = ctx.dialect().find('G', word.codeNumber());
+        if (index == noCode)
+          continue;
+        const CodeInfo &other = ctx.dialect().codes[index];
+        if (other.letter == code.letter && other.number == code.number)
+          return;
+        if (!other.twoBlock)
+          continue;
+        const SourceRange at{ctx.source().id(), word.offset, next.endOf(word)};
+        if (auto finding = ctx.report(at, event.certain))
+          finding
+              .message("`{0}` runs with the data of `{1}`: both blocks of a cycle carry the same code",
+                       other.name, code.name)
+              .note(ctx.range(*event.word), "the data block of " + code.name);
+        return;
+      }
+    if (auto finding = ctx.report(event, event.certain))
+      finding.message("`{0}` gives only the data of the cycle, and no block that runs it follows",
+                      code.name);
+  }
+};
+
+} // namespace
+NCVET_RULE(TurningTwoBlockForm, turning_two_block_form)
+} // namespace ncvet
