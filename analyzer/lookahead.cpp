@@ -44,6 +44,18 @@ bool readOn(const RuleContext &ctx, Block &block) {
   return readFrom(ctx, from, ctx.index().programAt(block.begin).end, block);
 }
 
+bool readPrevious(const RuleContext &ctx, Block &previous) {
+  const uint32_t first = ctx.index().programAt(ctx.block().begin).body;
+  uint32_t at = ctx.block().begin;
+  while (at > first) {
+    at = std::max(first, ctx.source().lines().lineBegin(at - 1));
+    ctx.index().reader().read(at, previous);
+    if (!previous.isEmpty())
+      return previous.next <= ctx.block().begin;
+  }
+  return false;
+}
+
 llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block) {
   llvm::SmallVector<CodeIndex, 6> codes;
   for (const Word &word : block.words) {

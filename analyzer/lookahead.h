@@ -11,6 +11,9 @@ bool readNext(const RuleContext &ctx, Block &next);
 /// The same, behind a block that `readNext` returned; `block` is overwritten.
 bool readOn(const RuleContext &ctx, Block &block);
 
+/// Reads the block with content that stands in front of the one at hand; false at the program's begin.
+bool readPrevious(const RuleContext &ctx, Block &previous);
+
 /// Codes of a block that was read ahead, without their variants.
 llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block);
 /// First code of the block with one of the actions, or null.

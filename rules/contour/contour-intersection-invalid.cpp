@@ -44,18 +44,9 @@ public:
 private:
   /// What stands in front: the last block with a move.
   static void previous(const Event &event, uint16_t plane, RuleContext &ctx) {
-    const Origin &origin = ctx.before().origin.lastCut;
-    if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
-      return;
     Block last;
-    // The last cut must stand right in front of this block.
-    ctx.index().reader().read(origin.begin, last);
-    Block between;
-    for (uint32_t at = last.next; at < ctx.block().begin; at = between.next) {
-      ctx.index().reader().read(at, between);
-      if (!between.isEmpty())
-        return;
-    }
+    if (!readPrevious(ctx, last))
+      return;
     if (findCode(ctx.dialect(), last, {Action::ArcCw, Action::ArcCcw})) {
       selector(ctx.block(), ctx.blockRange(), ctx);
       incremental(ctx, ctx.blockRange());

@@ -18,11 +18,9 @@ public:
     if (before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Thread)
       return;
     // The stroke before: a thread on a face runs along X and retracts in Z.
-    const Origin &last = before.origin.lastCut;
-    if (!last.known() || last.file != ctx.source().id() || last.begin >= ctx.block().begin)
-      return;
     Block stroke;
-    ctx.index().reader().read(last.begin, stroke);
+    if (!readPrevious(ctx, stroke))
+      return;
     const uint16_t along = axesOf(ctx.dialect(), stroke);
     if (!(along & zBit))
       return;
@@ -42,7 +40,7 @@ public:
       if (auto finding = ctx.report(ctx.blockRange(), event.certain))
         finding
             .message("the tool goes back in Z at the depth of the thread: it was not retracted in X")
-            .note(before.origin.lastCut, "the thread is cut here");
+            .note(SourceRange{ctx.source().id(), stroke.begin, stroke.end}, "the thread is cut here");
     }
   }
 };
