@@ -107,11 +107,13 @@ Profile readProfile(const RuleContext &ctx) {
   Outcome outcome;
   constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
   for (uint32_t offset = *first; offset <= *last && profile.blocks.size() < maxProfileBlocks;) {
-    ProfileBlock entry;
+    ProfileBlock &entry = profile.blocks.emplace_back();
     ctx.index().reader().read(offset, entry.block);
     offset = entry.block.next;
-    if (entry.block.isEmpty())
+    if (entry.block.isEmpty()) {
+      profile.blocks.pop_back();
       continue;
+    }
     if (!entry.block.items.empty() || entry.block.skip >= 0)
       return profile; // what it does decides itself at run time
     before = state;
@@ -129,7 +131,6 @@ Profile readProfile(const RuleContext &ctx) {
         entry.motion = event.motion;
         entry.motionKnown = event.certain;
       }
-    profile.blocks.push_back(std::move(entry));
   }
   if (profile.blocks.size() >= maxProfileBlocks || profile.blocks.empty())
     return profile;

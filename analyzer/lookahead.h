@@ -3,6 +3,8 @@
 
 #include "analyzer/rule.h"
 
+#include <deque>
+
 namespace ncvet {
 
 /// Reads the next block behind the one at hand that holds anything to execute, in the same program.
@@ -39,7 +41,7 @@ enum class Side : uint8_t { Unknown, Outside, Inside };
 /// The blocks that a turning cycle works along.
 struct Profile {
   bool known = false; ///< false: the blocks are not there, or not a plain list
-  std::vector<ProfileBlock> blocks;
+  std::deque<ProfileBlock> blocks; ///< stays where it is: the codes point into it
   size_t lastCut = 0; ///< index behind the last block that belongs to the contour
   /// Least and greatest X and Z of the contour, from the first block's end point on; none when one
   /// end point is not known.

@@ -63,7 +63,7 @@ public:
         finding
             .message("`{0}` begins at {1}, below its R ({2}): the tool rises to R at rapid first",
                      code.name, text(from.value() / *unit), text(*r))
-            .severity(Severity::Warning);
+            .severity(inside ? Severity::Warning : Severity::Style);
     }
   }
 

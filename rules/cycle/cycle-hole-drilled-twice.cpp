@@ -49,7 +49,7 @@ private:
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const Axis tool = toolAxis(ctx.dialect(), state);
-    if (state.profile || state.switchMay)
+    if (state.profile || state.transforms[0])
       return; // a shifted or turned system makes other places of the same numbers
     Place place;
     place.file = ctx.source().id();
