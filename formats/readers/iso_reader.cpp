@@ -73,6 +73,7 @@ private:
   void scanHeader(const char *begin);
   void scanComment();
   void scanLetter();
+  bool scanUnknownWord();
   void scanWord(AddressId address, const char *begin);
   bool scanPlainNumber(Word &word);
   bool scanNumber(Word &word, const char *begin);
@@ -215,8 +216,12 @@ void Scanner::scanComment() {
 void Scanner::scanLetter() {
   const char *begin = at_;
   const char upper = char(*at_ & ~32);
-  if (lexical_.macro && at_ + 1 < end_ && isLetter(at_[1]) && scanStatement())
-    return;
+  if (at_ + 1 < end_ && isLetter(at_[1])) {
+    if (lexical_.macro && scanStatement())
+      return;
+    if (scanUnknownWord())
+      return;
+  }
   if (upper == 'O' && block_.words.empty() && block_.items.empty()) {
     const char *p = at_ + 1;
     while (p < end_ && classOf(*p) == Blank)
@@ -228,6 +233,23 @@ void Scanner::scanLetter() {
   }
   ++at_;
   scanWord(letterAddress(upper), begin);
+}
+
+/// Three letters and more in a row are no addresses: one issue for all of it. Bare axis letters,
+/// which a reference return may name together, are left alone.
+bool Scanner::scanUnknownWord() {
+  const char *begin = at_;
+  const char *p = at_;
+  bool axes = true;
+  while (p < end_ && isLetter(*p))
+    axes &= llvm::StringRef("XYZABCUVW").contains(char(*p++ & ~32));
+  if (p - begin < 3 || axes)
+    return false;
+  while (p < end_ && (isLetter(*p) || isDigit(*p) || *p == '_'))
+    ++p;
+  at_ = p;
+  issue(SyntaxIssueKind::UnknownWord, begin, p);
+  return true;
 }
 
 /// The number or expression behind an address.

@@ -19,7 +19,7 @@ public:
     AddressMask seen = 0;
     for (const Word &word : block.words) {
       const AddressMask mask = maskOf(word.address);
-      if (!(repeated & mask))
+      if (!(repeated & mask) || word.has(wordNoValue)) // syntax-incomplete-word speaks of these
         continue;
       if (seen & mask)
         report(*block.find(word.address), word, ctx);

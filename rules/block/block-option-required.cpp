@@ -6,11 +6,46 @@ namespace {
 
 class BlockOptionRequired final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onNotices(id); }
-  void on(const Event &event, RuleContext &ctx) override { ctx.reportNotices(id, event); }
+  void listen(Subscriptions &to) override {
+    to.onNotices(id);
+    for (const CodeInfo &code : to.dialect().codes)
+      if (code.action == Action::ToolChange && change_.empty())
+        change_ = code.name;
+    if (!to.dialect().toolChangeByT && !to.dialect().isLathe() && !change_.empty())
+      to.on({EventKind::ToolWord, EventKind::Motion});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code)
+      return ctx.reportNotices(id, event);
+    if (event.kind == EventKind::ToolWord) {
+      if (event.word)
+        lastTool_ = ctx.range(*event.word);
+      return;
+    }
+    toolByItself(event, ctx);
+  }
 
 private:
   static constexpr llvm::StringLiteral id{"block-option-required"};
+
+  /// The first tool is only named, and the tool moves: that works where T itself changes it.
+  void toolByItself(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (event.motion == MotionKind::Reference || ctx.after().tool != notSet ||
+        before.preselected == notSet || before.may(Fact::ToolCalled) ||
+        before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}) ||
+        lastTool_.file != ctx.source().id() || lastTool_.empty())
+      return;
+    if (auto finding = ctx.report(lastTool_, event.certain))
+      finding
+          .message("`{0}` stands without `{1}`: it changes the tool only on a machine that is set up so",
+                   ctx.text(lastTool_), change_)
+          .severity(Severity::Style);
+  }
+
+  std::string change_;
+  SourceRange lastTool_;
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 // An M code that neither this control's table nor the machine profile has.
 #include "analyzer/rule.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
@@ -12,11 +14,18 @@ public:
     if (event.word->address != letterAddress('M') ||
         ctx.find({Action::MacroCall, Action::MacroModal}))
       return;
+    // Once for each code: a machine's own codes come again and again.
+    const auto place = std::pair(ctx.source().id(), event.word->offset);
+    if (first_.try_emplace(event.word->mantissa, place).first->second != place)
+      return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is neither a code of this control nor named in the machine profile: "
                       "what it does is not known",
                       ctx.text(*event.word));
   }
+
+private:
+  std::map<int64_t, std::pair<FileId, uint32_t>> first_; ///< where each code was met first
 };
 
 } // namespace

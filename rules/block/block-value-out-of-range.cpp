@@ -21,9 +21,11 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
-    reportWordRanges(ctx, event, [](const CodeInfo &c, const WordSpec &spec, Breach breach) {
+    const AddressMask whole = ctx.dialect().whole;
+    reportWordRanges(ctx, event, [&](const CodeInfo &c, const WordSpec &spec, Breach breach) {
       // Points in whole numbers are syntax-integer-required's.
-      return isMine(c, spec) && breach != Breach::PointMissing && breach != Breach::PointWritten;
+      return isMine(c, spec) && breach != Breach::PointMissing && breach != Breach::PointWritten &&
+             !(breach == Breach::NotWhole && spec.any & whole);
     });
     if (code.action != Action::Cycle)
       reportExcludedWords(ctx, event);

@@ -25,6 +25,8 @@ private:
         continue;
       const NumberedBlock &first = numbers[i - 1], &again = numbers[i];
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
+        if (!file.isReached(again.offset)) // dead blocks confuse nobody
+          continue;
         report(first, again, "N{0} stands twice, and a jump, call or profile names it: it may go to the wrong one",
                Severity::Error, file, ctx);
         continue;

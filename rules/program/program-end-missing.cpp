@@ -23,6 +23,9 @@ public:
     auto finding = ctx.report(where, event.certain);
     if (!finding)
       return;
+    // Without a number it may be a part of a program that somebody joins.
+    if (!ctx.index().programAt(where.begin).hasHeader())
+      finding.severity(Severity::Warning);
     finding.message("the program runs out behind this block: no `{0}` ends it", end_);
     const llvm::StringRef rest = ctx.source().text().substr(where.end, 2);
     const llvm::StringRef lineEnd = rest.startswith("\r\n") ? "\r\n" : "\n";

@@ -4,6 +4,17 @@
 namespace ncvet {
 namespace {
 
+/// The header line of a listing repeats the program's own: nothing stands between the two.
+bool isSame(const ProgramInfo &first, const ProgramInfo &second, const Reader &reader) {
+  Block block;
+  for (uint32_t at = first.begin; at < second.begin; at = block.next) {
+    reader.read(at, block);
+    if (!block.isEmpty())
+      return false;
+  }
+  return true;
+}
+
 class ProgramNumberDuplicate final : public Rule {
 public:
   void listen(Subscriptions &) override {}
@@ -16,6 +27,8 @@ public:
         continue;
       const ProgramInfo *first = file.index.find(program.number);
       if (first == &program)
+        continue;
+      if (isSame(*first, program, file.reader))
         continue;
       const auto headerOf = [&](const ProgramInfo &p) {
         return SourceRange{file.source.id(), p.headerBegin, p.headerEnd};

@@ -4,12 +4,22 @@
 namespace ncvet {
 namespace {
 
+/// True when an issue of the same kind stands in front of it in the block: one report says it.
+bool isRepeated(const Block &block, size_t index) {
+  for (size_t i = 0; i < index; ++i)
+    if (block.issues[i].kind == block.issues[index].kind)
+      return true;
+  return false;
+}
+
 class SyntaxError final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
 
   void on(const Event &event, RuleContext &ctx) override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    if (isRepeated(ctx.block(), size_t(event.number)))
+      return;
     const char *what = nullptr;
     switch (issue.kind) {
     case SyntaxIssueKind::UnbalancedBracket:

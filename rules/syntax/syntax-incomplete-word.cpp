@@ -4,6 +4,14 @@
 namespace ncvet {
 namespace {
 
+/// True when an issue of the same kind stands in front of it in the block: one report says it.
+bool isRepeated(const Block &block, size_t index) {
+  for (size_t i = 0; i < index; ++i)
+    if (block.issues[i].kind == block.issues[index].kind)
+      return true;
+  return false;
+}
+
 class SyntaxIncompleteWord final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
@@ -13,7 +21,7 @@ public:
     const SourceRange range{ctx.source().id(), issue.begin, issue.end};
     if (issue.kind == SyntaxIssueKind::MissingAddress) {
       // A sleep code takes its time as a bare number.
-      if (ctx.find({Action::Sleep}))
+      if (ctx.find({Action::Sleep}) || isRepeated(ctx.block(), size_t(event.number)))
         return;
       if (auto finding = ctx.report(range))
         finding.message("`{0}` has no address in front of it", ctx.text(range));
@@ -21,6 +29,12 @@ public:
     }
     if (issue.kind != SyntaxIssueKind::MissingValue || mayStandBare(issue, ctx))
       return;
+    // The first such word of a block speaks for the others.
+    for (int64_t i = 0; i < event.number; ++i) {
+      const SyntaxIssue &other = ctx.block().issues[size_t(i)];
+      if (other.kind == SyntaxIssueKind::MissingValue && !mayStandBare(other, ctx))
+        return;
+    }
     if (auto finding = ctx.report(range))
       finding.message("`{0}` has no value behind it", ctx.text(range));
   }
