@@ -1,0 +1,312 @@
+// `ncvet check` as a process: exit codes, inputs, reports, rules, baseline, fixes.
+#include "tests/support/process.h"
+
+#include <gmock/gmock.h>
+
+namespace ncvet::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::vector<std::string> feedOnly = {"--dialect", "haas-lathe", "--select", "feed-missing"};
+
+std::vector<std::string> with(std::vector<std::string> arguments,
+                              const std::vector<std::string> &more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// `check` with the feed rule alone.
+std::vector<std::string> check(const std::vector<std::string> &more) {
+  return with(with({"check"}, feedOnly), more);
+}
+
+std::string goodProgram() {
+  std::string text = programWithoutFeed();
+  text.replace(text.find("Z-5."), 4, "Z-5. F0.2");
+  return text;
+}
+
+TEST(CheckCommand, ExitsWithZeroWhenNothingIsFound) {
+  Shop shop;
+  shop.file("a.nc", goodProgram());
+  const ProcessResult result = shop.run(check({"a.nc"}));
+  EXPECT_EQ(0, result.exitCode) << result.err;
+  EXPECT_EQ("", result.err);
+}
+
+TEST(CheckCommand, ExitsWithOneWhenSomethingIsFound) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  const ProcessResult result = shop.run(check({"a.nc"}));
+  EXPECT_EQ(1, result.exitCode);
+  EXPECT_THAT(result.out, StartsWith("a.nc:4:"));
+  EXPECT_THAT(result.out, HasSubstr("[feed-missing]"));
+}
+
+TEST(CheckCommand, FailOnChoosesTheLevelThatFails) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  const auto exitCode = [&](const std::string &severity, const std::string &level) {
+    return shop.run(check({"--severity", "feed-missing=" + severity, "--fail-on", level, "a.nc"}))
+        .exitCode;
+  };
+  EXPECT_EQ(1, exitCode("error", "error"));
+  EXPECT_EQ(0, exitCode("warning", "error"));
+  EXPECT_EQ(1, exitCode("warning", "warning"));
+  EXPECT_EQ(0, exitCode("style", "warning"));
+  EXPECT_EQ(1, exitCode("style", "style"));
+  EXPECT_EQ(0, exitCode("error", "never"));
+}
+
+TEST(CheckCommand, UnreadableFileIsSaidInOneLineAndTheOthersAreChecked) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  const ProcessResult result = shop.run(check({"missing.nc", "a.nc"}));
+  EXPECT_EQ(2, result.exitCode);
+  EXPECT_EQ("ncvet: error: cannot read missing.nc: No such file or directory\n", result.err);
+  EXPECT_THAT(result.out, HasSubstr("a.nc:4:"));
+}
+
+TEST(CheckCommand, WrongUsageIsSaidInOneLine) {
+  const struct {
+    std::vector<std::string> arguments;
+    const char *said;
+  } cases[] = {
+      {{"chek"}, "did you mean \"check\""},
+      {{"check", "--formt", "json"}, "--format"},
+      {{"check", "--format", "jsn"}, "did you mean \"json\""},
+      {{"check", "--fail-on", "sometimes"}, "one of error, warning, style, never"},
+      {{"check", "--severity", "feed-missing=loud"}, "error, warning, style"},
+      {{"check", "--severity", "feed-missing"}, "RULE=LEVEL"},
+      {{"check", "--select", "feed-mising"}, "did you mean \"feed-missing\""},
+      {{"check", "--profile", "strikt"}, "did you mean \"strict\""},
+      {{"check", "--report", "json"}, "FMT:FILE"},
+      {{"check", "--dialect", "haas-lath", "a.nc"}, "haas-lath"},
+      {{"check", "--config", "none.json", "a.nc"}, "none.json"},
+      {{"check", "--machine", "none.json", "a.nc"}, "none.json"},
+      {{"check", "--baseline", "none.json", "a.nc"}, "none.json"},
+      {{"check", "--color", "red", "a.nc"}, "auto, always or never"},
+      {{"explain", "feed-mising"}, "did you mean \"feed-missing\""},
+      {{"trace", "a.nc"}, "trace"},
+      {{"lsp"}, "lsp"},
+  };
+  Shop shop;
+  shop.file("a.nc", goodProgram());
+  for (const auto &c : cases) {
+    const ProcessResult result = shop.run(c.arguments);
+    SCOPED_TRACE(::testing::PrintToString(c.arguments));
+    EXPECT_EQ(2, result.exitCode);
+    EXPECT_THAT(result.err, StartsWith("ncvet: error: "));
+    EXPECT_THAT(result.err, HasSubstr(c.said));
+    EXPECT_EQ(1, std::count(result.err.begin(), result.err.end(), '\n')) << result.err;
+  }
+}
+
+TEST(CheckCommand, JsonHasTheFixedForm) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  const ProcessResult result = shop.run(check({"--format", "json", "a.nc"}));
+  const auto json = nlohmann::json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << result.out;
+  EXPECT_EQ(1, json["version"]);
+  EXPECT_EQ("ncvet", json["tool"]["name"]);
+  ASSERT_EQ(1u, json["files"].size());
+  EXPECT_EQ("a.nc", json["files"][0]["path"]);
+  EXPECT_EQ("haas-lathe", json["files"][0]["dialect"]);
+  EXPECT_EQ(6, json["files"][0]["blocks"]);
+  EXPECT_EQ(true, json["files"][0]["complete"]);
+  ASSERT_EQ(1u, json["findings"].size());
+  const auto &finding = json["findings"][0];
+  EXPECT_EQ("feed-missing", finding["rule"]);
+  EXPECT_EQ("error", finding["severity"]);
+  EXPECT_EQ("definite", finding["certainty"]);
+  EXPECT_EQ(4, finding["line"]);
+  EXPECT_EQ(16u, finding["fingerprint"].get<std::string>().size());
+  EXPECT_NE("0000000000000000", finding["fingerprint"]);
+}
+
+TEST(CheckCommand, FurtherReportsAreWrittenToFiles) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  const ProcessResult result =
+      shop.run(check({"--report", "json:out.json", "--report", "sarif:out.sarif", "a.nc"}));
+  EXPECT_EQ(1, result.exitCode);
+  EXPECT_THAT(result.out, StartsWith("a.nc:4:"));
+  EXPECT_EQ(1u, nlohmann::json::parse(shop.text("out.json"), nullptr, false)["findings"].size());
+  EXPECT_EQ("2.1.0", nlohmann::json::parse(shop.text("out.sarif"), nullptr, false)["version"]);
+}
+
+TEST(CheckCommand, ReportThatCannotBeWrittenIsAFailure) {
+  Shop shop;
+  shop.file("a.nc", goodProgram());
+  const ProcessResult result = shop.run(check({"--report", "json:no/folder/out.json", "a.nc"}));
+  EXPECT_EQ(2, result.exitCode);
+  EXPECT_THAT(result.err, HasSubstr("cannot write no/folder/out.json"));
+}
+
+TEST(CheckCommand, FoldersAreWalkedInOrderForProgramsOnly) {
+  Shop shop;
+  const std::string program = programWithoutFeed();
+  shop.file("b/z.nc", program).file("b/a.NC", program).file("a/O0100", program);
+  shop.file("a/notes.txt", "Call the customer about the drawing.\nThen order steel.\n");
+  shop.file("a/program.txt", program).file("a/part.step", program);
+  shop.file(".hidden/x.nc", program).file("a/.x.nc", program);
+  EXPECT_THAT(shop.findings(feedOnly),
+              ElementsAre("a/O0100:4 feed-missing", "a/program.txt:4 feed-missing",
+                          "b/a.NC:4 feed-missing", "b/z.nc:4 feed-missing"));
+  EXPECT_THAT(shop.findings(with(feedOnly, {"b", "a/part.step", "b/z.nc"})),
+              ElementsAre("a/part.step:4 feed-missing", "b/a.NC:4 feed-missing",
+                          "b/z.nc:4 feed-missing"));
+}
+
+TEST(CheckCommand, OutputIsTheSameWithAnyNumberOfJobs) {
+  Shop shop;
+  for (int i = 0; i < 40; ++i)
+    shop.file("part" + std::to_string(i) + ".nc",
+              (i % 3 ? programWithoutFeed() : goodProgram()) + "(" + std::to_string(i) + ")\n");
+  for (const char *format : {"text", "json", "sarif"}) {
+    const auto run = [&](const char *jobs) {
+      return shop.run({"check", "--profile", "all", "--format", format, "--jobs", jobs}).out;
+    };
+    const std::string one = run("1");
+    EXPECT_THAT(one, HasSubstr("part1.nc"));
+    EXPECT_EQ(one, run("2"));
+    EXPECT_EQ(one, run("7"));
+  }
+}
+
+TEST(CheckCommand, StandardInputIsCheckedUnderItsName) {
+  Shop shop;
+  const ProcessResult named =
+      shop.run(check({"--stdin-filename", "sub/a.nc", "-"}), programWithoutFeed());
+  EXPECT_EQ(1, named.exitCode);
+  EXPECT_THAT(named.out, StartsWith("sub/a.nc:4:"));
+  const ProcessResult unnamed = shop.run(check({"-"}), programWithoutFeed());
+  EXPECT_THAT(unnamed.out, StartsWith("<stdin>:4:"));
+}
+
+TEST(CheckCommand, CategoriesStandForTheirRules) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  EXPECT_THAT(shop.findings({"--dialect", "haas-lathe", "--select", "feed", "a.nc"}),
+              ElementsAre("a.nc:4 feed-missing"));
+  EXPECT_THAT(shop.findings({"--dialect", "haas-lathe", "--select", "feed", "--ignore",
+                             "feed-missing", "a.nc"}),
+              IsEmpty());
+}
+
+TEST(CheckCommand, SubprogramOfTheFolderIsFoundAndReportedOnce) {
+  Shop shop;
+  shop.file("main.nc", "O0001\nT101\nG97 S800 M03\nM98 P1000\nM98 P1000\nM30\n");
+  shop.file("main2.nc", "O0002\nT101\nG97 S800 M03\nM98 P1000\nM30\n");
+  shop.file("O1000.nc", "O1000\nG01 X10. Z-5.\nM99\n");
+  EXPECT_THAT(shop.findings(feedOnly), ElementsAre("O1000.nc:2 feed-missing"));
+}
+
+TEST(CheckCommand, StatsSayWhyADialectWasChosen) {
+  Shop shop;
+  shop.file("a.nc", goodProgram());
+  const ProcessResult given = shop.run(check({"--stats", "a.nc"}));
+  EXPECT_THAT(given.err, HasSubstr("a.nc: haas-lathe (--dialect), 6 blocks"));
+  shop.file(".ncvet.json", R"({"dialect": "haas-lathe"})");
+  EXPECT_THAT(shop.run({"check", "--stats", "a.nc"}).err, HasSubstr("haas-lathe (.ncvet.json)"));
+}
+
+TEST(CheckCommand, ColorsAreGivenWhenAskedFor) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  EXPECT_THAT(shop.run(check({"--color=always", "a.nc"})).out, HasSubstr("\x1b["));
+  EXPECT_THAT(shop.run(check({"a.nc"})).out, Not(HasSubstr("\x1b[")));
+}
+
+TEST(CheckSuppression, CommentOnTheBlockOrAboveSilencesIt) {
+  Shop shop;
+  std::string on = programWithoutFeed(), above = on;
+  on.replace(on.find("Z-5."), 4, "Z-5. (ncvet: allow feed-missing -- bar feeder)");
+  above.replace(above.find("G01"), 3, "(NCVET: ALLOW FEED-MISSING)\nG01");
+  shop.file("on.nc", on).file("above.nc", above);
+  EXPECT_THAT(shop.findings({"--dialect", "haas-lathe", "--select",
+                             "feed-missing,style-unused-suppression"}),
+              IsEmpty());
+  const ProcessResult sarif = shop.run(check({"--format", "sarif", "on.nc"}));
+  EXPECT_EQ(0, sarif.exitCode);
+  EXPECT_THAT(sarif.out, HasSubstr("\"suppressions\""));
+}
+
+TEST(CheckSuppression, CommentThatSuppressesNothingIsReportedOnlyForRulesThatRan) {
+  Shop shop;
+  std::string text = goodProgram();
+  text.replace(text.find("M30"), 3, "(ncvet: allow feed-missing)\nM30");
+  shop.file("a.nc", text);
+  EXPECT_THAT(shop.findings({"--dialect", "haas-lathe", "--select",
+                             "feed-missing,style-unused-suppression"}),
+              ElementsAre("a.nc:6 style-unused-suppression"));
+  EXPECT_THAT(shop.findings({"--dialect", "haas-lathe", "--select", "style-unused-suppression"}),
+              IsEmpty());
+}
+
+TEST(CheckSuppression, CommentInASubprogramMayBeNeededByItsCaller) {
+  Shop shop;
+  shop.file("main.nc", "O0001\nT101\nG97 S800 M03\nM98 P1000\nM30\n");
+  shop.file("O1000.nc", "O1000\n(ncvet: allow feed-missing)\nG01 X10. Z-5.\nM99\n");
+  EXPECT_THAT(shop.findings({"--dialect", "haas-lathe", "--select",
+                             "feed-missing,style-unused-suppression"}),
+              IsEmpty());
+}
+
+TEST(CheckBaseline, KnownFindingsAreNotToldAgainAndNewOnesAre) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  EXPECT_EQ(1, shop.run(check({"--write-baseline", "known.json", "a.nc"})).exitCode);
+  const ProcessResult known = shop.run(check({"--baseline", "known.json", "a.nc"}));
+  EXPECT_EQ(0, known.exitCode);
+  EXPECT_EQ("", known.out);
+  // A program that grows and is renumbered keeps what is known of it.
+  std::string grown = programWithoutFeed();
+  grown.replace(grown.find("G01"), 3, "(ROUGH)\nN70 G01");
+  shop.file("a.nc", grown);
+  EXPECT_EQ(0, shop.run(check({"--baseline", "known.json", "a.nc"})).exitCode);
+  // The same block once more is a new finding.
+  grown.insert(grown.find("N70"), "G01 X20. Z-5.\n");
+  shop.file("a.nc", grown);
+  const ProcessResult more = shop.run(check({"--baseline", "known.json", "a.nc"}));
+  EXPECT_EQ(1, more.exitCode);
+  EXPECT_THAT(more.out, StartsWith("a.nc:6:"));
+}
+
+TEST(CheckBaseline, WritingTwiceGivesTheSameBytes) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed()).file("b.nc", programWithoutFeed());
+  shop.run(check({"--write-baseline", "1.json"}));
+  shop.run(check({"--write-baseline", "2.json", "--jobs", "1"}));
+  EXPECT_EQ(shop.text("1.json"), shop.text("2.json"));
+  EXPECT_THAT(shop.text("1.json"), HasSubstr("feed-missing"));
+}
+
+TEST(CheckBaseline, SarifTellsWhatIsUnchangedNewAndAbsent) {
+  Shop shop;
+  shop.file("a.nc", programWithoutFeed());
+  shop.run(check({"--write-baseline", "known.json", "a.nc"}));
+  EXPECT_THAT(shop.run(check({"--baseline", "known.json", "--format", "sarif", "a.nc"})).out,
+              HasSubstr("\"unchanged\""));
+  shop.file("a.nc", goodProgram());
+  EXPECT_THAT(shop.run(check({"--baseline", "known.json", "--format", "sarif", "a.nc"})).out,
+              HasSubstr("\"absent\""));
+}
+
+TEST(CheckBaseline, MalformedFileNamesTheLine) {
+  Shop shop;
+  shop.file("a.nc", goodProgram());
+  shop.file("known.json", "{\"version\": 1,\n\"findings\": [\n{\"fingerprint\": \"xyz\"}]}");
+  const ProcessResult result = shop.run(check({"--baseline", "known.json", "a.nc"}));
+  EXPECT_EQ(2, result.exitCode);
+  EXPECT_THAT(result.err, HasSubstr("known.json:3:"));
+}
+
+} // namespace
+} // namespace ncvet::test
