@@ -8,8 +8,8 @@ namespace ncvet {
 /// A finding with what its fingerprint is made of.
 struct CheckedFinding {
   Finding finding;
-  std::string program;   ///< name of the enclosing program
-  std::string blockText; ///< see `fingerprintText`
+  std::string program;             ///< name of the enclosing program
+  std::string blockText;           ///< see `fingerprintText`
   FailOn failOn = Severity::Error; ///< as configured where it was found
 };
 

@@ -167,8 +167,8 @@ void ConfigReader::readGlobs(JsonReader &in, const Json &json, const char *key,
   target = in.texts(*list);
   for (size_t i = 0; i < target.size(); ++i)
     if (auto glob = llvm::GlobPattern::create(target[i]); !glob)
-      in.fail(list->is_array() ? (*list)[i] : *list, "a glob is expected: " +
-                                                         messageOf(glob.takeError()));
+      in.fail(list->is_array() ? (*list)[i] : *list,
+              "a glob is expected: " + messageOf(glob.takeError()));
 }
 
 llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
@@ -180,9 +180,9 @@ llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
     return json.takeError();
   const JsonLayer layer{file.str(), *text};
   JsonReader in(layer, *json);
-  in.allowKeys(*json, {"$schema", "extends", "dialect", "dialects", "machine", "select",
-                       "extendSelect", "ignore", "severity", "options", "failOn", "searchFolders",
-                       "files", "exclude"});
+  in.allowKeys(*json,
+               {"$schema", "extends", "dialect", "dialects", "machine", "select", "extendSelect",
+                "ignore", "severity", "options", "failOn", "searchFolders", "files", "exclude"});
   if (llvm::Error wrong = in.takeError())
     return wrong;
   const std::string folder = path::parent_path(file).str();

@@ -22,7 +22,7 @@ struct Config {
   std::string folder; ///< folder of `file`
   std::string profile = "recommended";
   RuleSettings rules;
-  std::string dialect; ///< id, or path of a table; empty: find out
+  std::string dialect;                   ///< id, or path of a table; empty: find out
   std::vector<std::string> dialectFiles; ///< tables of one's own
   std::optional<MachineSource> machine;
   std::vector<std::string> searchFolders; ///< for programs that are called

@@ -38,8 +38,8 @@ llvm::Expected<Settings> readSettings() {
       return json.takeError();
     const JsonLayer layer{file.name.str(), file.text};
     JsonReader in(layer, *json);
-    in.allowKeys(*json, {"$schema", "fallback", "prefer", "minimumScore", "extensions",
-                         "looseExtensions"});
+    in.allowKeys(
+        *json, {"$schema", "fallback", "prefer", "minimumScore", "extensions", "looseExtensions"});
     in.read(*json, "fallback", settings.fallback);
     in.readWhole(*json, "minimumScore", settings.minimumScore, 0, 100);
     const auto list = [&](const char *key, std::vector<std::string> &target) {
@@ -145,8 +145,8 @@ llvm::Error Detector::addDialects(std::vector<DialectSummary> dialects) {
         marks_.push_back({llvm::Regex(mark.pattern, llvm::Regex::Newline), {}});
         std::string why;
         if (!marks_.back().pattern.isValid(why))
-          return failure("dialect " + dialects_[index].id + ": pattern \"" +
-                                             mark.pattern + "\": " + why);
+          return failure("dialect " + dialects_[index].id + ": pattern \"" + mark.pattern +
+                         "\": " + why);
       }
       marks_[known->second].votes.push_back({index, mark.score, mark.reason});
     }
@@ -171,7 +171,8 @@ Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const
       claim.push_back(index);
   for (const size_t index : claim)
     scores[index] += claim.size() == 1 ? ownEnding : sharedEnding;
-  const auto best = std::max_element(scores.begin(), scores.end()); // the first of equals: those preferred stand first
+  const auto best = std::max_element(
+      scores.begin(), scores.end()); // the first of equals: those preferred stand first
   if (best == scores.end() || *best < minimumScore_)
     return {fallback_, "nothing in it speaks for a control; read as the usual one"};
   const size_t winner = size_t(best - scores.begin());

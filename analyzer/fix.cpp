@@ -146,9 +146,8 @@ private:
 
   /// Next time the first rule alone; a rule that was alone is left out for good.
   void refuse(llvm::ArrayRef<const Finding *> chosen) {
-    const bool alone = llvm::all_of(chosen, [&](const Finding *finding) {
-      return finding->rule == chosen.front()->rule;
-    });
+    const bool alone = llvm::all_of(
+        chosen, [&](const Finding *finding) { return finding->rule == chosen.front()->rule; });
     if (alone) {
       refused_.insert(chosen.front()->rule);
       only_.reset();

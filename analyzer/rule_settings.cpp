@@ -68,14 +68,14 @@ llvm::Error checkRuleOption(const RuleSettings::Number &number) {
     for (const RuleOption &candidate : page.options)
       known.push_back(candidate.name);
     return failure("unknown option \"" + number.option + "\" of rule \"" + number.rule + "\"" +
-                 suggest(number.option, known));
+                   suggest(number.option, known));
   }
   if (option->min && number.value < *option->min)
     return failure("option \"" + number.option + "\" must be at least " +
-                 llvm::formatv("{0}", *option->min).str());
+                   llvm::formatv("{0}", *option->min).str());
   if (option->max && number.value > *option->max)
     return failure("option \"" + number.option + "\" must be at most " +
-                 llvm::formatv("{0}", *option->max).str());
+                   llvm::formatv("{0}", *option->max).str());
   return llvm::Error::success();
 }
 

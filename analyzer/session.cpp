@@ -114,9 +114,9 @@ llvm::Expected<std::shared_ptr<const Detector>> Session::detector(const Config &
 
 llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, const Config &config,
                                                     const MachineSource *machine) {
-  const std::string key =
-      (dialect + "\n" + (machine ? machine->name : "") + "\n" + llvm::join(config.dialectFiles, "\n"))
-          .str();
+  const std::string key = (dialect + "\n" + (machine ? machine->name : "") + "\n" +
+                           llvm::join(config.dialectFiles, "\n"))
+                              .str();
   return keep<Language>(languages_, key, [&]() -> llvm::Expected<Language> {
     OwnDialects own;
     std::string id = dialect.str();
@@ -135,8 +135,9 @@ llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, con
     if (!table)
       return table.takeError();
     if ((*table)->abstract)
-      return failure("dialect \"" + id + "\" is only a base of others; "
-                                     "`ncvet dialects` lists those that can be chosen");
+      return failure("dialect \"" + id +
+                     "\" is only a base of others; "
+                     "`ncvet dialects` lists those that can be chosen");
     auto profile = std::make_shared<MachineProfile>();
     if (machine) {
       auto parsed = parseMachineProfile(machine->name, machine->text);

@@ -44,7 +44,8 @@ private:
     std::shared_ptr<const MachineProfile> machine;
   };
   /// A result or the error's text: a file that cannot be read is tried once.
-  template <typename T> struct Kept {
+  template <typename T>
+  struct Kept {
     T value;
     std::string error;
     llvm::Expected<T> get() const {

@@ -59,8 +59,8 @@ private:
     suppression.verbRange = {source_.id(), offset, offset + uint32_t(mark.size())};
     readVerb(text, suppression);
     readNames(text, suppression);
-    const bool whole = suppression.verb == SuppressionVerb::Off ||
-                       suppression.verb == SuppressionVerb::On;
+    const bool whole =
+        suppression.verb == SuppressionVerb::Off || suppression.verb == SuppressionVerb::On;
     if (whole && suppression.names.empty()) {
       SuppressedName &all = suppression.names.emplace_back();
       all.range = suppression.verbRange;

@@ -17,9 +17,9 @@ namespace ncvet {
 
 /// One name in a suppression comment.
 struct SuppressedName {
-  SourceRange range;         ///< of the name; of the word `off` or `on` where none is given
-  std::vector<RuleId> rules; ///< empty: no rule has this name
-  uint32_t begin = 0;        ///< first byte that it covers
+  SourceRange range;          ///< of the name; of the word `off` or `on` where none is given
+  std::vector<RuleId> rules;  ///< empty: no rule has this name
+  uint32_t begin = 0;         ///< first byte that it covers
   std::vector<uint32_t> ends; ///< per rule: behind the last byte
   bool dead = false; ///< covers nothing, whatever is found: an `on` without `off`, no block below
   bool used = false; ///< has suppressed a finding

@@ -34,8 +34,7 @@ struct Job {
 
 class Check {
 public:
-  explicit Check(CheckRequest request)
-      : request_(std::move(request)), session_(request_.session) {}
+  explicit Check(CheckRequest request) : request_(std::move(request)), session_(request_.session) {}
 
   int run();
 
@@ -84,8 +83,7 @@ void Check::readStandardInput(Job &job) {
   // With a name, it is checked as if it stood there: configuration and subprograms are found.
   if (!request_.stdinFilename.empty())
     job.input.display = request_.stdinFilename;
-  job.source =
-      &sources_.add(job.input.display, (*text)->getBuffer(), request_.stdinFilename);
+  job.source = &sources_.add(job.input.display, (*text)->getBuffer(), request_.stdinFilename);
 }
 
 void Check::collect() {
@@ -213,8 +211,8 @@ void Check::addFindings() {
   applyBaseline();
   for (size_t i = 0; i < levels.size(); ++i) {
     const Finding &finding = report_.findings[i];
-    found_ |= !finding.suppressed && !finding.baselined && levels[i] &&
-              finding.severity >= *levels[i];
+    found_ |=
+        !finding.suppressed && !finding.baselined && levels[i] && finding.severity >= *levels[i];
   }
 }
 
@@ -310,9 +308,8 @@ void Check::writeStats() const {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   out << jobs_.size() << " files, " << blocks << " blocks, " << report_.findings.size()
-      << " findings, " << fixes << " fixes, " << llvm::format("%.1f ms, %.0f blocks/s", seconds * 1e3,
-                                                           double(blocks) / seconds)
-      << '\n';
+      << " findings, " << fixes << " fixes, "
+      << llvm::format("%.1f ms, %.0f blocks/s", seconds * 1e3, double(blocks) / seconds) << '\n';
 }
 
 int Check::run() {

@@ -40,8 +40,8 @@ CheckOptions::CheckOptions()
               cl::desc("Configuration instead of the nearest .ncvet.json"), cl::sub(command),
               cl::cat(category_)),
       profile_("profile", cl::value_desc("NAME"),
-               cl::desc("Selection of rules: recommended (default), strict, all"),
-               cl::sub(command), cl::cat(category_)),
+               cl::desc("Selection of rules: recommended (default), strict, all"), cl::sub(command),
+               cl::cat(category_)),
       select_("select", cl::value_desc("R,.."), cl::CommaSeparated,
               cl::desc("Only these rules or categories"), cl::sub(command), cl::cat(category_)),
       ignore_("ignore", cl::value_desc("R,.."), cl::CommaSeparated,
@@ -69,8 +69,7 @@ CheckOptions::CheckOptions()
       fix_("fix", cl::value_desc("safe|all"), cl::ValueOptional, cl::init("none"),
            cl::desc("Apply the safe fixes to the files, or all"), cl::sub(command),
            cl::cat(category_)),
-      diff_("diff", cl::desc("Show what --fix would change"), cl::sub(command),
-            cl::cat(category_)),
+      diff_("diff", cl::desc("Show what --fix would change"), cl::sub(command), cl::cat(category_)),
       unsafeFixes_("unsafe-fixes", cl::desc("With --fix and --diff: fixes that need a look too"),
                    cl::sub(command), cl::cat(category_)),
       stdinFilename_("stdin-filename", cl::value_desc("NAME"),
@@ -83,8 +82,8 @@ CheckOptions::CheckOptions()
                  cl::cat(category_), cl::Hidden) {}
 
 llvm::Error CheckOptions::readRules(RuleSettings &rules) const {
-  for (const auto &[given, target] : {std::pair(&select_, &rules.select),
-                                      std::pair(&ignore_, &rules.ignore)})
+  for (const auto &[given, target] :
+       {std::pair(&select_, &rules.select), std::pair(&ignore_, &rules.ignore)})
     for (const std::string &name : *given) {
       if (auto known = rulesNamed(name); !known)
         return known.takeError();
@@ -95,7 +94,7 @@ llvm::Error CheckOptions::readRules(RuleSettings &rules) const {
     const std::optional<Severity> severity = parseSeverity(level);
     if (!severity)
       return failure("--severity " + llvm::Twine(choice) +
-                   ": RULE=LEVEL is expected, with a level of error, warning, style");
+                     ": RULE=LEVEL is expected, with a level of error, warning, style");
     if (auto known = rulesNamed(name); !known)
       return known.takeError();
     rules.severity.emplace_back(name.str(), *severity);
@@ -149,9 +148,9 @@ llvm::Expected<CheckRequest> CheckOptions::request() const {
   request.unsafeFixes = unsafeFixes_ || fix_ == "all";
   if (color_ != "auto" && color_ != "always" && color_ != "never")
     return failure("--color " + llvm::Twine(color_) + ": auto, always or never is expected");
-  request.color = color_ == "always" ||
-                  (color_ == "auto" && !llvm::sys::Process::GetEnv("NO_COLOR") &&
-                   llvm::sys::Process::StandardOutHasColors());
+  request.color =
+      color_ == "always" || (color_ == "auto" && !llvm::sys::Process::GetEnv("NO_COLOR") &&
+                             llvm::sys::Process::StandardOutHasColors());
   request.paths.assign(paths_.begin(), paths_.end());
   if (request.paths.empty())
     request.paths = {"."};

@@ -37,7 +37,8 @@ private:
   llvm::Error readRules(RuleSettings &rules) const;
   llvm::Error readReports(CheckRequest &request) const;
 
-  template <typename T> using Option = llvm::cl::opt<T>;
+  template <typename T>
+  using Option = llvm::cl::opt<T>;
   llvm::cl::OptionCategory category_;
   llvm::cl::list<std::string> paths_;
   Option<std::string> dialect_, machine_, config_, profile_;

@@ -1,6 +1,5 @@
 // `ncvet dialects`: the controls that are known, and the check of a table of one's own.
 #include "analyzer/cli/explain.h"
-
 #include "analyzer/failure.h"
 #include "analyzer/session.h"
 

@@ -88,8 +88,7 @@ private:
     uint64_t size = 0;
     if (fs::file_size(file, size))
       return true; // it is told later why it cannot be read
-    const auto text =
-        llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, lookedAt), 0);
+    const auto text = llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, lookedAt), 0);
     return !text || looksLikeProgram((*text)->getBuffer());
   }
 
@@ -143,9 +142,10 @@ Inputs collectInputs(llvm::ArrayRef<std::string> paths, Session &session) {
   }
   llvm::stable_sort(inputs.files,
                     [](const Input &a, const Input &b) { return a.display < b.display; });
-  inputs.files.erase(std::unique(inputs.files.begin(), inputs.files.end(),
-                                 [](const Input &a, const Input &b) { return a.display == b.display; }),
-                     inputs.files.end());
+  inputs.files.erase(
+      std::unique(inputs.files.begin(), inputs.files.end(),
+                  [](const Input &a, const Input &b) { return a.display == b.display; }),
+      inputs.files.end());
   return inputs;
 }
 

@@ -15,8 +15,7 @@ constexpr std::chrono::milliseconds pause(200);
 } // namespace
 
 Progress::Progress(const char *what, size_t total)
-    : what_(what), total_(total),
-      shown_(total > 1 && llvm::sys::Process::StandardErrIsDisplayed()),
+    : what_(what), total_(total), shown_(total > 1 && llvm::sys::Process::StandardErrIsDisplayed()),
       due_((Clock::now() + quietAtFirst).time_since_epoch().count()) {}
 
 Progress::~Progress() {
@@ -30,8 +29,8 @@ void Progress::step() {
     return;
   const Clock::rep now = Clock::now().time_since_epoch().count();
   Clock::rep due = due_;
-  if (now < due ||
-      !due_.compare_exchange_strong(due, now + std::chrono::duration_cast<Clock::duration>(pause).count()))
+  if (now < due || !due_.compare_exchange_strong(
+                       due, now + std::chrono::duration_cast<Clock::duration>(pause).count()))
     return;
   written_ = true;
   llvm::SmallString<64> line;

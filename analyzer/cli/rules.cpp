@@ -1,6 +1,5 @@
 // `ncvet rules`: the list of rules, for people and as JSON.
 #include "analyzer/cli/explain.h"
-
 #include "analyzer/rule.h"
 #include "analyzer/rule_page.h"
 

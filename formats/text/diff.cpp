@@ -137,8 +137,7 @@ void writeUnifiedDiff(llvm::StringRef before, llvm::StringRef after, llvm::Strin
   DiffWriter writer(oldLines, newLines, out);
   for (size_t begin = 0; begin < changes.size();) {
     size_t end = begin + 1;
-    while (end < changes.size() &&
-           changes[end].oldBegin - changes[end - 1].oldEnd <= 2 * context)
+    while (end < changes.size() && changes[end].oldBegin - changes[end - 1].oldEnd <= 2 * context)
       ++end;
     writer.hunk(llvm::makeArrayRef(changes).slice(begin, end - begin));
     begin = end;

@@ -12,8 +12,9 @@ public:
     for (const Suppression &suppression : summary.index.suppressions()) {
       if (suppression.verb == SuppressionVerb::Unknown) {
         if (auto finding = ctx.report(suppression.verbRange))
-          finding.text("the comment suppresses nothing: behind `ncvet:` stands `allow`, `off`, `on` "
-                       "or `allow-file`");
+          finding.text(
+              "the comment suppresses nothing: behind `ncvet:` stands `allow`, `off`, `on` "
+              "or `allow-file`");
         continue;
       }
       if (suppression.names.empty())

@@ -104,7 +104,8 @@ TEST(Configuration, ErrorsNameFileLineAndWhatIsExpected) {
     const char *text;
     const char *said;
   } cases[] = {
-      {"{\n\"dialct\": \"haas-lathe\"}", ".ncvet.json:2: dialct: unknown key; did you mean \"dialect\""},
+      {"{\n\"dialct\": \"haas-lathe\"}",
+       ".ncvet.json:2: dialct: unknown key; did you mean \"dialect\""},
       {"{\n\n\"failOn\": \"always\"}", ".ncvet.json:3: failOn: \"always\" is no level"},
       {"{\"select\": [\n\"feed-mising\"]}", ".ncvet.json:2: select[0]: unknown rule"},
       {"{\"severity\":\n{\"feed-missing\": \"loud\"}}", ".ncvet.json:2: severity.feed-missing: "},
@@ -125,8 +126,7 @@ TEST(Configuration, ErrorsNameFileLineAndWhatIsExpected) {
     withProgram(shop, "good/b.nc");
     shop.file("bad/.ncvet.json", c.text);
     SCOPED_TRACE(c.text);
-    const ProcessResult result =
-        shop.run({"check", "--dialect", "haas-lathe", "--format", "json"});
+    const ProcessResult result = shop.run({"check", "--dialect", "haas-lathe", "--format", "json"});
     EXPECT_EQ(2, result.exitCode) << result.out;
     EXPECT_THAT(result.err, HasSubstr(c.said));
     EXPECT_EQ(1, std::count(result.err.begin(), result.err.end(), '\n')) << result.err;

@@ -38,6 +38,8 @@ public:
     const std::string in = (logs_.path() / "in").string(), out = (logs_.path() / "out").string(),
                       err = (logs_.path() / "err").string();
     std::ofstream(in, std::ios::binary) << standardInput;
+    for (const std::string &log : {out, err}) // they are opened without being cut
+      std::filesystem::remove(log);
     std::vector<llvm::StringRef> words = {"env", "-C", folderName_, NCVET_BINARY};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const llvm::Optional<llvm::StringRef> streams[] = {llvm::StringRef(in), llvm::StringRef(out),

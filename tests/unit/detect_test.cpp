@@ -20,9 +20,10 @@ const Detector &detector() {
   return *made;
 }
 
-const char *const mill = "%\nO1001 (COVER)\nN10 G21 G17 G40 G49 G80 G90\nN20 T1 M6\nN30 S2000 M3\n"
-                         "N40 G54 G0 X0. Y0.\nN50 G43 H1 Z50. M8\nN60 G81 X10. Y10. Z-5. R2. F100.\n"
-                         "N70 G80\nN80 G91 G28 Z0.\nN90 M30\n%\n";
+const char *const mill =
+    "%\nO1001 (COVER)\nN10 G21 G17 G40 G49 G80 G90\nN20 T1 M6\nN30 S2000 M3\n"
+    "N40 G54 G0 X0. Y0.\nN50 G43 H1 Z50. M8\nN60 G81 X10. Y10. Z-5. R2. F100.\n"
+    "N70 G80\nN80 G91 G28 Z0.\nN90 M30\n%\n";
 
 TEST(Detection, SaysWhatSpokeForTheDialect) {
   const Detection found = detector().detect("cover.nc", mill);

@@ -1,7 +1,6 @@
 // Fixes: applying all safe ones gives no new finding, and a second time changes nothing.
-#include "tests/support/rule_pages.h"
-
 #include "analyzer/fix.h"
+#include "tests/support/rule_pages.h"
 
 #include "llvm/Support/FileSystem.h"
 #include <gtest/gtest.h>
@@ -45,7 +44,8 @@ TEST_P(FixLaws, NoNewFindingAndNothingLeftForASecondTime) {
     for (const auto &[rule, count] : countsOf(session, once)) {
       const auto old = before.find(rule);
       EXPECT_LE(count, old == before.end() ? 0 : old->second)
-          << allRules()[rule].info.id.str() << "\n" << once;
+          << allRules()[rule].info.id.str() << "\n"
+          << once;
     }
     EXPECT_EQ(once, fixed(session, once, unsafe));
   }

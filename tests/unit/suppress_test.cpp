@@ -7,7 +7,8 @@ namespace ncvet::test {
 namespace {
 
 /// Lines on which a finding of feed-missing would be suppressed.
-std::vector<unsigned> suppressedLines(const std::string &text, const std::string &dialect = "haas-lathe") {
+std::vector<unsigned> suppressedLines(const std::string &text,
+                                      const std::string &dialect = "haas-lathe") {
   SourceSet sources;
   const SourceFile &source = sources.add("a.nc", text);
   const auto reader = makeReader(*dialectNamed(dialect), source.text());
@@ -46,8 +47,7 @@ TEST(Suppression, OffLastsUntilOnOrTheEnd) {
 }
 
 TEST(Suppression, OnOfOneRuleLeavesTheOthersOff) {
-  EXPECT_EQ((Lines{1}),
-            suppressedLines("(ncvet: off all)\n(ncvet: on feed-missing)\nG01 X2.\n"));
+  EXPECT_EQ((Lines{1}), suppressedLines("(ncvet: off all)\n(ncvet: on feed-missing)\nG01 X2.\n"));
   EXPECT_EQ((Lines{1, 2, 3}), suppressedLines("(ncvet: off all)\n(ncvet: on "
                                               "style-unused-suppression)\nG01 X2.\n"));
 }
