@@ -110,7 +110,8 @@ enum class SyntaxIssueKind : uint8_t {
   UnbalancedBracket,
   BadExpression,
   BadStatement,
-  UnknownWord       ///< letters that are neither a keyword nor an address with a number
+  UnknownWord,      ///< letters that are neither a keyword nor an address with a number
+  NotABlock         ///< text of which no part is code: prose, or another language
 };
 
 /// Bad text in a block; reading went on behind it.

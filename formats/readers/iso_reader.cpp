@@ -690,9 +690,46 @@ bool Scanner::scanStatement() {
 IsoReader::IsoReader(const Dialect &dialect, llvm::StringRef text)
     : Reader(text), lexical_(dialect.lexical) {}
 
+namespace {
+
+/// So many things wrong that one report of the whole says more than one of each.
+constexpr size_t leastGarbage = 3;
+
+/// A line of prose, or of another control's language: it is one issue, and nothing in it is code.
+void collapseProse(Block &block) {
+  size_t garbage = 0;
+  for (const SyntaxIssue &issue : block.issues)
+    switch (issue.kind) {
+    case SyntaxIssueKind::InvalidCharacter:
+    case SyntaxIssueKind::SymbolAsAddress:
+    case SyntaxIssueKind::MissingValue:
+    case SyntaxIssueKind::MissingAddress:
+    case SyntaxIssueKind::StrayParenthesis:
+    case SyntaxIssueKind::UnbalancedBracket:
+    case SyntaxIssueKind::BadStatement:
+    case SyntaxIssueKind::UnknownWord:
+      ++garbage;
+      break;
+    default:
+      break;
+    }
+  if (garbage < leastGarbage)
+    return;
+  const uint32_t begin = block.issues.front().begin;
+  block.words.clear();
+  block.items.clear();
+  block.addresses = 0;
+  block.issues.clear();
+  block.issues.push_back({SyntaxIssueKind::NotABlock, std::min(begin, block.end), block.end});
+}
+
+} // namespace
+
 void IsoReader::read(uint32_t offset, Block &block) const {
   block.clear();
   Scanner(lexical_, text_, offset, block).scan();
+  if (block.issues.size() >= leastGarbage)
+    collapseProse(block);
 }
 
 } // namespace ncvet

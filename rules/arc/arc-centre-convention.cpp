@@ -1,5 +1,5 @@
 // An arc that closes only when its centre words are read another way than the control reads them.
-#include "analyzer/rule.h"
+#include "analyzer/once.h"
 #include "interp/arc.h"
 
 #include <cmath>
@@ -60,6 +60,9 @@ public:
     // The centre's coordinates given for its distance.
     if (!words.centre[0] || !words.centre[1] || !fits(arc, given))
       return;
+    // A program that is written so is written so throughout: one report is enough.
+    if (!once_.speaks(Origin(), ctx))
+      return;
     if (auto finding = ctx.report(*words.centre[0], certain))
       finding.message("the arc closes only when `{0}` and `{1}` are the centre itself: the control "
                       "reads them as its distance from the start point",
@@ -86,6 +89,7 @@ private:
     return text;
   }
 
+  OncePerCause once_;
   double tolerance_ = 0.01; // mm
 };
 

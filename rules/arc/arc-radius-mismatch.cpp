@@ -33,6 +33,14 @@ public:
     // A centre on the start point is no circle at all: another rule says so.
     if (std::fabs(atStart - atEnd) <= tolerance_ || atStart == 0)
       return;
+    // The centre itself given for its distance: the rule of the centre convention says so.
+    if (words.centre[0] && words.centre[1] && arc.centreWords) {
+      const auto &given = *arc.centreWords;
+      const double radius = std::hypot((*arc.start)[0] - given[0], (*arc.start)[1] - given[1]);
+      const double other = std::hypot((*arc.end)[0] - given[0], (*arc.end)[1] - given[1]);
+      if (radius > tolerance_ && std::fabs(radius - other) <= tolerance_)
+        return;
+    }
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     if (auto finding = ctx.report(ctx.blockRange(), certain))
       finding.message("the end of `{0}` does not lie on its circle: the start is {1:f3} mm from the "

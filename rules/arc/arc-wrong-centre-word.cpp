@@ -1,5 +1,5 @@
 // An arc block with a centre word of an axis that does not lie in the active plane.
-#include "analyzer/rule.h"
+#include "analyzer/once.h"
 #include "interp/arc.h"
 
 namespace ncvet {
@@ -16,6 +16,11 @@ public:
     const Dialect &dialect = ctx.dialect();
     const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
     if (!words.foreign || !words.planeKnown)
+      return;
+    // A word of value 0 changes nothing, and a post-processor that writes it writes it everywhere.
+    const Interval value = ctx.value(*words.foreign);
+    if (value.isConstant() && value.value() == 0 && words.centre[0] && words.centre[1] &&
+        !once_.speaks(Origin(), ctx))
       return;
     const std::string first = dialect.addressName(words.centreAddress[0]);
     const std::string second = dialect.addressName(words.centreAddress[1]);
@@ -39,6 +44,9 @@ public:
                   ctx.replace(letter, missing));
     }
   }
+
+private:
+  OncePerCause once_;
 };
 
 } // namespace

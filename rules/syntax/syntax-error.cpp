@@ -34,6 +34,15 @@ public:
     case SyntaxIssueKind::UnknownWord:
       what = "`{0}` is neither a word of address and number nor a statement";
       break;
+    case SyntaxIssueKind::NotABlock: {
+      // Of lines of prose in a row only the first is reported.
+      const bool goesOn = ctx.block().begin == behindText_;
+      behindText_ = ctx.block().next;
+      if (goesOn)
+        return;
+      what = "this is no block: the control reads none of it and stops";
+      break;
+    }
     default:
       return;
     }
@@ -41,6 +50,9 @@ public:
     if (auto finding = ctx.report(range))
       finding.message(what, ctx.source().displayText(ctx.text(range)));
   }
+
+private:
+  uint32_t behindText_ = ~0u; ///< behind the last line of prose
 };
 
 } // namespace
