@@ -92,11 +92,28 @@ const ProgramInfo *FileIndex::find(int64_t number) const {
   return nullptr;
 }
 
+namespace {
+bool byNumber(const NumberedBlock &a, const NumberedBlock &b) { return a.number < b.number; }
+} // namespace
+
 llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) const {
+  const llvm::ArrayRef<NumberedBlock> written = numbersAsWritten(program);
+  Numbers &numbers = numbers_[program.begin];
+  if (numbers.ascending)
+    return written;
+  if (numbers.sorted.empty()) {
+    numbers.sorted = numbers.asWritten;
+    std::stable_sort(numbers.sorted.begin(), numbers.sorted.end(), byNumber);
+  }
+  return numbers.sorted;
+}
+
+llvm::ArrayRef<NumberedBlock> FileIndex::numbersAsWritten(const ProgramInfo &program) const {
   const auto found = numbers_.find(program.begin);
   if (found != numbers_.end())
-    return found->second;
-  std::vector<NumberedBlock> &list = numbers_[program.begin];
+    return found->second.asWritten;
+  Numbers &numbers = numbers_[program.begin];
+  std::vector<NumberedBlock> &list = numbers.asWritten;
   const llvm::StringRef text = source_.text();
   eachLine(text, program.begin, program.end, [&](uint32_t line, uint32_t content) {
     uint32_t at = content;
@@ -118,11 +135,7 @@ llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) con
     if (digits)
       list.push_back({number, line});
   });
-  const auto byNumber = [](const NumberedBlock &a, const NumberedBlock &b) {
-    return a.number < b.number;
-  };
-  if (!std::is_sorted(list.begin(), list.end(), byNumber)) // mostly they ascend as they stand
-    std::stable_sort(list.begin(), list.end(), byNumber);
+  numbers.ascending = std::is_sorted(list.begin(), list.end(), byNumber);
   return list;
 }
 

@@ -43,6 +43,8 @@ public:
   std::optional<uint32_t> block(const ProgramInfo &program, int64_t number, uint32_t from) const;
   /// All numbered blocks of the program, sorted by number, then offset.
   llvm::ArrayRef<NumberedBlock> numbers(const ProgramInfo &program) const;
+  /// The same in the order in which they are written.
+  llvm::ArrayRef<NumberedBlock> numbersAsWritten(const ProgramInfo &program) const;
   /// Offsets of the lines that hold a tape mark `%` first, ascending.
   llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
   /// The suppression comments of the file; looked for when first asked.
@@ -55,7 +57,12 @@ private:
   const Reader &reader_;
   std::vector<ProgramInfo> programs_;
   std::vector<uint32_t> tapeMarks_;
-  mutable llvm::DenseMap<uint32_t, std::vector<NumberedBlock>> numbers_; ///< by program's begin
+  struct Numbers {
+    std::vector<NumberedBlock> asWritten;
+    std::vector<NumberedBlock> sorted; ///< empty while not asked for, or when sorted as written
+    bool ascending = false;
+  };
+  mutable llvm::DenseMap<uint32_t, Numbers> numbers_; ///< by program's begin
   mutable std::optional<std::vector<Suppression>> suppressions_;
 };
 

@@ -30,36 +30,38 @@ public:
 private:
   /// The first descent of a program. Numbers that something refers to are labels, not an order.
   static void ascending(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
-    const llvm::ArrayRef<NumberedBlock> numbers = file.index.numbers(program);
-    const auto byOffset = [](const NumberedBlock &a, const NumberedBlock &b) {
-      return a.offset < b.offset;
-    };
-    // Sorted by number already: when the places ascend too, so do the numbers.
-    if (std::is_sorted(numbers.begin(), numbers.end(), byOffset))
-      return;
-    std::vector<NumberedBlock> blocks;
-    for (const NumberedBlock &block : numbers)
-      if (!std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number))
-        blocks.push_back(block);
-    llvm::sort(blocks, byOffset);
-    for (size_t i = 1; i < blocks.size(); ++i) {
-      if (blocks[i].number >= blocks[i - 1].number)
+    const NumberedBlock *last = nullptr;
+    for (const NumberedBlock &block : file.index.numbersAsWritten(program)) {
+      const bool descends = last && block.number < last->number;
+      const bool begins = descends && last->number >= wrapsFrom && block.number < wrapsFrom / 10;
+      if (descends && !begins) {
+        if (isLabel(block, file))
+          continue;
+        return report(*last, block, file, ctx);
+      }
+      if (!file.usedNumbers.empty() && isLabel(block, file))
         continue;
-      if (blocks[i - 1].number >= wrapsFrom && blocks[i].number < wrapsFrom / 10)
-        continue;
-      const auto numberAt = [&](const NumberedBlock &where) {
-        Block block;
-        file.reader.read(where.offset, block);
-        return SourceRange{file.source.id(), block.numberBegin, block.numberEnd};
-      };
-      if (auto finding = ctx.report(numberAt(blocks[i])))
-        finding
-            .message("N{0} stands behind N{1}: blocks run in the order in which they are written, "
-                     "never by their numbers",
-                     blocks[i].number, blocks[i - 1].number)
-            .note(numberAt(blocks[i - 1]), "the higher number");
-      return;
+      last = &block;
     }
+  }
+
+  static bool isLabel(const NumberedBlock &block, const FileSummary &file) {
+    return std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number);
+  }
+
+  static void report(const NumberedBlock &before, const NumberedBlock &block,
+                     const FileSummary &file, RuleContext &ctx) {
+    const auto numberAt = [&](const NumberedBlock &where) {
+      Block text;
+      file.reader.read(where.offset, text);
+      return SourceRange{file.source.id(), text.numberBegin, text.numberEnd};
+    };
+    if (auto finding = ctx.report(numberAt(block)))
+      finding
+          .message("N{0} stands behind N{1}: blocks run in the order in which they are written, "
+                   "never by their numbers",
+                   block.number, before.number)
+          .note(numberAt(before), "the higher number");
   }
 };
 
