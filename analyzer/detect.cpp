@@ -8,6 +8,8 @@
 #include "llvm/Support/Path.h"
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace ncvet {
 
 namespace {
@@ -59,23 +61,112 @@ std::string endingOf(llvm::StringRef fileName) {
   return llvm::sys::path::extension(fileName).drop_while([](char c) { return c == '.'; }).lower();
 }
 
-/// The first lines in upper case with line ends that patterns know, blanks at their ends dropped.
-std::string firstLines(llvm::StringRef text) {
-  std::string out;
+/// The first lines in upper case, blanks at their ends dropped, empty ones left out.
+std::vector<std::string> firstLines(llvm::StringRef text) {
+  std::vector<std::string> lines;
   text.consume_front("\xEF\xBB\xBF");
   text = text.take_front(shownBytes);
   for (size_t line = 0; line < shownLines && !text.empty(); ++line) {
-    const size_t end = text.find_first_of("\r\n");
-    out += text.take_front(end).trim(" \t").upper();
-    out.push_back('\n');
-    if (end == llvm::StringRef::npos)
-      break;
+    const size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const llvm::StringRef shown = text.take_front(end).trim(" \t");
+    if (!shown.empty())
+      lines.push_back(shown.upper());
     text = text.drop_front(end);
     if (!text.consume_front("\r\n"))
-      text = text.drop_front();
+      text = text.drop_front(std::min<size_t>(1, text.size()));
   }
-  return out;
+  return lines;
 }
+
+/// A bit for each character that programs are made of, 0 for all others.
+constexpr std::array<uint64_t, 256> makeCharBits() {
+  std::array<uint64_t, 256> bits{};
+  uint64_t bit = 1;
+  for (const char c : "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.,:;#%()[]=+-*/<>&'_") {
+    bits[static_cast<unsigned char>(c)] = c ? bit : 0;
+    bit <<= 1;
+  }
+  return bits;
+}
+constexpr std::array<uint64_t, 256> charBitTable = makeCharBits();
+
+uint64_t charBit(char c) { return charBitTable[static_cast<unsigned char>(c)]; }
+
+uint64_t charBits(llvm::StringRef text) {
+  uint64_t bits = 0;
+  for (const char c : text)
+    bits |= charBit(c);
+  return bits;
+}
+
+/// Characters that a line must hold for a pattern to match, one set for each alternative of the
+/// pattern: most lines need no look at most patterns. Errs on the side of too few characters.
+class RequiredChars {
+public:
+  explicit RequiredChars(llvm::StringRef pattern) : rest_(pattern) {
+    uint64_t bits = 0;
+    while (!rest_.empty()) {
+      if (rest_.consume_front("|")) {
+        alternatives_.push_back(bits);
+        bits = 0;
+        continue;
+      }
+      const uint64_t atom = readAtom();
+      if (!isOptional())
+        bits |= atom;
+    }
+    alternatives_.push_back(bits);
+  }
+  llvm::SmallVector<uint64_t, 1> take() { return std::move(alternatives_); }
+
+private:
+  /// The bit of a literal character; 0 for what may be one of several.
+  uint64_t readAtom() {
+    const char c = rest_.front();
+    rest_ = rest_.drop_front();
+    if (c == '\\' && !rest_.empty()) {
+      const uint64_t bit = charBit(rest_.front());
+      rest_ = rest_.drop_front();
+      return bit;
+    }
+    if (c == '[') {
+      const size_t end = rest_.find(']', 1); // a bracket that stands first is a member
+      const uint64_t bit = end == 1 ? charBit(rest_.front()) : 0;
+      rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
+      return bit;
+    }
+    if (c == '(') {
+      skipGroup();
+      return 0;
+    }
+    return llvm::StringRef("^$.*+?{}").contains(c) ? 0 : charBit(c);
+  }
+
+  void skipGroup() {
+    for (unsigned depth = 1; depth && !rest_.empty();) {
+      const char c = rest_.front();
+      size_t length = c == '\\' ? 2 : 1;
+      if (c == '[')
+        length = std::min(rest_.find(']', 2), rest_.size() - 1) + 1;
+      depth += c == '(' ? 1 : 0;
+      depth -= c == ')' ? 1 : 0;
+      rest_ = rest_.drop_front(std::min(length, rest_.size()));
+    }
+  }
+
+  bool isOptional() {
+    bool optional = false;
+    while (!rest_.empty() && llvm::StringRef("*+?{").contains(rest_.front())) {
+      optional |= rest_.front() != '+';
+      const size_t end = rest_.front() == '{' ? rest_.find('}') : 0;
+      rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
+    }
+    return optional;
+  }
+
+  llvm::StringRef rest_;
+  llvm::SmallVector<uint64_t, 1> alternatives_;
+};
 
 void addEndings(llvm::ArrayRef<DialectSummary> dialects, ProgramEndings &endings) {
   for (const DialectSummary &dialect : dialects)
@@ -135,6 +226,15 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   return detector;
 }
 
+bool Detector::Mark::matches(llvm::ArrayRef<std::string> lines,
+                             llvm::ArrayRef<uint64_t> chars) const {
+  for (size_t i = 0; i < lines.size(); ++i)
+    if (llvm::any_of(required, [&](uint64_t bits) { return (chars[i] & bits) == bits; }) &&
+        pattern.match(lines[i]))
+      return true;
+  return false;
+}
+
 llvm::Error Detector::addDialects(std::vector<DialectSummary> dialects) {
   dialects_ = std::move(dialects);
   llvm::StringMap<size_t> byPattern;
@@ -142,7 +242,7 @@ llvm::Error Detector::addDialects(std::vector<DialectSummary> dialects) {
     for (const DetectMark &mark : dialects_[index].detect) {
       const auto [known, isNew] = byPattern.try_emplace(mark.pattern, marks_.size());
       if (isNew) {
-        marks_.push_back({llvm::Regex(mark.pattern, llvm::Regex::Newline), {}});
+        marks_.push_back({llvm::Regex(mark.pattern), RequiredChars(mark.pattern).take(), {}});
         std::string why;
         if (!marks_.back().pattern.isValid(why))
           return failure("dialect " + dialects_[index].id + ": pattern \"" + mark.pattern +
@@ -154,11 +254,14 @@ llvm::Error Detector::addDialects(std::vector<DialectSummary> dialects) {
 }
 
 Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const {
-  const std::string lines = firstLines(text);
+  const std::vector<std::string> lines = firstLines(text);
+  std::vector<uint64_t> chars;
+  for (const std::string &line : lines)
+    chars.push_back(charBits(line));
   std::vector<int> scores(dialects_.size());
   std::vector<std::vector<const Mark::Vote *>> reasons(dialects_.size());
   for (const Mark &mark : marks_)
-    if (mark.pattern.match(lines))
+    if (mark.matches(lines, chars))
       for (const Mark::Vote &vote : mark.votes) {
         scores[vote.dialect] += vote.score;
         if (vote.score > 0)
@@ -196,11 +299,8 @@ llvm::Expected<ProgramEndings> programEndings() {
 }
 
 bool looksLikeProgram(llvm::StringRef text) {
-  const std::string lines = firstLines(text);
   unsigned words = 0, others = 0;
-  llvm::SmallVector<llvm::StringRef, 64> list;
-  llvm::StringRef(lines).split(list, '\n');
-  for (const llvm::StringRef line : llvm::makeArrayRef(list).take_front(shownLines))
+  for (const llvm::StringRef line : firstLines(text))
     if (!isRemark(line))
       ++(isWords(line) ? words : others);
   return words >= 2 && words >= 4 * others;

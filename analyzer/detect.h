@@ -32,6 +32,7 @@ public:
 private:
   struct Mark {
     llvm::Regex pattern;
+    llvm::SmallVector<uint64_t, 1> required; ///< sets of characters, one of which a line must hold
     /// (index of the dialect, score, reason): equal patterns are looked for once.
     struct Vote {
       size_t dialect;
@@ -39,6 +40,8 @@ private:
       std::string reason;
     };
     std::vector<Vote> votes;
+
+    bool matches(llvm::ArrayRef<std::string> lines, llvm::ArrayRef<uint64_t> chars) const;
   };
 
   llvm::Error addDialects(std::vector<DialectSummary> dialects);
