@@ -116,8 +116,7 @@ Engine::Lives Engine::takePending(Activation &activation, uint32_t &offset) {
   offset = first->first;
   Lives lives = std::move(first->second);
   activation.pending.erase(first);
-  activation.nextPending =
-      activation.pending.empty() ? ~0u : activation.pending.begin()->first;
+  activation.nextPending = activation.pending.empty() ? ~0u : activation.pending.begin()->first;
   return lives;
 }
 
@@ -217,8 +216,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
           Live skipped = live;
           skipped.skip[level] = 2;
           if (live.skip[level] == 0)
-            skipped.path = step(live.path, PathNode::Kind::Skip,
-                                {unit.source.id(), block_.begin, block_.end});
+            skipped.path =
+                step(live.path, PathNode::Kind::Skip, {unit.source.id(), block_.begin, block_.end});
           if (lastOfProfile)
             activation.exits.push_back({std::move(skipped), notSet});
           else
@@ -857,8 +856,8 @@ void Engine::runOtherPrograms() {
     Lives lives(1);
     lives[0].state = subprogram ? unknownState(*unit_.dialect) : initialState(*unit_.dialect);
     collector_.setDefiniteOnly(subprogram);
-    const Region region{unit_, program, program.body,
-                        subprogram ? Kind::Subprogram : Kind::Main, subprogram ? 1u : 0u};
+    const Region region{unit_, program, program.body, subprogram ? Kind::Subprogram : Kind::Main,
+                        subprogram ? 1u : 0u};
     execute(region, std::move(lives));
     collector_.setDefiniteOnly(false);
   }
@@ -893,7 +892,8 @@ void Engine::inspectUnreached() {
       continue;
     state = unknown;
     unit_.executor.execute(block_, unknown, state, outcome_);
-    llvm::erase_if(outcome_.events, [](const Event &event) { return !(bitOf(event.kind) & wanted); });
+    llvm::erase_if(outcome_.events,
+                   [](const Event &event) { return !(bitOf(event.kind) & wanted); });
     outcome_.kinds &= wanted;
     collector_.beginStop();
     collector_.beginVisit(nullptr);
@@ -911,7 +911,8 @@ AnalysisResult Engine::run() {
   bool returns = false, ends = false;
   if (programs.size() == 1) {
     Block block;
-    const uint32_t from = unit_.source.lines().lineBegin(uint32_t(unit_.source.text().size() - tail.size()));
+    const uint32_t from =
+        unit_.source.lines().lineBegin(uint32_t(unit_.source.text().size() - tail.size()));
     for (uint32_t at = std::max(from, main.body); at < main.end; at = block.next) {
       unit_.reader->read(at, block);
       for (const Word &word : block.words) {

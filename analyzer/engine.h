@@ -63,7 +63,7 @@ private:
     uint64_t snapshot = 0; ///< hash of the state at an earlier visit
     unsigned nextSnapshot = 16;
     unsigned snapshotForks = 0; ///< forks of the activation at the time of the snapshot
-    unsigned windowEnd = 0; ///< visits up to this one are compared with the snapshot
+    unsigned windowEnd = 0;     ///< visits up to this one are compared with the snapshot
   };
   struct Activation {
     const Region &region;
@@ -83,8 +83,8 @@ private:
     Exits exits;
   };
   struct LoopShape {
-    llvm::DenseMap<uint32_t, uint32_t> endOf;   ///< loop head → block behind its END
-    llvm::DenseMap<uint32_t, uint32_t> headOf;  ///< END → loop head
+    llvm::DenseMap<uint32_t, uint32_t> endOf;  ///< loop head → block behind its END
+    llvm::DenseMap<uint32_t, uint32_t> headOf; ///< END → loop head
     std::vector<uint32_t> mismatched;
   };
 

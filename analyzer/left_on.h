@@ -9,8 +9,8 @@ namespace ncvet {
 /// its `leftOn` asks for it (`atToolChange`).
 void listenForLeftOn(llvm::StringRef id, Subscriptions &to);
 
-/// Reports the switches of rule `id` that are on at the main program's end, or at a tool change: all
-/// of them in one finding. Notes show where each was switched on; the fix writes the codes that
+/// Reports the switches of rule `id` that are on at the main program's end, or at a tool change:
+/// all of them in one finding. Notes show where each was switched on; the fix writes the codes that
 /// switch them off. Other events are ignored.
 void reportLeftOn(llvm::StringRef id, const Event &event, RuleContext &ctx);
 

@@ -170,9 +170,8 @@ Profile readProfile(const RuleContext &ctx) {
   const ProfileBlock &tail = profile.blocks[profile.lastCut - 1];
   constexpr double step = 1e-4;
   const double rise = tail.toX.value() - head.toX.value();
-  const double run = tail.toZ.isConstant() && head.toZ.isConstant()
-                         ? tail.toZ.value() - head.toZ.value()
-                         : -1;
+  const double run =
+      tail.toZ.isConstant() && head.toZ.isConstant() ? tail.toZ.value() - head.toZ.value() : -1;
   Side byCode = Side::Unknown;
   for (size_t i = 0; i < profile.blocks.size() && byCode == Side::Unknown; ++i)
     for (const CodeUse &use : profile.blocks[i].codes) {
@@ -185,10 +184,10 @@ Profile readProfile(const RuleContext &ctx) {
   const Side byRise = std::fabs(rise) < step ? Side::Unknown
                       : rise > 0             ? Side::Outside
                                              : Side::Inside;
-  const Side byStart = std::isnan(startX)            ? Side::Unknown
+  const Side byStart = std::isnan(startX)               ? Side::Unknown
                        : startX >= *profile.maxX - step ? Side::Outside
                        : startX <= *profile.minX + step ? Side::Inside
-                                                      : Side::Unknown;
+                                                        : Side::Unknown;
   const bool facing = ctx.dialect().codes[flow.code].cycle == CycleKind::RoughFace;
   if (facing)
     profile.side = byStart; // a face contour falls on an outside part
@@ -267,12 +266,11 @@ std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &s
     const Interval value = ctx.value(word);
     if (!value.isConstant())
       return std::nullopt;
-    const bool incremental =
-        address.kind == AddressKind::Increment || word.has(wordIncremental) ||
-        (dialect.group(StandardGroup::Distance) != noGroup &&
-         ctx.after().active(dialect, StandardGroup::Distance) != groupUnset &&
-         ctx.after().isActive(dialect, StandardGroup::Distance, {Action::Incremental}) !=
-             Truth::No);
+    const bool incremental = address.kind == AddressKind::Increment || word.has(wordIncremental) ||
+                             (dialect.group(StandardGroup::Distance) != noGroup &&
+                              ctx.after().active(dialect, StandardGroup::Distance) != groupUnset &&
+                              ctx.after().isActive(dialect, StandardGroup::Distance,
+                                                   {Action::Incremental}) != Truth::No);
     if (!incremental)
       return value.value() * *unit;
     if (!start.isConstant())

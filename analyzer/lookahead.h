@@ -13,7 +13,8 @@ bool readNext(const RuleContext &ctx, Block &next);
 /// The same, behind a block that `readNext` returned; `block` is overwritten.
 bool readOn(const RuleContext &ctx, Block &block);
 
-/// Reads the block with content that stands in front of the one at hand; false at the program's begin.
+/// Reads the block with content that stands in front of the one at hand; false at the program's
+/// begin.
 bool readPrevious(const RuleContext &ctx, Block &previous);
 
 /// Codes of a block that was read ahead, without their variants.
@@ -26,7 +27,7 @@ bool hasMotionCode(const Dialect &dialect, const Block &block);
 
 /// One block of a profile, executed for itself.
 struct ProfileBlock {
-  SourceRange range;            ///< the block's words
+  SourceRange range; ///< the block's words
   Block block;
   llvm::SmallVector<CodeUse, 4> codes;
   bool moves = false;
@@ -40,9 +41,9 @@ enum class Side : uint8_t { Unknown, Outside, Inside };
 
 /// The blocks that a turning cycle works along.
 struct Profile {
-  bool known = false; ///< false: the blocks are not there, or not a plain list
+  bool known = false;              ///< false: the blocks are not there, or not a plain list
   std::deque<ProfileBlock> blocks; ///< stays where it is: the codes point into it
-  size_t lastCut = 0; ///< index behind the last block that belongs to the contour
+  size_t lastCut = 0;              ///< index behind the last block that belongs to the contour
   /// Least and greatest X and Z of the contour, from the first block's end point on; none when one
   /// end point is not known.
   std::optional<double> minX, maxX, minZ, maxZ;
@@ -63,7 +64,8 @@ std::optional<double> kept(const CycleWords &words, const CodeInfo &code, Role r
 std::optional<double> valueOf(const RuleContext &ctx, const CodeInfo &code, Role role);
 /// Millimetres per unit of a length in the state; none when the unit is not known.
 std::optional<double> millimetresPer(const Dialect &dialect, const MachineState &state);
-/// End coordinate of an axis that the block gives: its absolute word, or its increment from `start`.
+/// End coordinate of an axis that the block gives: its absolute word, or its increment from
+/// `start`.
 std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &start);
 
 /// True for cycles that make a hole along the tool axis.

@@ -43,9 +43,7 @@ ShapeBreak turnsBack(const Profile &profile, Interval ProfileBlock::*from,
 } // namespace
 
 ShapeBreak undercutOf(const Profile &profile) {
-  const int expected = profile.side == Side::Outside  ? 1
-                       : profile.side == Side::Inside ? -1
-                                                      : 0;
+  const int expected = profile.side == Side::Outside ? 1 : profile.side == Side::Inside ? -1 : 0;
   return turnsBack(profile, &ProfileBlock::fromX, &ProfileBlock::toX, expected);
 }
 

@@ -9,7 +9,8 @@ namespace ncvet {
 namespace {
 
 /// Calls `visit(lineBegin, firstContent)` for every line of [begin, end).
-template <typename Visit> void eachLine(llvm::StringRef text, size_t begin, size_t end, Visit visit) {
+template <typename Visit>
+void eachLine(llvm::StringRef text, size_t begin, size_t end, Visit visit) {
   const char *const base = text.data();
   const char *at = base + begin;
   const char *const stop = base + end;
@@ -118,8 +119,8 @@ llvm::ArrayRef<NumberedBlock> FileIndex::numbersAsWritten(const ProgramInfo &pro
   eachLine(text, program.begin, program.end, [&](uint32_t line, uint32_t content) {
     uint32_t at = content;
     // Block skip may stand in front of the number.
-    while (at < program.end && (text[at] == '/' || (text[at] >= '0' && text[at] <= '9') ||
-                                text[at] == ' '))
+    while (at < program.end &&
+           (text[at] == '/' || (text[at] >= '0' && text[at] <= '9') || text[at] == ' '))
       ++at;
     if (at >= program.end || (text[at] != 'N' && text[at] != 'n'))
       return;

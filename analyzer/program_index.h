@@ -13,10 +13,10 @@ namespace ncvet {
 
 /// One program of a file.
 struct ProgramInfo {
-  int64_t number = -1;  ///< -1: no readable number
-  uint32_t begin = 0;   ///< first byte: of the header, or of the text when there is none
-  uint32_t body = 0;    ///< first block to execute
-  uint32_t end = 0;     ///< behind the last byte
+  int64_t number = -1; ///< -1: no readable number
+  uint32_t begin = 0;  ///< first byte: of the header, or of the text when there is none
+  uint32_t body = 0;   ///< first block to execute
+  uint32_t end = 0;    ///< behind the last byte
   uint32_t headerBegin = 0, headerEnd = 0; ///< equal: no header
   bool hasHeader() const { return headerEnd > headerBegin; }
 };

@@ -66,7 +66,8 @@ const std::map<int64_t, std::string> &Project::folder(const std::string &path) {
     return programs;
   std::vector<std::string> files;
   std::error_code error;
-  for (llvm::sys::fs::directory_iterator i(path, error), end; i != end && !error; i.increment(error)) {
+  for (llvm::sys::fs::directory_iterator i(path, error), end; i != end && !error;
+       i.increment(error)) {
     const auto type = i->type();
     if (type == llvm::sys::fs::file_type::directory_file)
       continue;
@@ -89,7 +90,8 @@ const std::map<int64_t, std::string> &Project::folder(const std::string &path) {
         llvm::sys::fs::file_size(file, size) || size > maxSubprogramBytes)
       continue;
     ++looked;
-    const auto buffer = llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, headerBytes), 0);
+    const auto buffer =
+        llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, headerBytes), 0);
     if (!buffer)
       continue;
     const int64_t number = numberOfHeader((*buffer)->getBuffer());

@@ -95,7 +95,8 @@ TextEdit RuleContext::insertBlockAfter(llvm::StringRef text) const {
 }
 
 bool FileSummary::isReached(uint32_t offset) const {
-  const auto at = llvm::partition_point(reached, [&](const SourceRange &r) { return r.end <= offset; });
+  const auto at =
+      llvm::partition_point(reached, [&](const SourceRange &r) { return r.end <= offset; });
   return at != reached.end() && at->begin <= offset;
 }
 

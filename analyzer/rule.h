@@ -31,7 +31,8 @@ public:
 
   /// Message in llvm::formatv form: what is, then what the control does with it; lower case, no
   /// final period, code in backticks.
-  template <typename... Args> FindingBuilder &message(const char *format, Args &&...args) {
+  template <typename... Args>
+  FindingBuilder &message(const char *format, Args &&...args) {
     if (finding_)
       finding_->message = llvm::formatv(format, std::forward<Args>(args)...).str();
     return *this;
@@ -142,7 +143,8 @@ public:
   const MachineState &after() const { return *after_; }
   /// Number of calls between the main program and this block.
   unsigned callDepth() const { return callDepth_; }
-  /// Where the flow that a `FlowIssue` event speaks of is written; a further place that explains it.
+  /// Where the flow that a `FlowIssue` event speaks of is written; a further place that explains
+  /// it.
   SourceRange flowRange() const { return flowRange_; }
   SourceRange flowRelated() const { return flowRelated_; }
   /// For conditions of the table.
@@ -218,7 +220,8 @@ struct FileSummary {
   llvm::ArrayRef<int64_t> usedNumbers;
   /// Program numbers called from the analysed files, ascending.
   llvm::ArrayRef<int64_t> calledPrograms;
-  bool complete = true; ///< false: the analysis was cut short, what was not reached may be reachable
+  bool complete =
+      true; ///< false: the analysis was cut short, what was not reached may be reachable
 
   bool isReached(uint32_t offset) const;
 };

@@ -89,7 +89,8 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
   }
   if (dialect.group(StandardGroup::ArcDistance) != noGroup &&
       after.active(dialect, StandardGroup::ArcDistance) != groupUnset) {
-    const Truth absolute = after.isActive(dialect, StandardGroup::ArcDistance, {Action::ArcAbsolute});
+    const Truth absolute =
+        after.isActive(dialect, StandardGroup::ArcDistance, {Action::ArcAbsolute});
     result.centreAbsolute = absolute == Truth::Yes;
     if (absolute == Truth::Unknown)
       result.centreWords.reset();

@@ -1,8 +1,8 @@
 // The words and the geometry of an arc block: plane, centre, radius, start and end.
 #pragma once
 
-#include "interp/event.h"
 #include "formats/dialect/machine.h"
+#include "interp/event.h"
 
 #include <array>
 #include <optional>
@@ -31,8 +31,9 @@ struct ArcGeometry {
   using Point = std::array<double, 2>;
   std::optional<Point> start, end;
   std::optional<Point> centreWords; ///< I J K as they stand; an absent one is zero
-  bool centreAbsolute = false;      ///< they are coordinates of the centre, not its distance from the start
-  std::optional<double> radius;     ///< R with its sign
+  bool centreAbsolute =
+      false; ///< they are coordinates of the centre, not its distance from the start
+  std::optional<double> radius; ///< R with its sign
 
   /// Centre as the control reads it.
   std::optional<Point> centre() const;

@@ -16,8 +16,7 @@ void Execution::activate(const CodeInfo &code, const Word *word) {
 
 void Execution::applyModal(const CodeUse &use) {
   const CodeInfo &code = info(use);
-  if (code.group != noGroup && code.action != Action::Cycle &&
-      code.action != Action::CycleCancel)
+  if (code.group != noGroup && code.action != Action::Cycle && code.action != Action::CycleCancel)
     activate(code, use.word);
   switch (code.action) {
   case Action::SurfaceSpeed:

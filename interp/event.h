@@ -31,8 +31,8 @@ enum class EventKind : uint8_t {
   VacantRead,       ///< a variable that was never set is used in arithmetic
   DomainError,      ///< a value outside a function's domain: division by zero, root of a negative
   Syntax,           ///< the reader found something; `number` is the index of the issue
-  WordIssue,        ///< a word of the block wants a look; `number` is a `WordIssue`, `word` the first one
-  FlowIssue,        ///< control cannot go where the block says; `number` is a `FlowIssue`
+  WordIssue, ///< a word of the block wants a look; `number` is a `WordIssue`, `word` the first one
+  FlowIssue, ///< control cannot go where the block says; `number` is a `FlowIssue`
   Count
 };
 static_assert(unsigned(EventKind::Count) <= 32);
@@ -52,22 +52,22 @@ enum class WordIssue : uint8_t {
 /// What the engine finds when it follows calls, jumps and ends. The event's range is in
 /// `RuleContext::flowRange`.
 enum class FlowIssue : uint8_t {
-  NoTarget,         ///< a call or jump names no target
-  UnknownProgram,   ///< the called program is nowhere
-  UnknownBlock,     ///< no block has the number that a jump, local call or return names
-  Recursion,        ///< the called program is being executed already
-  TooDeep,          ///< more levels of calls than the control allows
-  ReturnInMain,     ///< a return code in a program that nobody called
-  EndInSubprogram,  ///< a program end inside a called program
-  MainRunsOut,      ///< the main program reaches the end of its text
-  SubprogramRunsOut, ///< a called program reaches the end of its text without a return
+  NoTarget,           ///< a call or jump names no target
+  UnknownProgram,     ///< the called program is nowhere
+  UnknownBlock,       ///< no block has the number that a jump, local call or return names
+  Recursion,          ///< the called program is being executed already
+  TooDeep,            ///< more levels of calls than the control allows
+  ReturnInMain,       ///< a return code in a program that nobody called
+  EndInSubprogram,    ///< a program end inside a called program
+  MainRunsOut,        ///< the main program reaches the end of its text
+  SubprogramRunsOut,  ///< a called program reaches the end of its text without a return
   RunsIntoSubprogram, ///< plain flow reaches blocks that are called as a local subprogram
-  ProfileMissing,   ///< a profile's first or last block does not exist
-  ProfileReversed,  ///< a profile's last block stands in front of its first
-  ProfileReached,   ///< plain flow runs into the blocks of a profile
-  ComputedTarget,   ///< a target is computed and its value not known
-  StructureMismatch, ///< WHILE without END, END without DO
-  EndlessLoop       ///< the state repeats: the program never leaves a loop
+  ProfileMissing,     ///< a profile's first or last block does not exist
+  ProfileReversed,    ///< a profile's last block stands in front of its first
+  ProfileReached,     ///< plain flow runs into the blocks of a profile
+  ComputedTarget,     ///< a target is computed and its value not known
+  StructureMismatch,  ///< WHILE without END, END without DO
+  EndlessLoop         ///< the state repeats: the program never leaves a loop
 };
 
 enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Reference };
@@ -76,10 +76,10 @@ enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Refe
 struct Event {
   EventKind kind = EventKind::Block;
   MotionKind motion = MotionKind::Rapid;
-  uint16_t axes = 0;           ///< bit per axis that the block programs
-  CodeIndex code = noCode;     ///< with its variant resolved
+  uint16_t axes = 0;       ///< bit per axis that the block programs
+  CodeIndex code = noCode; ///< with its variant resolved
   CodeIndex by = noCode;
-  bool certain = true;         ///< false: it happens on some of the paths that the state stands for
+  bool certain = true; ///< false: it happens on some of the paths that the state stands for
   const Word *word = nullptr;
   int64_t number = 0;
   Interval value;
@@ -111,7 +111,7 @@ struct Flow {
   uint8_t loop = 0;
   bool macro = false; ///< a call with variables of its own
   CodeIndex code = noCode;
-  const Word *word = nullptr; ///< the word that names the target, or the code
+  const Word *word = nullptr;  ///< the word that names the target, or the code
   uint32_t begin = 0, end = 0; ///< where the flow is written, for messages
   Value target;
   Value repeat = Value::of(1);
@@ -126,7 +126,7 @@ struct Outcome {
   llvm::SmallVector<CodeUse, 8> codes;
   uint32_t kinds = 0; ///< bit per kind of event emitted
   Flow flow;
-  bool setupChanged = false; ///< something besides `MotionState` may have changed
+  bool setupChanged = false;       ///< something besides `MotionState` may have changed
   int32_t macroAfterMove = notSet; ///< program that a modal macro calls after this block
 
   void clear() {

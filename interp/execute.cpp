@@ -210,8 +210,8 @@ void Execution::resolveCodes() {
       // `G#1`: which code it is decides itself at run time.
       const Interval number = value(word);
       if (number.isConstant() && number.value() >= 0 && number.value() < 10000) {
-        const CodeIndex code = dialect_.find(char('A' + word.address),
-                                             uint32_t(std::lround(number.value() * 10)));
+        const CodeIndex code =
+            dialect_.find(char('A' + word.address), uint32_t(std::lround(number.value() * 10)));
         if (code != noCode) {
           outcome_.codes.push_back({code, &word});
           continue;
@@ -327,8 +327,9 @@ void Execution::technologyWords() {
         break;
       outcome_.setupChanged = true;
       const Interval number = value(word);
-      const int32_t offset =
-          number.isConstant() && std::fabs(number.value()) < 1e6 ? int32_t(number.value()) : notKnown;
+      const int32_t offset = number.isConstant() && std::fabs(number.value()) < 1e6
+                                 ? int32_t(number.value())
+                                 : notKnown;
       // A new H while the length offset is on is taken at once.
       if (!isD && state_.isActive(dialect_, StandardGroup::LengthOffset,
                                   {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)

@@ -8,7 +8,7 @@ namespace ncvet {
 /// What the transfer function asks of tables and profile with every block, looked up once.
 struct ModeMasks {
   GroupIndex motion, cycle, units, distance, polar;
-  uint64_t cancelled = 0;   ///< members of the cycle group that mean "no cycle"
+  uint64_t cancelled = 0; ///< members of the cycle group that mean "no cycle"
   uint64_t inch = 0, metric = 0;
   uint64_t incremental = 0;
   uint64_t polarOn = 0;

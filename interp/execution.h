@@ -16,8 +16,8 @@ public:
             FileId file, const Block &block, const MachineState &before, MachineState &state,
             Outcome &outcome)
       : dialect_(dialect), machine_(machine), masks_(masks), file_(file), block_(block),
-        before_(before), state_(state), outcome_(outcome),
-        context_{dialect, machine, block, {}, before} {}
+        before_(before), state_(state),
+        outcome_(outcome), context_{dialect, machine, block, {}, before} {}
 
   void run(bool guardHolds);
 
@@ -69,10 +69,10 @@ private:
   void runCompound(const CodeUse &use);
   CodeIndex activeCycle() const;
 
-  Origin originOf(const Word &word) const {
-    return {file_, word.offset, block_.endOf(word)};
+  Origin originOf(const Word &word) const { return {file_, word.offset, block_.endOf(word)}; }
+  Origin originOfBlock() const {
+    return {file_, block_.begin, std::max(block_.end, block_.begin + 1)};
   }
-  Origin originOfBlock() const { return {file_, block_.begin, std::max(block_.end, block_.begin + 1)}; }
   /// Millimetres per unit of a programmed length; none when it is not known which unit is in force.
   Interval lengthFactor() const;
   Truth incremental() const; ///< distance mode
@@ -92,8 +92,8 @@ private:
   Outcome &outcome_;
   ConditionContext context_;
 
-  CodeUse motionCode_;   ///< motion or modal cycle code of the block
-  CodeUse actionCode_;   ///< one-shot code that takes the block's axis words
+  CodeUse motionCode_; ///< motion or modal cycle code of the block
+  CodeUse actionCode_; ///< one-shot code that takes the block's axis words
   bool machineMove_ = false;
   bool cancelled_ = false; ///< the block ends the active cycle
 };

@@ -13,7 +13,8 @@ constexpr double degree = pi / 180;
 
 /// Local variables of a macro level: #1 … #33.
 constexpr int64_t lastLocal = 33;
-/// Common variables end here; from #1000 on they belong to the control (inputs, offsets, positions).
+/// Common variables end here; from #1000 on they belong to the control (inputs, offsets,
+/// positions).
 constexpr int64_t firstSystem = 1000;
 /// Extended common variables of larger controls.
 constexpr int64_t firstExtended = 98000, lastExtended = 98499;
@@ -85,7 +86,8 @@ private:
       outcome_->emit(EventKind::DomainError).number = op.offset;
   }
   /// One constant in, one number out; anything else is unknown.
-  template <typename F> void unary(F f) {
+  template <typename F>
+  void unary(F f) {
     const Value a = pop();
     const Interval x = a.asNumber();
     stack_.push_back(a.kind != Value::Kind::Unknown && x.isConstant() ? Value::of(f(x.value()))
@@ -152,7 +154,7 @@ void Evaluator::arithmetic(const ExpressionOp &op) {
       return;
     }
     const auto x = int64_t(a.value()), y = int64_t(b.value());
-    stack_.push_back(Value::of(double(op.op == Op::And ? (x & y)
+    stack_.push_back(Value::of(double(op.op == Op::And  ? (x & y)
                                       : op.op == Op::Or ? (x | y)
                                                         : (x ^ y))));
     return;

@@ -77,9 +77,9 @@ void Execution::storeTarget(const Word &word, bool machineCoordinates) {
     position = address.kind == AddressKind::Increment ? Interval::unknown() : target;
     return;
   }
-  const Truth relative =
-      address.kind == AddressKind::Increment || word.has(wordIncremental) ? Truth::Yes
-                                                                          : incremental();
+  const Truth relative = address.kind == AddressKind::Increment || word.has(wordIncremental)
+                             ? Truth::Yes
+                             : incremental();
   if (relative == Truth::Yes) {
     position = position + target; // stays in the coordinates in which it was known
     return;

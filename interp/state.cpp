@@ -66,8 +66,7 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   for (size_t i = 0; i < 26; ++i) {
     const bool both = (a.cycle.present & b.cycle.present) >> i & 1;
     if (!both || a.cycle.value[i] != b.cycle.value[i])
-      r.cycle.value[i] =
-          r.cycle.present >> i & 1 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+      r.cycle.value[i] = r.cycle.present >> i & 1 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   }
   r.initialLevel = combine(a.initialLevel, b.initialLevel, wide);
   if (a.pendingCycle != b.pendingCycle)
@@ -99,7 +98,8 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
 }
 
 /// A canonical sequence of numbers that says all that `equal` and `hash` look at.
-template <typename Sink> void visitParts(const MachineState &s, Sink sink) {
+template <typename Sink>
+void visitParts(const MachineState &s, Sink sink) {
   const auto interval = [&](const Interval &i) {
     sink(std::bit_cast<uint64_t>(i.lo));
     sink(std::bit_cast<uint64_t>(i.hi));
@@ -149,7 +149,8 @@ const CodeInfo *MachineState::activeCode(const Dialect &dialect, StandardGroup w
   const uint64_t set = active(dialect, which);
   if (!std::has_single_bit(set) || set == groupUnset)
     return nullptr;
-  return &dialect.codes[dialect.groups[dialect.group(which)].members[size_t(std::countr_zero(set))]];
+  return &dialect
+              .codes[dialect.groups[dialect.group(which)].members[size_t(std::countr_zero(set))]];
 }
 
 llvm::SmallVector<const CodeInfo *, 4> MachineState::candidates(const Dialect &dialect,
@@ -190,9 +191,8 @@ Truth MachineState::cycleActive(const Dialect &dialect) const {
 }
 
 Truth MachineState::compensationActive(const Dialect &dialect) const {
-  const Truth answer =
-      isActive(dialect, StandardGroup::Compensation,
-               {Action::CompensationLeft, Action::CompensationRight});
+  const Truth answer = isActive(dialect, StandardGroup::Compensation,
+                                {Action::CompensationLeft, Action::CompensationRight});
   // Every manual that says anything has compensation off at power-on.
   if (answer == Truth::Unknown && active(dialect, StandardGroup::Compensation) == groupUnset)
     return Truth::No;

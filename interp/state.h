@@ -21,37 +21,38 @@ struct Origin {
 
 /// Yes/no facts of the past that rules ask for. Each is kept as "may" and "must".
 enum class Fact : uint8_t {
-  ToolCalled,        ///< a T word was executed
-  Moved,             ///< an axis has moved
-  Cut,               ///< an axis has moved at feed
-  CutSinceTool,      ///< … since the last tool change
-  MovedSinceTool,    ///< … an axis, since the last tool change
-  FeedSet,           ///< an F word was executed
-  FeedIsLead,        ///< the F in force was given as a thread lead
-  SpeedSet,          ///< an S word that sets the spindle's speed was executed
-  SpeedSinceMode,    ///< … since G96 or G97 was last switched
-  SpeedLimitSet,     ///< the speed clamp was programmed
-  WorkOffsetStated,  ///< a work offset code was executed
-  LengthSinceTool,   ///< a length offset was activated since the last tool change
-  AwayFromPart,      ///< since the last cut the tool went to a machine position or by rapid
-  AtMachinePosition, ///< since the last work-coordinate move the tool went to a machine position
-  ReferenceReturned, ///< G28 was executed
-  MovedSincePreset,  ///< an axis has moved since G92 shifted the system
-  SkipMoveDone,      ///< a skip move (G31) was the last measuring move
-  SpindleStated,     ///< M03, M04 or M05 was executed
+  ToolCalled,          ///< a T word was executed
+  Moved,               ///< an axis has moved
+  Cut,                 ///< an axis has moved at feed
+  CutSinceTool,        ///< … since the last tool change
+  MovedSinceTool,      ///< … an axis, since the last tool change
+  FeedSet,             ///< an F word was executed
+  FeedIsLead,          ///< the F in force was given as a thread lead
+  SpeedSet,            ///< an S word that sets the spindle's speed was executed
+  SpeedSinceMode,      ///< … since G96 or G97 was last switched
+  SpeedLimitSet,       ///< the speed clamp was programmed
+  WorkOffsetStated,    ///< a work offset code was executed
+  LengthSinceTool,     ///< a length offset was activated since the last tool change
+  AwayFromPart,        ///< since the last cut the tool went to a machine position or by rapid
+  AtMachinePosition,   ///< since the last work-coordinate move the tool went to a machine position
+  ReferenceReturned,   ///< G28 was executed
+  MovedSincePreset,    ///< an axis has moved since G92 shifted the system
+  SkipMoveDone,        ///< a skip move (G31) was the last measuring move
+  SpindleStated,       ///< M03, M04 or M05 was executed
   SpindleStoppedByTap, ///< a rigid tapping cycle left the spindle standing
-  CycleRan,          ///< the active cycle has run at least once
-  PolarRadiusSet,    ///< a polar radius was programmed
-  UnknownCode,       ///< a code without a table entry was executed: anything may have changed
+  CycleRan,            ///< the active cycle has run at least once
+  PolarRadiusSet,      ///< a polar radius was programmed
+  UnknownCode,         ///< a code without a table entry was executed: anything may have changed
   ChuckOpen,
   SpindleClamped,
-  AxisEngaged,       ///< C axis coupled to the spindle
-  OrientedSinceTool, ///< an oriented spindle stop was executed with this tool
-  PlungedUncompensated, ///< fed along the tool axis into the work without compensation, not yet cut in the plane
-  CompensatedCut,    ///< since compensation engaged, an axis of the plane has moved
-  ContourCompensated, ///< … by an arc, a slanted line or a corner element
-  EnteredInward,     ///< compensation engaged on a move towards smaller X
-  EnteredOutward,    ///< … towards larger X
+  AxisEngaged,          ///< C axis coupled to the spindle
+  OrientedSinceTool,    ///< an oriented spindle stop was executed with this tool
+  PlungedUncompensated, ///< fed along the tool axis into the work without compensation, not yet cut
+                        ///< in the plane
+  CompensatedCut,       ///< since compensation engaged, an axis of the plane has moved
+  ContourCompensated,   ///< … by an arc, a slanted line or a corner element
+  EnteredInward,        ///< compensation engaged on a move towards smaller X
+  EnteredOutward,       ///< … towards larger X
   Count
 };
 static_assert(unsigned(Fact::Count) <= 64);
@@ -81,7 +82,7 @@ constexpr int32_t notKnown = -2;
 
 /// Words of the active cycle, by letter.
 struct CycleWords {
-  uint32_t present = 0; ///< bit per letter
+  uint32_t present = 0;           ///< bit per letter
   std::array<double, 26> value{}; ///< NaN: present, but its value is not known
 
   bool has(char letter) const { return present >> (letter - 'A') & 1; }
@@ -94,10 +95,10 @@ constexpr Interval emptyInterval{std::numeric_limits<double>::infinity(),
 
 /// What changes with nearly every block.
 struct MotionState {
-  std::array<uint64_t, maxGroups> group; ///< bit set of members that may be active
+  std::array<uint64_t, maxGroups> group;    ///< bit set of members that may be active
   std::array<Interval, axisCount> position; ///< mm or degrees; lathe X as programmed
   uint32_t statedMay = 0, statedMust = 0;   ///< bit per group: the program has stated it
-  uint32_t machineAxes = 0; ///< bit per axis: `position` is in machine coordinates
+  uint32_t machineAxes = 0;                 ///< bit per axis: `position` is in machine coordinates
   uint64_t factsMay = 0, factsMust = 0;
   Interval feed; ///< as programmed; unknown when never set (see Fact::FeedSet)
   /// Mills: Z from which the tool was fed down and below which it has been
@@ -109,28 +110,29 @@ struct MotionState {
 
 /// What changes with set-up codes.
 struct SetupState {
-  int32_t tool = notSet;       ///< tool in the spindle or in cutting position
-  int32_t toolOffset = notSet; ///< lathe: offset number of the T word
-  int32_t preselected = notSet; ///< mill: T word that waits for the change
+  int32_t tool = notSet;         ///< tool in the spindle or in cutting position
+  int32_t toolOffset = notSet;   ///< lathe: offset number of the T word
+  int32_t preselected = notSet;  ///< mill: T word that waits for the change
   int32_t lengthOffset = notSet; ///< H
   int32_t radiusOffset = notSet; ///< D
   uint8_t spindle = spindleOff;
   uint8_t liveTool = spindleOff;
   uint8_t compensation = phaseOff;
   uint8_t idleBlocks = 0; ///< blocks without a move in the plane since the last one, at most 255
-  Interval speed;      ///< S as programmed
-  Interval speedLimit; ///< 1/min
-  uint32_t switchMay = 0, switchMust = 0; ///< bit per switch of the dialect
+  Interval speed;         ///< S as programmed
+  Interval speedLimit;    ///< 1/min
+  uint32_t switchMay = 0, switchMust = 0;         ///< bit per switch of the dialect
   std::array<uint16_t, maxSwitches> switchAxes{}; ///< axes for which a switch may be on
   std::array<Interval, 3> localShift;             ///< G52, X Y Z
   CycleWords cycle;
-  Interval initialLevel; ///< position along the tool axis when the cycle began
+  Interval initialLevel;              ///< position along the tool axis when the cycle began
   std::array<Interval, 3> cycleStart; ///< X Y Z when the cycle began
-  CodeIndex pendingCycle = noCode; ///< two-block cycle whose parameter block was the last block
-  int64_t roughFirst = notSet, roughLast = notSet; ///< P and Q of the last roughing not yet finished
-  std::array<Interval, 2> roughStart; ///< X and Z where that roughing began
+  CodeIndex pendingCycle = noCode;    ///< two-block cycle whose parameter block was the last block
+  int64_t roughFirst = notSet,
+          roughLast = notSet;          ///< P and Q of the last roughing not yet finished
+  std::array<Interval, 2> roughStart;  ///< X and Z where that roughing began
   std::array<uint8_t, 4> transforms{}; ///< switches of transformations, in the order switched on
-  int32_t modalMacro = notSet; ///< program that G66 calls after each move
+  int32_t modalMacro = notSet;         ///< program that G66 calls after each move
   uint8_t profile = 0; ///< 0: not in a profile; 1: read as data for roughing; 2: finishing
 };
 
@@ -161,7 +163,8 @@ struct MachineState : MotionState, SetupState {
     return must(fact) ? Truth::Yes : may(fact) ? Truth::Unknown : Truth::No;
   }
 
-  /// Members of a standard group that may be active; `groupUnset` when the dialect has no such group.
+  /// Members of a standard group that may be active; `groupUnset` when the dialect has no such
+  /// group.
   uint64_t active(const Dialect &dialect, StandardGroup which) const {
     const GroupIndex index = dialect.group(which);
     return index == noGroup ? groupUnset : group[index];

@@ -97,9 +97,10 @@ uint64_t Variables::hash() const {
   if (data_)
     for (const Entry &entry : data_->entries)
       if (!(entry.value == fallback_))
-        result = llvm::hash_combine(result, entry.number, unsigned(entry.value.kind),
-                                    llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.lo)),
-                                    llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.hi)));
+        result =
+            llvm::hash_combine(result, entry.number, unsigned(entry.value.kind),
+                               llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.lo)),
+                               llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.hi)));
   return result;
 }
 

@@ -47,9 +47,32 @@ struct ValueTest {
 
 /// Canned and turning cycles, by the motions that they make.
 enum class CycleKind : uint8_t {
-  None, Drill, DrillDwell, Peck, ChipBreak, Tap, TapLeft, RigidTap, RigidTapLeft, Ream, ReamDwell,
-  BoreStop, BoreManual, BoreDwellManual, FineBore, BackBore, TurnPass, FacePass, ThreadPass,
-  RoughTurn, RoughFace, PatternRepeat, Finish, GrooveFace, GrooveRadial, ThreadMulti
+  None,
+  Drill,
+  DrillDwell,
+  Peck,
+  ChipBreak,
+  Tap,
+  TapLeft,
+  RigidTap,
+  RigidTapLeft,
+  Ream,
+  ReamDwell,
+  BoreStop,
+  BoreManual,
+  BoreDwellManual,
+  FineBore,
+  BackBore,
+  TurnPass,
+  FacePass,
+  ThreadPass,
+  RoughTurn,
+  RoughFace,
+  PatternRepeat,
+  Finish,
+  GrooveFace,
+  GrooveRadial,
+  ThreadMulti
 };
 llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
 std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
@@ -81,16 +104,54 @@ struct Notice {
   std::string rule; ///< id of the canonical rule
   std::optional<Severity> severity;
   Condition when;
-  std::string message; ///< `{code}` and `{X}` (a word of the block) are replaced
+  std::string message;      ///< `{code}` and `{X}` (a word of the block) are replaced
   AddressId at = noAddress; ///< the word to mark; the code itself when none
 };
 
 /// What a word is for in a code's format; rules of one family pick the words of their roles.
 enum class Role : uint8_t {
-  None, Target, Depth, Retract, Dwell, Time, Peck, PeckFirst, PeckStep, PeckLeast, PeckClearance,
-  Repeat, Lead, ProfileFirst, ProfileLast, AllowanceX, AllowanceZ, CutDepth, PassCount, StockX,
-  StockZ, Height, FirstCut, LeastCut, ThreadForm, Angle, Taper, Shift, Program, Sequence, Speed,
-  Feed, Step, Centre, Radius, Offset, Ratio, Method, Limit, Argument, StartAngle, Relief
+  None,
+  Target,
+  Depth,
+  Retract,
+  Dwell,
+  Time,
+  Peck,
+  PeckFirst,
+  PeckStep,
+  PeckLeast,
+  PeckClearance,
+  Repeat,
+  Lead,
+  ProfileFirst,
+  ProfileLast,
+  AllowanceX,
+  AllowanceZ,
+  CutDepth,
+  PassCount,
+  StockX,
+  StockZ,
+  Height,
+  FirstCut,
+  LeastCut,
+  ThreadForm,
+  Angle,
+  Taper,
+  Shift,
+  Program,
+  Sequence,
+  Speed,
+  Feed,
+  Step,
+  Centre,
+  Radius,
+  Offset,
+  Ratio,
+  Method,
+  Limit,
+  Argument,
+  StartAngle,
+  Relief
 };
 llvm::StringRef toString(Role role); ///< as in the tables: "peck-first"
 std::optional<Role> parseRole(llvm::StringRef text);
@@ -134,9 +195,9 @@ struct Variant {
 
 /// A G or M code, or one of its variants.
 struct CodeInfo {
-  std::string name;  ///< as messages show it: "G01", "G84.2", "M03"
-  std::string title; ///< "linear feed", lower case
-  char letter = 'G'; ///< 0: a code that is a word of its own
+  std::string name;    ///< as messages show it: "G01", "G84.2", "M03"
+  std::string title;   ///< "linear feed", lower case
+  char letter = 'G';   ///< 0: a code that is a word of its own
   uint16_t number = 0; ///< number times ten plus the digit behind the point: G84.2 is 842
   GroupIndex group = noGroup;
   uint8_t bit = 0; ///< member number within the group
@@ -160,10 +221,10 @@ struct CodeInfo {
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
   std::vector<Notice> notices;
   std::vector<Variant> variants; ///< first match wins; none: this entry
-  CodeIndex base = noCode;       ///< of a variant: the code that it belongs to; else the code itself
+  CodeIndex base = noCode; ///< of a variant: the code that it belongs to; else the code itself
   SwitchEffect effect;
   CodeIndex opposite = noCode; ///< what ends or reverses it (G80 for G81), for messages and fixes
-  std::string source; ///< manual's file and line
+  std::string source;          ///< manual's file and line
 };
 
 /// Codes of which one at a time is active.
@@ -177,9 +238,28 @@ struct GroupInfo {
 
 /// Groups that the interpreter knows by name. A dialect may lack some and may have others.
 enum class StandardGroup : uint8_t {
-  Motion, Plane, Units, Distance, FeedMode, SpeedMode, Compensation, LengthOffset, Cycle,
-  ReturnLevel, WorkOffset, PathMode, Polar, Rotation, Scaling, Mirror, MacroModal, ArcDistance,
-  Spindle, Coolant, Program, Count
+  Motion,
+  Plane,
+  Units,
+  Distance,
+  FeedMode,
+  SpeedMode,
+  Compensation,
+  LengthOffset,
+  Cycle,
+  ReturnLevel,
+  WorkOffset,
+  PathMode,
+  Polar,
+  Rotation,
+  Scaling,
+  Mirror,
+  MacroModal,
+  ArcDistance,
+  Spindle,
+  Coolant,
+  Program,
+  Count
 };
 llvm::StringRef toString(StandardGroup group);
 
@@ -210,12 +290,12 @@ struct AddressInfo {
 
 /// Something that stays on until it is switched off, and which rule reports it when it is left on.
 struct SwitchInfo {
-  std::string id;       ///< "coolant", "mirror-x", …
-  std::string title;    ///< "coolant", for messages
-  std::string leftOn;   ///< id of the rule that reports it at the program's end; empty: none
+  std::string id;     ///< "coolant", "mirror-x", …
+  std::string title;  ///< "coolant", for messages
+  std::string leftOn; ///< id of the rule that reports it at the program's end; empty: none
   std::optional<Severity> severity;
   bool atToolChange = false; ///< also reported at a tool change
-  std::string off;      ///< how to switch it off, for messages: "M09"
+  std::string off;           ///< how to switch it off, for messages: "M09"
 };
 
 enum class Semicolon : uint8_t { Comment, EndOfBlock };
@@ -257,11 +337,11 @@ struct RuleOverride {
 struct Dialect {
   std::string id;
   std::string title;
-  std::string reader; ///< "iso"
+  std::string reader;    ///< "iso"
   bool abstract = false; ///< a base of others only
   MachineKind machine = MachineKind::Mill;
-  bool toolChangeByT = false;      ///< the T word itself changes the tool; else M06 does
-  bool profileRunsThrough = false; ///< behind a roughing cycle the control runs the profile itself
+  bool toolChangeByT = false;       ///< the T word itself changes the tool; else M06 does
+  bool profileRunsThrough = false;  ///< behind a roughing cycle the control runs the profile itself
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   Lexical lexical;
   Limits limits;
@@ -278,12 +358,12 @@ struct Dialect {
   std::vector<std::string> extensions; ///< file name endings that speak for it, without the dot
   llvm::StringMap<RuleOverride> rules;
   llvm::StringMap<std::string> options; ///< options of the machine profile with their defaults
-  AddressMask axisWords = 0;      ///< all addresses of kind Axis and Increment
-  AddressMask incrementWords = 0; ///< those of kind Increment
-  AddressMask known = 0;          ///< all addresses of this control
-  AddressMask repeatable = 0;     ///< may stand more than once in a block
-  AddressMask whole = 0;          ///< take whole numbers
-  AddressMask pointAdvised = 0;   ///< in some code at least, a decimal point is advised
+  AddressMask axisWords = 0;            ///< all addresses of kind Axis and Increment
+  AddressMask incrementWords = 0;       ///< those of kind Increment
+  AddressMask known = 0;                ///< all addresses of this control
+  AddressMask repeatable = 0;           ///< may stand more than once in a block
+  AddressMask whole = 0;                ///< take whole numbers
+  AddressMask pointAdvised = 0;         ///< in some code at least, a decimal point is advised
   /// Axis words, codes and the words that always act by themselves (F, S, T, tool offsets).
   AddressMask plain = 0;
   /// File names and texts of the tables that this one was made of, base first: for `overlay`.

@@ -12,14 +12,14 @@ namespace ncvet {
 
 /// How a word was spelled.
 enum WordFlag : uint8_t {
-  wordPoint = 1,       ///< has a decimal point
-  wordMinus = 2,       ///< begins with a minus
-  wordPlus = 4,        ///< begins with a plus
-  wordLeadingZero = 8, ///< an integer part of several digits that begins with 0
-  wordExpression = 16, ///< the value is an expression: `Block::expressions[mantissa]`
+  wordPoint = 1,        ///< has a decimal point
+  wordMinus = 2,        ///< begins with a minus
+  wordPlus = 4,         ///< begins with a plus
+  wordLeadingZero = 8,  ///< an integer part of several digits that begins with 0
+  wordExpression = 16,  ///< the value is an expression: `Block::expressions[mantissa]`
   wordIncremental = 32, ///< marked as incremental by itself (`XI-4`)
-  wordNoValue = 64,    ///< nothing stands behind the address
-  wordMalformed = 128  ///< the number was bad; its value is what could be read
+  wordNoValue = 64,     ///< nothing stands behind the address
+  wordMalformed = 128   ///< the number was bad; its value is what could be read
 };
 
 /// Address and number. The number is exact: mantissa * 10^-decimals.
@@ -44,10 +44,46 @@ static_assert(sizeof(Word) == 16);
 
 /// Operations of an expression in postfix order.
 enum class Op : uint8_t {
-  Number, Vacant, Variable, VariableAt, NamedVariable, // VariableAt takes its number from the stack
-  Add, Subtract, Multiply, Divide, Modulo, Negate, Power,
-  Equal, NotEqual, Greater, GreaterEqual, Less, LessEqual, And, Or, Xor, Not,
-  Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sqrt, Abs, Round, Fix, Fup, Ln, Exp, Bin, Bcd, Adp, Unknown
+  Number,
+  Vacant,
+  Variable,
+  VariableAt,
+  NamedVariable, // VariableAt takes its number from the stack
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Modulo,
+  Negate,
+  Power,
+  Equal,
+  NotEqual,
+  Greater,
+  GreaterEqual,
+  Less,
+  LessEqual,
+  And,
+  Or,
+  Xor,
+  Not,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan,
+  Atan2,
+  Sqrt,
+  Abs,
+  Round,
+  Fix,
+  Fup,
+  Ln,
+  Exp,
+  Bin,
+  Bcd,
+  Adp,
+  Unknown
 };
 
 struct ExpressionOp {
@@ -81,11 +117,11 @@ constexpr uint16_t noExpression = 0xFFFF;
 /// A statement of the block that is not a word.
 struct Item {
   ItemKind kind = ItemKind::Assignment;
-  uint8_t loop = 0;                   ///< number behind DO or END
-  uint16_t wordsBefore = 0;           ///< words of the block in front of it
-  uint16_t target = noExpression;     ///< variable number assigned to
-  uint16_t value = noExpression;      ///< value assigned, or number jumped to
-  uint16_t condition = noExpression;  ///< of IF and WHILE
+  uint8_t loop = 0;                  ///< number behind DO or END
+  uint16_t wordsBefore = 0;          ///< words of the block in front of it
+  uint16_t target = noExpression;    ///< variable number assigned to
+  uint16_t value = noExpression;     ///< value assigned, or number jumped to
+  uint16_t condition = noExpression; ///< of IF and WHILE
   uint32_t begin = 0;
   uint32_t end = 0;
 };
@@ -102,16 +138,16 @@ enum class SyntaxIssueKind : uint8_t {
   MalformedNumber,  ///< two points, or a sign or point without a digit
   BlankInNumber,    ///< a blank between sign and digits
   DecimalComma,
-  MissingValue,     ///< an address without a number
-  MissingAddress,   ///< a number without an address
+  MissingValue,   ///< an address without a number
+  MissingAddress, ///< a number without an address
   UnclosedComment,
   NestedComment,
   StrayParenthesis, ///< a `)` without its `(`
   UnbalancedBracket,
   BadExpression,
   BadStatement,
-  UnknownWord,      ///< letters that are neither a keyword nor an address with a number
-  NotABlock         ///< text of which no part is code: prose, or another language
+  UnknownWord, ///< letters that are neither a keyword nor an address with a number
+  NotABlock    ///< text of which no part is code: prose, or another language
 };
 
 /// Bad text in a block; reading went on behind it.
@@ -132,14 +168,14 @@ enum class BlockKind : uint8_t {
 /// have grown.
 struct Block {
   BlockKind kind = BlockKind::Normal;
-  uint32_t begin = 0;   ///< first byte
-  uint32_t end = 0;     ///< behind the last byte, its line end not counted
-  uint32_t next = 0;    ///< first byte of the next block
-  int8_t skip = -1;     ///< block skip: 0 for `/`, 1…9 for `/n`; -1: none
+  uint32_t begin = 0; ///< first byte
+  uint32_t end = 0;   ///< behind the last byte, its line end not counted
+  uint32_t next = 0;  ///< first byte of the next block
+  int8_t skip = -1;   ///< block skip: 0 for `/`, 1…9 for `/n`; -1: none
   bool lowerCase = false;
   bool tapeInside = false; ///< a `%` stands behind other words
   bool numberIsFirst = true;
-  int64_t number = -1;  ///< block number; -1: none
+  int64_t number = -1; ///< block number; -1: none
   uint32_t numberBegin = 0, numberEnd = 0;
   int64_t program = -1; ///< number of a program header; -1: none or unreadable
   uint32_t headerBegin = 0, headerEnd = 0;

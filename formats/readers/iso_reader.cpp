@@ -147,7 +147,8 @@ void Scanner::scanTape() {
   const char *after = at_;
   while (after < end_ && classOf(*after) == Blank)
     ++after;
-  if (lexical_.percentHeader && after < end_ && (*after == 'O' || *after == 'o' || *after == ':' || isDigit(*after))) {
+  if (lexical_.percentHeader && after < end_ &&
+      (*after == 'O' || *after == 'o' || *after == ':' || isDigit(*after))) {
     at_ = after;
     scanHeader(begin);
     while (!atLineEnd()) {
@@ -274,8 +275,8 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   }
   const char *number = p;
   at_ = number;
-  if (at_ < end_ && (isDigit(*at_) || *at_ == '-' || *at_ == '+' || *at_ == '.' ||
-                     typographicMinus(at_, end_))) {
+  if (at_ < end_ &&
+      (isDigit(*at_) || *at_ == '-' || *at_ == '+' || *at_ == '.' || typographicMinus(at_, end_))) {
     // A sign in front of an expression belongs to it.
     const char *behind = at_ + ((*at_ == '-' || *at_ == '+') ? 1 : 0);
     while (behind < end_ && classOf(*behind) == Blank)
@@ -323,7 +324,8 @@ bool Scanner::scanPlainNumber(Word &word) {
   p += negative;
   const char *const first = p;
   int64_t mantissa = 0;
-  // One test per digit suffices: too long a run is refused behind the loop, before its value counts.
+  // One test per digit suffices: too long a run is refused behind the loop, before its value
+  // counts.
   const char *const limit = end_ - p > ptrdiff_t(maxDigits) ? p + maxDigits : end_;
   while (p < limit && isDigit(*p))
     mantissa = mantissa * 10 + (*p++ - '0');
@@ -442,8 +444,10 @@ void Scanner::scanComma() {
   const char *begin = at_;
   if (at_ + 1 < end_) {
     const char letter = char(at_[1] & ~32);
-    const AddressId address =
-        letter == 'A' ? commaA : letter == 'C' ? commaC : letter == 'R' ? commaR : noAddress;
+    const AddressId address = letter == 'A'   ? commaA
+                              : letter == 'C' ? commaC
+                              : letter == 'R' ? commaR
+                                              : noAddress;
     if (address != noAddress) {
       at_ += 2;
       scanWord(address, begin);
@@ -524,8 +528,8 @@ void Scanner::scanOther() {
   default:
     break;
   }
-  const bool numberFollows = isDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+' ||
-                             typographicMinus(at_, end_);
+  const bool numberFollows =
+      isDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+' || typographicMinus(at_, end_);
   if (numberFollows) {
     // A number without an address: one issue for the whole of it, unless it is no number either.
     Word ignored;

@@ -14,12 +14,12 @@ struct FunctionName {
   const char *name;
   Op op;
 };
-constexpr FunctionName functions[] = {
-    {"SIN", Op::Sin},   {"COS", Op::Cos},   {"TAN", Op::Tan},     {"ASIN", Op::Asin},
-    {"ACOS", Op::Acos}, {"ATAN", Op::Atan}, {"SQRT", Op::Sqrt},   {"SQR", Op::Sqrt},
-    {"ABS", Op::Abs},   {"BIN", Op::Bin},   {"BCD", Op::Bcd},     {"ROUND", Op::Round},
-    {"RND", Op::Round}, {"FIX", Op::Fix},   {"FUP", Op::Fup},     {"LN", Op::Ln},
-    {"EXP", Op::Exp},   {"ADP", Op::Adp}};
+constexpr FunctionName functions[] = {{"SIN", Op::Sin},   {"COS", Op::Cos},   {"TAN", Op::Tan},
+                                      {"ASIN", Op::Asin}, {"ACOS", Op::Acos}, {"ATAN", Op::Atan},
+                                      {"SQRT", Op::Sqrt}, {"SQR", Op::Sqrt},  {"ABS", Op::Abs},
+                                      {"BIN", Op::Bin},   {"BCD", Op::Bcd},   {"ROUND", Op::Round},
+                                      {"RND", Op::Round}, {"FIX", Op::Fix},   {"FUP", Op::Fup},
+                                      {"LN", Op::Ln},     {"EXP", Op::Exp},   {"ADP", Op::Adp}};
 
 } // namespace
 
@@ -306,7 +306,7 @@ bool MacroExpression::function(unsigned depth) {
       return false;
     skipBlanks();
     bool two = false;
-    if (at_ < end_ && *at_ == ',' ) { // ATAN[y,x]
+    if (at_ < end_ && *at_ == ',') { // ATAN[y,x]
       ++at_;
       if (!comparison(depth + 1))
         return false;

@@ -13,8 +13,8 @@ namespace ncvet {
 class Reader {
 public:
   virtual ~Reader() = default;
-  /// Reads the block that begins at `offset` into `block`, whose storage is reused. `offset` must be
-  /// a block's beginning and inside the text.
+  /// Reads the block that begins at `offset` into `block`, whose storage is reused. `offset` must
+  /// be a block's beginning and inside the text.
   virtual void read(uint32_t offset, Block &block) const = 0;
   llvm::StringRef text() const { return text_; }
   /// Offset of the first block (behind a byte order mark).

@@ -45,8 +45,8 @@ public:
   /// names the file for what cannot be read, folders, devices and files of 4 GiB or more.
   static llvm::Expected<std::unique_ptr<SourceFile>> open(FileId id, llvm::StringRef path,
                                                           llvm::StringRef display);
-  /// Wraps text that is already in memory (standard input, an editor's buffer, a test). `path`, when
-  /// given, is where the text would stand on disk; it is not read.
+  /// Wraps text that is already in memory (standard input, an editor's buffer, a test). `path`,
+  /// when given, is where the text would stand on disk; it is not read.
   static std::unique_ptr<SourceFile> fromText(FileId id, llvm::StringRef display,
                                               llvm::StringRef text, llvm::StringRef path = {});
 

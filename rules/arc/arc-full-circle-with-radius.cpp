@@ -22,8 +22,8 @@ public:
     const bool byCentre = words.hasCentre() && !words.radius;
     if (!words.radius && !(byCentre && withCentre_))
       return;
-    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
-                                        ctx.before(), ctx.after());
+    const ArcGeometry arc =
+        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
     // Without a word of the plane the end is the start, wherever that is.
     uint16_t plane = 0;
     for (const Axis axis : words.axes)
@@ -39,8 +39,7 @@ public:
     // A radius of zero is reported as such.
     if (arc.radius && *arc.radius == 0)
       return;
-    const bool certain =
-        event.certain && (staysPut || !ctx.before().may(Fact::UnknownCode));
+    const bool certain = event.certain && (staysPut || !ctx.before().may(Fact::UnknownCode));
     if (auto finding = ctx.report(ctx.blockRange(), certain)) {
       if (byCentre)
         finding.message("`{0}` ends where it starts: a full circle cannot be turned",

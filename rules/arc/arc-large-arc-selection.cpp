@@ -22,8 +22,8 @@ public:
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     if (!words.radius || words.hasCentre())
       return;
-    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
-                                        ctx.before(), ctx.after());
+    const ArcGeometry arc =
+        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
     if (!arc.radius || *arc.radius >= 0)
       return;
     bool semicircle = false;

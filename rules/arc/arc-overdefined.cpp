@@ -25,9 +25,10 @@ public:
         ctx.after().compensationActive(ctx.dialect()) != Truth::No)
       return;
     if (auto finding = ctx.report(*words.radius, event.certain))
-      finding.message("`{0}` has both the radius {1} and a centre ({2}): one of the two is ignored, "
-                      "or the control stops",
-                      code.name, ctx.text(*words.radius), ctx.text(*centre));
+      finding.message(
+          "`{0}` has both the radius {1} and a centre ({2}): one of the two is ignored, "
+          "or the control stops",
+          code.name, ctx.text(*words.radius), ctx.text(*centre));
   }
 };
 

@@ -22,8 +22,8 @@ public:
     if (!words.hasCentre() || words.radius || words.foreign ||
         (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
-    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
-                                        ctx.before(), ctx.after());
+    const ArcGeometry arc =
+        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
     const auto centre = arc.centre();
     if (!centre || !arc.start || !arc.end)
       return;
@@ -43,9 +43,10 @@ public:
     }
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     if (auto finding = ctx.report(ctx.blockRange(), certain))
-      finding.message("the end of `{0}` does not lie on its circle: the start is {1:f3} mm from the "
-                      "centre, the end {2:f3} mm",
-                      ctx.code(event).name, atStart, atEnd);
+      finding.message(
+          "the end of `{0}` does not lie on its circle: the start is {1:f3} mm from the "
+          "centre, the end {2:f3} mm",
+          ctx.code(event).name, atStart, atEnd);
   }
 
 private:

@@ -19,8 +19,8 @@ public:
         event.code == noCode)
       return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
-    const ArcGeometry arc = arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(),
-                                        ctx.before(), ctx.after());
+    const ArcGeometry arc =
+        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
     if (words.radius) {
       byRadius(*words.radius, arc, event, ctx);
       return;
@@ -55,9 +55,10 @@ private:
       return;
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     if (auto finding = ctx.report(word, certain))
-      finding.message("`{0}` is too small: start and end lie {1:f3} mm apart, so the radius must be "
-                      "at least {2:f3}",
-                      ctx.text(word), chord, chord / 2);
+      finding.message(
+          "`{0}` is too small: start and end lie {1:f3} mm apart, so the radius must be "
+          "at least {2:f3}",
+          ctx.text(word), chord, chord / 2);
   }
 
   double tolerance_ = 0.01; // mm

@@ -35,8 +35,9 @@ private:
         continue;
       const Word &code = *ctx.block().find('M');
       if (auto finding = ctx.report(code, event.certain))
-        finding.message("`{0}` acts once, behind the first positioning, not for every repeat of `{1}`",
-                        ctx.text(code), ctx.text(*count));
+        finding.message(
+            "`{0}` acts once, behind the first positioning, not for every repeat of `{1}`",
+            ctx.text(code), ctx.text(*count));
     }
   }
 
@@ -48,15 +49,15 @@ private:
     for (const CodeUse &use : ctx.codes()) {
       const CodeInfo &code = ctx.code(use);
       // Another code of the block says what the axis words mean.
-      if (use.word != event.word &&
-          (isMotion(code.action) || code.action == Action::Cycle || code.exclusive ||
-           code.takes & ctx.dialect().axisWords))
+      if (use.word != event.word && (isMotion(code.action) || code.action == Action::Cycle ||
+                                     code.exclusive || code.takes & ctx.dialect().axisWords))
         return;
     }
     if (auto finding = ctx.report(*axis, event.certain))
       finding
-          .message("`{0}` beside `{1}` moves with the motion code that was in force before the cycle",
-                   ctx.text(*axis), ctx.text(*event.word))
+          .message(
+              "`{0}` beside `{1}` moves with the motion code that was in force before the cycle",
+              ctx.text(*axis), ctx.text(*event.word))
           .severity(Severity::Style);
   }
 };

@@ -25,7 +25,8 @@ public:
     ctx.reportNotices(id, event);
     if (ctx.code(event).action == Action::Sleep && !hasTime(ctx))
       if (auto finding = ctx.report(event))
-        finding.message("`{0}` has no time behind it: four digits, hours and minutes", ctx.text(*event.word));
+        finding.message("`{0}` has no time behind it: four digits, hours and minutes",
+                        ctx.text(*event.word));
     // A bare axis letter is a word: reference returns name their axes so.
     reportMissingWords(ctx, event, isMine);
   }
@@ -42,9 +43,10 @@ private:
       if (text.size() == 4 && llvm::all_of(text, llvm::isDigit))
         return true;
     }
-    return llvm::any_of(block.issues, [](const SyntaxIssue &i) {
-             return i.kind == SyntaxIssueKind::MissingAddress;
-           }) || block.words.size() > ctx.codes().size();
+    return llvm::any_of(
+               block.issues,
+               [](const SyntaxIssue &i) { return i.kind == SyntaxIssueKind::MissingAddress; }) ||
+           block.words.size() > ctx.codes().size();
   }
 };
 

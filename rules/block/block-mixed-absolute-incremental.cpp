@@ -17,8 +17,9 @@ public:
     if (!block.hasAny(dialect.incrementWords) ||
         !block.hasAny(dialect.axisWords & ~dialect.incrementWords))
       return;
-    const CodeInfo *cycle =
-        event.code != noCode && ctx.code(event).action == Action::Cycle ? &ctx.code(event) : nullptr;
+    const CodeInfo *cycle = event.code != noCode && ctx.code(event).action == Action::Cycle
+                                ? &ctx.code(event)
+                                : nullptr;
     for (const Word &word : block.words) {
       const AddressInfo &address = dialect.addresses[word.address];
       if (address.kind != AddressKind::Increment)

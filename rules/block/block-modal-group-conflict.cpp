@@ -47,8 +47,7 @@ public:
       if (auto finding = ctx.report(event)) {
         finding.message(why, ctx.text(first), ctx.text(*event.word));
         finding.note(ctx.range(first), "the first of the two")
-            .fix(FixSafety::Unsafe, "delete the first of the two codes",
-                 ctx.remove(first));
+            .fix(FixSafety::Unsafe, "delete the first of the two codes", ctx.remove(first));
       }
       return;
     }

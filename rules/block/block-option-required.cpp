@@ -39,8 +39,9 @@ private:
       return;
     if (auto finding = ctx.report(lastTool_, event.certain))
       finding
-          .message("`{0}` stands without `{1}`: it changes the tool only on a machine that is set up so",
-                   ctx.text(lastTool_), change_)
+          .message(
+              "`{0}` stands without `{1}`: it changes the tool only on a machine that is set up so",
+              ctx.text(lastTool_), change_)
           .severity(Severity::Style);
   }
 

@@ -33,8 +33,9 @@ private:
     auto finding = ctx.report(word);
     if (!finding)
       return;
-    const char *message = limit == 1 ? "`{0}` is the second M code of its block: the control executes one"
-                                     : "`{0}` is one M code too many: the control takes {1} in a block";
+    const char *message = limit == 1
+                              ? "`{0}` is the second M code of its block: the control executes one"
+                              : "`{0}` is one M code too many: the control takes {1} in a block";
     finding.message(message, ctx.text(word), int(limit))
         .fix(FixSafety::Unsafe, "put the code into a block of its own behind this one",
              ctx.remove(word))

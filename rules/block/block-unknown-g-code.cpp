@@ -13,7 +13,8 @@ public:
         ctx.find({Action::MacroCall, Action::MacroModal}))
       return;
     if (auto finding = ctx.report(event))
-      finding.message("`{0}` does not exist on this control: the block is refused", ctx.text(*event.word));
+      finding.message("`{0}` does not exist on this control: the block is refused",
+                      ctx.text(*event.word));
   }
 };
 

@@ -17,8 +17,9 @@ public:
     if (WordIssue(event.number) != WordIssue::Special)
       return;
     // What an unknown code takes is not known either; the letters of a macro call are arguments.
-    if ((ctx.outcome().kinds & bitOf(EventKind::UnknownCode)) || ctx.before().may(Fact::UnknownCode) ||
-        ctx.after().may(Fact::UnknownCode) || ctx.before().modalMacro != notSet)
+    if ((ctx.outcome().kinds & bitOf(EventKind::UnknownCode)) ||
+        ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
+        ctx.before().modalMacro != notSet)
       return;
     const std::optional<AddressMask> taken = takenBy(ctx);
     if (!taken)
@@ -68,9 +69,8 @@ private:
         if (!(active >> i & 1))
           continue;
         const CodeInfo &code = dialect.codes[dialect.groups[group].members[i]];
-        const bool replaced = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
-          return ctx.code(use).group == group;
-        });
+        const bool replaced = llvm::any_of(
+            ctx.codes(), [&](const CodeUse &use) { return ctx.code(use).group == group; });
         if (!replaced)
           taken |= wordsOf(code);
       }

@@ -40,9 +40,7 @@ private:
   static void zone(RuleContext &ctx) {
     const Word *side = ctx.block().find('P');
     const Interval inside = side ? ctx.value(*side) : Interval::unknown();
-    const struct {
-      char upper, lower;
-    } pairs[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
+    const struct { char upper, lower; } pairs[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
     for (const auto &pair : pairs) {
       const Word *upper = ctx.block().find(pair.upper), *lower = ctx.block().find(pair.lower);
       if (!upper || !lower)
@@ -53,7 +51,8 @@ private:
       if (high.hi < low.lo) {
         if (auto finding = ctx.report(*upper))
           finding
-              .message("`{0}` lies below `{1}`: the upper limit of the zone is smaller than the lower one",
+              .message("`{0}` lies below `{1}`: the upper limit of the zone is smaller than the "
+                       "lower one",
                        ctx.text(*upper), ctx.text(*lower))
               .note(ctx.range(*lower), "the lower limit");
         continue;
@@ -66,9 +65,11 @@ private:
         continue;
       if (auto finding = ctx.report(*upper))
         finding
-            .message(forbidsAll ? "`{0}` and `{1}` are equal: the zone is empty and every place is forbidden"
-                                : "`{0}` and `{1}` are equal: the zone is empty and forbids nothing",
-                     ctx.text(*upper), ctx.text(*lower))
+            .message(
+                forbidsAll
+                    ? "`{0}` and `{1}` are equal: the zone is empty and every place is forbidden"
+                    : "`{0}` and `{1}` are equal: the zone is empty and forbids nothing",
+                ctx.text(*upper), ctx.text(*lower))
             .severity(forbidsAll ? Severity::Error : Severity::Style);
     }
   }

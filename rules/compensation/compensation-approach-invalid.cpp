@@ -31,9 +31,10 @@ private:
     if (!motion || !isArc(motion->action))
       return;
     if (auto finding = ctx.report(event))
-      finding.message("`{0}` under `{1}`: the vector can be kept on straight moves only, the control "
-                      "stops with an alarm",
-                      code.name, motion->name)
+      finding
+          .message("`{0}` under `{1}`: the vector can be kept on straight moves only, the control "
+                   "stops with an alarm",
+                   code.name, motion->name)
           .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Motion),
                 "`" + motion->name + "` becomes active here");
   }

@@ -43,9 +43,10 @@ public:
     const bool off = ctx.code(event).action == Action::CompensationOff;
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     if (auto finding = ctx.report(ctx.blockRange(), certain))
-      finding.message("the move that {0} compensation is {1:f3} mm long, shorter than the radius of "
-                      "{2:f3} mm: the control stops, or the tool cuts into the contour",
-                      off ? "removes" : "builds up", way, radius)
+      finding
+          .message("the move that {0} compensation is {1:f3} mm long, shorter than the radius of "
+                   "{2:f3} mm: the control stops, or the tool cuts into the contour",
+                   off ? "removes" : "builds up", way, radius)
           .note(ctx.before().origin.tool, "the tool is called here");
   }
 };

@@ -8,9 +8,8 @@ class CompensationForbiddenCode final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::ReferenceReturn, Action::ReferenceCheck, Action::ReferenceFrom,
-                 Action::DataInput, Action::LocalShift, Action::PresetPosition,
-                 Action::MachineMove, Action::Inch, Action::Metric, Action::WorkOffset,
-                 Action::Thread, Action::Cycle});
+                 Action::DataInput, Action::LocalShift, Action::PresetPosition, Action::MachineMove,
+                 Action::Inch, Action::Metric, Action::WorkOffset, Action::Thread, Action::Cycle});
     cycles_ = to.option("cycles", 0) != 0;
   }
 
@@ -26,8 +25,9 @@ public:
       return;
     if (auto finding = ctx.report(event, active == Truth::Yes)) {
       const CodeInfo *on = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
-      finding.message("`{0}` while {1} is on: the control stops, or shifts the contour under the tool",
-                      code.name, on ? "`" + on->name + "`" : std::string("compensation"))
+      finding
+          .message("`{0}` while {1} is on: the control stops, or shifts the contour under the tool",
+                   code.name, on ? "`" + on->name + "`" : std::string("compensation"))
           .note(ctx.after().origin.compensation, "compensation is switched on here")
           .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
     }
@@ -39,8 +39,7 @@ private:
     case Action::Thread:
       return cycles_;
     case Action::WorkOffset: // the same once more changes nothing
-      return code.group == noGroup ||
-             ctx.before().group[code.group] != (uint64_t(1) << code.bit);
+      return code.group == noGroup || ctx.before().group[code.group] != (uint64_t(1) << code.bit);
     case Action::Cycle:
       switch (cycles_ ? code.cycle : CycleKind::None) {
       case CycleKind::TurnPass:

@@ -21,14 +21,15 @@ public:
 private:
   void idle(RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (state.compensation != phaseOn || state.profile == 1 ||
-        state.idleBlocks != allowed_ + 1 || ctx.before().idleBlocks != allowed_ ||
-        ctx.outcome().flow.kind == FlowKind::End || !contourGoesOn(ctx))
+    if (state.compensation != phaseOn || state.profile == 1 || state.idleBlocks != allowed_ + 1 ||
+        ctx.before().idleBlocks != allowed_ || ctx.outcome().flow.kind == FlowKind::End ||
+        !contourGoesOn(ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
-      finding.message("{0} blocks in a row without a move in the plane under {1}: the control cannot "
-                      "compute the next corner and cuts into it",
-                      allowed_ + 1, name(ctx))
+      finding
+          .message("{0} blocks in a row without a move in the plane under {1}: the control cannot "
+                   "compute the next corner and cuts into it",
+                   allowed_ + 1, name(ctx))
           .note(state.origin.compensation, "compensation is switched on here");
   }
 
@@ -45,8 +46,7 @@ private:
       for (const Word &word : block.words) {
         if (word.address != letterAddress('G') && word.address != letterAddress('M'))
           continue;
-        const CodeIndex index =
-            ctx.dialect().find(char('A' + word.address), word.codeNumber());
+        const CodeIndex index = ctx.dialect().find(char('A' + word.address), word.codeNumber());
         if (index == noCode)
           continue;
         switch (ctx.dialect().codes[index].action) {
@@ -88,9 +88,10 @@ private:
         return;
     }
     if (auto finding = ctx.report(ctx.blockRange(), !ctx.before().may(Fact::UnknownCode)))
-      finding.message("a move of zero length in the plane under {0}: the control sets the tool square "
-                      "to the last element and cuts into the next",
-                      name(ctx))
+      finding
+          .message("a move of zero length in the plane under {0}: the control sets the tool square "
+                   "to the last element and cuts into the next",
+                   name(ctx))
           .note(ctx.after().origin.compensation, "compensation is switched on here");
   }
 

@@ -62,9 +62,10 @@ private:
     if (!origin.known() || origin.file != ctx.source().id())
       return;
     if (auto finding = ctx.report(origin.range(), event.certain))
-      finding.message("compensation is on around the contour cycle `{0}`: it belongs into the "
-                      "contour, on in its first block and off in its last",
-                      ctx.code(event).name)
+      finding
+          .message("compensation is on around the contour cycle `{0}`: it belongs into the "
+                   "contour, on in its first block and off in its last",
+                   ctx.code(event).name)
           .note(ctx.blockRange(), "the cycle is called here");
   }
 

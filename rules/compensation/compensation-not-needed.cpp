@@ -21,8 +21,9 @@ public:
     if (planeAxes(ctx.dialect(), state) != plane)
       return;
     if (auto finding = ctx.report(origin.range()))
-      finding.message("compensation is on for moves parallel to the axes only: the nose radius does "
-                      "nothing there")
+      finding
+          .message("compensation is on for moves parallel to the axes only: the nose radius does "
+                   "nothing there")
           .note(ctx.range(*event.word), "it is switched off here");
   }
 };

@@ -31,8 +31,9 @@ public:
         was == Truth::Yes && is == Truth::Yes && planes != groupUnset && !(planes & here);
     if (auto finding = ctx.report(event, certain)) {
       const CodeInfo *on = ctx.before().activeCode(dialect, StandardGroup::Compensation);
-      finding.message("`{0}` changes the plane while {1} is on: the control stops with an alarm",
-                      code.name, on ? "`" + on->name + "`" : std::string("compensation"))
+      finding
+          .message("`{0}` changes the plane while {1} is on: the control stops with an alarm",
+                   code.name, on ? "`" + on->name + "`" : std::string("compensation"))
           .note(ctx.after().origin.compensation, "compensation is switched on here");
     }
   }

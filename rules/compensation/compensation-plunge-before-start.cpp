@@ -18,9 +18,10 @@ public:
     const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
     const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();
     if (auto finding = ctx.report(where, event.certain))
-      finding.message("`{0}` comes when the tool is fed down to depth already: it went in beside the "
-                      "place where compensation puts it",
-                      ctx.code(event).name);
+      finding.message(
+          "`{0}` comes when the tool is fed down to depth already: it went in beside the "
+          "place where compensation puts it",
+          ctx.code(event).name);
   }
 };
 

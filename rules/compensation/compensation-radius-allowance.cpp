@@ -14,8 +14,8 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const Dialect &dialect = ctx.dialect();
     const CodeInfo *code = ctx.after().activeCode(dialect, StandardGroup::Compensation);
-    if (!code || (code->action != Action::CompensationLeft &&
-                  code->action != Action::CompensationRight))
+    if (!code ||
+        (code->action != Action::CompensationLeft && code->action != Action::CompensationRight))
       return;
     if (event.kind == EventKind::OffsetWord &&
         ((ctx.outcome().kinds & bitOf(EventKind::CompensationMove)) ||
@@ -30,9 +30,11 @@ public:
                                          : ctx.blockRange();
     if (auto finding = ctx.report(where, event.certain)) {
       const bool left = code->action == Action::CompensationLeft;
-      finding.message("`{0}` with a radius of {1} mm: a negative radius swaps the sides, the tool runs "
-                      "on the {2} of the contour",
-                      code->name, *tool->radius, left ? "right" : "left")
+      finding
+          .message(
+              "`{0}` with a radius of {1} mm: a negative radius swaps the sides, the tool runs "
+              "on the {2} of the contour",
+              code->name, *tool->radius, left ? "right" : "left")
           .note(dialect.isLathe() ? ctx.after().origin.tool : ctx.after().origin.radiusOffset,
                 dialect.isLathe() ? "the offset is called here" : "the offset is selected here");
     }

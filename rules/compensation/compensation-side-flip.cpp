@@ -32,9 +32,10 @@ private:
     if (flips == Truth::No || !ctx.before().origin.compensation.known())
       return;
     if (auto finding = ctx.report(event, flips == Truth::Yes)) {
-      finding.message("`{0}` while {1} is on: the tool changes the side without `G40` and crosses "
-                      "the contour",
-                      code.name, was ? "`" + was->name + "`" : std::string("the other side"))
+      finding
+          .message("`{0}` while {1} is on: the tool changes the side without `G40` and crosses "
+                   "the contour",
+                   code.name, was ? "`" + was->name + "`" : std::string("the other side"))
           .note(ctx.before().origin.compensation, "the other side is selected here")
           .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
     }
@@ -51,9 +52,10 @@ private:
     if (!was || !now || !was->radius || !now->radius || *was->radius * *now->radius >= 0)
       return;
     if (auto finding = ctx.report(event))
-      finding.message("`{0}` has a radius of the other sign: the tool changes the side without "
-                      "`G40` and crosses the contour",
-                      ctx.text(*event.word))
+      finding
+          .message("`{0}` has a radius of the other sign: the tool changes the side without "
+                   "`G40` and crosses the contour",
+                   ctx.text(*event.word))
           .note(ctx.before().origin.radiusOffset, "the offset so far is set here");
   }
 };

@@ -17,15 +17,15 @@ public:
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
     const CodeUse *arc = ctx.find({Action::ArcCw, Action::ArcCcw});
-    auto finding = arc ? ctx.report(*arc->word, event.certain)
-                       : ctx.report(ctx.blockRange(), event.certain);
+    auto finding =
+        arc ? ctx.report(*arc->word, event.certain) : ctx.report(ctx.blockRange(), event.certain);
     if (!finding)
       return;
     finding.message("compensation is switched {0} by `{1}` in an arc (`{2}`): the control needs a "
                     "straight move for it and stops with an alarm",
                     off ? "off" : "on", code.name, motion.name);
-    const CodeUse *here = ctx.find({Action::CompensationLeft, Action::CompensationRight,
-                                    Action::CompensationOff});
+    const CodeUse *here =
+        ctx.find({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
     if (!here)
       finding.note(ctx.after().originOf(ctx.dialect(), StandardGroup::Compensation),
                    "`" + code.name + "` is read here and waits for a move in the plane");

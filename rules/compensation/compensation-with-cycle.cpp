@@ -29,10 +29,11 @@ public:
       const CodeInfo *on = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
       const bool thread = code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
                           code.cycle == CycleKind::ThreadMulti;
-      finding.message(thread ? "`{0}` cuts a thread while {1} is on: the control stops, or the thread "
-                               "is displaced"
-                             : "`{0}` while {1} is on: the hole is not made, or in another place",
-                      code.name, on ? "`" + on->name + "`" : std::string("compensation"))
+      finding
+          .message(thread ? "`{0}` cuts a thread while {1} is on: the control stops, or the thread "
+                            "is displaced"
+                          : "`{0}` while {1} is on: the hole is not made, or in another place",
+                   code.name, on ? "`" + on->name + "`" : std::string("compensation"))
           .note(ctx.after().origin.compensation, "compensation is switched on here")
           .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
     }

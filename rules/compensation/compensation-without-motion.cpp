@@ -38,16 +38,17 @@ private:
     if (!finding)
       return;
     const bool alone = axesOf(ctx.dialect(), ctx.block()) == 0;
-    finding.message("`{0}` has no move in the plane{1}: compensation is {2} by whichever move comes "
-                    "next",
-                    code.name, alone ? "" : " in its block", off ? "removed" : "built up");
+    finding.message(
+        "`{0}` has no move in the plane{1}: compensation is {2} by whichever move comes "
+        "next",
+        code.name, alone ? "" : " in its block", off ? "removed" : "built up");
   }
 
   /// Called under compensation, the program's first block has to move in the plane: the call is a
   /// block without a move already.
   static void atSubprogramStart(RuleContext &ctx) {
-    if (ctx.callDepth() == 0 || ctx.before().compensation != phaseOn ||
-        ctx.before().profile != 0 || ctx.before().idleBlocks == 0 || movesInPlane(ctx))
+    if (ctx.callDepth() == 0 || ctx.before().compensation != phaseOn || ctx.before().profile != 0 ||
+        ctx.before().idleBlocks == 0 || movesInPlane(ctx))
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     Block block;
@@ -63,11 +64,11 @@ private:
         origin.begin < program.end)
       return;
     if (auto finding = ctx.report(ctx.blockRange())) {
-      const CodeInfo *code =
-          ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
-      finding.message("the subprogram is called under {0} and begins without a move in the plane: "
-                      "the path is distorted",
-                      code ? "`" + code->name + "`" : std::string("compensation"))
+      const CodeInfo *code = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
+      finding
+          .message("the subprogram is called under {0} and begins without a move in the plane: "
+                   "the path is distorted",
+                   code ? "`" + code->name + "`" : std::string("compensation"))
           .note(origin, "compensation is switched on here");
     }
   }

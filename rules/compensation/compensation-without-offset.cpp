@@ -42,10 +42,11 @@ private:
       if (!finding)
         return;
       if (lathe)
-        finding.message(number == 0 ? "`{0}` with the tool offset cancelled: nose radius and tip "
-                                      "direction are missing"
-                                    : "`{0}` before any tool offset was called: nose radius and tip "
-                                      "direction are missing",
+        finding.message(number == 0
+                            ? "`{0}` with the tool offset cancelled: nose radius and tip "
+                              "direction are missing"
+                            : "`{0}` before any tool offset was called: nose radius and tip "
+                              "direction are missing",
                         code.name);
       else
         finding.message(number == 0 ? "`{0}` with D0: the radius is zero, the tool runs on the "
@@ -61,8 +62,9 @@ private:
     if (!tool || !tool->radius || *tool->radius != 0)
       return;
     if (auto finding = ctx.report(where, event.certain))
-      finding.message("`{0}` with {1} {2}, whose {3} is 0: the tool runs on the contour line",
-                      code.name, lathe ? "offset" : "D", number, lathe ? "nose radius" : "radius")
+      finding
+          .message("`{0}` with {1} {2}, whose {3} is 0: the tool runs on the contour line",
+                   code.name, lathe ? "offset" : "D", number, lathe ? "nose radius" : "radius")
           .note(lathe ? state.origin.tool : state.origin.radiusOffset,
                 lathe ? "the tool is called here" : "D is set here");
   }

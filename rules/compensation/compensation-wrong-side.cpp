@@ -37,16 +37,17 @@ public:
       return;
     const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
     const Action right = outside ? Action::CompensationRight : Action::CompensationLeft;
-    if (!code || code->action == right || (code->action != Action::CompensationLeft &&
-                                           code->action != Action::CompensationRight))
+    if (!code || code->action == right ||
+        (code->action != Action::CompensationLeft && code->action != Action::CompensationRight))
       return;
     const Origin &origin = after.origin.compensation;
     const bool here = origin.known() && origin.file == ctx.source().id();
     if (auto finding = ctx.report(here ? origin.range() : ctx.blockRange(), event.certain))
-      finding.message("`{0}` on {1} cut towards the chuck: the nose runs on the side of the material, "
-                      "`{2}` belongs there",
-                      code->name, outside ? "an outside contour" : "a bore",
-                      nameOf(right, ctx.dialect()))
+      finding
+          .message("`{0}` on {1} cut towards the chuck: the nose runs on the side of the material, "
+                   "`{2}` belongs there",
+                   code->name, outside ? "an outside contour" : "a bore",
+                   nameOf(right, ctx.dialect()))
           .note(ctx.blockRange(), outside ? "here the contour grows" : "here the bore shrinks");
   }
 

@@ -37,8 +37,9 @@ public:
       return;
     const char *axis = given == x ? "X" : given == y ? "Y" : "Z";
     if (auto finding = ctx.report(*word))
-      finding.message("a line at `{0}` never reaches the {1} coordinate of the block: it runs parallel to it",
-                      ctx.text(*word), axis);
+      finding.message(
+          "a line at `{0}` never reaches the {1} coordinate of the block: it runs parallel to it",
+          ctx.text(*word), axis);
   }
 
 private:

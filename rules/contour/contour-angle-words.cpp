@@ -32,9 +32,10 @@ public:
       if (!plain && nextIntersects(ctx, plane))
         return;
       if (auto finding = ctx.report(*angle))
-        finding.message("`{0}` gives the direction of a line, but neither of its coordinates is given: it "
-                        "has no end",
-                        ctx.text(*angle));
+        finding.message(
+            "`{0}` gives the direction of a line, but neither of its coordinates is given: it "
+            "has no end",
+            ctx.text(*angle));
       return;
     }
     if (!event.certain)
@@ -44,16 +45,19 @@ public:
       if (plain && arc)
         return;
       if (auto finding = ctx.report(*angle))
-        finding.message(arc ? "`{0}` stands in an arc: an angle gives the direction of a straight line"
-                            : "`{0}` stands in a move that is no feed line: a line by angle is a G01 block",
-                        ctx.text(*angle));
+        finding.message(
+            arc ? "`{0}` stands in an arc: an angle gives the direction of a straight line"
+                : "`{0}` stands in a move that is no feed line: a line by angle is a G01 block",
+            ctx.text(*angle));
       return;
     }
-    if (plain && event.motion == MotionKind::Feed && std::popcount(unsigned(event.axes & plane)) > 1)
+    if (plain && event.motion == MotionKind::Feed &&
+        std::popcount(unsigned(event.axes & plane)) > 1)
       if (auto finding = ctx.report(*angle))
-        finding.message("`{0}` gives the direction of a line whose both coordinates are given: it takes one "
-                        "of them",
-                        ctx.text(*angle));
+        finding.message(
+            "`{0}` gives the direction of a line whose both coordinates are given: it takes one "
+            "of them",
+            ctx.text(*angle));
   }
 
 private:

@@ -44,9 +44,10 @@ private:
       return;
     if (axes == (x | z)) {
       if (auto finding = ctx.report(word))
-        finding.message("`{0}` asks for a corner at the end of a slanting line: both moves have to run "
-                        "along one axis",
-                        ctx.text(word));
+        finding.message(
+            "`{0}` asks for a corner at the end of a slanting line: both moves have to run "
+            "along one axis",
+            ctx.text(word));
       return;
     }
     Block next;
@@ -57,17 +58,19 @@ private:
       return;
     if (findCode(ctx.dialect(), next, {Action::Rapid})) {
       if (auto finding = ctx.report(word))
-        finding.message("`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
-                        ctx.text(word));
+        finding.message(
+            "`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
+            ctx.text(word));
       return;
     }
     if (then != axes && then != (x | z))
       return;
     if (auto finding = ctx.report(word))
       finding
-          .message(then == axes ? "`{0}` asks for a corner, but the next move goes on along the same axis"
-                                : "`{0}` asks for a corner in front of a slanting line: both moves have to "
-                                  "run along one axis",
+          .message(then == axes
+                       ? "`{0}` asks for a corner, but the next move goes on along the same axis"
+                       : "`{0}` asks for a corner in front of a slanting line: both moves have to "
+                         "run along one axis",
                    ctx.text(word))
           .note(SourceRange{ctx.source().id(), next.words.front().offset,
                             next.endOf(next.words.back())},
@@ -81,7 +84,8 @@ private:
         1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y) | 1u << unsigned(Axis::Z);
     if ((event.axes & linear) && !(event.axes & plane)) {
       if (auto finding = ctx.report(word))
-        finding.message("`{0}` asks for a corner in a move outside of the selected plane", ctx.text(word));
+        finding.message("`{0}` asks for a corner in a move outside of the selected plane",
+                        ctx.text(word));
       return;
     }
     Block next;
@@ -92,8 +96,9 @@ private:
     const uint16_t then = axesOf(ctx, next);
     if (rapid && (then & linear)) {
       if (auto finding = ctx.report(word))
-        finding.message("`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
-                        ctx.text(word));
+        finding.message(
+            "`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
+            ctx.text(word));
       return;
     }
     if (cycle) {

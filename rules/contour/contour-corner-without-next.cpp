@@ -35,12 +35,13 @@ public:
         return;
       if (axesOf(ctx, next) || next.hasAny(corners_.angle))
         return;
-      if (findCode(ctx.dialect(), next, {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
+      if (findCode(ctx.dialect(), next,
+                   {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
         return;
       if (plain || i + 1 >= blocksBetween ||
           findCode(ctx.dialect(), next,
-                   {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return, Action::ProgramStop,
-                    Action::ToolChange}))
+                   {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return,
+                    Action::ProgramStop, Action::ToolChange}))
         break;
     }
     if (auto finding = ctx.report(*word)) {
@@ -71,7 +72,8 @@ private:
     const SourceRange at{ctx.source().id(), word->offset, last.block.endOf(*word)};
     if (auto finding = ctx.report(at, event.certain))
       finding
-          .message("`{0}` asks for a corner in the last block of the profile of `{1}`: nothing follows there",
+          .message("`{0}` asks for a corner in the last block of the profile of `{1}`: nothing "
+                   "follows there",
                    ctx.text(at), ctx.code(event).name)
           .note(ctx.blockRange(), "the cycle that works along this profile");
   }

@@ -21,7 +21,8 @@ public:
       return;
     }
     const Block &block = ctx.block();
-    if (!block.hasAny(corners_.corner()) || !isLine(ctx, event) || takenByOther(ctx, corners_.plain))
+    if (!block.hasAny(corners_.corner()) || !isLine(ctx, event) ||
+        takenByOther(ctx, corners_.plain))
       return;
     const Word *chamfer = block.findAny(corners_.chamfer);
     const Word *rounding = block.findAny(corners_.rounding);
@@ -29,9 +30,10 @@ public:
       const Word &second = chamfer->offset > rounding->offset ? *chamfer : *rounding;
       const Word &first = &second == chamfer ? *rounding : *chamfer;
       if (auto finding = ctx.report(second))
-        finding.message("`{0}` and `{1}` ask for two corners at one place: a block takes a chamfer or a "
-                        "rounding",
-                        ctx.text(first), ctx.text(second));
+        finding.message(
+            "`{0}` and `{1}` ask for two corners at one place: a block takes a chamfer or a "
+            "rounding",
+            ctx.text(first), ctx.text(second));
       return;
     }
     const Word &word = chamfer ? *chamfer : *rounding;
@@ -42,8 +44,8 @@ public:
     if ((word.address == letterAddress('I') && onlyX) ||
         (word.address == letterAddress('K') && onlyZ)) {
       if (auto finding = ctx.report(word))
-        finding.message("the chamfer of a move in {0} is written with {1}, not `{2}`", onlyX ? "X" : "Z",
-                        onlyX ? "K" : "I", ctx.text(word));
+        finding.message("the chamfer of a move in {0} is written with {1}, not `{2}`",
+                        onlyX ? "X" : "Z", onlyX ? "K" : "I", ctx.text(word));
       return;
     }
     sign(event, word, onlyX, onlyZ, ctx);
@@ -75,9 +77,11 @@ private:
       return;
     if (auto finding = ctx.report(word, event.certain))
       finding
-          .message("`{0}` points towards {1}{2}, but the next move goes towards {3}{2}", ctx.text(word),
-                   size.value() > 0 ? "+" : "-", axis == Axis::X ? "X" : "Z", way > 0 ? "+" : "-")
-          .note(SourceRange{ctx.source().id(), target->offset, next.endOf(*target)}, "the next move");
+          .message("`{0}` points towards {1}{2}, but the next move goes towards {3}{2}",
+                   ctx.text(word), size.value() > 0 ? "+" : "-", axis == Axis::X ? "X" : "Z",
+                   way > 0 ? "+" : "-")
+          .note(SourceRange{ctx.source().id(), target->offset, next.endOf(*target)},
+                "the next move");
   }
 
   CornerAddresses corners_;

@@ -12,8 +12,7 @@ class ContourIntersectionInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     // The block behind names an over-determined element; only controls with an `I` operator do it.
-    if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) &&
-        to.option("intersects", 0) != 0)
+    if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) && to.option("intersects", 0) != 0)
       to.on({EventKind::Motion, EventKind::Block});
   }
 
@@ -34,8 +33,9 @@ public:
     // Both coordinates and the angle: it is intersected with the element before.
     if (ctx.before().compensation == phaseOff && ctx.after().compensation == phaseOff) {
       if (auto finding = ctx.report(event))
-        finding.message("this line has its end and its angle, so that it is to be intersected with the "
-                        "element before, but compensation is off (G41 or G42, with D00 for none)");
+        finding.message(
+            "this line has its end and its angle, so that it is to be intersected with the "
+            "element before, but compensation is off (G41 or G42, with D00 for none)");
       return;
     }
     previous(event, plane, ctx);
@@ -92,7 +92,8 @@ private:
   }
 
   /// Which single axis changed in `last`, by looking at the block in front of it.
-  static std::optional<uint16_t> startOf(const RuleContext &ctx, const Block &last, uint16_t plane) {
+  static std::optional<uint16_t> startOf(const RuleContext &ctx, const Block &last,
+                                         uint16_t plane) {
     if (last.begin == 0)
       return std::nullopt;
     Block before;
@@ -125,16 +126,18 @@ private:
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (centres < 2 || !next.has(letterAddress('R')) || (axesOf(ctx, next) & plane) != plane) {
       if (auto finding = ctx.report(range))
-        finding.message("this circle is to be intersected with the line before: it needs its end, its "
-                        "centre and R");
+        finding.message(
+            "this circle is to be intersected with the line before: it needs its end, its "
+            "centre and R");
       return;
     }
     selector(next, range, ctx);
     incremental(ctx, range);
     if (ctx.after().compensation == phaseOff)
       if (auto finding = ctx.report(range))
-        finding.message("this circle is to be intersected with the line before, but compensation is off "
-                        "(G41 or G42, with D00 for none)");
+        finding.message(
+            "this circle is to be intersected with the line before, but compensation is off "
+            "(G41 or G42, with D00 for none)");
   }
 
   static void selector(const Block &block, SourceRange range, RuleContext &ctx) {
@@ -144,9 +147,10 @@ private:
     if (q)
       range = {ctx.source().id(), q->offset, block.endOf(*q)};
     if (auto finding = ctx.report(range))
-      finding.message(q ? "Q0 selects neither of the two points in which the elements meet"
-                        : "a line and a circle meet in two points: Q below 0 selects the first, above 0 the "
-                          "second");
+      finding.message(
+          q ? "Q0 selects neither of the two points in which the elements meet"
+            : "a line and a circle meet in two points: Q below 0 selects the first, above 0 the "
+              "second");
   }
 
   static void incremental(RuleContext &ctx, SourceRange range) {
@@ -157,10 +161,12 @@ private:
       return;
     if (auto finding = ctx.report(range))
       finding
-          .message("G91 is active, but the end and the centre of an intersected element are read as "
-                   "absolute")
+          .message(
+              "G91 is active, but the end and the centre of an intersected element are read as "
+              "absolute")
           .severity(Severity::Warning)
-          .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Distance), "G91 becomes active here");
+          .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Distance),
+                "G91 becomes active here");
   }
 };
 

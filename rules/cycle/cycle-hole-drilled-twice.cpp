@@ -1,7 +1,6 @@
 // A cycle makes the same hole more than once.
 #include "analyzer/lookahead.h"
 
-
 namespace ncvet {
 namespace {
 
@@ -75,8 +74,8 @@ private:
       depth_ = ctx.callDepth();
     }
     // Another depth at the same place is a second step, and a longer path cannot be one list.
-    const bool deeper = wordOf(ctx.block(), code, Role::Depth) ||
-                        wordOf(ctx.block(), code, Role::Retract);
+    const bool deeper =
+        wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
     if (places_.size() > 5000)
       return;
     for (const Place &other : places_) {

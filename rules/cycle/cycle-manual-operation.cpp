@@ -21,8 +21,9 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (code.cycle == CycleKind::BoreManual || code.cycle == CycleKind::BoreDwellManual) {
       if (auto finding = ctx.report(event, event.certain))
-        finding.message("`{0}` waits at every hole until the operator has retracted the tool by hand",
-                        code.name);
+        finding.message(
+            "`{0}` waits at every hole until the operator has retracted the tool by hand",
+            code.name);
       return;
     }
     if (code.cycle != CycleKind::FineBore && code.cycle != CycleKind::BackBore)

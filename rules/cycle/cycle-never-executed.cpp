@@ -1,4 +1,5 @@
-// A cycle is set up without a hole and cancelled before it made one, or its data stand where they are lost.
+// A cycle is set up without a hole and cancelled before it made one, or its data stand where they
+// are lost.
 #include "analyzer/lookahead.h"
 
 namespace ncvet {
@@ -64,11 +65,11 @@ private:
       return;
     if (auto finding = ctx.report(*word))
       finding
-          .message("`{0}` of `{1}` stands in a block that makes no hole: the control does not keep it",
-                   ctx.text(*word), cycle->name)
+          .message(
+              "`{0}` of `{1}` stands in a block that makes no hole: the control does not keep it",
+              ctx.text(*word), cycle->name)
           .note(ctx.before().origin.cycle, cycle->name + " becomes active here");
   }
-
 };
 
 } // namespace

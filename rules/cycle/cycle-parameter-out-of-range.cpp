@@ -49,12 +49,13 @@ private:
     if (packed >= 10000 && angleFits)
       return;
     if (auto finding = ctx.report(*word, event.certain))
-      finding.message(packed < 10000
-                          ? "`{0}` of `{1}` has no finishing pass: it packs passes, run-out and angle, two "
-                            "digits each"
-                          : "`{0}` of `{1}` ends with a flank angle that the control does not have: it "
-                            "knows 80, 60, 55, 30, 29 and 0",
-                      ctx.text(*word), code.name);
+      finding.message(
+          packed < 10000
+              ? "`{0}` of `{1}` has no finishing pass: it packs passes, run-out and angle, two "
+                "digits each"
+              : "`{0}` of `{1}` ends with a flank angle that the control does not have: it "
+                "knows 80, 60, 55, 30, 29 and 0",
+          ctx.text(*word), code.name);
   }
 };
 

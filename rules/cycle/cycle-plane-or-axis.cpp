@@ -26,8 +26,7 @@ public:
     }
     const CodeInfo &code = ctx.code(event);
     const MachineState &state = ctx.after();
-    if (!makesHole(code.cycle) ||
-        state.active(ctx.dialect(), StandardGroup::Plane) == groupUnset ||
+    if (!makesHole(code.cycle) || state.active(ctx.dialect(), StandardGroup::Plane) == groupUnset ||
         state.isActive(ctx.dialect(), StandardGroup::Plane, {Action::PlaneZX}) != Truth::Yes)
       return;
     if (auto finding = ctx.report(event, event.certain))

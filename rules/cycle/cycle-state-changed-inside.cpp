@@ -29,7 +29,8 @@ public:
                    "cancels the cycle",
                    code.name, cycle->name, lineOf(ctx, before.origin.cycle))
           .note(before.origin.cycle, cycle->name + " becomes active here")
-          .fix(FixSafety::Unsafe, "insert " + cancelOf(ctx.dialect(), *cycle) + " before this block",
+          .fix(FixSafety::Unsafe,
+               "insert " + cancelOf(ctx.dialect(), *cycle) + " before this block",
                ctx.insertBlockBefore(cancelOf(ctx.dialect(), *cycle)));
   }
 };

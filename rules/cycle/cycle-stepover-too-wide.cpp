@@ -29,8 +29,8 @@ public:
     const double step = *value * *unit * scale;
     const Axis axis = face ? Axis::X : Axis::Z;
     const Interval &start = ctx.before().at(axis);
-    const auto end = ctx.before().inMachineCoordinates(axis) ? std::nullopt
-                                                             : endOf(ctx, axis, start);
+    const auto end =
+        ctx.before().inMachineCoordinates(axis) ? std::nullopt : endOf(ctx, axis, start);
     // Along X the step is a radius, the coordinates are diameters.
     const double factor = face ? 0.5 : 1;
     if (!end || !start.isConstant())
@@ -39,11 +39,13 @@ public:
     if (width < 1e-6)
       return;
     const auto tool = ctx.machine().tools.find(ctx.after().tool);
-    if (tool != ctx.machine().tools.end() && tool->second.width && step > *tool->second.width + 1e-6) {
+    if (tool != ctx.machine().tools.end() && tool->second.width &&
+        step > *tool->second.width + 1e-6) {
       if (auto finding = ctx.report(*word, event.certain))
-        finding.message("the step `{0}` of `{1}` is wider than the insert ({2} mm): ridges stay between "
-                        "the grooves",
-                        ctx.text(*word), code.name, *tool->second.width);
+        finding.message(
+            "the step `{0}` of `{1}` is wider than the insert ({2} mm): ridges stay between "
+            "the grooves",
+            ctx.text(*word), code.name, *tool->second.width);
       return;
     }
     const double steps = width / step;
@@ -51,9 +53,10 @@ public:
       return;
     if (auto finding = ctx.report(*word, event.certain))
       finding
-          .message("the step `{0}` of `{1}` does not divide the width {2}: the last step is smaller",
-                   ctx.text(*word), code.name,
-                   llvm::formatv("{0}", llvm::format("%g", width / *unit)).str())
+          .message(
+              "the step `{0}` of `{1}` does not divide the width {2}: the last step is smaller",
+              ctx.text(*word), code.name,
+              llvm::formatv("{0}", llvm::format("%g", width / *unit)).str())
           .severity(Severity::Style);
   }
 

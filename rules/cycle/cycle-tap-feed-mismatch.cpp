@@ -33,17 +33,15 @@ public:
     if (!word)
       word = ctx.block().find('S');
     const bool stated = word || llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
-      return use.code == event.code;
-    });
+                          return use.code == event.code;
+                        });
     if (!stated)
       return;
     const Word *code_ = nullptr;
     for (const CodeUse &use : ctx.codes())
       if (use.code == event.code)
         code_ = use.word;
-    const SourceRange at = word    ? ctx.range(*word)
-                           : code_ ? ctx.range(*code_)
-                                   : ctx.blockRange();
+    const SourceRange at = word ? ctx.range(*word) : code_ ? ctx.range(*code_) : ctx.blockRange();
     if (mode == Action::FeedPerRevolution) {
       const bool off = pitch ? std::fabs(feed - *pitch) > 0.02 * *pitch : feed > greatestPitch_;
       if (!off)
@@ -76,10 +74,10 @@ public:
                           text(cuts / *unit), text(*pitch / *unit),
                           text(*pitch / *unit * state.speed.value()));
         else
-          finding.message("`{0}` with F{1} per minute and S{2} taps a pitch of {3}: F is speed times "
-                          "pitch here",
-                          code.name, text(feed / *unit), text(state.speed.value()),
-                          text(cuts / *unit));
+          finding.message(
+              "`{0}` with F{1} per minute and S{2} taps a pitch of {3}: F is speed times "
+              "pitch here",
+              code.name, text(feed / *unit), text(state.speed.value()), text(cuts / *unit));
         finding.note(state.origin.speed, "the speed is set here");
       }
       return;
@@ -94,9 +92,10 @@ public:
       return;
     if (auto finding = ctx.report(at, event.certain))
       finding
-          .message("`{0}` taps a pitch of {1} from here on, before it was {2}: F and S have to change "
-                   "together",
-                   code.name, text(cuts / *unit), text(was / *unit))
+          .message(
+              "`{0}` taps a pitch of {1} from here on, before it was {2}: F and S have to change "
+              "together",
+              code.name, text(cuts / *unit), text(was / *unit))
           .note(before.origin.cycle, code.name + " becomes active here");
   }
 

@@ -53,9 +53,10 @@ private:
     // A lathe's main spindle drills on its axis only: a move in X leaves it.
     if (ctx.dialect().isLathe() && tool == Axis::Z && (event.axes & 1u << unsigned(Axis::X)) &&
         before.position[0].isConstant() && std::fabs(before.position[0].value()) < 1e-6 &&
-        before.liveTool == spindleOff && (before.spindle == spindleCw || before.spindle == spindleCcw) &&
-        ctx.after().position[0].isConstant() &&
-        std::fabs(ctx.after().position[0].value()) > 1e-6 && !before.may(Fact::UnknownCode)) {
+        before.liveTool == spindleOff &&
+        (before.spindle == spindleCw || before.spindle == spindleCcw) &&
+        ctx.after().position[0].isConstant() && std::fabs(ctx.after().position[0].value()) > 1e-6 &&
+        !before.may(Fact::UnknownCode)) {
       report(event, code, ctx, true, "beside the spindle's axis");
       return;
     }
@@ -99,9 +100,8 @@ private:
     const auto unit = millimetresPer(dialect, state);
     if (!value.isConstant() || !unit)
       return false;
-    const bool incrementMode =
-        dialect.group(StandardGroup::Distance) != noGroup &&
-        state.active(dialect, StandardGroup::Distance) != groupUnset;
+    const bool incrementMode = dialect.group(StandardGroup::Distance) != noGroup &&
+                               state.active(dialect, StandardGroup::Distance) != groupUnset;
     const Truth incremental =
         incrementMode ? state.isActive(dialect, StandardGroup::Distance, {Action::Incremental})
                       : Truth::No;
@@ -127,7 +127,8 @@ private:
     return *old < *level ? z > *level : z < *level;
   }
 
-  /// True when nothing ends the cycle before the tool changes, the spindle stops or the program ends.
+  /// True when nothing ends the cycle before the tool changes, the spindle stops or the program
+  /// ends.
   static bool endsWithoutCancel(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     Block next;
@@ -174,8 +175,8 @@ private:
     for (const Comment &comment : ctx.block().comments) {
       const std::string text = ctx.source().text(comment.begin, comment.end).upper();
       for (const char *word : {"TO CLAMP", "CLEAR OF", "RETRACT", "MOVE AWAY", "GO AWAY", "GO HOME",
-                               "TO HOME", "HOME POS", "PARK", "TOOL CHANGE", "CHANGE POS", "SAFE POS",
-                               "UNLOAD", "MOVE OFF", "OUT OF THE WAY"})
+                               "TO HOME", "HOME POS", "PARK", "TOOL CHANGE", "CHANGE POS",
+                               "SAFE POS", "UNLOAD", "MOVE OFF", "OUT OF THE WAY"})
         if (llvm::StringRef(text).contains(word))
           return true;
     }

@@ -26,8 +26,8 @@ public:
       return;
     constexpr double millimetresPerInch = 25.4;
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
-    const bool unitKnown = inch != Truth::Unknown ||
-                           state.active(ctx.dialect(), StandardGroup::Units) == groupUnset;
+    const bool unitKnown =
+        inch != Truth::Unknown || state.active(ctx.dialect(), StandardGroup::Units) == groupUnset;
     if (!unitKnown)
       return;
     const double feed = value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
@@ -40,9 +40,10 @@ public:
     const std::string written =
         carried ? llvm::formatv("F{0}", value.value()).str() : ctx.text(*event.word).str();
     if (auto finding = ctx.report(event))
-      finding.message("`{0}` under `{1}` is a feed per {2}: its size is that of a feed per {3}",
-                      written, mode->name, tooSlow ? "minute" : "revolution",
-                      tooSlow ? "revolution" : "minute")
+      finding
+          .message("`{0}` under `{1}` is a feed per {2}: its size is that of a feed per {3}",
+                   written, mode->name, tooSlow ? "minute" : "revolution",
+                   tooSlow ? "revolution" : "minute")
           .note(state.originOf(ctx.dialect(), StandardGroup::FeedMode),
                 "`" + mode->name + "` becomes active here")
           .note(carried ? state.origin.feed : Origin(), "the feed is programmed here");

@@ -6,9 +6,7 @@ namespace {
 
 class FeedMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override {
-    to.on({EventKind::Motion, EventKind::CycleRun});
-  }
+  void listen(Subscriptions &to) override { to.on({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &event, RuleContext &ctx) override {
     // Only the first cut: it is the same mistake in all that follow.
@@ -19,9 +17,9 @@ public:
     // A modal cycle without axis words sets modes only.
     if (event.kind == EventKind::CycleRun && !event.axes && code.group != noGroup)
       return;
-    if (!code.needsFeed || (event.kind == EventKind::Motion &&
-                            (event.motion == MotionKind::Reference ||
-                             event.motion == MotionKind::Rapid)))
+    if (!code.needsFeed ||
+        (event.kind == EventKind::Motion &&
+         (event.motion == MotionKind::Reference || event.motion == MotionKind::Rapid)))
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
     if (auto finding = ctx.report(event, certain))

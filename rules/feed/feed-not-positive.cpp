@@ -14,8 +14,9 @@ public:
     const bool negative = event.value.hi < 0;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}`: {1}", ctx.text(*event.word),
-                      negative ? "a feed is above zero; the control stops with an alarm"
-                               : "the axes do not move with a feed of zero, the tool rubs in the cut");
+                      negative
+                          ? "a feed is above zero; the control stops with an alarm"
+                          : "the axes do not move with a feed of zero, the tool rubs in the cut");
   }
 };
 

@@ -7,7 +7,8 @@ namespace {
 class ProgramBlockNumberDuplicate final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    unreferenced_ = to.option("unreferencedIsWarning", 1) != 0 ? Severity::Warning : Severity::Style;
+    unreferenced_ =
+        to.option("unreferencedIsWarning", 1) != 0 ? Severity::Warning : Severity::Style;
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
@@ -27,8 +28,10 @@ private:
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
         if (!file.isReached(again.offset)) // dead blocks confuse nobody
           continue;
-        report(first, again, "N{0} stands twice, and a jump, call or profile names it: it may go to the wrong one",
-               Severity::Error, file, ctx);
+        report(
+            first, again,
+            "N{0} stands twice, and a jump, call or profile names it: it may go to the wrong one",
+            Severity::Error, file, ctx);
         continue;
       }
       ++others;
@@ -52,7 +55,8 @@ private:
   }
 
   static void report(const NumberedBlock &first, const NumberedBlock &again, const char *message,
-                     Severity severity, const FileSummary &file, RuleContext &ctx, size_t further = 0) {
+                     Severity severity, const FileSummary &file, RuleContext &ctx,
+                     size_t further = 0) {
     if (auto finding = ctx.report(numberAt(again, file)))
       finding.message(message, again.number, further)
           .severity(severity)

@@ -18,8 +18,9 @@ public:
     if (ctx.find({Action::CallLocal, Action::MacroCall, Action::MacroModal}))
       return;
     if (auto finding = ctx.report(*event.word))
-      finding.message("`{0}` does not stand first in its block: searching for the number does not find it",
-                      ctx.text(*event.word));
+      finding.message(
+          "`{0}` does not stand first in its block: searching for the number does not find it",
+          ctx.text(*event.word));
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {

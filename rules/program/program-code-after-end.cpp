@@ -13,7 +13,8 @@ public:
         ends_.back().begin == ctx.block().begin)
       return;
     if (event.word)
-      ends_.push_back({ctx.source().id(), ctx.block().begin, ctx.block().next, ctx.range(*event.word)});
+      ends_.push_back(
+          {ctx.source().id(), ctx.block().begin, ctx.block().next, ctx.range(*event.word)});
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
@@ -51,9 +52,12 @@ private:
       return;
     if (auto finding = ctx.report(dead))
       finding
-          .message(count == 1 ? "this block behind `{0}` is never executed: no call, jump or profile reaches it"
-                              : "these {1} blocks behind `{0}` are never executed: no call, jump or profile reaches them",
-                   ctx.text(end.code), count)
+          .message(
+              count == 1
+                  ? "this block behind `{0}` is never executed: no call, jump or profile reaches it"
+                  : "these {1} blocks behind `{0}` are never executed: no call, jump or profile "
+                    "reaches them",
+              ctx.text(end.code), count)
           .note(end.code, "the program ends here");
   }
 

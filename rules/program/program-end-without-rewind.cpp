@@ -17,8 +17,9 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     if (auto finding = ctx.report(event))
       finding
-          .message("`{0}` ends the program without going back to its start: the next start begins here",
-                   ctx.text(*event.word))
+          .message(
+              "`{0}` ends the program without going back to its start: the next start begins here",
+              ctx.text(*event.word))
           .fix(FixSafety::Unsafe, "use the end code that goes back to the start",
                ctx.replace(ctx.range(*event.word), rewinds_));
   }

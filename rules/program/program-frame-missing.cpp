@@ -23,7 +23,7 @@ public:
     const auto mark = uint32_t(ctx.block().begin + text.rfind('%'));
     if (auto finding = ctx.report(SourceRange{ctx.source().id(), mark, mark + 1}))
       finding.text("the tape mark `%` stands behind other words: it wants a line of its own")
-            .severity(Severity::Style);
+          .severity(Severity::Style);
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
@@ -48,8 +48,9 @@ private:
       if (block.isEmpty() && block.number < 0)
         continue;
       if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
-        finding.message("the program begins without {0}: the control cannot store it under a number",
-                        percent_ ? "its line `%O` and number" : "its `O` number");
+        finding.message(
+            "the program begins without {0}: the control cannot store it under a number",
+            percent_ ? "its line `%O` and number" : "its `O` number");
       return;
     }
   }

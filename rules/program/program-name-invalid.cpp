@@ -64,8 +64,9 @@ private:
     if (auto finding =
             ctx.report(SourceRange{file.source.id(), first.headerBegin, first.headerEnd}))
       finding
-          .message("the file name `{0}` is longer than the {1} characters that the control's disk takes",
-                   stem, nameLength_)
+          .message(
+              "the file name `{0}` is longer than the {1} characters that the control's disk takes",
+              stem, nameLength_)
           .severity(Severity::Style);
   }
 

@@ -35,7 +35,8 @@ public:
       };
       if (auto finding = ctx.report(headerOf(program)))
         finding
-            .message("a second program O{0} in this file: one overwrites the other, calls find one of them",
+            .message("a second program O{0} in this file: one overwrites the other, calls find one "
+                     "of them",
                      program.number)
             .note(headerOf(*first), "the first one");
     }

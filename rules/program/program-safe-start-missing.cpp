@@ -19,9 +19,10 @@ public:
         ctx.after().statedMust & bit || ctx.before().may(Fact::UnknownCode))
       return;
     if (auto finding = ctx.report(event, event.certain && !(ctx.after().statedMay & bit)))
-      finding.message("`{0}` stands before the program has stated {1}: its unit is what the machine "
-                      "was left in",
-                      ctx.text(*event.word), modes(ctx.dialect(), group));
+      finding.message(
+          "`{0}` stands before the program has stated {1}: its unit is what the machine "
+          "was left in",
+          ctx.text(*event.word), modes(ctx.dialect(), group));
   }
 
 private:

@@ -33,9 +33,10 @@ public:
       for (const CodeInfo &code : ctx.dialect().codes)
         if (code.action == Action::AxisEngage && by.empty())
           by = code.name;
-      finding.message("`{0}` while the C axis is not engaged: the control stops with an alarm; `{1}` "
-                      "engages it",
-                      ctx.text(*word), by);
+      finding.message(
+          "`{0}` while the C axis is not engaged: the control stops with an alarm; `{1}` "
+          "engages it",
+          ctx.text(*word), by);
     }
   }
 };

@@ -26,8 +26,9 @@ public:
       return;
     const bool certain = !state.may(Fact::SpeedLimitSet) && !state.may(Fact::UnknownCode);
     if (auto finding = ctx.report(event, certain)) {
-      finding.message("`{0}` without a speed limit: near the centre the spindle runs up to its maximum",
-                      ctx.code(event).name);
+      finding.message(
+          "`{0}` without a speed limit: near the centre the spindle runs up to its maximum",
+          ctx.code(event).name);
       if (const auto most = ctx.machine().spindleMax) {
         const std::string block = llvm::formatv("{0} S{1:f0}", limit_, *most).str();
         finding.fix(FixSafety::Unsafe, "insert `" + block + "` before this block",

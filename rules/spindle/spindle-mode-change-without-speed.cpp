@@ -38,8 +38,9 @@ private:
       std::string number = "the old S";
       if (state.speed.isConstant())
         number = llvm::formatv("S{0}", state.speed.value()).str();
-      finding.message("`{0}` comes without an S: {1} counts as {2} from here on", mode->name, number,
-                      surface ? "cutting speed" : "revolutions per minute")
+      finding
+          .message("`{0}` comes without an S: {1} counts as {2} from here on", mode->name, number,
+                   surface ? "cutting speed" : "revolutions per minute")
           .note(state.origin.speed, "the speed is programmed here, for the other mode")
           .note(ctx.blockRange(), "the first cut with it is here");
     }
@@ -52,14 +53,17 @@ private:
     if (state.activeAction(ctx.dialect(), StandardGroup::SpeedMode) != Action::SurfaceSpeed)
       return;
     constexpr double feetPerMetre = 3.28;
-    const bool inch = state.active(ctx.dialect(), StandardGroup::Units) != groupUnset &&
-                      state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) != Truth::No;
+    const bool inch =
+        state.active(ctx.dialect(), StandardGroup::Units) != groupUnset &&
+        state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) != Truth::No;
     if (event.value.value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1))
       return;
     if (auto finding = ctx.report(event)) {
       const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
-      finding.message("`{0}` counts as cutting speed under `{1}`: it looks like revolutions per minute",
-                      ctx.text(*event.word), mode->name)
+      finding
+          .message(
+              "`{0}` counts as cutting speed under `{1}`: it looks like revolutions per minute",
+              ctx.text(*event.word), mode->name)
           .note(state.originOf(ctx.dialect(), StandardGroup::SpeedMode),
                 "`" + mode->name + "` becomes active here");
     }

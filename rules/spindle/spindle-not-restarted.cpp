@@ -6,9 +6,7 @@ namespace {
 
 class SpindleNotRestarted final : public Rule {
 public:
-  void listen(Subscriptions &to) override {
-    to.on({EventKind::Motion, EventKind::CycleRun});
-  }
+  void listen(Subscriptions &to) override { to.on({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || !ctx.before().may(Fact::SpindleStoppedByTap) ||
@@ -30,9 +28,10 @@ public:
     if (!once_.speaks(ctx.before().origin.cycle, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), certain)) {
-      finding.message("`{0}` cuts behind rigid tapping: the tapping cycle has stopped the spindle and "
-                      "nothing starts it again",
-                      code.name)
+      finding
+          .message("`{0}` cuts behind rigid tapping: the tapping cycle has stopped the spindle and "
+                   "nothing starts it again",
+                   code.name)
           .note(ctx.before().origin.cycle, "the tapping cycle is called here");
       for (const CodeInfo &start : ctx.dialect().codes)
         if (start.action == Action::SpindleCw) {

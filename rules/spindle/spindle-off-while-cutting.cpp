@@ -7,9 +7,7 @@ namespace {
 
 class SpindleOffWhileCutting final : public Rule {
 public:
-  void listen(Subscriptions &to) override {
-    to.on({EventKind::Motion, EventKind::CycleRun});
-  }
+  void listen(Subscriptions &to) override { to.on({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.before().profile == 1)
@@ -29,9 +27,10 @@ public:
     // M05 stops behind the block's move, M03 starts before it.
     const MachineState &state = ctx.find({Action::SpindleStop}) ? ctx.before() : ctx.after();
     constexpr uint8_t turning = spindleCw | spindleCcw;
-    const uint8_t live = ctx.find({Action::LiveToolStop}) ? ctx.before().liveTool
-                                                          : ctx.after().liveTool;
-    if (!(state.spindle & (spindleOff | spindleOriented)) || !(live & (spindleOff | spindleOriented)))
+    const uint8_t live =
+        ctx.find({Action::LiveToolStop}) ? ctx.before().liveTool : ctx.after().liveTool;
+    if (!(state.spindle & (spindleOff | spindleOriented)) ||
+        !(live & (spindleOff | spindleOriented)))
       return;
     // After a code of the machine's builder it may be doing anything.
     if (state.spindle == spindleAny || live == spindleAny)
@@ -47,10 +46,11 @@ public:
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
                                                 {Action::FeedPerRevolution}) == Truth::Yes;
-      finding.message("`{0}` cuts while the spindle {1}{2}", code.name,
-                      state.may(Fact::SpindleStated) ? "stands" : "was never started",
-                      perRevolution ? ": with feed per revolution the machine waits for ever"
-                                    : ": the tool breaks at the first contact")
+      finding
+          .message("`{0}` cuts while the spindle {1}{2}", code.name,
+                   state.may(Fact::SpindleStated) ? "stands" : "was never started",
+                   perRevolution ? ": with feed per revolution the machine waits for ever"
+                                 : ": the tool breaks at the first contact")
           .note(origin, "the spindle is stopped here");
     }
   }

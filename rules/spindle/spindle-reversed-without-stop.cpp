@@ -24,8 +24,9 @@ public:
                      ctx.before().spindle == spindleAny))
       return;
     if (auto finding = ctx.report(event, certain)) {
-      finding.message("`{0}` reverses the spindle while it turns: chuck and drive take the load",
-                      code.name)
+      finding
+          .message("`{0}` reverses the spindle while it turns: chuck and drive take the load",
+                   code.name)
           .note(ctx.before().origin.spindle, "it is started here");
       if (code.opposite != noCode) {
         const std::string &stop = ctx.dialect().codes[code.opposite].name;

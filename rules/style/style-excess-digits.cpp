@@ -24,7 +24,8 @@ public:
         continue;
       // An inch value is resolved one digit finer.
       const unsigned digits =
-          metric_ + (ctx.after().activeAction(dialect, StandardGroup::Units) == Action::Metric ? 0u : 1u);
+          metric_ +
+          (ctx.after().activeAction(dialect, StandardGroup::Units) == Action::Metric ? 0u : 1u);
       if (word.decimals <= digits || trailingZeros(word) >= word.decimals - digits)
         continue;
       if (auto finding = ctx.report(word))

@@ -36,7 +36,8 @@ public:
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
-          .message("{0} incremental moves in a row: one wrong value shifts all later points", longest_)
+          .message("{0} incremental moves in a row: one wrong value shifts all later points",
+                   longest_)
           .note(first_, "the chain begins here");
   }
 

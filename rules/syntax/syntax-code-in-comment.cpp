@@ -26,7 +26,8 @@ public:
     // Comments of this kind are rare: looking for them in the text spares every block a test.
     const llvm::StringRef text = file.source.text();
     Block block;
-    for (size_t open = text.find('('); open != llvm::StringRef::npos; open = text.find('(', open + 1)) {
+    for (size_t open = text.find('('); open != llvm::StringRef::npos;
+         open = text.find('(', open + 1)) {
       const size_t close = text.find(')', open);
       if (close == llvm::StringRef::npos)
         return;

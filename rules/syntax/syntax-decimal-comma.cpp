@@ -19,7 +19,8 @@ public:
     const SourceRange range{ctx.source().id(), issue.begin, issue.end};
     const llvm::StringRef text = ctx.text(range);
     if (auto finding = ctx.report(range)) {
-      finding.message("`{0}` has a decimal comma: a comma opens another word, the fraction is lost", text);
+      finding.message("`{0}` has a decimal comma: a comma opens another word, the fraction is lost",
+                      text);
       const size_t comma = text.find(',');
       if (comma != llvm::StringRef::npos) {
         const auto at = uint32_t(range.begin + comma);

@@ -28,7 +28,8 @@ public:
         const SourceRange range{ctx.source().id(), issue.begin, issue.end};
         if (ctx.text(range).count('.') == 1)
           if (auto finding = ctx.report(range))
-            finding.message("`{0}`: a block number is a whole number without a point", ctx.text(range));
+            finding.message("`{0}`: a block number is a whole number without a point",
+                            ctx.text(range));
       }
       return;
     }

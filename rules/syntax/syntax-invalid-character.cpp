@@ -29,7 +29,9 @@ public:
       return;
     case SyntaxIssueKind::TypographicMinus:
       if (auto finding = ctx.report(range))
-        finding.message("`{0}` is a typographic dash: the control drops it, and the sign with it", text)
+        finding
+            .message("`{0}` is a typographic dash: the control drops it, and the sign with it",
+                     text)
             .fix(FixSafety::Safe, "write a minus", ctx.replace(range, "-"));
       return;
     case SyntaxIssueKind::DecimalComma: {
@@ -39,7 +41,9 @@ public:
       const size_t comma = ctx.text(range).find(',');
       const auto at = uint32_t(range.begin + (comma == llvm::StringRef::npos ? 0 : comma));
       if (auto finding = ctx.report(SourceRange{range.file, at, at + 1}))
-        finding.message("the comma in `{0}` cannot be read by the control: decimals follow a point", text)
+        finding
+            .message("the comma in `{0}` cannot be read by the control: decimals follow a point",
+                     text)
             .fix(FixSafety::Unsafe, "write a decimal point",
                  ctx.replace({range.file, at, at + 1}, "."));
       return;

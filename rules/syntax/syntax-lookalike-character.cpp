@@ -35,7 +35,8 @@ public:
         return;
       if (digitFor(all[issue.end]) && inNumber(all[issue.end + 1]))
         report(issue.begin, issue.end, ctx);
-      else if (issue.begin > block.begin && inNumber(all[issue.begin - 1]) && isRound(all[issue.begin]))
+      else if (issue.begin > block.begin && inNumber(all[issue.begin - 1]) &&
+               isRound(all[issue.begin]))
         report(startOf(issue.begin, all), issue.begin, ctx); // `X1O.`
       return;
     }
@@ -69,8 +70,9 @@ private:
     if (!finding || !digit)
       return;
     finding
-        .message("`{0}` has the letter {1} where the digit {2} is meant: the control reads another word",
-                 ctx.text(range), all.substr(letter, 1), std::string(1, digit))
+        .message(
+            "`{0}` has the letter {1} where the digit {2} is meant: the control reads another word",
+            ctx.text(range), all.substr(letter, 1), std::string(1, digit))
         .fix(FixSafety::Unsafe, "put the digit",
              ctx.replace({ctx.source().id(), letter, letter + 1}, std::string(1, digit)));
   }

@@ -19,8 +19,9 @@ public:
           ctx.text(range).count('.') == 1)
         return;
       if (auto finding = ctx.report(range))
-        finding.message("`{0}` is no number: one sign, one decimal point and at least one digit are due",
-                        ctx.text(range));
+        finding.message(
+            "`{0}` is no number: one sign, one decimal point and at least one digit are due",
+            ctx.text(range));
       return;
     case SyntaxIssueKind::BlankInNumber: {
       // Up to the end of the number, of which the issue names the first digit.

@@ -15,7 +15,8 @@ public:
     if (WordIssue(event.number) != WordIssue::NoPoint)
       return;
     // With this setting the control reads whole numbers as they are meant.
-    if (const auto reading = ctx.machine().option("decimalPoint"); reading && *reading == "calculator")
+    if (const auto reading = ctx.machine().option("decimalPoint");
+        reading && *reading == "calculator")
       return;
     for (const Word &word : ctx.block().words) {
       const bool pointless = word.isNumber() && !word.has(wordPoint) && word.mantissa;

@@ -14,13 +14,16 @@ public:
     switch (issue.kind) {
     case SyntaxIssueKind::UnclosedComment:
       if (auto finding = ctx.report(range))
-        finding.text("the comment is not closed in its block: the control reads it into the next one")
+        finding
+            .text("the comment is not closed in its block: the control reads it into the next one")
             .fix(FixSafety::Unsafe, "close the comment at the end of the block",
                  ctx.insertBefore(issue.end, ")"));
       return;
     case SyntaxIssueKind::NestedComment:
       if (auto finding = ctx.report(range))
-        finding.text("a `(` inside a comment: the comment ends at the first `)`, what follows is read as code")
+        finding
+            .text("a `(` inside a comment: the comment ends at the first `)`, what follows is read "
+                  "as code")
             .severity(Severity::Warning);
       return;
     case SyntaxIssueKind::StrayParenthesis:

@@ -26,8 +26,9 @@ public:
     if (!atOnce || !before.must(Fact::Cut) || before.may(Fact::AwayFromPart))
       return;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
-      finding.message("the tool is changed where the last cut ended: the next one may hit part, chuck "
-                      "or clamps");
+      finding.message(
+          "the tool is changed where the last cut ended: the next one may hit part, chuck "
+          "or clamps");
   }
 };
 

@@ -18,8 +18,9 @@ public:
         ctx.after().lengthOffset != notSet)
       return;
     if (auto finding = ctx.report(event, !ctx.after().may(Fact::UnknownCode)))
-      finding.message("`{0}` without an H, and none was programmed before: the length offset is zero",
-                      code.name);
+      finding.message(
+          "`{0}` without an H, and none was programmed before: the length offset is zero",
+          code.name);
   }
 
 private:

@@ -27,17 +27,17 @@ public:
       where = "the tool axis goes to a machine position";
     }
     // At an end the block's own G49 counts; a change comes before whatever else its block switches.
-    const MachineState &state =
-        event.kind == EventKind::ToolChange ? ctx.before() : ctx.after();
+    const MachineState &state = event.kind == EventKind::ToolChange ? ctx.before() : ctx.after();
     const Truth on = state.isActive(ctx.dialect(), StandardGroup::LengthOffset,
                                     {Action::LengthPositive, Action::LengthNegative});
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::LengthOffset);
     if (on != Truth::Yes || !code || state.lengthOffset == 0)
       return;
     if (auto finding = event.word ? ctx.report(*event.word) : ctx.report(ctx.blockRange())) {
-      finding.message("{0} with `{1}` still on: the next move in the tool axis is off by the tool's "
-                      "length",
-                      where, code->name)
+      finding
+          .message("{0} with `{1}` still on: the next move in the tool axis is off by the tool's "
+                   "length",
+                   where, code->name)
           .note(state.origin.lengthOffset, "the length offset is switched on here");
       if (event.kind != EventKind::Motion)
         finding.fix(FixSafety::Unsafe, "insert `G49` before this block",

@@ -32,8 +32,9 @@ public:
     // A program that never speaks of length offsets may be for a machine without any.
     const bool uses = programUsesOffsets(ctx);
     if (auto finding = ctx.report(ctx.blockRange(), certain && uses)) {
-      finding.message("the tool moves along its axis before its length offset is on: it goes too deep "
-                      "by its length")
+      finding
+          .message("the tool moves along its axis before its length offset is on: it goes too deep "
+                   "by its length")
           .note(origin, "the tool is changed here");
       if (!uses)
         finding.severity(Severity::Warning);

@@ -25,8 +25,9 @@ public:
     if (!once_.speaks(state.origin.tool, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
-      finding.message("tool {0} moves without an offset: its length, nose radius and tip are missing",
-                      state.tool)
+      finding
+          .message("tool {0} moves without an offset: its length, nose radius and tip are missing",
+                   state.tool)
           .note(state.origin.tool, "the tool is called here");
   }
 

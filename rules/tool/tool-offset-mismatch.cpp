@@ -34,8 +34,9 @@ public:
         event.value.value() == tool)
       return;
     if (auto finding = ctx.report(word)) {
-      finding.message("`{0}` is not the offset of tool {1}: it runs with another tool's data",
-                      ctx.text(word), tool)
+      finding
+          .message("`{0}` is not the offset of tool {1}: it runs with another tool's data",
+                   ctx.text(word), tool)
           .note(state.origin.tool, "the tool is called here");
       if (word.isNumber())
         finding.fix(FixSafety::Unsafe, "use the tool's own number",

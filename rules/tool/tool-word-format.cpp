@@ -28,8 +28,9 @@ public:
       finding.message("`{0}` is no tool: station and offset are whole numbers of two digits each",
                       ctx.text(word));
     else if (count < 3)
-      finding.message("`{0}` names no offset: the control wants station and offset, two digits each",
-                      ctx.text(word));
+      finding.message(
+          "`{0}` names no offset: the control wants station and offset, two digits each",
+          ctx.text(word));
     else
       finding.message("`{0}` has {1} digits: the control wants station and offset, two digits each",
                       ctx.text(word), count);

@@ -39,8 +39,9 @@ public:
         continue;
       if (auto finding = ctx.report(*word, event.certain))
         finding
-            .message(inside ? "`{0}` is positive, but `{1}` roughs inside: the bore is cut oversize"
-                            : "`{0}` is negative, but `{1}` roughs outside: the part is cut undersize",
+            .message(inside
+                         ? "`{0}` is positive, but `{1}` roughs inside: the bore is cut oversize"
+                         : "`{0}` is negative, but `{1}` roughs outside: the part is cut undersize",
                      ctx.text(*word), cycle.name)
             .note(profile.blocks.front().range, "the profile begins here");
     }
@@ -57,9 +58,10 @@ private:
       return;
     if (auto finding = ctx.report(*x, event.certain))
       finding
-          .message("`{0}` roughs to size: no allowance covers the form errors of roughing without nose "
-                   "compensation",
-                   cycle.name)
+          .message(
+              "`{0}` roughs to size: no allowance covers the form errors of roughing without nose "
+              "compensation",
+              cycle.name)
           .severity(Severity::Style);
   }
 };

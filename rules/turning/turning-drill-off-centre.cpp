@@ -31,9 +31,9 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain && noLive))
       finding
-          .message("`{0}` drills at X{1} while the main spindle turns: the drill does not stand on its axis",
-                   ctx.code(event).name,
-                   llvm::formatv("{0}", llvm::format("%g", x.value())).str())
+          .message("`{0}` drills at X{1} while the main spindle turns: the drill does not stand on "
+                   "its axis",
+                   ctx.code(event).name, llvm::formatv("{0}", llvm::format("%g", x.value())).str())
           .note(before.origin.spindle, "the spindle is started here");
   }
 };

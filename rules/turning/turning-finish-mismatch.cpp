@@ -33,9 +33,10 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain && related))
       finding
-          .message("`{0}` finishes N{1} to N{2}, but the roughing of line {3} worked along N{4} to N{5}",
-                   cycle.name, flow.first, flow.last, lineOf(ctx, before.origin.rough),
-                   before.roughFirst, before.roughLast)
+          .message(
+              "`{0}` finishes N{1} to N{2}, but the roughing of line {3} worked along N{4} to N{5}",
+              cycle.name, flow.first, flow.last, lineOf(ctx, before.origin.rough),
+              before.roughFirst, before.roughLast)
           .note(before.origin.rough, "the roughing cycle");
   }
 

@@ -28,8 +28,9 @@ public:
       return;
     if (auto finding = ctx.report(origin.range()))
       finding
-          .message("`{0}` leaves an allowance along N{1} to N{2}, and no finishing cycle removes it",
-                   name, before.roughFirst, before.roughLast)
+          .message(
+              "`{0}` leaves an allowance along N{1} to N{2}, and no finishing cycle removes it",
+              name, before.roughFirst, before.roughLast)
           .note(ctx.blockRange(), "the program ends here");
   }
 };

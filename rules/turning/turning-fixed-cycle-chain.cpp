@@ -33,7 +33,8 @@ public:
       return;
     if (auto finding = ctx.report(*word))
       finding
-          .message("`{0}` counts from the start point of `{1}`, as the {2}{3} before it did: this pass is "
+          .message("`{0}` counts from the start point of `{1}`, as the {2}{3} before it did: this "
+                   "pass is "
                    "not deeper",
                    ctx.text(*word), code.name, std::string(1, letter),
                    llvm::formatv("{0}", llvm::format("%g", last)).str())

@@ -33,16 +33,16 @@ public:
     bool stated = false;
     for (const CodeUse &use : first.codes)
       stated |= isMotion(ctx.code(use).action);
-    const bool linear =
-        !first.moves || !first.motionKnown || first.motion == MotionKind::Rapid ||
-        first.motion == MotionKind::Feed;
+    const bool linear = !first.moves || !first.motionKnown || first.motion == MotionKind::Rapid ||
+                        first.motion == MotionKind::Feed;
     if (!linear || (codeRequired_ && !stated)) {
       if (auto finding = report())
-        finding.message(linear ? "the first block of the profile of `{0}` needs a G00 or G01 of its own: "
-                                 "it decides how the tool feeds in"
-                               : "the profile of `{0}` begins with an arc: its first block is a G00 or "
-                                 "G01 move",
-                        cycle.name);
+        finding.message(
+            linear ? "the first block of the profile of `{0}` needs a G00 or G01 of its own: "
+                     "it decides how the tool feeds in"
+                   : "the profile of `{0}` begins with an arc: its first block is a G00 or "
+                     "G01 move",
+            cycle.name);
       return;
     }
     const bool hasX = first.axes >> unsigned(Axis::X) & 1;
@@ -50,8 +50,9 @@ public:
     if (cycle.cycle == CycleKind::RoughFace) {
       if (faceXForbidden_ && hasX)
         if (auto finding = report())
-          finding.message("the first block of the profile of `{0}` moves in X: it may move in Z only",
-                          cycle.name);
+          finding.message(
+              "the first block of the profile of `{0}` moves in X: it may move in Z only",
+              cycle.name);
       return;
     }
     if (cycle.cycle != CycleKind::RoughTurn)
@@ -59,31 +60,33 @@ public:
     if (zForbidden_) {
       if (hasZ)
         if (auto finding = report())
-          finding.message("the first block of the profile of `{0}` moves in Z: it may move in X only",
-                          cycle.name);
+          finding.message(
+              "the first block of the profile of `{0}` moves in Z: it may move in X only",
+              cycle.name);
       return;
     }
     const ShapeBreak undercut = undercutOf(profile);
     if (hasX && hasZ && !undercut.found && undercut.decided) {
       if (auto finding = report())
         finding
-            .message("the first block of the profile of `{0}` has X and Z, which selects the type for "
-                     "pockets, but the contour has none",
-                     cycle.name)
+            .message(
+                "the first block of the profile of `{0}` has X and Z, which selects the type for "
+                "pockets, but the contour has none",
+                cycle.name)
             .severity(Severity::Style);
     } else if (undercutNeedsZ_ && hasX && !hasZ && undercut.found) {
       if (auto finding = report())
         finding
-            .message("the contour of `{0}` has a pocket, and its first block has no Z word, which would "
-                     "select the type for pockets",
-                     cycle.name)
+            .message(
+                "the contour of `{0}` has a pocket, and its first block has no Z word, which would "
+                "select the type for pockets",
+                cycle.name)
             .note(profile.blocks[undercut.index].range, "the contour turns back here");
     }
   }
 
 private:
-  bool codeRequired_ = false, zForbidden_ = false, faceXForbidden_ = false,
-       undercutNeedsZ_ = false;
+  bool codeRequired_ = false, zForbidden_ = false, faceXForbidden_ = false, undercutNeedsZ_ = false;
 };
 
 } // namespace

@@ -29,8 +29,8 @@ public:
         const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
         if (auto finding = ctx.report(at, event.certain))
           finding
-              .message("`{0}` stands in the profile of `{1}` in line {2}: {3}", code.name, cycle.name,
-                       ctx.source().lines().lineOf(ctx.block().begin), what)
+              .message("`{0}` stands in the profile of `{1}` in line {2}: {3}", code.name,
+                       cycle.name, ctx.source().lines().lineOf(ctx.block().begin), what)
               .note(ctx.blockRange(), "the cycle that works along this profile");
       }
   }

@@ -22,7 +22,8 @@ public:
     if (!profile.known || profile.blocks.size() < 2)
       return;
     const ProfileBlock &first = profile.blocks.front();
-    const bool both = (first.axes >> unsigned(Axis::X) & 1) && (first.axes >> unsigned(Axis::Z) & 1);
+    const bool both =
+        (first.axes >> unsigned(Axis::X) & 1) && (first.axes >> unsigned(Axis::Z) & 1);
     const bool pocketType = both && zSelectsType_;
     const bool face = cycle.cycle == CycleKind::RoughFace;
     Profile shape = profile;
@@ -47,13 +48,14 @@ public:
   }
 
 private:
-  static void report(const Event &event, const CodeInfo &cycle, const ProfileBlock &block, char axis,
-                     RuleContext &ctx) {
+  static void report(const Event &event, const CodeInfo &cycle, const ProfileBlock &block,
+                     char axis, RuleContext &ctx) {
     if (auto finding = ctx.report(block.range, event.certain))
       finding
-          .message("the profile of `{0}` turns back in {1} here, but this type of roughing needs it "
-                   "steadily rising or falling",
-                   cycle.name, axis)
+          .message(
+              "the profile of `{0}` turns back in {1} here, but this type of roughing needs it "
+              "steadily rising or falling",
+              cycle.name, axis)
           .note(ctx.blockRange(), "the cycle that works along this profile");
   }
 

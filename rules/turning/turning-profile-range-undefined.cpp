@@ -17,18 +17,20 @@ public:
         flow.code == noCode ? std::string("the cycle") : ctx.dialect().codes[flow.code].name;
     if (issue == FlowIssue::ProfileReversed) {
       if (auto finding = ctx.report(ctx.flowRange()))
-        finding.message(flow.first == flow.last
-                            ? "`{0}` names N{1} as the first and the last block of its profile"
-                            : "`{0}` names a profile from N{1} to N{2}, but N{2} stands in front of N{1}",
-                        name, flow.first, flow.last);
+        finding.message(
+            flow.first == flow.last
+                ? "`{0}` names N{1} as the first and the last block of its profile"
+                : "`{0}` names a profile from N{1} to N{2}, but N{2} stands in front of N{1}",
+            name, flow.first, flow.last);
       return;
     }
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const bool noFirst = !ctx.index().block(program, flow.first, ctx.block().begin);
     if (auto finding = ctx.report(ctx.flowRange()))
-      finding.message("`{0}` names N{1} as the {2} block of its profile, and this program has no such "
-                      "block",
-                      name, noFirst ? flow.first : flow.last, noFirst ? "first" : "last");
+      finding.message(
+          "`{0}` names N{1} as the {2} block of its profile, and this program has no such "
+          "block",
+          name, noFirst ? flow.first : flow.last, noFirst ? "first" : "last");
   }
 };
 

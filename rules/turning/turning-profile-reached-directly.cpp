@@ -35,9 +35,10 @@ public:
       range = first;
     if (auto finding = ctx.report(range))
       finding
-          .message("plain flow reaches the profile N{0} to N{1}: the finished contour is cut at once, "
-                   "and `{2}` of line {3} cuts it again",
-                   flow.first, flow.last, name, ctx.source().lines().lineOf(ctx.flowRange().begin))
+          .message(
+              "plain flow reaches the profile N{0} to N{1}: the finished contour is cut at once, "
+              "and `{2}` of line {3} cuts it again",
+              flow.first, flow.last, name, ctx.source().lines().lineOf(ctx.flowRange().begin))
           .note(ctx.flowRange(), "the cycle that runs this profile");
   }
 };

@@ -27,27 +27,27 @@ public:
       const bool line = entry.moves && entry.motionKnown && entry.motion == MotionKind::Feed;
       for (const Word &word : entry.block.words) {
         const AddressMask bit = maskOf(word.address);
-        const bool corner =
-            sharp && line &&
-            (bit & (lettersMask("IKR") | maskOf(commaR) | maskOf(commaC))) &&
-            !llvm::any_of(entry.codes, [&](const CodeUse &use) {
-              return ctx.code(use).action == Action::CompensationOff;
-            });
-        const bool angle =
-            sharp && line && (bit & (maskOf('A') | maskOf(commaA))) &&
-            (word.address == commaA ||
-             ctx.dialect().addresses[word.address].kind == AddressKind::Parameter);
+        const bool corner = sharp && line &&
+                            (bit & (lettersMask("IKR") | maskOf(commaR) | maskOf(commaC))) &&
+                            !llvm::any_of(entry.codes, [&](const CodeUse &use) {
+                              return ctx.code(use).action == Action::CompensationOff;
+                            });
+        const bool angle = sharp && line && (bit & (maskOf('A') | maskOf(commaA))) &&
+                           (word.address == commaA ||
+                            ctx.dialect().addresses[word.address].kind == AddressKind::Parameter);
         if (!(bit & technology) && !corner && !angle)
           continue;
         const SourceRange at{ctx.source().id(), word.offset, entry.block.endOf(word)};
         if (auto finding = ctx.report(at, event.certain)) {
           if (corner)
-            finding.message("`{0}` roughs along this profile without its corners: the shape stays sharp "
-                            "at `{1}`",
-                            cycle.name, ctx.text(at));
+            finding.message(
+                "`{0}` roughs along this profile without its corners: the shape stays sharp "
+                "at `{1}`",
+                cycle.name, ctx.text(at));
           else if (angle)
-            finding.message("`{0}` roughs along this profile by X and Z words alone: `{1}` is ignored",
-                            cycle.name, ctx.text(at));
+            finding.message(
+                "`{0}` roughs along this profile by X and Z words alone: `{1}` is ignored",
+                cycle.name, ctx.text(at));
           else
             finding.message("`{1}` inside the profile does nothing while `{0}` roughs", cycle.name,
                             ctx.text(at));

@@ -61,7 +61,8 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding
-          .message("behind its last block `{0}` returns {1} first, from X{2} Z{3} to X{4} Z{5}: that way "
+          .message("behind its last block `{0}` returns {1} first, from X{2} Z{3} to X{4} Z{5}: "
+                   "that way "
                    "crosses the part",
                    cycle.name, zFirst ? "in Z" : "in X", text(x, ctx), text(z, ctx),
                    text(startX.value(), ctx), text(startZ.value(), ctx))

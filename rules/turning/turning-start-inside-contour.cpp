@@ -4,8 +4,8 @@
 namespace ncvet {
 namespace {
 
-constexpr double tolerance = 1e-4;  // mm
-constexpr double overshoot = 2;     // mm in diameter, by which a last facing block may pass the start
+constexpr double tolerance = 1e-4; // mm
+constexpr double overshoot = 2; // mm in diameter, by which a last facing block may pass the start
 
 class TurningStartInsideContour final : public Rule {
 public:
@@ -47,10 +47,11 @@ private:
           profile.minZ && startZ.value() < *profile.maxZ - tolerance &&
           startZ.value() > *profile.minZ + tolerance)
         if (auto finding = ctx.report(event, event.certain))
-          finding.message("`{0}` starts at Z{1}, inside of its contour, which reaches from Z{2} to Z{3}: "
-                          "the tool returns to the start at rapid",
-                          code.name, text(startZ.value() / *unit), text(*profile.minZ / *unit),
-                          text(*profile.maxZ / *unit));
+          finding.message(
+              "`{0}` starts at Z{1}, inside of its contour, which reaches from Z{2} to Z{3}: "
+              "the tool returns to the start at rapid",
+              code.name, text(startZ.value() / *unit), text(*profile.minZ / *unit),
+              text(*profile.maxZ / *unit));
     }
     if (!startX.isConstant())
       return;
@@ -67,10 +68,11 @@ private:
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding
-          .message("`{0}` starts at X{1}, inside of its contour, which reaches from X{2} to X{3}: the "
-                   "tool returns to the start at rapid",
-                   code.name, text(start / *unit), text(*profile.minX / *unit),
-                   text(*profile.maxX / *unit))
+          .message(
+              "`{0}` starts at X{1}, inside of its contour, which reaches from X{2} to X{3}: the "
+              "tool returns to the start at rapid",
+              code.name, text(start / *unit), text(*profile.minX / *unit),
+              text(*profile.maxX / *unit))
           .severity(over <= overshoot + tolerance ? std::optional(Severity::Warning) : std::nullopt)
           .note(profile.blocks.front().range, "the profile begins here");
   }
@@ -83,17 +85,19 @@ private:
     const bool face = code.cycle == CycleKind::FacePass;
     const Axis axis = face ? Axis::Z : Axis::X;
     const Interval &start = ctx.after().cycleStart[unsigned(axis)];
-    const auto end = ctx.before().inMachineCoordinates(axis) ? std::nullopt : endOf(ctx, axis, start);
+    const auto end =
+        ctx.before().inMachineCoordinates(axis) ? std::nullopt : endOf(ctx, axis, start);
     if (!unit || !end || !start.isConstant() || *end <= start.value() + tolerance)
       return;
     if (!face && !leavesOutwards(ctx, *end / *unit))
       return;
     if (auto finding = ctx.report(event, false))
-      finding.message(face ? "`{0}` starts at Z{1}, behind the face Z{2} that it cuts: the tool returns "
-                             "through it at rapid"
-                           : "`{0}` starts at X{1}, below the diameter X{2} that it turns, and then leaves "
-                             "outwards: it returned through the part at rapid",
-                      code.name, text(start.value() / *unit), text(*end / *unit));
+      finding.message(
+          face ? "`{0}` starts at Z{1}, behind the face Z{2} that it cuts: the tool returns "
+                 "through it at rapid"
+               : "`{0}` starts at X{1}, below the diameter X{2} that it turns, and then leaves "
+                 "outwards: it returned through the part at rapid",
+          code.name, text(start.value() / *unit), text(*end / *unit));
   }
 
   /// Behind the passes the tool leaves straight outwards in X, which a boring bar could not do; and

@@ -41,10 +41,11 @@ public:
     if (fits)
       return;
     if (auto finding = ctx.report(*word, event.certain))
-      finding.message(face ? "`{0}` of `{1}`: the cone opens the other way than the pass runs"
-                           : "`{0}` of `{1}` has another sign than the infeed in X: the cone narrows away "
-                             "from the start",
-                      ctx.text(*word), code.name);
+      finding.message(
+          face ? "`{0}` of `{1}`: the cone opens the other way than the pass runs"
+               : "`{0}` of `{1}` has another sign than the infeed in X: the cone narrows away "
+                 "from the start",
+          ctx.text(*word), code.name);
   }
 
 private:

@@ -31,8 +31,8 @@ public:
       for (const CodeIndex member : group.members)
         names += (names.empty() ? "" : " or ") + ctx.dialect().codes[member].name;
       if (auto finding = ctx.report(*word, event.certain && !(state.statedMay >> group_ & 1)))
-        finding.message("`{0}` ends as an earlier program left the run-out: {1} is not stated", code.name,
-                        names);
+        finding.message("`{0}` ends as an earlier program left the run-out: {1} is not stated",
+                        code.name, names);
       return;
     }
     for (const CodeIndex member : group.members) {
@@ -42,7 +42,8 @@ public:
       const auto pitches = ctx.machine().number("setting95");
       if (auto finding = ctx.report(*word, event.certain))
         finding
-            .message("`{0}` with {1} leaves the work {2} pitches before its end: the full thread is shorter",
+            .message("`{0}` with {1} leaves the work {2} pitches before its end: the full thread "
+                     "is shorter",
                      code.name, mode.name,
                      llvm::formatv("{0}", llvm::format("%g", pitches.value_or(1))).str())
             .note(state.origin.group[group_], mode.name + " becomes active here");

@@ -10,8 +10,8 @@ class TurningThreadCutPlan final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    firstCutSeverity_ = to.option("firstCutIsError", 0) != 0 ? std::optional(Severity::Error)
-                                                             : std::nullopt;
+    firstCutSeverity_ =
+        to.option("firstCutIsError", 0) != 0 ? std::optional(Severity::Error) : std::nullopt;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -30,7 +30,8 @@ private:
     const Word *heightWord = wordOf(ctx.block(), code, Role::Height);
     const auto first = valueOf(ctx, code, Role::FirstCut);
     const auto height = valueOf(ctx, code, Role::Height);
-    // A point tells millimetres from micrometres; values that are written differently do not compare.
+    // A point tells millimetres from micrometres; values that are written differently do not
+    // compare.
     if (!firstWord || !first || *first <= 0)
       return;
     if (heightWord && height && *height > 0 && *first > *height &&
@@ -52,9 +53,10 @@ private:
       return;
     if (auto finding = ctx.report(*firstWord, event.certain))
       finding
-          .message("the first cut `{0}` of `{1}` is smaller than the least cut {2} of its data block",
-                   ctx.text(*firstWord), code.name,
-                   llvm::formatv("{0}", llvm::format("%g", *least)).str())
+          .message(
+              "the first cut `{0}` of `{1}` is smaller than the least cut {2} of its data block",
+              ctx.text(*firstWord), code.name,
+              llvm::formatv("{0}", llvm::format("%g", *least)).str())
           .note(before.origin.pending, "the data block");
   }
 
@@ -90,7 +92,8 @@ private:
       return;
     if (auto finding = ctx.report(*x))
       finding
-          .message("the pass at `{0}` of `{1}` is less deep than the one before at X{2}: it cuts nothing",
+          .message("the pass at `{0}` of `{1}` is less deep than the one before at X{2}: it cuts "
+                   "nothing",
                    ctx.text(*x), code.name, llvm::formatv("{0}", llvm::format("%g", last)).str())
           .note(before.origin.cycle, code.name + " becomes active here");
   }

@@ -34,13 +34,16 @@ public:
                      lineOf(ctx, before.originOf(ctx.dialect(), StandardGroup::Motion)))
             .note(before.originOf(ctx.dialect(), StandardGroup::Motion),
                   ctx.code(event).name + " becomes active here")
-            .fix(FixSafety::Unsafe, "insert G00 in front of it", ctx.insertBefore(range.begin, "G00 "));
+            .fix(FixSafety::Unsafe, "insert G00 in front of it",
+                 ctx.insertBefore(range.begin, "G00 "));
     } else if (event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
                event.number == 0) {
       if (auto finding = ctx.report(ctx.blockRange(), event.certain))
         finding
-            .message("the tool goes back in Z at the depth of the thread: it was not retracted in X")
-            .note(SourceRange{ctx.source().id(), stroke.begin, stroke.end}, "the thread is cut here");
+            .message(
+                "the tool goes back in Z at the depth of the thread: it was not retracted in X")
+            .note(SourceRange{ctx.source().id(), stroke.begin, stroke.end},
+                  "the thread is cut here");
     }
   }
 };

@@ -39,8 +39,9 @@ public:
     const bool certain = event.certain && !before.may(Fact::FeedIsLead);
     if (auto finding = ctx.report(word ? ctx.range(*word) : ctx.blockRange(), certain)) {
       if (before.must(Fact::FeedSet))
-        finding.message("`{0}` cuts a thread without {1} of its own: the feed of line {2} becomes the pitch",
-                        code.name, ctx.dialect().alternatives(lead), lineOf(ctx, before.origin.feed));
+        finding.message(
+            "`{0}` cuts a thread without {1} of its own: the feed of line {2} becomes the pitch",
+            code.name, ctx.dialect().alternatives(lead), lineOf(ctx, before.origin.feed));
       else
         finding.message("`{0}` cuts a thread, and its pitch {1} is not given", code.name,
                         ctx.dialect().alternatives(lead));

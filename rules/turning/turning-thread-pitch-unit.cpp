@@ -40,12 +40,14 @@ public:
       if (value.isConstant() && value.value() > greatestInches_ &&
           state.activeAction(ctx.dialect(), StandardGroup::Units) == Action::Metric)
         if (auto finding = ctx.report(*e, event.certain))
-          finding.message("`{0}` is a lead in inches, and this program is metric: a lead in millimetres is "
-                          "given by F",
-                          ctx.text(*e));
+          finding.message(
+              "`{0}` is a lead in inches, and this program is metric: a lead in millimetres is "
+              "given by F",
+              ctx.text(*e));
     }
     if (state.active(ctx.dialect(), StandardGroup::FeedMode) == groupUnset ||
-        state.isActive(ctx.dialect(), StandardGroup::FeedMode, {Action::FeedPerMinute}) != Truth::Yes)
+        state.isActive(ctx.dialect(), StandardGroup::FeedMode, {Action::FeedPerMinute}) !=
+            Truth::Yes)
       return;
     if (auto finding = ctx.report(*word, event.certain))
       finding

@@ -38,7 +38,8 @@ private:
     return llvm::formatv("{0}", llvm::format("%g", value)).str();
   }
 
-  void diameter(const Event &event, const CodeInfo &code, const Word &word, RuleContext &ctx) const {
+  void diameter(const Event &event, const CodeInfo &code, const Word &word,
+                RuleContext &ctx) const {
     const Interval &start = ctx.before().at(Axis::X);
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const Word *heightWord = wordOf(ctx.block(), code, Role::Height);
@@ -61,10 +62,11 @@ private:
     if (clear >= clearance_ - tolerance && (clearance_ > 0 || clear > tolerance))
       return;
     if (auto finding = ctx.report(word, event.certain))
-      finding.message("`{0}` starts at X{1}, and the crest of the thread lies at X{2}: the tool returns "
-                      "{3} the crest",
-                      code.name, text(start.value() / *unit), text(crest / *unit),
-                      clear < 0 ? "through" : "too near to");
+      finding.message(
+          "`{0}` starts at X{1}, and the crest of the thread lies at X{2}: the tool returns "
+          "{3} the crest",
+          code.name, text(start.value() / *unit), text(crest / *unit),
+          clear < 0 ? "through" : "too near to");
   }
 
   void runIn(const Event &event, const CodeInfo &code, const Word &word, RuleContext &ctx) const {
@@ -72,7 +74,8 @@ private:
     const Interval &start = ctx.before().at(Axis::Z);
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const Word *lead = wordOf(ctx.block(), code, Role::Lead);
-    if (!face || !unit || !lead || !start.isConstant() || ctx.before().inMachineCoordinates(Axis::Z))
+    if (!face || !unit || !lead || !start.isConstant() ||
+        ctx.before().inMachineCoordinates(Axis::Z))
       return;
     const Interval pitch = ctx.value(*lead);
     const auto end = endOf(ctx, Axis::Z, start);
@@ -83,7 +86,8 @@ private:
       return;
     if (auto finding = ctx.report(word, event.certain))
       finding
-          .message("`{0}` starts {1} before the face: the slide needs about {2} pitches ({3}) to reach its "
+          .message("`{0}` starts {1} before the face: the slide needs about {2} pitches ({3}) to "
+                   "reach its "
                    "speed",
                    code.name, text(distance / *unit), text(runIn_), text(runIn_ * pitch.value()))
           .severity(Severity::Warning);

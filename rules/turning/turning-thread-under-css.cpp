@@ -16,14 +16,13 @@ public:
     const CodeInfo &code = ctx.code(event);
     const MachineState &state = ctx.after();
     const bool cycle = event.kind == EventKind::CycleRun;
-    const bool thread = cycle ? cutsThread(code.cycle) || taps(code.cycle)
-                              : event.motion == MotionKind::Thread;
+    const bool thread =
+        cycle ? cutsThread(code.cycle) || taps(code.cycle) : event.motion == MotionKind::Thread;
     // On the axis every surface speed asks for the highest speed of all.
     const bool hole = cycle && makesHole(code.cycle) && ctx.dialect().isLathe() &&
                       toolAxis(ctx.dialect(), state) == Axis::Z && state.at(Axis::X).isConstant() &&
                       std::fabs(state.at(Axis::X).value()) < 1e-6;
-    if ((!thread && !hole) ||
-        state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
+    if ((!thread && !hole) || state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
       return;
     const Truth css =
         state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed});
@@ -37,13 +36,15 @@ public:
       return;
     if (auto finding = ctx.report(*word, event.certain && css == Truth::Yes)) {
       if (thread)
-        finding.message("`{0}` cuts a thread under constant surface speed: the spindle changes its speed "
-                        "between the passes",
-                        code.name);
+        finding.message(
+            "`{0}` cuts a thread under constant surface speed: the spindle changes its speed "
+            "between the passes",
+            code.name);
       else
-        finding.message("`{0}` drills on the axis under constant surface speed: the spindle runs at its "
-                        "highest speed",
-                        code.name);
+        finding.message(
+            "`{0}` drills on the axis under constant surface speed: the spindle runs at its "
+            "highest speed",
+            code.name);
       finding.note(state.originOf(ctx.dialect(), StandardGroup::SpeedMode),
                    "constant surface speed is selected here");
       fix(finding, ctx);

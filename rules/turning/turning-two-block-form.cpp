@@ -38,8 +38,9 @@ public:
         const SourceRange at{ctx.source().id(), word.offset, next.endOf(word)};
         if (auto finding = ctx.report(at, event.certain))
           finding
-              .message("`{0}` runs with the data of `{1}`: both blocks of a cycle carry the same code",
-                       other.name, code.name)
+              .message(
+                  "`{0}` runs with the data of `{1}`: both blocks of a cycle carry the same code",
+                  other.name, code.name)
               .note(ctx.range(*event.word), "the data block of " + code.name);
         return;
       }

@@ -12,7 +12,8 @@ struct Golden {
 
   std::string name() const {
     std::string text = dialect + "_" + path.stem().string();
-    std::replace_if(text.begin(), text.end(), [](char c) { return !isalnum(uint8_t(c)); }, '_');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return !isalnum(uint8_t(c)); }, '_');
     return text;
   }
 };
@@ -103,7 +104,8 @@ std::string renumberedAndRespaced(const std::string &dialectId, const std::strin
       const bool target = sequence & maskOf(word.address) && word.isNumber() && word.isWhole();
       if (target)
         replace(word.offset, block.endOf(word),
-                (first ? "" : " ") + text.substr(word.offset, 1) + std::to_string(word.mantissa + 500));
+                (first ? "" : " ") + text.substr(word.offset, 1) +
+                    std::to_string(word.mantissa + 500));
       else if (!first)
         replace(word.offset, word.offset, " ");
       first = false;

@@ -1,4 +1,5 @@
-// Every program of every rule's page: wrong ones are reported where they are marked, right ones not.
+// Every program of every rule's page: wrong ones are reported where they are marked, right ones
+// not.
 #include "tests/support/rule_pages.h"
 
 namespace ncvet::test {

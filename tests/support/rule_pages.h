@@ -1,4 +1,5 @@
-// The programs in the rules' pages: fenced blocks that say for which dialect they are right or wrong.
+// The programs in the rules' pages: fenced blocks that say for which dialect they are right or
+// wrong.
 #pragma once
 
 #include "tests/support/run_program.h"
@@ -16,8 +17,10 @@ struct PageProgram {
   std::string problem;            ///< what is wrong with the fence itself
 
   std::string name() const {
-    std::string text = rule + "_" + dialect + (wrong ? "_wrong_" : "_right_") + std::to_string(count);
-    std::replace_if(text.begin(), text.end(), [](char c) { return !isalnum(uint8_t(c)); }, '_');
+    std::string text =
+        rule + "_" + dialect + (wrong ? "_wrong_" : "_right_") + std::to_string(count);
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return !isalnum(uint8_t(c)); }, '_');
     return text;
   }
 };

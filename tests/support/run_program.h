@@ -1,8 +1,11 @@
-// Runs the analysis on programs that a test holds as text, and reads the marks that say what is due.
+// Runs the analysis on programs that a test holds as text, and reads the marks that say what is
+// due.
 #pragma once
 
 #include "analyzer/analyze.h"
 #include "formats/dialect/loader.h"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -11,8 +14,6 @@
 #include <map>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 namespace ncvet::test {
 
@@ -105,8 +106,7 @@ inline std::vector<Seen> analyseProgram(const std::string &dialectId,
     auto parsed = parseMachineProfile("machine.json", machine);
     auto overlaid = overlay(dialect, "machine.json", machine);
     if (!parsed || !overlaid) {
-      ADD_FAILURE() << "machine profile: "
-                    << (parsed ? "" : llvm::toString(parsed.takeError()))
+      ADD_FAILURE() << "machine profile: " << (parsed ? "" : llvm::toString(parsed.takeError()))
                     << (overlaid ? "" : llvm::toString(overlaid.takeError()));
       return seen;
     }
