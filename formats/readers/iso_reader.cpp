@@ -698,6 +698,8 @@ namespace {
 
 /// So many things wrong that one report of the whole says more than one of each.
 constexpr size_t leastGarbage = 3;
+/// Bytes of a short word in a script of two or three bytes a letter.
+constexpr uint32_t foreignWord = 5;
 
 /// A line of prose, or of another control's language: it is one issue, and nothing in it is code.
 void collapseProse(Block &block) {
@@ -705,6 +707,9 @@ void collapseProse(Block &block) {
   for (const SyntaxIssue &issue : block.issues)
     switch (issue.kind) {
     case SyntaxIssueKind::InvalidCharacter:
+      // A long run of foreign letters is text by itself.
+      garbage += 1 + (issue.end - issue.begin) / foreignWord;
+      break;
     case SyntaxIssueKind::SymbolAsAddress:
     case SyntaxIssueKind::MissingValue:
     case SyntaxIssueKind::MissingAddress:
@@ -732,7 +737,7 @@ void collapseProse(Block &block) {
 void IsoReader::read(uint32_t offset, Block &block) const {
   block.clear();
   Scanner(lexical_, text_, offset, block).scan();
-  if (block.issues.size() >= leastGarbage)
+  if (!block.issues.empty())
     collapseProse(block);
 }
 

@@ -28,6 +28,8 @@ private:
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
         if (!file.isReached(again.offset)) // dead blocks confuse nobody
           continue;
+        if (i > 1 && numbers[i - 2].number == again.number) // once for each number
+          continue;
         report(
             first, again,
             "N{0} stands twice, and a jump, call or profile names it: it may go to the wrong one",
