@@ -133,7 +133,8 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   if (setup->config->failOn)
     outcome.failOn = *setup->config->failOn;
 
-  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders);
+  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
+                  setup->folders);
   FileUnit &unit = project.unit(file);
   AnalysisResult result = analyze(project, unit, *setup->rules);
   outcome.blocks = result.blocks;

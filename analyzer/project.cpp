@@ -48,9 +48,9 @@ int64_t numberOfHeader(llvm::StringRef text) {
 } // namespace
 
 Project::Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
-                 std::vector<std::string> searchFolders)
+                 std::vector<std::string> searchFolders, std::shared_ptr<ProgramFolders> folders)
     : sources_(sources), dialect_(std::move(dialect)), machine_(std::move(machine)),
-      searchFolders_(std::move(searchFolders)) {}
+      searchFolders_(std::move(searchFolders)), folders_(std::move(folders)) {}
 
 FileUnit &Project::unit(const SourceFile &file) {
   auto &unit = units_[file.id()];
@@ -59,9 +59,10 @@ FileUnit &Project::unit(const SourceFile &file) {
   return *unit;
 }
 
-const std::map<int64_t, std::string> &Project::folder(const std::string &path) {
+const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   const auto [at, fresh] = folders_.try_emplace(path);
-  std::map<int64_t, std::string> &programs = at->second;
+  Programs &programs = at->second;
   if (!fresh)
     return programs;
   std::vector<std::string> files;
@@ -111,7 +112,7 @@ std::pair<FileUnit *, const ProgramInfo *> Project::findProgram(FileUnit &from, 
   }
   folders.insert(folders.end(), searchFolders_.begin(), searchFolders_.end());
   for (const std::string &path : folders) {
-    const auto &programs = folder(path);
+    const ProgramFolders::Programs &programs = folders_->programs(path);
     const auto found = programs.find(number);
     if (found == programs.end())
       continue;

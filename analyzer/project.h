@@ -7,6 +7,7 @@
 #include "interp/execute.h"
 
 #include <map>
+#include <mutex>
 
 namespace ncvet {
 
@@ -26,12 +27,25 @@ struct FileUnit {
   Executor executor;
 };
 
+/// Which programs lie in which folder; each folder is read once. Safe for several threads.
+class ProgramFolders {
+public:
+  using Programs = std::map<int64_t, std::string>; ///< file by program number
+  /// Programs of a folder, from file names like `O1234.nc` and from headers.
+  const Programs &programs(const std::string &folder);
+
+private:
+  std::mutex mutex_;
+  std::map<std::string, Programs> folders_;
+};
+
 /// Finds programs that a file calls: in the same file, then in files of the same folder, then of
 /// the search folders; never outside of these.
 class Project {
 public:
   Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
-          std::vector<std::string> searchFolders = {});
+          std::vector<std::string> searchFolders = {},
+          std::shared_ptr<ProgramFolders> folders = std::make_shared<ProgramFolders>());
 
   /// The unit of a file of the set; made when first asked for.
   FileUnit &unit(const SourceFile &file);
@@ -42,15 +56,12 @@ public:
   SourceSet &sources() { return sources_; }
 
 private:
-  /// Programs of a folder by number: from file names like `O1234.nc`, and from headers.
-  const std::map<int64_t, std::string> &folder(const std::string &path);
-
   SourceSet &sources_;
   std::shared_ptr<const Dialect> dialect_;
   MachineProfile machine_;
   std::vector<std::string> searchFolders_;
   std::map<FileId, std::unique_ptr<FileUnit>> units_;
-  std::map<std::string, std::map<int64_t, std::string>> folders_;
+  std::shared_ptr<ProgramFolders> folders_;
 };
 
 } // namespace ncvet

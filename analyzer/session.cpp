@@ -177,6 +177,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     return config.takeError();
   FileSetup setup;
   setup.config = *config;
+  setup.folders = folders_;
   const MachineSource *machine = nullptr;
   if (options_.machine)
     machine = &*options_.machine;

@@ -25,7 +25,8 @@ struct FileSetup {
   std::shared_ptr<const Dialect> dialect;
   std::shared_ptr<const MachineProfile> machine;
   std::shared_ptr<const RuleSelection> rules;
-  std::string reason; ///< why this dialect
+  std::shared_ptr<ProgramFolders> folders; ///< for programs that it calls
+  std::string reason;                      ///< why this dialect
 };
 
 /// Finds and keeps configurations, dialects and machine profiles. Safe for several threads.
@@ -65,6 +66,7 @@ private:
   selection(const std::shared_ptr<const Dialect> &dialect, const Config &config);
 
   SessionOptions options_;
+  std::shared_ptr<ProgramFolders> folders_ = std::make_shared<ProgramFolders>();
   std::mutex mutex_;
   std::map<std::string, std::string> configOfFolder_;
   std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file

@@ -307,8 +307,8 @@ void Check::writeStats() const {
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  out << jobs_.size() << " files, " << blocks << " blocks, " << report_.findings.size()
-      << " findings, " << fixes << " fixes, "
+  out << jobs_.size() << (jobs_.size() == 1 ? " file, " : " files, ") << blocks << " blocks, "
+      << report_.findings.size() << " findings, " << fixes << " fixes, "
       << llvm::format("%.1f ms, %.0f blocks/s", seconds * 1e3, double(blocks) / seconds) << '\n';
 }
 

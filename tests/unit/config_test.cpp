@@ -1,7 +1,9 @@
 // Globs of the configuration.
 #include "analyzer/config.h"
+#include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace ncvet {
 namespace {
@@ -41,6 +43,33 @@ TEST(Profiles, EveryBuiltInProfileLoadsAndNamesKnownRules) {
   for (const std::string &name : profileNames())
     EXPECT_TRUE(bool(loadProfile(name))) << name;
   EXPECT_EQ((std::vector<std::string>{"all", "recommended", "strict"}), profileNames());
+}
+
+/// What the schema says there is, and what is read, are the same keys.
+TEST(ConfigSchema, EveryKeyIsReadAndNoOther) {
+  std::ifstream in(std::string(NCVET_SOURCE_DIR) + "/rulesets/schema/config.schema.json");
+  const auto schema = nlohmann::json::parse(in, nullptr, false);
+  ASSERT_TRUE(schema.is_object());
+  test::TemporaryFolder folder;
+  const std::string file = (folder.path() / ".ncvet.json").string();
+  const auto problemOf = [&](const std::string &text) {
+    std::ofstream(file) << text;
+    auto config = loadConfig(file);
+    return config ? std::string() : llvm::toString(config.takeError());
+  };
+  std::string known;
+  for (const auto &property : schema["properties"].items()) {
+    EXPECT_EQ(std::string::npos,
+              problemOf("{\"" + property.key() + "\": true}").find("unknown key"))
+        << property.key();
+    known += (known.empty() ? "" : ", ") + property.key();
+  }
+  // The message for a key that resembles none lists all that there are.
+  std::string listed = problemOf("{\"wwwwwwwwwwwwwwwwwwwwwwwwwww\": true}");
+  listed = listed.substr(std::min(listed.size(), listed.find("one of ") + 7));
+  EXPECT_EQ(std::count(known.begin(), known.end(), ','),
+            std::count(listed.begin(), listed.end(), ','))
+      << listed;
 }
 
 } // namespace
