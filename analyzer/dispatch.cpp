@@ -3,7 +3,8 @@
 
 namespace ncvet {
 
-Dispatcher::Dispatcher(const Dialect &dialect, const RuleSelection &selection, Collector &collector)
+Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
+                       const RuleSelection &selection, Collector &collector)
     : byCode_(dialect.codes.size()), context_(collector) {
   const llvm::ArrayRef<RuleEntry> table = allRules();
   for (size_t i = 0; i < table.size(); ++i) {
@@ -19,14 +20,18 @@ Dispatcher::Dispatcher(const Dialect &dialect, const RuleSelection &selection, C
       for (const auto &entry : ofUser->second)
         options.numbers[entry.first()] = entry.second;
     rules_.push_back(table[i].make());
-    const Listener listener{rules_.back().get(), RuleId(i)};
+    Listener listener{rules_.back().get(), RuleId(i)};
     all_.push_back(listener);
-    Subscriptions subscriptions(dialect, &options);
+    Subscriptions subscriptions(dialect, machine, &options);
     listener.rule->listen(subscriptions);
+    listener.moves = subscriptions.moves();
     kinds_ |= subscriptions.kinds();
     for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
       if (subscriptions.kinds() >> kind & 1)
         byKind_[kind].push_back(listener);
+    for (const EventKind kind : {EventKind::Block, EventKind::Motion})
+      if (subscriptions.everyBlock() & bitOf(kind))
+        everyBlock_.emplace_back(kind, listener);
     for (const CodeIndex code : subscriptions.codes()) {
       kinds_ |= bitOf(EventKind::Code);
       if (byCode_[code].empty() || byCode_[code].back().rule != listener.rule)
@@ -59,6 +64,8 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
     if (!(bitOf(event.kind) & kinds_))
       continue;
     for (const Listener &listener : byKind_[size_t(event.kind)]) {
+      if (!listener.wants(event))
+        continue;
       context_.rule_ = listener.id;
       listener.rule->on(event, context_);
     }
@@ -68,6 +75,18 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
         listener.rule->on(event, context_);
       }
   }
+}
+
+void Dispatcher::tellMove(FileUnit &unit, const Block &block, const Outcome &outcome,
+                          const MachineState &before, const MachineState &after,
+                          unsigned callDepth) {
+  prepare(unit, block, outcome, before, after, callDepth);
+  for (const Event &event : outcome.events)
+    for (const auto &[kind, listener] : everyBlock_)
+      if (kind == event.kind && listener.wants(event)) {
+        context_.rule_ = listener.id;
+        listener.rule->on(event, context_);
+      }
 }
 
 void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,

@@ -9,12 +9,20 @@ namespace ncvet {
 /// The rules of one run, made and subscribed for one dialect.
 class Dispatcher {
 public:
-  Dispatcher(const Dialect &dialect, const RuleSelection &selection, Collector &collector);
+  Dispatcher(const Dialect &dialect, const MachineProfile &machine, const RuleSelection &selection,
+             Collector &collector);
 
   /// Events of these kinds have listeners.
   uint32_t kinds() const { return kinds_; }
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after, unsigned callDepth);
+  /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
+  /// to know of every move.
+  void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
+                    const MachineState &before, const MachineState &after, unsigned callDepth) {
+    if (!everyBlock_.empty())
+      tellMove(unit, block, outcome, before, after, callDepth);
+  }
   /// A `FlowIssue` event of its own, outside of what the block itself emitted.
   void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
                  const MachineState &before, const MachineState &after, unsigned callDepth,
@@ -28,7 +36,14 @@ private:
   struct Listener {
     Rule *rule;
     RuleId id;
+    uint8_t moves = 0xFF; ///< bit per kind of move of which `Motion` events are wanted
+
+    bool wants(const Event &event) const {
+      return event.kind != EventKind::Motion || (moves & bitOf(event.motion));
+    }
   };
+  void tellMove(FileUnit &unit, const Block &block, const Outcome &outcome,
+                const MachineState &before, const MachineState &after, unsigned callDepth);
   void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
                const MachineState &before, const MachineState &after, unsigned callDepth);
 
@@ -36,6 +51,7 @@ private:
   std::vector<Listener> all_;
   std::array<std::vector<Listener>, size_t(EventKind::Count)> byKind_;
   std::vector<std::vector<Listener>> byCode_;
+  std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of `Block` and `Motion`
   uint32_t kinds_ = 0;
   RuleContext context_;
 };

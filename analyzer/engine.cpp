@@ -21,12 +21,34 @@ constexpr size_t maxComputedTargets = 64;
 /// The cancel flag is looked at once in so many blocks (a power of two).
 constexpr uint64_t cancelInterval = 256;
 
+/// Finds blocks that only go on as the block before: what is not told by coordinates is the same.
+struct PlainRun {
+  AddressMask addresses = 0; ///< of the block before; 0: it was no plain move
+  uint32_t machineAxes = 0;
+  uint64_t may = 0, must = 0; ///< facts in front of it
+
+  bool goesOn(const Block &block, const Outcome &outcome, const MachineState &before) {
+    if (!outcome.plainMove) {
+      addresses = 0;
+      return false;
+    }
+    const bool same = addresses == block.addresses && machineAxes == before.machineAxes &&
+                      may == before.factsMay && must == before.factsMust;
+    addresses = block.addresses;
+    machineAxes = before.machineAxes;
+    may = before.factsMay;
+    must = before.factsMust;
+    return same;
+  }
+};
+
 } // namespace
 
 Engine::Engine(Project &project, FileUnit &unit, const RuleSelection &rules,
                const AnalysisLimits &limits, const std::atomic<bool> *cancel)
     : project_(project), unit_(unit), limits_(limits), cancel_(cancel),
-      collector_(rules, *unit.dialect, limits), dispatcher_(*unit.dialect, rules, collector_) {}
+      collector_(rules, *unit.dialect, limits),
+      dispatcher_(*unit.dialect, unit.machine, rules, collector_) {}
 
 void Engine::cut(std::string why) {
   complete_ = false;
@@ -132,6 +154,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
   Lives lives = std::move(entry);
   MachineState before;
   const MachineState *synced = nullptr; // the state of which `before` is a copy, set-up part too
+  PlainRun plainRun;
 
   while (!stopped_) {
     if (lives.empty()) {
@@ -258,6 +281,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         static_cast<MotionState &>(before) = live.state;
       } else {
         before = live.state;
+        plainRun = {};
       }
       synced = nullptr;
       const bool guardHolds =
@@ -268,7 +292,9 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
           localTargets_.count(at))
         issue(FlowIssue::RunsIntoSubprogram, activation, live, before,
               {unit.source.id(), block_.begin, block_.end});
-      if (outcome_.kinds & dispatcher_.kinds())
+      if (plainRun.goesOn(block_, outcome_, before))
+        dispatcher_.dispatchMove(unit, block_, outcome_, before, live.state, region.depth);
+      else if (outcome_.kinds & dispatcher_.kinds())
         dispatcher_.dispatch(unit, block_, outcome_, before, live.state, region.depth);
       const int32_t macro = outcome_.macroAfterMove;
       if (lastOfProfile) {

@@ -8,15 +8,24 @@ namespace ncvet {
 
 namespace {
 
-/// Calls `visit(lineBegin, firstContent)` for every line of [begin, end).
+/// Calls `visit(lineBegin, firstContent)` for every line of [begin, end). The pages that lie behind
+/// are given back on the way.
 template <typename Visit>
-void eachLine(llvm::StringRef text, size_t begin, size_t end, Visit visit) {
+void eachLine(const SourceFile &source, size_t begin, size_t end, Visit visit) {
+  const llvm::StringRef text = source.text();
+  constexpr ptrdiff_t forgetStep = 4 << 20;
   const char *const base = text.data();
   const char *at = base + begin;
   const char *const stop = base + end;
   // Files with lone CR as line end are rare: look once.
   const bool lineFeeds = memchr(at, '\n', size_t(stop - at)) != nullptr;
+  const char *forgotten = at;
+  source.forget(0);
   while (at < stop) {
+    if (at - forgotten >= forgetStep) {
+      source.forget(uint32_t(at - base));
+      forgotten = at;
+    }
     const auto *next =
         static_cast<const char *>(memchr(at, lineFeeds ? '\n' : '\r', size_t(stop - at)));
     const char *content = at;
@@ -39,8 +48,7 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
   ProgramInfo first;
   first.begin = first.body = reader.first();
   programs_.push_back(first);
-  uint32_t forget = 0;
-  eachLine(text, reader.first(), text.size(), [&](uint32_t line, uint32_t content) {
+  eachLine(source, reader.first(), text.size(), [&](uint32_t line, uint32_t content) {
     const char c = text[content];
     if (c == '%')
       tapeMarks_.push_back(line);
@@ -71,10 +79,6 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
         programs_.clear();
     }
     programs_.push_back(program);
-    if (line - forget > (16u << 20)) {
-      source.forget(line);
-      forget = line;
-    }
   });
   for (size_t i = 0; i < programs_.size(); ++i)
     programs_[i].end = i + 1 < programs_.size() ? programs_[i + 1].begin : uint32_t(text.size());
@@ -116,7 +120,7 @@ llvm::ArrayRef<NumberedBlock> FileIndex::numbersAsWritten(const ProgramInfo &pro
   Numbers &numbers = numbers_[program.begin];
   std::vector<NumberedBlock> &list = numbers.asWritten;
   const llvm::StringRef text = source_.text();
-  eachLine(text, program.begin, program.end, [&](uint32_t line, uint32_t content) {
+  eachLine(source_, program.begin, program.end, [&](uint32_t line, uint32_t content) {
     uint32_t at = content;
     // Block skip may stand in front of the number.
     while (at < program.end &&

@@ -82,14 +82,31 @@ private:
 /// that anybody listens for costs one bit test.
 class Subscriptions {
 public:
-  Subscriptions(const Dialect &dialect, const RuleOverride *options)
-      : dialect_(dialect), options_(options) {}
+  Subscriptions(const Dialect &dialect, const MachineProfile &machine, const RuleOverride *options)
+      : dialect_(dialect), machine_(machine), options_(options) {}
 
   const Dialect &dialect() const { return dialect_; }
-  void on(EventKind kind) { kinds_ |= bitOf(kind); }
+  const MachineProfile &machine() const { return machine_; }
+  void on(EventKind kind) {
+    kinds_ |= bitOf(kind);
+    everyBlock_ |= bitOf(kind);
+  }
   void on(std::initializer_list<EventKind> kinds) {
     for (const EventKind kind : kinds)
       on(kind);
+  }
+  /// As `on`, but not in blocks that only go on as the block before: plain words for the same axes,
+  /// in the same modes, with the same facts known. For rules that no coordinate interests.
+  void onChange(std::initializer_list<EventKind> kinds) {
+    for (const EventKind kind : kinds)
+      kinds_ |= bitOf(kind);
+  }
+  /// `Motion` events of these kinds of moves only.
+  void onMoves(std::initializer_list<MotionKind> moves) {
+    on(EventKind::Motion);
+    moves_ = 0;
+    for (const MotionKind move : moves)
+      moves_ |= bitOf(move);
   }
   /// `Code` events of the codes for which `wanted` is true (variants are codes of their own).
   void onCode(llvm::function_ref<bool(const CodeInfo &)> wanted) {
@@ -117,12 +134,19 @@ public:
   }
 
   uint32_t kinds() const { return kinds_; }
+  /// Those of `kinds` that are wanted of every block.
+  uint32_t everyBlock() const { return everyBlock_; }
+  /// Bit per kind of move of which `Motion` events are wanted.
+  uint8_t moves() const { return moves_; }
   llvm::ArrayRef<CodeIndex> codes() const { return codes_; }
 
 private:
   const Dialect &dialect_;
+  const MachineProfile &machine_;
   const RuleOverride *options_;
   uint32_t kinds_ = 0;
+  uint32_t everyBlock_ = 0;
+  uint8_t moves_ = 0xFF;
   std::vector<CodeIndex> codes_;
 };
 

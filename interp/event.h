@@ -71,6 +71,7 @@ enum class FlowIssue : uint8_t {
 };
 
 enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Reference };
+constexpr uint8_t bitOf(MotionKind kind) { return uint8_t(1u << unsigned(kind)); }
 
 /// Something that happens in a block. Lives only while the block is looked at.
 struct Event {
@@ -126,7 +127,9 @@ struct Outcome {
   llvm::SmallVector<CodeUse, 8> codes;
   uint32_t kinds = 0; ///< bit per kind of event emitted
   Flow flow;
-  bool setupChanged = false;       ///< something besides `MotionState` may have changed
+  bool setupChanged = false; ///< something besides `MotionState` may have changed
+  /// Nothing but numbers for axes, under G00 or G01: the block changes positions, and facts.
+  bool plainMove = false;
   int32_t macroAfterMove = notSet; ///< program that a modal macro calls after this block
 
   void clear() {
@@ -136,6 +139,7 @@ struct Outcome {
     if (flow.kind != FlowKind::Next)
       flow = Flow();
     setupChanged = false;
+    plainMove = false;
     macroAfterMove = notSet;
   }
   Event &emit(EventKind kind) {

@@ -113,8 +113,11 @@ bool Execution::runPlainMove() {
   const Truth relative = incremental();
   if (!factor.isConstant() || relative == Truth::Unknown)
     return false;
-  if (block_.addresses & maskOf('F'))
+  bool plain = outcome_.kinds == bitOf(EventKind::Block);
+  if (block_.addresses & maskOf('F')) {
     technologyWords();
+    plain = false;
+  }
   uint16_t axes = 0;
   for (const Word &word : block_.words) {
     const AddressInfo &address = dialect_.addresses[word.address];
@@ -123,6 +126,7 @@ bool Execution::runPlainMove() {
     axes |= axisBit(address.axis);
     if (word.flags & (wordExpression | wordNoValue | wordIncremental)) {
       storeTarget(word, false);
+      plain = false;
       continue;
     }
     double target = word.value() + 0.0;
@@ -139,6 +143,7 @@ bool Execution::runPlainMove() {
       state_.machineAxes &= ~uint32_t(axisBit(address.axis));
     }
   }
+  outcome_.plainMove = plain && block_.skip < 0 && !block_.lowerCase;
   const bool rapid = action == Action::Rapid;
   Event &event = outcome_.emit(EventKind::Motion);
   event.code = index;

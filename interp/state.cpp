@@ -147,7 +147,8 @@ void visitParts(const MachineState &s, Sink sink) {
 
 const CodeInfo *MachineState::activeCode(const Dialect &dialect, StandardGroup which) const {
   const uint64_t set = active(dialect, which);
-  if (!std::has_single_bit(set) || set == groupUnset)
+  // Not has_single_bit: on a processor of which nothing is known it is a call.
+  if (set == 0 || (set & (set - 1)) || set == groupUnset)
     return nullptr;
   return &dialect
               .codes[dialect.groups[dialect.group(which)].members[size_t(std::countr_zero(set))]];

@@ -17,13 +17,12 @@ double offCircle(const Point &start, const Point &end, const Point &centre) {
 class ArcCentreConvention final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Motion);
+    to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     tolerance_ = to.option("tolerance", 0.01);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
-        event.code == noCode)
+    if (event.code == noCode)
       return;
     const Dialect &dialect = ctx.dialect();
     const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());

@@ -7,11 +7,9 @@ namespace {
 
 class ArcCentreMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Motion); }
+  void listen(Subscriptions &to) override { to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw}); }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw)
-      return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     // A centre word of the wrong axis is another rule's business.
     if (words.radius || words.hasCentre() || words.foreign || event.code == noCode)

@@ -10,14 +10,13 @@ namespace {
 class ArcLargeArcSelection final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Motion);
+    to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     everyNegative_ = to.option("everyNegative", 0) != 0;
     tolerance_ = to.option("tolerance", 0.01);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
-        event.code == noCode)
+    if (event.code == noCode)
       return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     if (!words.radius || words.hasCentre())

@@ -7,11 +7,10 @@ namespace {
 
 class ArcOverdefined final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Motion); }
+  void listen(Subscriptions &to) override { to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw}); }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
-        event.code == noCode)
+    if (event.code == noCode)
       return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     const Word *centre = words.centre[0] ? words.centre[0] : words.centre[1];

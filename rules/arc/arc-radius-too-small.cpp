@@ -10,13 +10,12 @@ namespace {
 class ArcRadiusTooSmall final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Motion);
+    to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     tolerance_ = to.option("tolerance", 0.01);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
-        event.code == noCode)
+    if (event.code == noCode)
       return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     const ArcGeometry arc =

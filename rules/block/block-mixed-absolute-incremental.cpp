@@ -8,7 +8,7 @@ class BlockMixedAbsoluteIncremental final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().incrementWords)
-      to.on({EventKind::Motion, EventKind::CycleStart, EventKind::CycleRun});
+      to.onChange({EventKind::Motion, EventKind::CycleStart, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

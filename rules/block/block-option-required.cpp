@@ -12,7 +12,7 @@ public:
       if (code.action == Action::ToolChange && change_.empty())
         change_ = code.name;
     if (!to.dialect().toolChangeByT && !to.dialect().isLathe() && !change_.empty())
-      to.on({EventKind::ToolWord, EventKind::Motion});
+      to.onChange({EventKind::ToolWord, EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -7,7 +7,7 @@ namespace {
 class CompensationIdleBlocks final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::Block, EventKind::Motion});
+    to.onChange({EventKind::Block, EventKind::Motion});
     allowed_ = unsigned(to.option("allowed", 1));
   }
 

@@ -9,8 +9,8 @@ namespace {
 class CompensationLeftOn final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun,
-           EventKind::Block});
+    to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
+                 EventKind::CycleRun, EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

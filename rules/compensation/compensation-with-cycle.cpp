@@ -7,7 +7,7 @@ namespace {
 class CompensationWithCycle final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::CycleStart, EventKind::CycleRun, EventKind::Motion});
+    to.onChange({EventKind::CycleStart, EventKind::CycleRun, EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -7,7 +7,7 @@ namespace {
 class CompensationWithoutMotion final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Block);
+    to.onChange({EventKind::Block});
     to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
   }
 

@@ -11,7 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
     if (corners_.angle)
-      to.on({EventKind::Motion, EventKind::Block});
+      to.onChange({EventKind::Motion, EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
     if (corners_.corner())
-      to.on(EventKind::Motion);
+      to.onChange({EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

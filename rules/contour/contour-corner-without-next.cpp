@@ -12,7 +12,7 @@ public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
     if (corners_.corner())
-      to.on({EventKind::Motion, EventKind::CycleRun});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -12,7 +12,7 @@ public:
     corners_ = cornerAddresses(to.dialect());
     to.onNotices(id);
     if (corners_.corner())
-      to.on(EventKind::Motion);
+      to.onChange({EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -13,7 +13,7 @@ public:
   void listen(Subscriptions &to) override {
     // The block behind names an over-determined element; only controls with an `I` operator do it.
     if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) && to.option("intersects", 0) != 0)
-      to.on({EventKind::Motion, EventKind::Block});
+      to.onChange({EventKind::Motion, EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -11,7 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     const Dialect &dialect = to.dialect();
     if (dialect.group(StandardGroup::Scaling) != noGroup)
-      to.on({EventKind::Motion, EventKind::CycleRun});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
     if (dialect.group(StandardGroup::Mirror) != noGroup)
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }

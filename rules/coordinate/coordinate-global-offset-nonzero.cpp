@@ -8,7 +8,7 @@ class CoordinateGlobalOffsetNonzero final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().options.count("commonOffsetX"))
-      to.on(EventKind::Motion);
+      to.onChange({EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -7,7 +7,7 @@ namespace {
 class CoordinateMachineMoveNotModal final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Motion);
+    to.onChange({EventKind::Motion});
     least_ = to.option("least", 100);
   }
 

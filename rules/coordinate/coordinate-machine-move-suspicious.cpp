@@ -9,7 +9,7 @@ namespace {
 class CoordinateMachineMoveSuspicious final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Motion);
+    to.onChange({EventKind::Motion});
     positive_ = to.option("positive", 1) != 0;
   }
 

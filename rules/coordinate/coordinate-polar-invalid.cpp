@@ -8,7 +8,7 @@ class CoordinatePolarInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::Polar) != noGroup)
-      to.on({EventKind::Motion, EventKind::CycleRun});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

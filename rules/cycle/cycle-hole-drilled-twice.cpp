@@ -1,6 +1,10 @@
 // A cycle makes the same hole more than once.
 #include "analyzer/lookahead.h"
 
+#include "llvm/Support/xxhash.h"
+
+#include <unordered_map>
+
 namespace ncvet {
 namespace {
 
@@ -76,20 +80,17 @@ private:
     // Another depth at the same place is a second step, and a longer path cannot be one list.
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
-    if (places_.size() > 5000)
+    if (places_.size() > longestList)
       return;
-    for (const Place &other : places_) {
-      if (other.block == place.block || other.offset != place.offset || other.at != place.at)
-        continue;
-      if (deeper && state.origin.cycle.begin < ctx.block().begin)
-        break;
-      if (auto finding = ctx.report(ctx.blockRange(), false))
-        finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
-            .note(SourceRange{place.file, other.block, other.end}, "this block was here already");
-      break;
-    }
     place.end = ctx.block().end;
-    places_.push_back(place);
+    const auto [known, fresh] = places_.try_emplace(hash(place), place);
+    const Place &other = known->second;
+    if (fresh || other.block == place.block || other.offset != place.offset ||
+        other.at != place.at || (deeper && state.origin.cycle.begin < ctx.block().begin))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), false))
+      finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
+          .note(SourceRange{place.file, other.block, other.end}, "this block was here already");
   }
 
   struct Place {
@@ -98,7 +99,14 @@ private:
     uint64_t offset = 0;
     std::array<double, axisCount> at{};
   };
-  std::vector<Place> places_; ///< of the list of holes that is being run, in text order
+  static uint64_t hash(const Place &place) {
+    return place.offset ^
+           llvm::xxHash64({reinterpret_cast<const char *>(place.at.data()), sizeof(place.at)});
+  }
+
+  static constexpr size_t longestList = 5000;
+  /// The first hole at each place of the list that is being run.
+  std::unordered_map<uint64_t, Place> places_;
   uint32_t list_ = 0;
   FileId file_ = 0;
   unsigned depth_ = 0;

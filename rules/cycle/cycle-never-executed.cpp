@@ -8,7 +8,8 @@ namespace {
 class CycleNeverExecuted final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::CycleCancel, EventKind::CycleStart, EventKind::ProgramEnd, EventKind::Block});
+    to.onChange(
+        {EventKind::CycleCancel, EventKind::CycleStart, EventKind::ProgramEnd, EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -7,7 +7,7 @@ namespace {
 class FeedImplausible final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::FeedWord, EventKind::Motion});
+    to.onChange({EventKind::FeedWord, EventKind::Motion});
     perMinuteBelow_ = to.option("perMinuteBelow", 1);
     perRevolutionAbove_ = to.option("perRevolutionAbove", 5);
   }

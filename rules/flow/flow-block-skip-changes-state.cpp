@@ -8,7 +8,7 @@ namespace {
 class FlowBlockSkipChangesState final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Block);
+    to.onChange({EventKind::Block});
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Motion, StandardGroup::Distance, StandardGroup::Plane,
                           StandardGroup::Units, StandardGroup::Compensation,

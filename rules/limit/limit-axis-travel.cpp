@@ -9,7 +9,10 @@ namespace {
 class LimitAxisTravel final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::Motion, EventKind::SpeedWord, EventKind::FeedWord});
+    const MachineProfile &machine = to.machine();
+    if (llvm::any_of(machine.axes, [](const AxisLimits &a) { return a.min || a.max; }))
+      to.on(EventKind::Motion);
+    to.on({EventKind::SpeedWord, EventKind::FeedWord});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -17,9 +17,10 @@ struct Zone {
   Origin origin;
 };
 
-std::optional<Zone> zoneInForce(const MachineState &state, const RuleContext &ctx) {
+std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const MachineState &state,
+                                const RuleContext &ctx) {
   const Dialect &dialect = ctx.dialect();
-  for (size_t i = 0; i < dialect.groups.size(); ++i) {
+  for (const GroupIndex i : groups) {
     if (!std::has_single_bit(state.group[i]) || state.group[i] == groupUnset)
       continue;
     const CodeInfo &code =
@@ -54,16 +55,19 @@ std::optional<Zone> zoneInForce(const MachineState &state, const RuleContext &ct
 class LimitZoneViolation final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (llvm::any_of(to.dialect().codes,
-                     [](const CodeInfo &code) { return code.action == Action::ZoneOn; }))
+    for (const CodeInfo &code : to.dialect().codes)
+      if (code.action == Action::ZoneOn && code.group != noGroup &&
+          !llvm::is_contained(groups_, code.group))
+        groups_.push_back(code.group);
+    if (!groups_.empty() && !to.dialect().isLathe())
       to.on(EventKind::Motion);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.number || event.motion == MotionKind::Reference || ctx.dialect().isLathe())
+    if (event.number || event.motion == MotionKind::Reference)
       return;
     const MachineState &state = ctx.after();
-    const auto zone = zoneInForce(state, ctx);
+    const auto zone = zoneInForce(groups_, state, ctx);
     if (!zone || !comparable(*zone, state, ctx))
       return;
     bool inside = true;
@@ -115,6 +119,8 @@ private:
            state.localShift[1] == Interval::exactly(0) &&
            state.localShift[2] == Interval::exactly(0) && !state.origin.preset.known();
   }
+
+  llvm::SmallVector<GroupIndex, 2> groups_; ///< those that hold a code which switches a zone on
 };
 
 } // namespace

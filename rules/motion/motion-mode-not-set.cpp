@@ -6,7 +6,7 @@ namespace {
 
 class MotionModeNotSet final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Motion); }
+  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion}); }
 
   void on(const Event &event, RuleContext &ctx) override {
     // Only where the power-on mode is not documented and nothing at all was stated.

@@ -9,13 +9,13 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
       return;
-    to.on(EventKind::Motion);
+    to.onMoves({MotionKind::Rapid});
     depth_ = to.option("depth", 3);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-    if (event.motion != MotionKind::Rapid || event.number || event.axes != both)
+    if (event.number || event.axes != both)
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();
     const Interval &x = before.at(Axis::X), &z = before.at(Axis::Z), &to = after.at(Axis::X);

@@ -8,11 +8,11 @@ class MotionRapidTraverseAtDepth final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
-      to.on(EventKind::Motion);
+      to.onMoves({MotionKind::Rapid});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.motion != MotionKind::Rapid || event.number || !event.certain)
+    if (event.number || !event.certain)
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();
     constexpr Axis tool = Axis::Z; // arcs in G18 and G19 do not turn the spindle

@@ -8,13 +8,13 @@ class MotionUselessMove final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
-      to.on(EventKind::Motion);
+      to.onMoves({MotionKind::Rapid});
     margin_ = to.option("margin", 10);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
-    if (event.motion != MotionKind::Rapid || event.number || !event.axes || (event.axes & ~plane))
+    if (event.number || !event.axes || (event.axes & ~plane))
       return;
     const MachineState &state = ctx.after();
     const Interval &x = state.cutArea[0], &y = state.cutArea[1];

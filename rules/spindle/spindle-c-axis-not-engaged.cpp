@@ -10,7 +10,7 @@ public:
     // Only where the table has a code that engages the axis.
     if (llvm::any_of(to.dialect().codes,
                      [](const CodeInfo &code) { return code.action == Action::AxisEngage; }))
-      to.on({EventKind::Motion, EventKind::CycleRun, EventKind::CycleStart});
+      to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::CycleStart});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -7,7 +7,7 @@ namespace {
 class SpindleModeChangeWithoutSpeed final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::Motion, EventKind::CycleRun, EventKind::SpeedWord});
+    to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::SpeedWord});
     highestCuttingSpeed_ = to.option("cuttingSpeedAbove", 1000);
   }
 

@@ -7,7 +7,7 @@ namespace {
 
 class SpindleOffWhileCutting final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::Motion, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.before().profile == 1)

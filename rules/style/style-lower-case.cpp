@@ -6,7 +6,7 @@ namespace {
 
 class StyleLowerCase final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Block); }
+  void listen(Subscriptions &to) override { to.onChange({EventKind::Block}); }
 
   void on(const Event &, RuleContext &ctx) override {
     const Block &block = ctx.block();

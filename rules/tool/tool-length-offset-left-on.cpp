@@ -8,7 +8,7 @@ class ToolLengthOffsetLeftOn final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
-      to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Motion});
+      to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -8,7 +8,7 @@ class ToolLengthOffsetMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
-      to.on({EventKind::Motion, EventKind::CycleRun});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -6,7 +6,7 @@ namespace {
 
 class ToolMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::Motion, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &event, RuleContext &ctx) override {
     // Only the first cut: it is the same mistake in all that follow.

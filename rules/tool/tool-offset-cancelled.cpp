@@ -8,7 +8,7 @@ class ToolOffsetCancelled final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
-      to.on({EventKind::Motion, EventKind::CycleRun});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

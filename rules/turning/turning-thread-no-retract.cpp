@@ -10,7 +10,7 @@ class TurningThreadNoRetract final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
-      to.on(EventKind::Motion);
+      to.onChange({EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -8,7 +8,7 @@ namespace {
 class TurningThreadPitchMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::CycleRun, EventKind::Motion});
+    to.onChange({EventKind::CycleRun, EventKind::Motion});
     to.onCode([](const CodeInfo &code) { return addressesOf(code, Role::Lead) != 0; });
   }
 

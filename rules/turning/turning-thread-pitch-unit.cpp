@@ -9,7 +9,7 @@ constexpr llvm::StringLiteral id = "turning-thread-pitch-unit";
 class TurningThreadPitchUnit final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::CycleRun, EventKind::Motion});
+    to.onChange({EventKind::CycleRun, EventKind::Motion});
     to.onNotices(id);
     inchE_ = to.option("leadInchesByE", 0) != 0;
     greatestInches_ = to.option("greatestInches", 0.5);

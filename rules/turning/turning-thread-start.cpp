@@ -9,7 +9,7 @@ namespace {
 class TurningThreadStart final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::CycleRun, EventKind::Motion});
+    to.onChange({EventKind::CycleRun, EventKind::Motion});
     clearance_ = to.option("clearance", 0);
     depthUnit_ = to.option("depthUnit", 1);
     runIn_ = to.option("runInPitches", 2);

@@ -8,7 +8,7 @@ namespace {
 
 class TurningThreadUnderCss final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::CycleRun, EventKind::Motion}); }
+  void listen(Subscriptions &to) override { to.onChange({EventKind::CycleRun, EventKind::Motion}); }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.dialect().group(StandardGroup::SpeedMode) == noGroup)

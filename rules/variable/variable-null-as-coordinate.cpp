@@ -7,7 +7,7 @@ namespace {
 
 class VariableNullAsCoordinate final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::Motion, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &, RuleContext &ctx) override {
     // In a called macro a word without an argument is left out on purpose.

@@ -1,7 +1,9 @@
 // Stages of the tool alone, timed by Google Benchmark: ./dev bench, or this binary with its
 // options.
+#include "formats/dialect/loader.h"
 #include "formats/readers/reader.h"
 #include "formats/text/source.h"
+#include "interp/execute.h"
 
 #include <benchmark/benchmark.h>
 
@@ -9,6 +11,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -68,6 +71,30 @@ BENCHMARK(readSurfacing)->Unit(benchmark::kMillisecond);
 
 void readMacro(benchmark::State &state) { readAll(state, macroText(25'000)); }
 BENCHMARK(readMacro)->Unit(benchmark::kMillisecond);
+
+/// Executes blocks that were read before, over and over: the transfer function alone.
+void executeSurfacing(benchmark::State &state) {
+  const auto dialect = loadDialect("fanuc-0m", builtinDialects());
+  if (!dialect)
+    return state.SkipWithError("the built-in table does not load");
+  const std::string text = surfacingText(2'000);
+  const std::unique_ptr<Reader> reader = makeReader(**dialect, text);
+  std::vector<Block> blocks;
+  for (uint32_t offset = reader->first(); offset < text.size(); offset = blocks.back().next)
+    reader->read(offset, blocks.emplace_back());
+  const MachineProfile machine;
+  const Executor executor(**dialect, machine, 0);
+  Outcome outcome;
+  MachineState after = initialState(**dialect);
+  for (auto _ : state)
+    for (const Block &block : blocks) {
+      const MachineState &before = after; // no rule looks at it here
+      executor.execute(block, before, after, outcome);
+    }
+  benchmark::DoNotOptimize(after);
+  state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * blocks.size()));
+}
+BENCHMARK(executeSurfacing)->Unit(benchmark::kMicrosecond);
 
 /// One position in a large file, as a report needs it for its first finding.
 void firstPositionOfALargeFile(benchmark::State &state) {
