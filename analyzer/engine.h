@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dispatch.h"
+#include "analyzer/flow_shape.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/DenseSet.h"
@@ -10,6 +11,7 @@
 #include <atomic>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace ncvet {
 
@@ -39,7 +41,7 @@ private:
   };
   using Lives = llvm::SmallVector<Live, 1>;
 
-  enum class Kind : uint8_t { Main, Subprogram, LocalSubprogram, Profile };
+  enum class Kind : uint8_t { Main, Subprogram, LocalSubprogram, Profile, Section };
   struct Region {
     FileUnit &unit;
     const ProgramInfo &program;
@@ -47,6 +49,30 @@ private:
     Kind kind;
     unsigned depth = 0;
     uint32_t lastBlock = ~0u; ///< profile: offset of the last block
+    uint32_t stopAt = ~0u;    ///< section: offset behind its last block
+  };
+  /// A region that is being executed: its file, start and kind.
+  using Running = std::tuple<FileId, uint32_t, Kind>;
+  struct Callee {
+    FileUnit *unit;
+    const ProgramInfo *program;
+    uint32_t start;
+    Kind kind;
+    int64_t number; ///< for the path; `notSet`: none
+  };
+  /// How often a body runs, and where control goes on behind it.
+  struct Passes {
+    uint32_t at = 0, next = 0;
+    double count = 1;
+    bool known = true; ///< false: it runs an unknown number of times
+    const PathNode *path = nullptr;
+    std::optional<Variables> locals; ///< of the caller, when the body has its own
+
+    void setCount(const Value &repeat);
+  };
+  struct Targets {
+    llvm::SmallVector<const Argument *, 3> arguments;
+    bool fallsThrough = false; ///< perhaps none of them is taken
   };
   struct Returned {
     Live live;
@@ -82,12 +108,6 @@ private:
     MachineState entry;
     Exits exits;
   };
-  struct LoopShape {
-    llvm::DenseMap<uint32_t, uint32_t> endOf;  ///< loop head → block behind its END
-    llvm::DenseMap<uint32_t, uint32_t> headOf; ///< END → loop head
-    std::vector<uint32_t> mismatched;
-  };
-
   Exits execute(const Region &region, Lives entry);
   void add(Activation &activation, uint32_t offset, Live live);
   Lives takePending(Activation &activation, uint32_t &offset);
@@ -99,7 +119,27 @@ private:
   void goTo(Activation &activation, uint32_t from, uint32_t target, Live live, bool certain);
   void jump(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void loop(Activation &activation, Live &live, uint32_t at, const MachineState &before);
-  /// True when a state goes on behind the block.
+  void anywhere(Activation &activation, const Live &live, uint32_t at);
+  std::optional<uint32_t> resolve(Activation &activation, const Live &live,
+                                  const MachineState &before, FileUnit &unit,
+                                  const ProgramInfo &program, const Argument &target, uint32_t at,
+                                  JumpKind kind);
+  Targets targetsOf(const Item &item, const Interval &choice) const;
+  void jumpTo(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  void goOnIn(Activation &activation, Live live, FileUnit &unit, const ProgramInfo &program,
+              uint32_t target);
+  void branch(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  void structure(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  static Truth countUp(const Block &head, MachineState &state);
+  std::optional<Callee> callee(Activation &activation, const Live &live, uint32_t at,
+                               const MachineState &before);
+  bool isRunning(const FileUnit &unit, uint32_t start, Kind kind) const;
+  bool recurs(const Region &region, const Callee &callee) const;
+  void bindArguments(const Callee &callee, const Item &call, MachineState &state);
+  void runPasses(Activation &activation, const Region &body, Live live, const MachineState &before,
+                 const Passes &passes);
+  void repeat(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  uint32_t endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const;
   void call(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void callMacro(Activation &activation, Live &live, int32_t program, const MachineState &before);
   void profile(Activation &activation, Live &live, uint32_t at, const MachineState &before);
@@ -108,11 +148,12 @@ private:
   void issue(FlowIssue kind, Activation &activation, const Live &live, const MachineState &before,
              SourceRange where, SourceRange related = {});
   void forget(Live &live, const Dialect &dialect);
-  const LoopShape &loops(const FileUnit &unit, const ProgramInfo &program);
+  const FlowShape &shape(const FileUnit &unit, const ProgramInfo &program);
   const PathNode *step(const PathNode *before, PathNode::Kind kind, SourceRange range,
                        int64_t number = 0);
   void cut(std::string why);
   void cover(const FileUnit &unit, uint32_t begin, uint32_t end);
+  void ending(const Block &block, bool &ends, bool &returns) const;
   void runOtherPrograms();
   void inspectUnreached();
   std::vector<SourceRange> reachedRanges() const;
@@ -129,13 +170,14 @@ private:
   llvm::BumpPtrAllocator paths_;
   Block block_;
   Outcome outcome_;
-  std::map<std::pair<FileId, uint32_t>, std::vector<Memo>> memos_;
-  std::map<std::pair<FileId, uint32_t>, LoopShape> loops_;
+  std::map<Running, std::vector<Memo>> memos_;
+  std::map<std::pair<FileId, uint32_t>, FlowShape> shapes_;
   llvm::DenseMap<uint32_t, uint32_t> covered_; ///< of the main file: begin → end of runs
   std::set<int64_t> usedNumbers_;
   std::set<int64_t> calledPrograms_;
   std::set<uint32_t> localTargets_, profileStarts_;
-  std::vector<std::pair<FileId, uint32_t>> callStack_;
+  std::set<std::string> usedLabels_, calledNames_; ///< by key, in capitals
+  std::vector<Running> callStack_;
   uint64_t steps_ = 0;
   uint64_t repeated_ = 0;
   uint64_t blocks_ = 0;

@@ -58,13 +58,9 @@ bool readPrevious(const RuleContext &ctx, Block &previous) {
 
 llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block) {
   llvm::SmallVector<CodeIndex, 6> codes;
-  for (const Word &word : block.words) {
-    if (!(maskOf(word.address) & (maskOf('G') | maskOf('M'))) || !word.isNumber())
-      continue;
-    const CodeIndex code = dialect.find(char('A' + word.address), word.codeNumber());
-    if (code != noCode)
+  for (const Word &word : block.words)
+    if (const CodeIndex code = codeOf(dialect, word); code != noCode)
       codes.push_back(code);
-  }
   return codes;
 }
 
@@ -203,7 +199,7 @@ Profile readProfile(const RuleContext &ctx) {
 const Word *wordOf(const Block &block, const CodeInfo &code, Role role) {
   for (const WordSpec &spec : code.words)
     if (spec.role == role)
-      if (const Word *word = block.findAny(spec.any))
+      if (const Word *word = wordFor(block, spec))
         return word;
   return nullptr;
 }

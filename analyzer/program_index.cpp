@@ -1,6 +1,8 @@
 // What stands where in one file: its programs, and on demand the block numbers in them.
 #include "analyzer/program_index.h"
 
+#include "llvm/ADT/StringExtras.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -41,9 +43,10 @@ void eachLine(const SourceFile &source, size_t begin, size_t end, Visit visit) {
 
 } // namespace
 
-FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &)
+FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect)
     : source_(source), reader_(reader) {
   const llvm::StringRef text = source.text();
+  const llvm::StringRef marks = dialect.lexical.headerMarks;
   Block block;
   ProgramInfo first;
   first.begin = first.body = reader.first();
@@ -52,13 +55,15 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
     const char c = text[content];
     if (c == '%')
       tapeMarks_.push_back(line);
-    if (c != '%' && c != 'O' && c != 'o' && c != ':')
+    if (marks.find(c) == llvm::StringRef::npos &&
+        marks.find(llvm::toUpper(c)) == llvm::StringRef::npos)
       return;
     reader.read(line, block);
     if (block.kind != BlockKind::ProgramHeader)
       return;
     ProgramInfo program;
     program.number = block.program;
+    program.name = text.slice(block.nameBegin, block.nameEnd).upper();
     program.begin = line;
     // Words behind the number stand in the header's block and are executed with it.
     program.body = line;
@@ -97,7 +102,32 @@ const ProgramInfo *FileIndex::find(int64_t number) const {
   return nullptr;
 }
 
+const ProgramInfo *FileIndex::find(llvm::StringRef name) const {
+  for (const ProgramInfo &program : programs_)
+    if (!program.name.empty() && name.equals_insensitive(program.name))
+      return &program;
+  return nullptr;
+}
+
 namespace {
+
+/// Of offsets in text order the one that a search from `from` finds.
+template <typename Range, typename Offset>
+std::optional<uint32_t> found(const Range &range, uint32_t from, Search search, Offset offsetOf) {
+  std::optional<uint32_t> before;
+  for (const auto &entry : range) {
+    const uint32_t offset = offsetOf(entry);
+    if (offset > from) {
+      if (search != Search::Backward)
+        return offset;
+      break;
+    }
+    if (!before || search == Search::Backward)
+      before = offset;
+  }
+  return search == Search::Forward ? std::nullopt : before;
+}
+
 bool byNumber(const NumberedBlock &a, const NumberedBlock &b) { return a.number < b.number; }
 } // namespace
 
@@ -144,19 +174,36 @@ llvm::ArrayRef<NumberedBlock> FileIndex::numbersAsWritten(const ProgramInfo &pro
   return list;
 }
 
-std::optional<uint32_t> FileIndex::block(const ProgramInfo &program, int64_t number,
-                                         uint32_t from) const {
+std::optional<uint32_t> FileIndex::block(const ProgramInfo &program, int64_t number, uint32_t from,
+                                         Search search) const {
   const llvm::ArrayRef<NumberedBlock> list = numbers(program);
-  auto at = std::lower_bound(list.begin(), list.end(), number,
-                             [](const NumberedBlock &b, int64_t n) { return b.number < n; });
-  std::optional<uint32_t> first;
-  for (; at != list.end() && at->number == number; ++at) {
-    if (at->offset > from)
-      return at->offset;
-    if (!first)
-      first = at->offset;
+  const auto [first, last] =
+      std::equal_range(list.begin(), list.end(), NumberedBlock{number, 0}, byNumber);
+  return found(llvm::makeArrayRef(first, last), from, search,
+               [](const NumberedBlock &block) { return block.offset; });
+}
+
+const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
+  const auto [known, fresh] = labels_.try_emplace(program.begin);
+  Labels &labels = known->second;
+  if (!fresh)
+    return labels;
+  Block block;
+  for (uint32_t at = program.begin; at < program.end; at = block.next) {
+    reader_.read(at, block);
+    if (block.hasLabel())
+      labels[reader_.labelKey(source_.text(block.labelBegin, block.labelEnd))].push_back(at);
   }
-  return first;
+  return labels;
+}
+
+std::optional<uint32_t> FileIndex::label(const ProgramInfo &program, llvm::StringRef label,
+                                         uint32_t from, Search search) const {
+  const Labels &all = labels(program);
+  const auto known = all.find(reader_.labelKey(label));
+  if (known == all.end())
+    return std::nullopt;
+  return found(known->second, from, search, [](uint32_t offset) { return offset; });
 }
 
 llvm::ArrayRef<Suppression> FileIndex::suppressions() const {

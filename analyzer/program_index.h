@@ -6,7 +6,9 @@
 #include "formats/text/source.h"
 
 #include "llvm/ADT/DenseMap.h"
+#include "llvm/ADT/StringMap.h"
 
+#include <string>
 #include <vector>
 
 namespace ncvet {
@@ -14,11 +16,19 @@ namespace ncvet {
 /// One program of a file.
 struct ProgramInfo {
   int64_t number = -1; ///< -1: no readable number
+  std::string name;    ///< in capitals; empty when the header gives none
   uint32_t begin = 0;  ///< first byte: of the header, or of the text when there is none
   uint32_t body = 0;   ///< first block to execute
   uint32_t end = 0;    ///< behind the last byte
   uint32_t headerBegin = 0, headerEnd = 0; ///< equal: no header
   bool hasHeader() const { return headerEnd > headerBegin; }
+};
+
+/// Where a jump looks for its target.
+enum class Search : uint8_t {
+  Anywhere, ///< behind the jump, then from the program's begin
+  Forward,
+  Backward ///< the nearest in front of the jump
 };
 
 /// A block with a number.
@@ -38,9 +48,18 @@ public:
   const ProgramInfo &programAt(uint32_t offset) const;
   /// First program with this number, or null.
   const ProgramInfo *find(int64_t number) const;
-  /// Offset of the block numbered `number` in the program: the first one behind `from`, else the
-  /// first in the program. None: no such block.
-  std::optional<uint32_t> block(const ProgramInfo &program, int64_t number, uint32_t from) const;
+  /// First program with this name, in capitals or not; null.
+  const ProgramInfo *find(llvm::StringRef name) const;
+  /// Offset of the block numbered `number` in the program, looked for from the block at `from`.
+  /// None: no such block.
+  std::optional<uint32_t> block(const ProgramInfo &program, int64_t number, uint32_t from,
+                                Search search = Search::Anywhere) const;
+  /// Offset of the block with this label (as the text spells it), in the same way.
+  std::optional<uint32_t> label(const ProgramInfo &program, llvm::StringRef label, uint32_t from,
+                                Search search = Search::Anywhere) const;
+  /// All labels of the program by key, each with its blocks in text order.
+  using Labels = llvm::StringMap<std::vector<uint32_t>>;
+  const Labels &labels(const ProgramInfo &program) const;
   /// All numbered blocks of the program, sorted by number, then offset.
   llvm::ArrayRef<NumberedBlock> numbers(const ProgramInfo &program) const;
   /// The same in the order in which they are written.
@@ -63,6 +82,7 @@ private:
     bool ascending = false;
   };
   mutable llvm::DenseMap<uint32_t, Numbers> numbers_; ///< by program's begin
+  mutable llvm::DenseMap<uint32_t, Labels> labels_;   ///< by program's begin
   mutable std::optional<std::vector<Suppression>> suppressions_;
 };
 

@@ -82,7 +82,8 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
   for (const std::string &file : files) {
     const int64_t number = numberOfName(llvm::sys::path::filename(file));
     if (number >= 0)
-      programs.try_emplace(number, file);
+      programs.byNumber.try_emplace(number, file);
+    programs.byName.try_emplace(llvm::sys::path::stem(file).upper(), file);
   }
   unsigned looked = 0;
   for (const std::string &file : files) {
@@ -97,14 +98,15 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
       continue;
     const int64_t number = numberOfHeader((*buffer)->getBuffer());
     if (number >= 0)
-      programs.try_emplace(number, file);
+      programs.byNumber.try_emplace(number, file);
   }
   return programs;
 }
 
-std::pair<FileUnit *, const ProgramInfo *> Project::findProgram(FileUnit &from, int64_t number) {
-  if (const ProgramInfo *program = from.index.find(number))
-    return {&from, program};
+Project::Found
+Project::searchFolders(FileUnit &from,
+                       llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
+                       llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
   std::vector<std::string> folders;
   if (!from.source.path().empty()) {
     const llvm::StringRef parent = llvm::sys::path::parent_path(from.source.path());
@@ -112,18 +114,17 @@ std::pair<FileUnit *, const ProgramInfo *> Project::findProgram(FileUnit &from, 
   }
   folders.insert(folders.end(), searchFolders_.begin(), searchFolders_.end());
   for (const std::string &path : folders) {
-    const ProgramFolders::Programs &programs = folders_->programs(path);
-    const auto found = programs.find(number);
-    if (found == programs.end())
+    const std::string name = fileOf(folders_->programs(path));
+    if (name.empty())
       continue;
     // A file of this project keeps its number. Others' files in the set are left alone: they may be
     // at work on another thread.
     const SourceFile *file = nullptr;
     for (const auto &known : units_)
-      if (known.second->source.path() == found->second)
+      if (known.second->source.path() == name)
         file = &known.second->source;
     if (!file) {
-      auto opened = sources_.open(found->second);
+      auto opened = sources_.open(name);
       if (!opened) {
         llvm::consumeError(opened.takeError());
         continue;
@@ -131,13 +132,42 @@ std::pair<FileUnit *, const ProgramInfo *> Project::findProgram(FileUnit &from, 
       file = *opened;
     }
     FileUnit &other = unit(*file);
-    if (const ProgramInfo *program = other.index.find(number))
+    if (const ProgramInfo *program = programOf(other.index))
       return {&other, program};
-    // The file's name is the number; what it holds needs no header of its own.
+    // The file's name says which program it is; what it holds needs no header of its own.
     if (!other.index.programs().empty() && !other.index.programs()[0].hasHeader())
       return {&other, &other.index.programs()[0]};
   }
   return {nullptr, nullptr};
+}
+
+Project::Found Project::findProgram(FileUnit &from, int64_t number) {
+  if (const ProgramInfo *program = from.index.find(number))
+    return {&from, program};
+  return searchFolders(
+      from,
+      [number](const ProgramFolders::Programs &programs) {
+        const auto found = programs.byNumber.find(number);
+        return found == programs.byNumber.end() ? std::string() : found->second;
+      },
+      [number](const FileIndex &index) { return index.find(number); });
+}
+
+Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
+  if (const ProgramInfo *program = from.index.find(name))
+    return {&from, program};
+  // Only the name counts: the control has folders of its own.
+  const size_t slash = name.find_last_of("/\\");
+  if (slash != llvm::StringRef::npos)
+    name = name.drop_front(slash + 1);
+  const std::string key = name.upper();
+  return searchFolders(
+      from,
+      [&key](const ProgramFolders::Programs &programs) {
+        const auto found = programs.byName.find(key);
+        return found == programs.byName.end() ? std::string() : found->second;
+      },
+      [name](const FileIndex &index) { return index.find(name); });
 }
 
 } // namespace ncvet

@@ -30,7 +30,10 @@ struct FileUnit {
 /// Which programs lie in which folder; each folder is read once. Safe for several threads.
 class ProgramFolders {
 public:
-  using Programs = std::map<int64_t, std::string>; ///< file by program number
+  struct Programs {
+    std::map<int64_t, std::string> byNumber; ///< file by program number
+    llvm::StringMap<std::string> byName;     ///< file by its name without ending, in capitals
+  };
   /// Programs of a folder, from file names like `O1234.nc` and from headers.
   const Programs &programs(const std::string &folder);
 
@@ -50,12 +53,20 @@ public:
   /// The unit of a file of the set; made when first asked for.
   FileUnit &unit(const SourceFile &file);
   /// Program `number` as seen from `from`: its unit and entry; null when there is none.
-  std::pair<FileUnit *, const ProgramInfo *> findProgram(FileUnit &from, int64_t number);
+  using Found = std::pair<FileUnit *, const ProgramInfo *>;
+  Found findProgram(FileUnit &from, int64_t number);
+  /// The same for program `name`. A path in front of it is not followed.
+  Found findProgram(FileUnit &from, llvm::StringRef name);
   const Dialect &dialect() const { return *dialect_; }
   const MachineProfile &machine() const { return machine_; }
   SourceSet &sources() { return sources_; }
 
 private:
+  /// Looks through the folders; `fileOf` picks a folder's file, `programOf` the program in it.
+  Found searchFolders(FileUnit &from,
+                      llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
+                      llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf);
+
   SourceSet &sources_;
   std::shared_ptr<const Dialect> dialect_;
   MachineProfile machine_;

@@ -49,7 +49,7 @@ bool restate(ModeChanges &changes, const Block &block, const Dialect &dialect) {
       break;
     }
     if (code.group != noGroup)
-      changes.groups &= ~(1u << code.group);
+      changes.groups &= ~(uint64_t(1) << code.group);
     // A motion code ends a cycle, a cycle's code replaces the motion.
     if (code.group == dialect.group(StandardGroup::Motion))
       drop(changes, dialect, StandardGroup::Cycle);
@@ -82,8 +82,8 @@ ModeChanges usedBy(const ModeChanges &changes, const Block &block, const Dialect
 
 } // namespace
 
-uint32_t groupMask(const Dialect &dialect, std::initializer_list<StandardGroup> groups) {
-  uint32_t mask = 0;
+uint64_t groupMask(const Dialect &dialect, std::initializer_list<StandardGroup> groups) {
+  uint64_t mask = 0;
   for (const StandardGroup group : groups)
     if (dialect.group(group) != noGroup)
       mask |= 1u << dialect.group(group);

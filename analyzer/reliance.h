@@ -7,13 +7,13 @@ namespace ncvet {
 
 /// What changed at one place of a program.
 struct ModeChanges {
-  uint32_t groups = 0; ///< bit per modal group of the dialect
+  uint64_t groups = 0; ///< bit per modal group of the dialect
   bool tool = false;
   bool any() const { return groups || tool; }
 };
 
 /// Bit mask of those standard groups that the dialect has.
-uint32_t groupMask(const Dialect &dialect, std::initializer_list<StandardGroup> groups);
+uint64_t groupMask(const Dialect &dialect, std::initializer_list<StandardGroup> groups);
 
 /// Looks through the text behind the block at hand for the first block with axis words that uses
 /// some of `changes` before they are stated again; `user` gets its range. Gives nothing when there

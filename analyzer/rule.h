@@ -244,6 +244,10 @@ struct FileSummary {
   llvm::ArrayRef<int64_t> usedNumbers;
   /// Program numbers called from the analysed files, ascending.
   llvm::ArrayRef<int64_t> calledPrograms;
+  /// Keys of the labels that a jump or repeat of this file named, ascending.
+  llvm::ArrayRef<std::string> usedLabels;
+  /// Names of the programs called, in capitals, ascending.
+  llvm::ArrayRef<std::string> calledNames;
   bool complete =
       true; ///< false: the analysis was cut short, what was not reached may be reachable
 

@@ -49,7 +49,7 @@ llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Eve
   llvm::SmallVector<MissingWord, 2> missing;
   const CodeInfo &code = ctx.code(event);
   for (const WordSpec &spec : code.words) {
-    if (spec.need == Need::Optional || ctx.block().hasAny(spec.any))
+    if (spec.need == Need::Optional || wordFor(ctx.block(), spec))
       continue;
     if (!holds(spec.when, &code, ctx.conditions()))
       continue;
@@ -155,11 +155,11 @@ void reportWordRanges(RuleContext &ctx, const Event &event,
                       llvm::function_ref<bool(const CodeInfo &, const WordSpec &, Breach)> mine) {
   const CodeInfo &code = ctx.code(event);
   for (const WordSpec &spec : code.words) {
-    if (!spec.hasRange || !ctx.block().hasAny(spec.any) ||
-        !holds(spec.when, &code, ctx.conditions()))
+    const Word *const named = wordFor(ctx.block(), spec);
+    if (!spec.hasRange || !named || !holds(spec.when, &code, ctx.conditions()))
       continue;
     for (const Word &word : ctx.block().words) {
-      if (!(spec.any & maskOf(word.address)))
+      if (!(spec.any & maskOf(word.address)) && &word != named)
         continue;
       const std::optional<Breach> breach = breachOf(spec.range, word, ctx.conditions());
       if (!breach || !mine(code, spec, *breach))

@@ -8,8 +8,8 @@ namespace ncvet {
 /// Makes the code the active member of its group.
 void Execution::activate(const CodeInfo &code, const Word *word) {
   state_.group[code.group] = uint64_t(1) << code.bit;
-  state_.statedMay |= 1u << code.group;
-  state_.statedMust |= 1u << code.group;
+  state_.statedMay |= uint64_t(1) << code.group;
+  state_.statedMust |= uint64_t(1) << code.group;
   if (word)
     state_.origin.group[code.group] = originOf(*word);
 }

@@ -8,6 +8,34 @@
 
 namespace ncvet {
 
+CodeIndex codeOf(const Dialect &dialect, const Word &word) {
+  if (word.address == keywordAddress)
+    return CodeIndex(word.mantissa);
+  if ((word.address != letterAddress('G') && word.address != letterAddress('M')) ||
+      !word.isNumber())
+    return noCode;
+  return dialect.find(char('A' + word.address), word.codeNumber());
+}
+
+const Word *wordFor(const Block &block, const WordSpec &spec) {
+  if (spec.position) {
+    const Word *word = block.argument(spec.position);
+    return word && !word->has(wordNoValue) ? word : nullptr;
+  }
+  if (spec.variable) {
+    if (!block.has(variableAddress))
+      return nullptr;
+    const Word *last = nullptr; // the last one counts
+    for (const Item &item : block.items)
+      if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == spec.variable)
+        for (const Word &word : block.words)
+          if (word.address == variableAddress && word.offset == item.begin)
+            last = &word;
+    return last;
+  }
+  return block.findAny(spec.any);
+}
+
 Interval wordValue(const Word &word, const Block &block, const MachineState &state) {
   if (word.has(wordNoValue))
     return Interval::unknown();

@@ -6,6 +6,13 @@
 
 namespace ncvet {
 
+/// The word of the block that `spec` speaks of: by its address, its place among the arguments, or
+/// the variable that it sets. Null when there is none; an argument left empty counts as none.
+const Word *wordFor(const Block &block, const WordSpec &spec);
+
+/// The code that a word is, without its variants; `noCode` for other words and unknown codes.
+CodeIndex codeOf(const Dialect &dialect, const Word &word);
+
 /// All that a condition may ask about.
 struct ConditionContext {
   const Dialect &dialect;

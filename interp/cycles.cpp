@@ -50,7 +50,7 @@ void Execution::startCycle(const CodeUse &use) {
   // L0 (K0 on newer controls) stores the data and makes no hole.
   for (const WordSpec &spec : code.words)
     if (spec.role == Role::Repeat)
-      if (const Word *count = block_.findAny(spec.any)) {
+      if (const Word *count = wordFor(block_, spec)) {
         const Interval n = value(*count);
         if (n.isConstant() && n.value() == 0)
           return;

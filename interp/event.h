@@ -94,10 +94,14 @@ struct CodeUse {
 
 enum class FlowKind : uint8_t {
   Next,      ///< on to the next block
-  Jump,      ///< to block number `target`; `condition` says whether
+  Jump,      ///< to block number `target`, or as `item` has it; `condition` says whether
   LoopBegin, ///< WHILE or DO number `loop`; `condition` says whether the body runs
   LoopEnd,   ///< END number `loop`
   Call,      ///< program `target`, `repeat` times
+  Branch,    ///< an operator's input: on, or to the argument of `item`
+  Structure, ///< a bracket of structured flow, `item`; `condition` as its kind asks
+  Repeat,    ///< the blocks between the arguments of `item` again, `repeat` times
+  CallNamed, ///< the program that `item` names, `repeat` times
   CallLocal, ///< blocks from number `target` to the next return, in this program
   Return,    ///< to the caller, at its block `target` when that is known
   End,       ///< the program ends
@@ -111,10 +115,12 @@ struct Flow {
   Truth condition = Truth::Yes;
   uint8_t loop = 0;
   bool macro = false; ///< a call with variables of its own
+  int16_t item = -1;  ///< number of the block's item that says where to; -1: words say it
   CodeIndex code = noCode;
   const Word *word = nullptr;  ///< the word that names the target, or the code
   uint32_t begin = 0, end = 0; ///< where the flow is written, for messages
   Value target;
+  Interval choice; ///< of a jump by sign or value: what decides
   Value repeat = Value::of(1);
   Value startAt = Value::vacant(); ///< block number at which the called program starts
   int64_t first = notSet, last = notSet;

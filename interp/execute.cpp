@@ -205,12 +205,16 @@ void Execution::wordIssues() {
 }
 
 void Execution::resolveCodes() {
-  constexpr AddressMask codeLetters = maskOf('G') | maskOf('M');
+  constexpr AddressMask codeLetters = maskOf('G') | maskOf('M') | maskOf(keywordAddress);
   if (!(block_.addresses & codeLetters))
     return;
   for (const Word &word : block_.words) {
     if (!(codeLetters & maskOf(word.address)))
       continue;
+    if (word.address == keywordAddress) {
+      outcome_.codes.push_back({CodeIndex(word.mantissa), &word});
+      continue;
+    }
     if (word.has(wordExpression)) {
       // `G#1`: which code it is decides itself at run time.
       const Interval number = value(word);

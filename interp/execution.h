@@ -31,6 +31,8 @@ private:
 
   // statements.cpp: Macro B
   bool runItems(bool guardHolds);
+  void go(FlowKind kind, size_t index);
+  void structure(size_t index);
 
   // codes.cpp: the effect of single codes
   void applyModal(const CodeUse &use);

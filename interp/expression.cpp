@@ -21,7 +21,8 @@ constexpr int64_t firstExtended = 98000, lastExtended = 98499;
 
 bool isCommon(int64_t number) {
   return (number > lastLocal && number < firstSystem) ||
-         (number >= firstExtended && number <= lastExtended);
+         (number >= firstExtended && number <= lastExtended) ||
+         number >= int64_t(firstNamedVariable);
 }
 
 Value fromTruth(Truth truth) {
@@ -132,6 +133,19 @@ void Evaluator::arithmetic(const ExpressionOp &op) {
     else
       stack_.push_back(b.isConstant() ? Value::of(a * (1 / b.value())) : Value::unknown());
     return;
+  case Op::IntegerDivide:
+    if (b.isConstant() && b.value() == 0)
+      domainError(op);
+    stack_.push_back(a.isConstant() && b.isConstant() && b.value() != 0
+                         ? Value::of(std::trunc(a.value() / b.value()))
+                         : Value::unknown());
+    return;
+  case Op::Minimum:
+    stack_.push_back(Value::of(Interval{std::min(a.lo, b.lo), std::min(a.hi, b.hi)}));
+    return;
+  case Op::Maximum:
+    stack_.push_back(Value::of(Interval{std::max(a.lo, b.lo), std::max(a.hi, b.hi)}));
+    return;
   case Op::Modulo:
     if (b.isConstant() && b.value() == 0)
       domainError(op);
@@ -178,12 +192,26 @@ void Evaluator::step(const ExpressionOp &op) {
     stack_.push_back(Value::vacant());
     return;
   case Op::Variable:
-    stack_.push_back(op.value < 1e9 ? readVariable(state_, int64_t(op.value)) : Value::unknown());
+    stack_.push_back(readVariable(state_, int64_t(op.value)));
+    return;
+  case Op::ElementAt: {
+    const Value index = pop();
+    stack_.push_back(
+        index.isConstant()
+            ? readVariable(state_, int64_t(elementKey(uint64_t(op.value),
+                                                      std::llround(index.number.value()))))
+            : Value::unknown());
+    return;
+  }
+  case Op::Opaque:
+    for (unsigned i = 0; i < unsigned(op.value); ++i)
+      pop();
+    stack_.push_back(Value::unknown());
     return;
   case Op::VariableAt: {
     const Value number = pop();
     const Interval n = number.asNumber();
-    if (number.kind == Value::Kind::Unknown || !n.isConstant() || std::fabs(n.value()) > 1e9)
+    if (number.kind == Value::Kind::Unknown || !n.isConstant() || std::fabs(n.value()) > 1e15)
       stack_.push_back(Value::unknown());
     else
       stack_.push_back(readVariable(state_, std::llround(n.value())));
@@ -261,13 +289,19 @@ void Evaluator::step(const ExpressionOp &op) {
   case Op::Round:
     return unary([](double x) { return std::round(x); });
   case Op::Fix:
+  case Op::Truncate:
     return unary([](double x) { return std::trunc(x); });
   case Op::Fup:
     return unary([](double x) { return x < 0 ? std::floor(x) : std::ceil(x); });
+  case Op::Square:
+    return unary([](double x) { return x * x; });
   case Op::Add:
   case Op::Subtract:
   case Op::Multiply:
   case Op::Divide:
+  case Op::IntegerDivide:
+  case Op::Minimum:
+  case Op::Maximum:
   case Op::Modulo:
   case Op::And:
   case Op::Or:
@@ -276,7 +310,7 @@ void Evaluator::step(const ExpressionOp &op) {
     return arithmetic(op);
   default:
     // BIN, BCD, ADP and what the reader could not resolve.
-    if (op.op != Op::Unknown && op.op != Op::NamedVariable && !stack_.empty())
+    if (op.op != Op::Unknown && !stack_.empty())
       stack_.pop_back();
     stack_.push_back(Value::unknown());
   }
@@ -303,17 +337,17 @@ Value readVariable(const MachineState &state, int64_t number) {
   if (number == 0)
     return Value::vacant();
   if (number > 0 && number <= lastLocal)
-    return state.locals.get(uint32_t(number));
+    return state.locals.get(uint64_t(number));
   if (isCommon(number))
-    return state.commons.get(uint32_t(number));
+    return state.commons.get(uint64_t(number));
   return Value::unknown();
 }
 
 void writeVariable(MachineState &state, int64_t number, const Value &value) {
   if (number > 0 && number <= lastLocal)
-    state.locals.set(uint32_t(number), value);
+    state.locals.set(uint64_t(number), value);
   else if (isCommon(number))
-    state.commons.set(uint32_t(number), value);
+    state.commons.set(uint64_t(number), value);
 }
 
 } // namespace ncvet

@@ -77,9 +77,12 @@ void Execution::storeTarget(const Word &word, bool machineCoordinates) {
     position = address.kind == AddressKind::Increment ? Interval::unknown() : target;
     return;
   }
-  const Truth relative = address.kind == AddressKind::Increment || word.has(wordIncremental)
+  const WordReading reading = word.reading();
+  const Truth relative = address.kind == AddressKind::Increment || word.has(wordIncremental) ||
+                                 reading == WordReading::Incremental
                              ? Truth::Yes
-                             : incremental();
+                         : reading != WordReading::Modal ? Truth::No
+                                                         : incremental();
   if (relative == Truth::Yes) {
     position = position + target; // stays in the coordinates in which it was known
     return;

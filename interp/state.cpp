@@ -108,7 +108,8 @@ void visitParts(const MachineState &s, Sink sink) {
     sink(g);
   for (const Interval &p : s.position)
     interval(p);
-  sink(uint64_t(s.statedMay) << 32 | s.statedMust);
+  sink(s.statedMay);
+  sink(s.statedMust);
   sink(s.machineAxes);
   sink(s.factsMay);
   sink(s.factsMust);
@@ -220,7 +221,7 @@ MachineState unknownState(const Dialect &dialect) {
     if (i < dialect.groups.size())
       state.group[i] |= knownMembers(dialect, GroupIndex(i));
   }
-  state.statedMay = ~0u;
+  state.statedMay = ~uint64_t(0);
   state.factsMay = ~uint64_t(0);
   state.tool = state.toolOffset = state.preselected = state.lengthOffset = state.radiusOffset =
       notKnown;

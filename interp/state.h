@@ -93,11 +93,15 @@ struct CycleWords {
 constexpr Interval emptyInterval{std::numeric_limits<double>::infinity(),
                                  -std::numeric_limits<double>::infinity()};
 
+/// Modal codes.
+struct ModeState {
+  std::array<uint64_t, maxGroups> group;  ///< bit set of members that may be active
+  uint64_t statedMay = 0, statedMust = 0; ///< bit per group: the program has stated it
+};
+
 /// What changes with nearly every block.
 struct MotionState {
-  std::array<uint64_t, maxGroups> group;    ///< bit set of members that may be active
   std::array<Interval, axisCount> position; ///< mm or degrees; lathe X as programmed
-  uint32_t statedMay = 0, statedMust = 0;   ///< bit per group: the program has stated it
   uint32_t machineAxes = 0;                 ///< bit per axis: `position` is in machine coordinates
   uint64_t factsMay = 0, factsMust = 0;
   Interval feed; ///< as programmed; unknown when never set (see Fact::FeedSet)
@@ -144,7 +148,7 @@ struct OriginState {
       radiusOffset;
 };
 
-struct MachineState : MotionState, SetupState {
+struct MachineState : ModeState, MotionState, SetupState {
   Variables locals{Value::vacant()};
   Variables commons;
   OriginState origin;

@@ -10,6 +10,34 @@ namespace {
 constexpr int64_t alarmVariable = 3000;
 } // namespace
 
+/// The block's flow is the one that item `index` says.
+void Execution::go(FlowKind kind, size_t index) {
+  Flow &flow = outcome_.flow;
+  flow.kind = kind;
+  flow.item = int16_t(index);
+  flow.begin = block_.items[index].begin;
+  flow.end = block_.items[index].end;
+}
+
+void Execution::structure(size_t index) {
+  const Item &item = block_.items[index];
+  go(FlowKind::Structure, index);
+  Flow &flow = outcome_.flow;
+  if (item.condition != noExpression)
+    flow.condition = truthOf(evaluate(block_, item.condition, state_, &outcome_));
+  if (item.structure != Structure::For)
+    return;
+  const Value first = evaluate(block_, item.value, state_, &outcome_);
+  const Value last = evaluate(block_, item.limit, state_, &outcome_);
+  if (const uint64_t key = block_.keyOf(item.target))
+    writeVariable(state_, int64_t(key), first);
+  const Interval a = first.asNumber(), b = last.asNumber();
+  const bool known = first.kind != Value::Kind::Unknown && last.kind != Value::Kind::Unknown;
+  flow.condition = known && a.hi <= b.lo  ? Truth::Yes
+                   : known && a.lo > b.hi ? Truth::No
+                                          : Truth::Unknown;
+}
+
 /// False when nothing behind the statements is executed.
 bool Execution::runItems(bool guardHolds) {
   Truth condition = Truth::Yes;
@@ -27,11 +55,17 @@ bool Execution::runItems(bool guardHolds) {
       break;
     }
     case ItemKind::Jump:
-      flow.kind = FlowKind::Jump;
+      // Of several conditional jumps the first whose condition may hold is followed.
+      if (conditional && condition == Truth::No && i + 1 < block_.items.size()) {
+        conditional = false;
+        condition = Truth::Yes;
+        break;
+      }
+      go(FlowKind::Jump, i);
       flow.condition = conditional ? condition : Truth::Yes;
       flow.target = evaluate(block_, item.value, state_, &outcome_);
-      flow.begin = item.begin;
-      flow.end = item.end;
+      if (item.condition != noExpression)
+        flow.choice = evaluate(block_, item.condition, state_, &outcome_).asNumber();
       return true;
     case ItemKind::Assignment: {
       const Value number = evaluate(block_, item.target, state_, &outcome_);
@@ -71,7 +105,26 @@ bool Execution::runItems(bool guardHolds) {
       flow.begin = item.begin;
       flow.end = item.end;
       return true;
+    case ItemKind::Structure:
+      structure(i);
+      break;
+    case ItemKind::Call:
+    case ItemKind::Repeat:
+      go(item.kind == ItemKind::Call ? FlowKind::CallNamed : FlowKind::Repeat, i);
+      if (item.count != noExpression)
+        flow.repeat = evaluate(block_, item.count, state_, &outcome_);
+      if (item.value != noExpression)
+        flow.target = evaluate(block_, item.value, state_, &outcome_);
+      outcome_.emit(EventKind::Call);
+      break;
+    case ItemKind::Input:
+      go(FlowKind::Branch, i);
+      if (const Value key = evaluate(block_, item.target, state_, nullptr); key.isConstant())
+        writeVariable(state_, std::llround(key.number.value()), Value::unknown());
+      break;
     case ItemKind::Output:
+    case ItemKind::Instruction:
+    case ItemKind::Parameters:
       break;
     }
   }

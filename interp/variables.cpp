@@ -8,23 +8,23 @@
 
 namespace ncvet {
 
-Value Variables::get(uint32_t number) const {
+Value Variables::get(uint64_t number) const {
   if (!data_)
     return fallback_;
   const auto &entries = data_->entries;
   const auto at = std::lower_bound(entries.begin(), entries.end(), number,
-                                   [](const Entry &e, uint32_t n) { return e.number < n; });
+                                   [](const Entry &e, uint64_t n) { return e.number < n; });
   return at != entries.end() && at->number == number ? at->value : fallback_;
 }
 
-void Variables::set(uint32_t number, const Value &value) {
+void Variables::set(uint64_t number, const Value &value) {
   if (!data_)
     data_ = new Data;
   else if (data_->users > 1)
     data_ = new Data(*data_);
   auto &entries = data_->entries;
   const auto at = std::lower_bound(entries.begin(), entries.end(), number,
-                                   [](const Entry &e, uint32_t n) { return e.number < n; });
+                                   [](const Entry &e, uint64_t n) { return e.number < n; });
   if (at != entries.end() && at->number == number)
     at->value = value;
   else

@@ -10,14 +10,15 @@
 
 namespace ncvet {
 
-/// Map from variable number to value. Copies share their storage until one of them is written to.
-/// What is not in the map has the value that `fallback` says.
+/// Map from a variable's key (its number, or `variableKey`) to its value. Copies share their
+/// storage until one of them is written to. What is not in the map has the value that `fallback`
+/// says.
 class Variables {
 public:
   explicit Variables(Value fallback = Value::unknown()) : fallback_(fallback) {}
 
-  Value get(uint32_t number) const;
-  void set(uint32_t number, const Value &value);
+  Value get(uint64_t key) const;
+  void set(uint64_t key, const Value &value);
   /// Forgets everything: all variables unknown.
   void forget();
   bool empty() const { return !data_ || data_->entries.empty(); }
@@ -29,7 +30,7 @@ public:
 
 private:
   struct Entry {
-    uint32_t number;
+    uint64_t number;
     Value value;
   };
   struct Data {

@@ -1,6 +1,7 @@
 // Codes of a dialect out of its merged JSON: names, groups, words, notices, variants.
 #include "formats/dialect/code_name.h"
 #include "formats/dialect/dialect_builder.h"
+#include "formats/dialect/variable_key.h"
 #include "formats/dialect/vocabulary.h"
 
 #include "llvm/ADT/Twine.h"
@@ -59,6 +60,8 @@ void DialectBuilder::nameCode(const std::string &name, const Json &value) {
       table.resize(at + 1, noCode);
     table[at] = index;
   }
+  if (!info.letter) // the marks around it are not part of the word
+    dialect_.keywords[llvm::StringRef(name).trim("<>").upper()] = index;
   namedCodes_[name] = index;
   dialect_.codes.push_back(std::move(info));
   joinGroup(value, index);
@@ -174,7 +177,17 @@ WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {
                  "integer", "oneOf", "point", "rangeSeverity", "pointAdvised", "note"});
   WordSpec word;
   llvm::SmallVector<llvm::StringRef, 4> names;
-  llvm::StringRef(name).split(names, '|');
+  llvm::StringRef spelling = name;
+  if (spelling.consume_front("@")) { // a variable
+    word.name = spelling.str();
+    word.variable = variableKey(spelling);
+  } else if (!spelling.consumeInteger(10, word.position)) { // "3 SDIS": the third argument
+    word.name = spelling.trim().str();
+    if (!word.position)
+      in_.fail(value, "arguments are counted from 1");
+  } else {
+    spelling.split(names, '|');
+  }
   for (llvm::StringRef one : names)
     if (std::optional<AddressId> address = addressId(value, one))
       word.any |= maskOf(*address);

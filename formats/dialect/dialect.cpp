@@ -24,6 +24,12 @@ std::string Dialect::addressName(AddressId address) const {
     return ",C";
   case commaR:
     return ",R";
+  case variableAddress:
+    return "variable";
+  case argumentAddress:
+    return "argument";
+  case keywordAddress:
+    return "keyword";
   case noAddress:
     return "number";
   default:

@@ -23,7 +23,7 @@ using CodeIndex = uint16_t; ///< index into `Dialect::codes`
 constexpr CodeIndex noCode = 0xFFFF;
 using GroupIndex = uint8_t; ///< index into `Dialect::groups`
 constexpr GroupIndex noGroup = 0xFF;
-constexpr unsigned maxGroups = 24;
+constexpr unsigned maxGroups = 64;
 constexpr unsigned maxGroupMembers = 62;
 /// Bit of a modal group that says: no member is known to be active (power-on state not documented).
 constexpr uint64_t groupUnset = uint64_t(1) << 63;
@@ -165,6 +165,9 @@ enum class Need : uint8_t {
 /// One word of a code's format, or several that stand for each other (`X|U`).
 struct WordSpec {
   AddressMask any = 0;
+  unsigned position = 0; ///< from 1: an argument of the code's call instead; 0: not one
+  uint64_t variable = 0; ///< `variableKey` of a variable that the code reads instead; 0: none
+  std::string name;      ///< of that argument or variable: "RTP", "ENT"
   Need need = Need::Optional;
   Role role = Role::None;
   std::optional<Severity> severity; ///< of its absence, when it differs from the rule's
@@ -306,9 +309,11 @@ struct Lexical {
   bool incrementOperator = false; ///< `XI-4`
   AddressMask commaAddresses = 0; ///< which of `,A ,C ,R` exist
   Semicolon semicolon = Semicolon::Comment;
-  bool percentHeader = false; ///< `%O1234` is a program's first line
-  bool macro = true;          ///< variables, expressions, IF, WHILE, GOTO are known
-  uint8_t skipLevels = 9;     ///< block skip `/1` … `/9`; 1: plain `/` only
+  bool percentHeader = false;      ///< `%O1234` is a program's first line
+  bool macro = true;               ///< variables, expressions, IF, WHILE, GOTO are known
+  std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
+  std::string endLabel;            ///< label that ends a repeated section; empty: there is none
+  uint8_t skipLevels = 9;          ///< block skip `/1` … `/9`; 1: plain `/` only
 };
 
 struct Limits {
@@ -351,8 +356,9 @@ struct Dialect {
   /// Index of each standard group in `groups`, or `noGroup`.
   std::array<GroupIndex, unsigned(StandardGroup::Count)> standard;
   std::vector<CodeInfo> codes;
-  std::vector<CodeIndex> gTable; ///< by number * 10 + decimal; `noCode`: unknown
-  std::vector<CodeIndex> mTable; ///< by number
+  std::vector<CodeIndex> gTable;       ///< by number * 10 + decimal; `noCode`: unknown
+  std::vector<CodeIndex> mTable;       ///< by number
+  llvm::StringMap<CodeIndex> keywords; ///< codes that are words of their own, in capitals
   std::vector<SwitchInfo> switches;
   std::vector<DetectMark> detect;
   std::vector<std::string> extensions; ///< file name endings that speak for it, without the dot
@@ -381,6 +387,13 @@ struct Dialect {
   }
   /// A code by its name in the table ("G84.2", "M3" or "M03"); `noCode` when there is none.
   CodeIndex find(llvm::StringRef name) const;
+  /// The code that is the word `text` itself, in capitals or not; `noCode` when there is none.
+  CodeIndex keyword(llvm::StringRef text) const {
+    if (keywords.empty())
+      return noCode;
+    const auto found = keywords.find(text.upper());
+    return found == keywords.end() ? noCode : found->second;
+  }
   /// Name of an address for messages: "X", ",R", "CR".
   std::string addressName(AddressId address) const;
   /// "X or U" from a mask.

@@ -116,13 +116,15 @@ void DialectBuilder::readLexical() {
   if (!lexical)
     return;
   in_.allowKeys(*lexical, {"incrementOperator", "commaAddresses", "semicolon", "percentHeader",
-                           "macro", "skipLevels"});
+                           "macro", "skipLevels", "headerMarks", "endLabel"});
   Lexical &target = dialect_.lexical;
   in_.read(*lexical, "incrementOperator", target.incrementOperator);
   readSet(*lexical, "commaAddresses", target.commaAddresses);
   in_.readName(*lexical, "semicolon", "meaning of a semicolon", semicolonNames(), target.semicolon);
   in_.read(*lexical, "percentHeader", target.percentHeader);
   in_.read(*lexical, "macro", target.macro);
+  in_.read(*lexical, "headerMarks", target.headerMarks);
+  in_.read(*lexical, "endLabel", target.endLabel);
   in_.readWhole(*lexical, "skipLevels", target.skipLevels, 0, 9);
   if (target.commaAddresses & ~(maskOf(commaA) | maskOf(commaC) | maskOf(commaR)))
     in_.fail(*in_.member(*lexical, "commaAddresses"), "only \",A\", \",C\" and \",R\" are known");
@@ -213,7 +215,9 @@ void DialectBuilder::readAddresses() {
     dialect_.pointAdvised |= dialect_.addresses[address].pointAdvised ? mask : 0;
     dialect_.plain |= kind == AddressKind::Code || kind == AddressKind::Number ? mask : 0;
   }
-  dialect_.plain |= dialect_.axisWords | lettersMask("FS");
+  dialect_.known |= addresslessWords;
+  dialect_.repeatable |= addresslessWords;
+  dialect_.plain |= dialect_.axisWords | lettersMask("FS") | addresslessWords;
   dialect_.plain &= ~lettersMask("NOL");
 }
 
@@ -223,7 +227,7 @@ void DialectBuilder::readAddress(const std::string &name, const Json &value) {
     if (!llvm::all_of(name, llvm::isAlnum))
       return in_.fail(value,
                       "an address is one letter, a comma and a letter, or letters and digits");
-    if (firstNamed + dialect_.addressNames.size() >= noAddress)
+    if (firstNamed + dialect_.addressNames.size() >= variableAddress)
       return in_.fail(value, "too many addresses of several letters");
     dialect_.addressNames.push_back(name);
   }

@@ -40,9 +40,12 @@ void Block::clear() {
   numberIsFirst = true;
   number = program = -1;
   numberBegin = numberEnd = headerBegin = headerEnd = 0;
+  nameBegin = nameEnd = labelBegin = labelEnd = 0;
+  mainBlock = false;
   addresses = repeated = pointed = pointless = 0;
   words.clear();
   items.clear();
+  arguments.clear();
   expressions.clear();
   operations.clear();
   comments.clear();
@@ -56,6 +59,22 @@ const Word *Block::find(AddressId address) const {
     if (word.address == address)
       return &word;
   return nullptr;
+}
+
+const Word *Block::argument(unsigned position) const {
+  if (!has(argumentAddress))
+    return nullptr;
+  for (const Word &word : words)
+    if (word.address == argumentAddress && --position == 0)
+      return &word;
+  return nullptr;
+}
+
+uint64_t Block::keyOf(uint16_t expression) const {
+  if (expression >= expressions.size() || expressions[expression].count != 1)
+    return 0;
+  const ExpressionOp &op = operations[expressions[expression].first];
+  return op.op == Op::Number && op.value >= 0 ? uint64_t(op.value) : 0;
 }
 
 const Word *Block::findAny(AddressMask mask) const {

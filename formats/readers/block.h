@@ -2,7 +2,9 @@
 #pragma once
 
 #include "formats/dialect/address.h"
+#include "formats/dialect/variable_key.h"
 
+#include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/SmallVector.h"
 #include "llvm/ADT/StringRef.h"
 
@@ -22,18 +24,32 @@ enum WordFlag : uint8_t {
   wordMalformed = 128   ///< the number was bad; its value is what could be read
 };
 
+/// How the value of a word counts when the word itself says so: Sinumerik's `X=IC(5)`.
+enum class WordReading : uint8_t {
+  Modal,          ///< as the modes have it
+  Absolute,       ///< `AC(..)`
+  Incremental,    ///< `IC(..)`
+  RotaryShortest, ///< `DC(..)`
+  RotaryPositive, ///< `ACP(..)`
+  RotaryNegative  ///< `ACN(..)`
+};
+
 /// Address and number. The number is exact: mantissa * 10^-decimals.
 struct Word {
   AddressId address = noAddress;
   uint8_t flags = 0;
-  uint8_t decimals = 0;
-  uint8_t length = 0;  ///< bytes in the text, 255 for longer ones (see `Block::range(word)`)
-  uint32_t offset = 0; ///< first byte in the file
+  uint8_t decimals = 0; ///< of an expression: its `WordReading`
+  uint8_t length = 0;   ///< bytes in the text, 255 for longer ones (see `Block::range(word)`)
+  uint32_t offset = 0;  ///< first byte in the file
   int64_t mantissa = 0;
 
   bool has(WordFlag flag) const { return flags & flag; }
   /// True when the value is a number that stands in the text.
   bool isNumber() const { return !(flags & (wordExpression | wordNoValue)); }
+  /// Of a word with an expression: how its value counts.
+  WordReading reading() const {
+    return has(wordExpression) ? WordReading(decimals) : WordReading::Modal;
+  }
   bool isWhole() const { return decimals == 0; }
   /// Value of a plain number.
   double value() const;
@@ -46,9 +62,11 @@ static_assert(sizeof(Word) == 16);
 enum class Op : uint8_t {
   Number,
   Vacant,
-  Variable,
-  VariableAt,
-  NamedVariable, // VariableAt takes its number from the stack
+  Variable,   ///< `value` is its key
+  VariableAt, ///< takes its number from the stack
+  ElementAt,  ///< of the array whose key is `value`; takes the index from the stack
+  Opaque,     ///< a value that no program decides: a system variable, a string, a call; takes
+              ///< `value` operands from the stack
   Add,
   Subtract,
   Multiply,
@@ -83,6 +101,11 @@ enum class Op : uint8_t {
   Bin,
   Bcd,
   Adp,
+  IntegerDivide, ///< quotient without its fraction
+  Truncate,      ///< towards zero
+  Square,
+  Minimum,
+  Maximum,
   Unknown
 };
 
@@ -103,27 +126,84 @@ struct Expression {
 };
 
 enum class ItemKind : uint8_t {
-  Assignment, ///< target = value
-  Jump,       ///< GOTO value
-  If,         ///< condition of the jump or statement that follows in the block
-  While,      ///< WHILE [condition] DO loop
-  Do,         ///< DO loop without a condition
-  End,        ///< END loop
-  Output      ///< POPEN, PCLOS, DPRNT, BPRNT: no effect on the program
+  Assignment,  ///< target = value
+  Jump,        ///< GOTO value; or to one of its arguments, by `jump`
+  If,          ///< condition of the jump or statement that follows in the block
+  While,       ///< WHILE [condition] DO loop
+  Do,          ///< DO loop without a condition
+  End,         ///< END loop
+  Output,      ///< POPEN, PCLOS, DPRNT, BPRNT: no effect on the program
+  Structure,   ///< a bracket of structured flow, `structure` says which
+  Call,        ///< program `name`, or the one that `value` names, `count` times
+  Repeat,      ///< the blocks from its first argument to its second again, `count` times
+  Input,       ///< the operator gives `target` a value, or leaves to the argument
+  Instruction, ///< a keyword with arguments; its word in `Block::words` is number `wordsBefore`
+  Parameters   ///< what a called program takes: each argument a name, with its default value
+};
+
+/// Brackets of structured flow. They match by kind and nest; their blocks hold nothing else.
+enum class Structure : uint8_t {
+  If, ///< `condition`
+  Else,
+  EndIf,
+  While, ///< `condition`
+  EndWhile,
+  For, ///< variable `target` from `value` to `limit` by one
+  EndFor,
+  Loop,
+  EndLoop,
+  Repeat, ///< runs again until the condition of its end holds
+  Until   ///< `condition`
+};
+
+/// Where a jump looks for its target, and which of its targets it takes.
+enum class JumpKind : uint8_t {
+  Anywhere, ///< behind the jump, then from the program's begin
+  Forward,
+  Backward,
+  IfFound, ///< as `Anywhere`; without a target the next block follows
+  ToStart, ///< the program's begin
+  BySign,  ///< three targets: `condition` below zero, zero, above zero; no way on behind it
+  ByValue  ///< arguments in pairs, a constant and its target, the last alone as default
 };
 
 constexpr uint16_t noExpression = 0xFFFF;
 
-/// A statement of the block that is not a word.
+enum class ArgumentKind : uint8_t {
+  Empty, ///< nothing between two separators
+  Expression,
+  Text,        ///< a string; the range is without its quotes
+  Name,        ///< a symbol: an axis, a program, ON
+  BlockNumber, ///< `expression` is the number of a block
+  Label        ///< the range is the label's text without its marks
+};
+
+/// An argument of an item: of a call, an instruction, a jump.
+struct Argument {
+  ArgumentKind kind = ArgumentKind::Empty;
+  char separator = 0; ///< in front of it; 0 for the first
+  uint16_t expression = noExpression;
+  uint32_t begin = 0, end = 0;
+};
+
+/// A statement of the block that is not a word. An assignment that is also a word
+/// (`variableAddress`) begins where its word begins.
 struct Item {
   ItemKind kind = ItemKind::Assignment;
-  uint8_t loop = 0;                  ///< number behind DO or END
-  uint16_t wordsBefore = 0;          ///< words of the block in front of it
-  uint16_t target = noExpression;    ///< variable number assigned to
-  uint16_t value = noExpression;     ///< value assigned, or number jumped to
-  uint16_t condition = noExpression; ///< of IF and WHILE
+  uint8_t loop = 0; ///< number behind DO or END
+  Structure structure = Structure::If;
+  JumpKind jump = JumpKind::Anywhere;
+  bool single = false;                       ///< a repeat of the one block that its argument names
+  uint16_t wordsBefore = 0;                  ///< words of the block in front of it
+  uint16_t target = noExpression;            ///< key of the variable assigned to
+  uint16_t value = noExpression;             ///< value assigned, number jumped to, program called
+  uint16_t condition = noExpression;         ///< of IF and WHILE, of a jump by sign or value
+  uint16_t count = noExpression;             ///< how often a call or repeat runs
+  uint16_t limit = noExpression;             ///< last value of a FOR
+  uint16_t firstArgument = 0, arguments = 0; ///< in `Block::arguments`
   uint32_t begin = 0;
   uint32_t end = 0;
+  uint32_t nameBegin = 0, nameEnd = 0; ///< of the called program, or of the jump's; equal: none
 };
 
 struct Comment {
@@ -146,8 +226,13 @@ enum class SyntaxIssueKind : uint8_t {
   UnbalancedBracket,
   BadExpression,
   BadStatement,
-  UnknownWord, ///< letters that are neither a keyword nor an address with a number
-  NotABlock    ///< text of which no part is code: prose, or another language
+  UnknownWord,      ///< letters that are neither a keyword nor an address with a number
+  TypographicQuote, ///< a quote that the word processor made of `'` or `"`
+  UnclosedString,
+  MissingArgument, ///< an argument list that ends too early
+  TooManyArguments,
+  MisplacedLabel, ///< a label that does not stand where labels stand
+  NotABlock       ///< text of which no part is code: prose, or another language
 };
 
 /// Bad text in a block; reading went on behind it.
@@ -179,13 +264,17 @@ struct Block {
   uint32_t numberBegin = 0, numberEnd = 0;
   int64_t program = -1; ///< number of a program header; -1: none or unreadable
   uint32_t headerBegin = 0, headerEnd = 0;
-  AddressMask addresses = 0; ///< of `words`
-  AddressMask repeated = 0;  ///< addresses that stand more than once
-  AddressMask pointed = 0;   ///< addresses of numbers with a decimal point
+  uint32_t nameBegin = 0, nameEnd = 0;   ///< name in a program header; equal: none
+  uint32_t labelBegin = 0, labelEnd = 0; ///< label without its marks; equal: none
+  bool mainBlock = false;                ///< the number stands behind `:` instead of N
+  AddressMask addresses = 0;             ///< of `words`
+  AddressMask repeated = 0;              ///< addresses that stand more than once
+  AddressMask pointed = 0;               ///< addresses of numbers with a decimal point
   AddressMask pointless = 0; ///< addresses of numbers other than 0 without a decimal point
 
   llvm::SmallVector<Word, 16> words; ///< without the block number and the program header
   llvm::SmallVector<Item, 2> items;
+  llvm::SmallVector<Argument, 4> arguments; ///< of `items`
   llvm::SmallVector<Expression, 4> expressions;
   llvm::SmallVector<ExpressionOp, 16> operations;
   llvm::SmallVector<Comment, 2> comments;
@@ -197,6 +286,14 @@ struct Block {
   /// First word with this address, or null.
   const Word *find(AddressId address) const;
   const Word *find(char letter) const { return find(letterAddress(letter)); }
+  /// Word number `position` (from 1) among the arguments of the block's call, or null.
+  const Word *argument(unsigned position) const;
+  llvm::ArrayRef<Argument> argumentsOf(const Item &item) const {
+    return llvm::makeArrayRef(arguments).slice(item.firstArgument, item.arguments);
+  }
+  /// Key of the variable that an expression names, when the text says it; 0: it does not.
+  uint64_t keyOf(uint16_t expression) const;
+  bool hasLabel() const { return labelEnd > labelBegin; }
   /// First word with one of these addresses, or null.
   const Word *findAny(AddressMask mask) const;
   /// Byte offset behind the last byte of `word`.

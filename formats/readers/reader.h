@@ -5,6 +5,7 @@
 #include "formats/readers/block.h"
 
 #include <memory>
+#include <string>
 
 namespace ncvet {
 
@@ -16,6 +17,8 @@ public:
   /// Reads the block that begins at `offset` into `block`, whose storage is reused. `offset` must
   /// be a block's beginning and inside the text.
   virtual void read(uint32_t offset, Block &block) const = 0;
+  /// What identifies a label: the same for all its spellings, and for no other label.
+  virtual std::string labelKey(llvm::StringRef label) const { return label.upper(); }
   llvm::StringRef text() const { return text_; }
   /// Offset of the first block (behind a byte order mark).
   uint32_t first() const { return text_.startswith("\xEF\xBB\xBF") ? 3 : 0; }

@@ -30,7 +30,7 @@ private:
     for (const WordSpec &spec : ctx.code(event).words) {
       if (spec.role != Role::Repeat)
         continue;
-      const Word *count = ctx.block().findAny(spec.any);
+      const Word *count = wordFor(ctx.block(), spec);
       if (!count || !(ctx.value(*count).lo > 1))
         continue;
       const Word &code = *ctx.block().find('M');

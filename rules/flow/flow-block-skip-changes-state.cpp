@@ -23,7 +23,7 @@ public:
     ModeChanges changes;
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i)
       if ((watched_ >> i & 1) && before.group[i] != after.group[i])
-        changes.groups |= 1u << i;
+        changes.groups |= uint64_t(1) << i;
     changes.tool = before.tool != after.tool && before.tool != notSet;
     if (!changes.any())
       return;
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  uint32_t watched_ = 0;
+  uint64_t watched_ = 0;
 };
 
 } // namespace

@@ -26,8 +26,8 @@ private:
     const auto operations =
         llvm::makeArrayRef(ctx.block().operations).slice(condition.first, condition.count);
     for (const ExpressionOp &op : operations)
-      if (op.op == Op::Variable || op.op == Op::VariableAt || op.op == Op::NamedVariable ||
-          op.op == Op::Vacant || op.op == Op::Unknown)
+      if (op.op == Op::Variable || op.op == Op::VariableAt || op.op == Op::ElementAt ||
+          op.op == Op::Opaque || op.op == Op::Vacant || op.op == Op::Unknown)
         return;
     const Truth truth = truthOf(evaluate(ctx.block(), item.condition, ctx.before(), nullptr));
     if (truth == Truth::Unknown || (item.kind == ItemKind::While && truth == Truth::Yes))

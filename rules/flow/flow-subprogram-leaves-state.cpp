@@ -24,7 +24,7 @@ public:
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i)
       if ((watched_ >> i & 1) && (before.statedMust >> i & 1) &&
           !(before.group[i] & after.group[i]))
-        changes.groups |= 1u << i;
+        changes.groups |= uint64_t(1) << i;
     if (!changes.any())
       return;
     SourceRange user;
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  uint32_t watched_ = 0;
+  uint64_t watched_ = 0;
 };
 
 } // namespace

@@ -13,7 +13,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     const GroupIndex group = ctx.dialect().group(StandardGroup::FeedMode);
-    const uint32_t bit = 1u << group;
+    const uint64_t bit = uint64_t(1) << group;
     // A thread's F is a lead whatever the mode; the first F says it once for the program.
     if (ctx.after().must(Fact::FeedIsLead) || ctx.before().must(Fact::FeedSet) ||
         ctx.after().statedMust & bit || ctx.before().may(Fact::UnknownCode))

@@ -31,7 +31,7 @@ public:
     for (const WordSpec &spec : cycle.words) {
       if (spec.role != Role::AllowanceX)
         continue;
-      const Word *word = ctx.block().findAny(spec.any);
+      const Word *word = wordFor(ctx.block(), spec);
       if (!word)
         continue;
       const Interval value = ctx.value(*word);

@@ -1,0 +1,429 @@
+// Runs what a block calls: subprograms, macros, sections that are repeated, turning profiles.
+#include "analyzer/engine.h"
+#include "interp/expression.h"
+
+#include <algorithm>
+
+namespace ncvet {
+
+namespace {
+
+/// Results of one called program that are remembered.
+constexpr size_t memosPerProgram = 64;
+/// Passes of one call's repeat count that are run for real.
+constexpr double maxRepeats = 10000;
+
+} // namespace
+
+/// Runs a called body, or remembers what it did for the same state before.
+Engine::Exits Engine::callBody(const Region &region, Live live) {
+  auto &memos = memos_[{region.unit.source.id(), region.start, region.kind}];
+  const uint64_t print = hash(live.state);
+  for (const Memo &memo : memos)
+    if (memo.hash == print && equal(memo.entry, live.state)) {
+      Exits exits = memo.exits;
+      for (Returned &exit : exits)
+        exit.live.path = live.path;
+      return exits;
+    }
+  // The storage of the block at hand is needed again behind the call.
+  Block savedBlock = block_;
+  Outcome savedOutcome = outcome_;
+  callStack_.push_back({region.unit.source.id(), region.start, region.kind});
+  const MachineState entry = live.state;
+  const PathNode *path = live.path;
+  Lives lives;
+  lives.push_back(std::move(live));
+  Exits raw = execute(region, std::move(lives));
+  callStack_.pop_back();
+  block_ = std::move(savedBlock);
+  outcome_ = std::move(savedOutcome);
+  // Ways that return to the same place in the same modes are one.
+  Exits exits;
+  std::map<int64_t, Lives> byTarget;
+  for (Returned &exit : raw) {
+    exit.live.path = path;
+    mergeInto(region.unit, byTarget[exit.target], std::move(exit.live));
+  }
+  for (auto &[target, group] : byTarget)
+    for (Live &exit : group)
+      exits.push_back({std::move(exit), target});
+  if (!stopped_ && memos.size() < memosPerProgram)
+    memos.push_back({print, entry, exits});
+  return exits;
+}
+
+/// The program or block that the flow calls; none, with an issue, when there is none.
+std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live &live, uint32_t at,
+                                             const MachineState &before) {
+  const Region &region = activation.region;
+  FileUnit &unit = region.unit;
+  const Flow &flow = outcome_.flow;
+  const SourceRange where = flowRange(unit);
+  const auto missing = [&](FlowIssue kind, SourceRange range) {
+    issue(kind, activation, live, before, range);
+    return std::nullopt;
+  };
+  Callee callee{&unit, &region.program, 0, Kind::Subprogram, notSet};
+  if (flow.kind == FlowKind::CallNamed) {
+    const Item &item = block_.items[size_t(flow.item)];
+    std::string name = unit.source.text(item.nameBegin, item.nameEnd).str();
+    SourceRange range{unit.source.id(), item.nameBegin, item.nameEnd};
+    if (name.empty()) {
+      range = where;
+      if (!flow.target.isConstant()) // the value of a variable is the name
+        return missing(FlowIssue::ComputedTarget, where);
+      name = std::to_string(std::llround(flow.target.number.value()));
+    }
+    calledNames_.insert(llvm::StringRef(name).upper());
+    std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
+    if (!callee.program)
+      return missing(FlowIssue::UnknownProgram, range);
+    callee.start = callee.program->body;
+    return callee;
+  }
+  if (flow.target.isVacant())
+    return missing(FlowIssue::NoTarget, where);
+  if (!flow.target.isConstant())
+    return missing(FlowIssue::ComputedTarget, where);
+  callee.number = int64_t(flow.target.number.value());
+  if (flow.kind == FlowKind::CallLocal) {
+    usedNumbers_.insert(callee.number);
+    const auto offset = unit.index.block(*callee.program, callee.number, at);
+    if (!offset)
+      return missing(FlowIssue::UnknownBlock, where);
+    callee.start = *offset;
+    callee.kind = Kind::LocalSubprogram;
+    if (&unit == &unit_)
+      localTargets_.insert(callee.start);
+    return callee;
+  }
+  calledPrograms_.insert(callee.number);
+  std::tie(callee.unit, callee.program) = project_.findProgram(unit, callee.number);
+  if (!callee.program)
+    return missing(FlowIssue::UnknownProgram, where);
+  callee.start = callee.program->body;
+  if (flow.startAt.isConstant()) {
+    const auto first = int64_t(flow.startAt.number.value());
+    if (callee.unit == &unit_)
+      usedNumbers_.insert(first);
+    if (const auto offset = callee.unit->index.block(*callee.program, first, callee.program->begin))
+      callee.start = *offset;
+  }
+  return callee;
+}
+
+bool Engine::isRunning(const FileUnit &unit, uint32_t start, Kind kind) const {
+  return llvm::is_contained(callStack_, Running{unit.source.id(), start, kind});
+}
+
+/// Whether the call comes back to a program that is being executed.
+bool Engine::recurs(const Region &region, const Callee &callee) const {
+  if (isRunning(*callee.unit, callee.start, callee.kind))
+    return true;
+  if (callee.kind != Kind::Subprogram)
+    return false;
+  return (callee.unit == &region.unit && callee.program == &region.program) ||
+         (callee.unit == &unit_ && callee.program == &unit_.index.programs().front());
+}
+
+void Engine::call(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
+  const Region &region = activation.region;
+  FileUnit &unit = region.unit;
+  const Flow flow = outcome_.flow;
+  const SourceRange where = flowRange(unit);
+  const uint32_t next = block_.next;
+  const auto goOnUnknown = [&] {
+    forget(live, *unit.dialect);
+    add(activation, next, std::move(live));
+  };
+  const std::optional<Callee> callee = this->callee(activation, live, at, before);
+  if (!callee)
+    return goOnUnknown();
+  if (recurs(region, *callee)) {
+    // Without a condition nothing ends it; with one it is followed until the control's levels end.
+    const ProgramInfo &program = *callee->program;
+    const llvm::StringRef body = callee->unit->source.text(program.begin, program.end);
+    const bool conditional = body.contains("IF") || body.contains("WHILE") || body.contains("GOTO");
+    if (!conditional || region.depth + 1 >= limits_.callDepth) {
+      issue(FlowIssue::Recursion, activation, live, before, where,
+            {callee->unit->source.id(), callee->start, callee->start + 1});
+      return goOnUnknown();
+    }
+  }
+  const unsigned allowed = unit.dialect->limits.callDepth;
+  if (allowed && region.depth + 1 > allowed)
+    issue(FlowIssue::TooDeep, activation, live, before, where);
+  if (region.depth + 1 >= limits_.callDepth)
+    return goOnUnknown();
+  const PathNode *path = live.path;
+  live.path = step(path, PathNode::Kind::Call, where, callee->number);
+  Passes passes;
+  passes.at = at;
+  passes.next = next;
+  passes.path = path;
+  passes.setCount(flow.repeat);
+  if (flow.macro) {
+    passes.locals = live.state.locals;
+    live.state.locals = flow.arguments;
+  }
+  if (flow.item >= 0)
+    bindArguments(*callee, block_.items[size_t(flow.item)], live.state);
+  runPasses(activation,
+            {*callee->unit, *callee->program, callee->start, callee->kind, region.depth + 1},
+            std::move(live), before, passes);
+}
+
+/// The called program's parameters get the values of the call.
+void Engine::bindArguments(const Callee &callee, const Item &call, MachineState &state) {
+  Block head;
+  callee.unit->reader->read(callee.program->body, head);
+  for (uint32_t at = callee.program->body;
+       head.isEmpty() && head.next < callee.program->end && head.next > at; at = head.next)
+    callee.unit->reader->read(head.next, head);
+  const llvm::ArrayRef<Argument> given = block_.argumentsOf(call);
+  for (const Item &item : head.items) {
+    if (item.kind != ItemKind::Parameters)
+      continue;
+    const llvm::ArrayRef<Argument> taken = head.argumentsOf(item);
+    for (size_t i = 0; i < taken.size(); ++i) {
+      Value value = Value::unknown();
+      if (i < given.size() && given[i].expression != noExpression)
+        value = evaluate(block_, given[i].expression, state, nullptr);
+      else if (i >= given.size() || given[i].kind == ArgumentKind::Empty)
+        value = taken[i].expression == noExpression
+                    ? Value::of(0)
+                    : evaluate(head, taken[i].expression, state, nullptr);
+      const llvm::StringRef name = callee.unit->source.text(taken[i].begin, taken[i].end);
+      writeVariable(state, int64_t(variableKey(name)), value);
+    }
+  }
+}
+
+void Engine::Passes::setCount(const Value &repeat) {
+  if (repeat.isConstant())
+    count = repeat.number.value();
+  if (!(count >= 1)) // a bad count is the rules' business; the body is looked at once
+    count = 1;
+  known = repeat.isConstant() && count <= maxRepeats;
+  if (!known)
+    count = std::min(count, 2.0);
+}
+
+/// Runs a body as often as it is called for, and goes on behind the call.
+void Engine::runPasses(Activation &activation, const Region &body, Live live,
+                       const MachineState &before, const Passes &passes) {
+  const Region &region = activation.region;
+  Lives current;
+  current.push_back(std::move(live));
+  for (double pass = 0; pass < passes.count && !current.empty() && !stopped_; ++pass) {
+    Lives behind;
+    bool changed = false;
+    for (Live &one : current) {
+      const MachineState entry = one.state;
+      for (Returned &exit : callBody(body, std::move(one))) {
+        if (exit.target != notSet) {
+          // M99 P: the caller goes on at that block.
+          exit.live.path = passes.path;
+          if (passes.locals)
+            exit.live.state.locals = *passes.locals;
+          if (const auto offset = region.unit.index.block(region.program, exit.target, passes.at)) {
+            usedNumbers_.insert(exit.target);
+            goTo(activation, passes.at, *offset, std::move(exit.live), true);
+          } else {
+            issue(FlowIssue::UnknownBlock, activation, exit.live, before, flowRange(region.unit));
+          }
+          continue;
+        }
+        changed |= !equal(entry, exit.live.state);
+        mergeInto(region.unit, behind, std::move(exit.live));
+      }
+    }
+    current = std::move(behind);
+    if (!changed) // every further pass is the same
+      break;
+  }
+  activation.forks += current.size() > 1;
+  for (Live &one : current) {
+    one.path = passes.path;
+    if (passes.locals)
+      one.state.locals = *passes.locals;
+    if (!passes.known)
+      for (Interval &position : one.state.position)
+        position = Interval::unknown();
+    if (dispatcher_.kinds() & bitOf(EventKind::CallReturned))
+      dispatcher_.callReturned(region.unit, block_, outcome_, before, one.state, region.depth);
+    add(activation, passes.next, std::move(one));
+  }
+}
+
+/// Runs a section of the program again, and goes on behind the block, or behind the section when
+/// the block is its head.
+void Engine::repeat(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
+  const Region &region = activation.region;
+  FileUnit &unit = region.unit;
+  const Flow flow = outcome_.flow;
+  const Item item = block_.items[size_t(flow.item)];
+  const SourceRange where = flowRange(unit);
+  const uint32_t next = block_.next;
+  const llvm::SmallVector<Argument, 2> places(block_.argumentsOf(item).begin(),
+                                              block_.argumentsOf(item).end());
+  std::optional<uint32_t> first, last;
+  if (!places.empty())
+    first = resolve(activation, live, before, unit, region.program, places[0], at, item.jump);
+  if (first && places.size() > 1)
+    last = resolve(activation, live, before, unit, region.program, places[1], *first - 1,
+                   JumpKind::Forward);
+  if (!first || (places.size() > 1 && !last))
+    return add(activation, next, std::move(live));
+  if (item.single)
+    last = first;
+  const bool heads = *first == at; // the body is behind the block
+  if (!last)
+    last = endOfSection(unit, *first, at);
+  if (*last < *first) {
+    issue(FlowIssue::ProfileReversed, activation, live, before, where);
+    return add(activation, next, std::move(live));
+  }
+  if (item.count == noExpression && *last == at && !heads)
+    return backTo(activation, *first, std::move(live), false); // without a count, and to itself
+  Block end;
+  unit.reader->read(*last, end);
+  const uint32_t start = heads ? next : *first;
+  if (isRunning(unit, start, Kind::Section) || callStack_.size() >= limits_.callDepth ||
+      start >= end.next) {
+    if (start < end.next)
+      issue(FlowIssue::Recursion, activation, live, before, where,
+            {unit.source.id(), start, start + 1});
+    return add(activation, next, std::move(live));
+  }
+  Passes passes;
+  passes.at = at;
+  passes.next = heads ? end.next : next;
+  passes.path = live.path;
+  passes.setCount(item.count == noExpression ? Value::of(1) : flow.repeat);
+  live.path = step(live.path, PathNode::Kind::LoopPass, where);
+  Region body{unit, region.program, start, Kind::Section, region.depth};
+  body.stopAt = end.next;
+  runPasses(activation, body, std::move(live), before, passes);
+}
+
+/// Last block of a section that only its begin names: the one with the end label, or the one in
+/// front of the repeating block.
+uint32_t Engine::endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const {
+  Block block;
+  uint32_t last = first;
+  for (uint32_t offset = first; offset < at; offset = block.next) {
+    unit.reader->read(offset, block);
+    last = offset;
+    if (block.hasLabel() &&
+        unit.dialect->lexical.endLabel ==
+            unit.reader->labelKey(unit.source.text(block.labelBegin, block.labelEnd)))
+      break;
+  }
+  return last;
+}
+
+/// The call that a modal macro (G66) makes behind a move.
+void Engine::callMacro(Activation &activation, Live &live, int32_t program,
+                       const MachineState &before) {
+  Flow flow;
+  flow.kind = FlowKind::Call;
+  flow.macro = true;
+  flow.begin = block_.begin;
+  flow.end = block_.end;
+  flow.target = program >= 0 ? Value::of(program) : Value::unknown();
+  if (const auto *p = project_.findProgram(activation.region.unit, program).second; !p) {
+    forget(live, *activation.region.unit.dialect);
+    live.state.modalMacro = program;
+    add(activation, block_.next, std::move(live));
+    return;
+  }
+  outcome_.flow = flow;
+  live.state.modalMacro = notSet; // moves inside the macro do not call it again
+  const uint32_t next = block_.next;
+  call(activation, live, block_.begin, before);
+  const auto waiting = activation.pending.find(next);
+  if (waiting != activation.pending.end())
+    for (Live &one : waiting->second)
+      one.state.modalMacro = program;
+}
+
+/// A cycle reads the blocks between two numbers: as data when it roughs, for real when it finishes.
+void Engine::profile(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
+  const Region &region = activation.region;
+  FileUnit &unit = region.unit;
+  const Dialect &dialect = *unit.dialect;
+  const Flow flow = outcome_.flow;
+  const SourceRange where = flowRange(unit);
+  const uint32_t next = block_.next;
+  if (flow.first < 0 || flow.last < 0) { // missing or not known: the word rules speak of it
+    add(activation, next, std::move(live));
+    return;
+  }
+  usedNumbers_.insert(flow.first);
+  usedNumbers_.insert(flow.last);
+  const auto first = unit.index.block(region.program, flow.first, at);
+  const auto last = unit.index.block(region.program, flow.last, first ? *first - 1 : at);
+  if (!first || !last) {
+    issue(FlowIssue::ProfileMissing, activation, live, before, where);
+    add(activation, next, std::move(live));
+    return;
+  }
+  if (*last <= *first) {
+    issue(FlowIssue::ProfileReversed, activation, live, before, where);
+    add(activation, next, std::move(live));
+    return;
+  }
+  const bool finishing = dialect.codes[flow.code].cycle == CycleKind::Finish;
+  // Blocks that plain flow has run already, and that this cycle runs again.
+  bool reached = *first >= activation.runBegin && *first < activation.runEnd;
+  if (&unit == &unit_ && !reached)
+    for (const auto &[begin, end] : covered_)
+      reached |= *first >= begin && *first < end && *first < at;
+  if (finishing && reached && *first < at && !profileStarts_.count(*first))
+    issue(FlowIssue::ProfileReached, activation, live, before, where,
+          {unit.source.id(), *first, *first + 1});
+  const bool adjacent = *first >= next && [&] {
+    Block between;
+    for (uint32_t offset = next; offset < *first; offset = between.next) {
+      unit.reader->read(offset, between);
+      if (!between.isEmpty())
+        return false;
+    }
+    return true;
+  }();
+  const bool runsThrough = !finishing && dialect.profileRunsThrough;
+  if (!runsThrough && &unit == &unit_)
+    profileStarts_.insert(*first);
+
+  Live contour = live;
+  contour.state.profile = finishing ? 2 : 1;
+  contour.path = step(live.path, PathNode::Kind::Call, where, flow.first);
+  const Region body{unit, region.program, *first, Kind::Profile, region.depth, *last};
+  Exits exits = callBody(body, std::move(contour));
+  if (finishing) {
+    // Modes that the contour set stay; the tool returns to where the cycle began.
+    Lives behind;
+    for (Returned &exit : exits) {
+      exit.live.state.profile = before.profile;
+      exit.live.state.position = live.state.position;
+      exit.live.state.machineAxes = live.state.machineAxes;
+      exit.live.path = live.path;
+      mergeInto(unit, behind, std::move(exit.live));
+    }
+    for (Live &one : behind)
+      add(activation, next, std::move(one));
+    return;
+  }
+  // Behind roughing the control goes on behind the profile, or runs it.
+  uint32_t onward = next;
+  if (adjacent && !runsThrough) {
+    Block lastBlock;
+    unit.reader->read(*last, lastBlock);
+    onward = lastBlock.next;
+  }
+  add(activation, onward, std::move(live));
+}
+
+} // namespace ncvet

@@ -1,0 +1,149 @@
+// Runs all programs of a file: the main program, those that nobody calls, and what is never
+// reached.
+#include "analyzer/engine.h"
+
+#include <algorithm>
+
+namespace ncvet {
+
+std::vector<SourceRange> Engine::reachedRanges() const {
+  std::vector<SourceRange> ranges;
+  for (const auto &[begin, end] : covered_)
+    ranges.push_back({unit_.source.id(), begin, end});
+  llvm::sort(ranges, [](const SourceRange &a, const SourceRange &b) { return a.begin < b.begin; });
+  std::vector<SourceRange> joined;
+  for (const SourceRange &range : ranges) {
+    if (!joined.empty() && range.begin <= joined.back().end)
+      joined.back().end = std::max(joined.back().end, range.end);
+    else
+      joined.push_back(range);
+  }
+  return joined;
+}
+
+/// Whether the block holds a code that ends a main program, or a subprogram.
+void Engine::ending(const Block &block, bool &ends, bool &returns) const {
+  constexpr AddressMask codes = maskOf('M') | maskOf(keywordAddress);
+  if (!block.hasAny(codes))
+    return;
+  for (const Word &word : block.words) {
+    if (!(codes & maskOf(word.address)))
+      continue;
+    const CodeIndex code = codeOf(*unit_.dialect, word);
+    const Action action = code == noCode ? Action::None : unit_.dialect->codes[code].action;
+    ends |= action == Action::ProgramEnd || action == Action::ProgramEndRewind;
+    returns |= action == Action::Return;
+  }
+}
+
+/// Programs that the first one did not call: main programs of their own when they end as such,
+/// else subprograms whose caller is not known, of which only what is wrong for every caller counts.
+void Engine::runOtherPrograms() {
+  const llvm::ArrayRef<ProgramInfo> programs = unit_.index.programs();
+  for (size_t i = 1; i < programs.size() && !stopped_; ++i) {
+    const ProgramInfo &program = programs[i];
+    if ((calledPrograms_.count(program.number) && unit_.index.find(program.number) == &program) ||
+        (!program.name.empty() && calledNames_.count(program.name)))
+      continue;
+    bool ends = false, returns = false;
+    Block block;
+    for (uint32_t at = program.body; at < program.end; at = block.next) {
+      unit_.reader->read(at, block);
+      ending(block, ends, returns);
+    }
+    const bool subprogram = returns && !ends;
+    Lives lives(1);
+    lives[0].state = subprogram ? unknownState(*unit_.dialect) : initialState(*unit_.dialect);
+    collector_.setDefiniteOnly(subprogram);
+    const Region region{unit_, program, program.body, subprogram ? Kind::Subprogram : Kind::Main,
+                        subprogram ? 1u : 0u};
+    execute(region, std::move(lives));
+    collector_.setDefiniteOnly(false);
+  }
+}
+
+/// Blocks that no path reaches are read all the same: what the control cannot read stops it when
+/// the program is loaded. Only what the text alone decides is told to the rules.
+void Engine::inspectUnreached() {
+  constexpr uint32_t wanted = bitOf(EventKind::Syntax) | bitOf(EventKind::WordIssue);
+  if (!(dispatcher_.kinds() & wanted) || stopped_)
+    return;
+  const Dialect &dialect = *unit_.dialect;
+  const std::vector<SourceRange> reached = reachedRanges();
+  const auto size = uint32_t(unit_.source.text().size());
+  const MachineState unknown = unknownState(dialect);
+  MachineState state;
+  size_t range = 0;
+  for (uint32_t at = unit_.reader->first(); at < size;) {
+    while (range < reached.size() && reached[range].end <= at)
+      ++range;
+    if (range < reached.size() && reached[range].begin <= at) {
+      at = reached[range].end;
+      continue;
+    }
+    unit_.reader->read(at, block_);
+    const ProgramInfo &program = unit_.index.programAt(at);
+    // Behind the closing mark of the tape stands no program.
+    const bool closes = block_.kind == BlockKind::Tape && at > program.begin;
+    at = closes ? std::max(program.end, block_.next) : block_.next;
+    if (block_.issues.empty() && !(block_.addresses & ~dialect.known) &&
+        !(block_.repeated & ~dialect.repeatable))
+      continue;
+    state = unknown;
+    unit_.executor.execute(block_, unknown, state, outcome_);
+    llvm::erase_if(outcome_.events,
+                   [](const Event &event) { return !(bitOf(event.kind) & wanted); });
+    outcome_.kinds &= wanted;
+    collector_.beginStop();
+    collector_.beginVisit(nullptr);
+    dispatcher_.dispatch(unit_, block_, outcome_, unknown, state, 0);
+    collector_.endStop();
+  }
+}
+
+AnalysisResult Engine::run() {
+  const llvm::ArrayRef<ProgramInfo> programs = unit_.index.programs();
+  const ProgramInfo &main = programs.front();
+  // A file whose only end is a return is a subprogram: its caller, and with it the state on entry,
+  // is not known.
+  const llvm::StringRef tail = unit_.source.text().take_back(4096);
+  bool returns = false, ends = false;
+  if (programs.size() == 1) {
+    Block block;
+    const uint32_t from =
+        unit_.source.lines().lineBegin(uint32_t(unit_.source.text().size() - tail.size()));
+    for (uint32_t at = std::max(from, main.body); at < main.end; at = block.next) {
+      unit_.reader->read(at, block);
+      ending(block, ends, returns);
+    }
+  }
+  Lives lives(1);
+  const bool subprogram = returns && !ends;
+  lives[0].state = subprogram ? unknownState(*unit_.dialect) : initialState(*unit_.dialect);
+  collector_.setDefiniteOnly(subprogram);
+  execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));
+  collector_.setDefiniteOnly(false);
+  runOtherPrograms();
+  inspectUnreached();
+
+  const std::vector<SourceRange> reached = reachedRanges();
+  const std::vector<int64_t> numbers(usedNumbers_.begin(), usedNumbers_.end());
+  const std::vector<int64_t> called(calledPrograms_.begin(), calledPrograms_.end());
+  const std::vector<std::string> labels(usedLabels_.begin(), usedLabels_.end());
+  const std::vector<std::string> names(calledNames_.begin(), calledNames_.end());
+  const FileSummary summary{unit_.index, unit_.source, *unit_.reader, reached,  numbers,
+                            called,      labels,       names,         complete_};
+  collector_.beginStop();
+  collector_.beginVisit(nullptr);
+  dispatcher_.finish(summary, unit_);
+  collector_.endStop();
+
+  AnalysisResult result;
+  result.findings = collector_.take(project_.sources());
+  result.blocks = blocks_;
+  result.complete = complete_;
+  result.cuts = cuts_;
+  return result;
+}
+
+} // namespace ncvet

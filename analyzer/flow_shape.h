@@ -1,0 +1,25 @@
+// Which brackets of loops and structured flow belong together in a program.
+#pragma once
+
+#include "formats/readers/reader.h"
+
+#include "llvm/ADT/DenseMap.h"
+
+#include <vector>
+
+namespace ncvet {
+
+/// Offsets of blocks.
+struct FlowShape {
+  /// From a bracket to where control goes when the part behind it is not run: from a loop's head
+  /// behind its end, from IF behind its ELSE or ENDIF, from ELSE behind ENDIF.
+  llvm::DenseMap<uint32_t, uint32_t> past;
+  /// From a loop's end to its head.
+  llvm::DenseMap<uint32_t, uint32_t> back;
+  std::vector<uint32_t> mismatched; ///< brackets without their partner
+  unsigned depth = 0;               ///< of the deepest nesting
+};
+
+FlowShape readShape(const Reader &reader, uint32_t begin, uint32_t end);
+
+} // namespace ncvet

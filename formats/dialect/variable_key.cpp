@@ -1,0 +1,20 @@
+// Keys of variables: a number for each variable of a program, with a name or without.
+#include "formats/dialect/variable_key.h"
+
+#include "llvm/Support/xxhash.h"
+
+#include <string>
+
+namespace ncvet {
+
+uint64_t variableKey(llvm::StringRef name) {
+  return firstNamedVariable | (llvm::xxHash64(name.upper()) & (firstNamedVariable - 1));
+}
+
+uint64_t elementKey(uint64_t array, int64_t index) {
+  const uint64_t key[] = {array, uint64_t(index)};
+  return firstNamedVariable | (llvm::xxHash64({reinterpret_cast<const char *>(key), sizeof key}) &
+                               (firstNamedVariable - 1));
+}
+
+} // namespace ncvet
