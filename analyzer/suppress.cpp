@@ -14,8 +14,6 @@ namespace ncvet {
 namespace {
 
 constexpr llvm::StringLiteral mark = "ncvet:";
-/// Pages behind the search are given back in steps of this size.
-constexpr size_t window = 4u << 20;
 
 class SuppressionReader {
 public:
@@ -24,18 +22,11 @@ public:
 
   std::vector<Suppression> read() {
     // A colon is rare in programs, and one byte is found at the speed of memory.
-    for (size_t begin = 0; begin < text_.size(); begin += window) {
-      const size_t end = std::min(begin + window, text_.size());
-      size_t at = begin;
-      while (const void *found = std::memchr(text_.data() + at, ':', end - at)) {
-        at = size_t(static_cast<const char *>(found) - text_.data()) + 1;
-        if (at >= mark.size() && text_.slice(at - mark.size(), at).equals_insensitive(mark))
-          readComment(uint32_t(at - mark.size()));
-        if (at >= end)
-          break;
-      }
-      source_.forget(uint32_t(end));
-    }
+    source_.eachPlaceOf(':', [this](uint32_t colon) {
+      const size_t begin = colon + 1 - std::min<size_t>(colon + 1, mark.size());
+      if (text_.slice(begin, colon + 1).equals_insensitive(mark))
+        readComment(uint32_t(begin));
+    });
     return std::move(found_);
   }
 

@@ -28,6 +28,9 @@ public:
   /// Number of line ends that end within [begin, end).
   uint32_t countLineEnds(uint32_t begin, uint32_t end) const;
 
+  /// Lines are counted up to this offset.
+  uint32_t counted() const { return uint32_t(counts_.size() - 1) * step; }
+
 private:
   static constexpr uint32_t step = 1u << 12;
 

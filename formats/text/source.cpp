@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace ncvet {
@@ -110,8 +111,20 @@ uint32_t SourceFile::codePointsIn(uint32_t begin, uint32_t end) const {
   return bytes - (continuationsBefore(end) - continuationsBefore(begin));
 }
 
+/// Counts lines up to `offset`, giving back what was counted: a report at the end of a large file
+/// must not bring all of it into memory.
+void SourceFile::countLines(uint32_t offset) const {
+  const bool mapped = buffer_->getBufferKind() == llvm::MemoryBuffer::MemoryBuffer_MMap;
+  for (uint32_t at = lines_.counted(); mapped && offset - std::min(at, offset) >= forgetStep;
+       at += forgetStep) {
+    lines_.lineOf(at + forgetStep);
+    dropPages(text(at, at + forgetStep));
+  }
+}
+
 LineColumn SourceFile::position(uint32_t offset) const {
   offset = std::min(offset, static_cast<uint32_t>(text_.size()));
+  countLines(offset);
   const uint32_t begin = std::max(lines_.lineBegin(offset), std::min(textBegin(), offset));
   return {lines_.lineOf(offset), 1 + codePointsIn(begin, offset)};
 }
@@ -128,6 +141,19 @@ std::string SourceFile::displayText(llvm::StringRef bytes) const {
   out.reserve(bytes.size());
   appendDecoded(out, bytes, isAscii(bytes) ? Encoding::Utf8 : encoding());
   return out;
+}
+
+void SourceFile::eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const {
+  const char *const base = text_.data();
+  for (size_t begin = 0; begin < text_.size(); begin += forgetStep) {
+    const char *at = base + begin;
+    const char *const end = base + std::min<size_t>(begin + forgetStep, text_.size());
+    while (const void *found = std::memchr(at, c, size_t(end - at))) {
+      at = static_cast<const char *>(found) + 1;
+      visit(uint32_t(at - 1 - base));
+    }
+    forget(uint32_t(end - base));
+  }
 }
 
 void SourceFile::forget(uint32_t offset) const {

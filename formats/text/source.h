@@ -4,6 +4,7 @@
 #include "formats/text/encoding.h"
 #include "formats/text/line_index.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringRef.h"
 #include "llvm/Support/Error.h"
 #include "llvm/Support/MemoryBuffer.h"
@@ -69,6 +70,9 @@ public:
   std::string displayLine(uint32_t line) const;
   /// `bytes` of this file decoded to valid UTF-8 for display.
   std::string displayText(llvm::StringRef bytes) const;
+  /// Calls `visit` with the offset of every byte `c`, ascending, at the speed of memory; the pages
+  /// that lie behind are given back on the way.
+  void eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const;
   /// Tells the system that the pages in front of `offset` are not needed soon, so that a mapped
   /// file does not count as memory in use. Cheap; a hint only.
   void forget(uint32_t offset) const;
@@ -77,6 +81,7 @@ private:
   /// Code points in [begin, end).
   uint32_t codePointsIn(uint32_t begin, uint32_t end) const;
   /// UTF-8 bytes in front of `offset` that begin no code point.
+  void countLines(uint32_t offset) const;
   uint32_t continuationsBefore(uint32_t offset) const;
 
   SourceFile(FileId id, std::string path, std::string display,

@@ -1,22 +1,11 @@
 // Blocks that no path reaches.
-#include "analyzer/rule.h"
+#include "analyzer/block_at.h"
+#include "analyzer/lookahead.h"
 
 #include <algorithm>
 
 namespace ncvet {
 namespace {
-
-/// Codes of the block with one of these actions, variants not looked at.
-bool holdsCode(const Block &block, const Dialect &dialect, std::initializer_list<Action> actions) {
-  for (const Word &word : block.words) {
-    if (dialect.addresses[word.address].kind != AddressKind::Code || !word.isNumber())
-      continue;
-    const CodeIndex code = dialect.find(char('A' + word.address), word.codeNumber());
-    if (code != noCode && llvm::is_contained(actions, dialect.codes[code].action))
-      return true;
-  }
-  return false;
-}
 
 /// The last word or statement that ends what the block does.
 SourceRange contentOf(const Block &block, const SourceFile &source) {
@@ -39,34 +28,30 @@ public:
   void finish(const FileSummary &file, RuleContext &ctx) override {
     if (!file.complete)
       return;
-    for (const ProgramInfo &program : file.index.programs())
-      if (!coveredWhole(file, program))
-        check(file, program, ctx);
+    for (const SourceRange &range : file.reached)
+      check(file, range, ctx);
   }
 
 private:
-  static bool coveredWhole(const FileSummary &file, const ProgramInfo &program) {
-    return llvm::any_of(file.reached, [&](const SourceRange &range) {
-      return range.begin <= program.body && program.end <= range.end;
-    });
-  }
-
-  /// Reports the first block of each unreached section that stands behind a return or a jump. What
-  /// stands behind a program end is another rule's business, and a section that nothing in front of
-  /// it leads around was not analysed at all.
-  static void check(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
+  /// Reports what stands behind the end of a section that is executed, when it ends with a return
+  /// or a jump. What stands behind a program end is another rule's business, and a section that
+  /// nothing in front of it leads around was not analysed at all.
+  static void check(const FileSummary &file, const SourceRange &reached, RuleContext &ctx) {
+    const ProgramInfo &program = file.index.programAt(reached.end - 1);
+    if (reached.end >= program.end)
+      return;
     Block block;
-    bool leaves = false, previousReached = false;
-    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
+    readBlockAt(file.source, file.reader, reached.end - 1, block);
+    if (block.skip >= 0 || !leadsAway(block, ctx.dialect()))
+      return;
+    for (uint32_t at = reached.end; at < program.end; at = std::max(block.next, at + 1)) {
       file.reader.read(at, block);
       if (block.isEmpty() || block.kind != BlockKind::Normal)
         continue;
-      const bool reached = file.isReached(block.begin);
-      if (!reached && previousReached && leaves && !onlyEndsLoop(block))
+      if (!file.isReached(block.begin) && !onlyEndsLoop(block))
         if (auto finding = ctx.report(contentOf(block, file.source)))
           finding.message("no path leads to this block: it is never executed");
-      previousReached = reached;
-      leaves = block.skip < 0 && leadsAway(block, ctx.dialect());
+      return;
     }
   }
 
@@ -77,7 +62,7 @@ private:
   }
 
   static bool leadsAway(const Block &block, const Dialect &dialect) {
-    if (holdsCode(block, dialect, {Action::Return}))
+    if (findCode(dialect, block, {Action::Return}))
       return true;
     for (size_t i = 0; i < block.items.size(); ++i)
       if (block.items[i].kind == ItemKind::Jump)

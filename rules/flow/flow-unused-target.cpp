@@ -1,22 +1,10 @@
 // A subprogram that nothing calls.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 #include <algorithm>
 
 namespace ncvet {
 namespace {
-
-/// Codes of the block with one of these actions, variants not looked at.
-bool holdsCode(const Block &block, const Dialect &dialect, std::initializer_list<Action> actions) {
-  for (const Word &word : block.words) {
-    if (dialect.addresses[word.address].kind != AddressKind::Code || !word.isNumber())
-      continue;
-    const CodeIndex code = dialect.find(char('A' + word.address), word.codeNumber());
-    if (code != noCode && llvm::is_contained(actions, dialect.codes[code].action))
-      return true;
-  }
-  return false;
-}
 
 class FlowUnusedTarget final : public Rule {
 public:
@@ -47,7 +35,7 @@ private:
     for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
       file.reader.read(at, block);
       if (!block.isEmpty() && block.kind == BlockKind::Normal)
-        returns = holdsCode(block, dialect, {Action::Return});
+        returns = findCode(dialect, block, {Action::Return}) != nullptr;
     }
     return returns;
   }
@@ -75,12 +63,12 @@ private:
         number = block.number;
         first = {file.source.id(), block.numberBegin, block.numberEnd};
       }
-      const bool returns = holdsCode(block, ctx.dialect(), {Action::Return});
+      const bool returns = findCode(ctx.dialect(), block, {Action::Return}) != nullptr;
       if (returns && number >= 0 && !file.isReached(block.begin))
         if (auto finding = ctx.report(first))
           finding.message("nothing calls the subprogram that begins with block {0}", number);
       if (returns ||
-          holdsCode(block, ctx.dialect(), {Action::ProgramEnd, Action::ProgramEndRewind})) {
+          findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind})) {
         ended = true;
         number = -1;
       }

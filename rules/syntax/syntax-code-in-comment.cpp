@@ -24,29 +24,31 @@ public:
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     // Comments of this kind are rare: looking for them in the text spares every block a test.
-    const llvm::StringRef text = file.source.text();
-    Block block;
-    for (size_t open = text.find('('); open != llvm::StringRef::npos;
-         open = text.find('(', open + 1)) {
-      const size_t close = text.find(')', open);
-      if (close == llvm::StringRef::npos)
-        return;
-      if (close - open > 8)
-        continue;
-      const llvm::StringRef code = codeIn(text.slice(open, close + 1));
-      if (code.empty())
-        continue;
-      file.reader.read(file.source.lines().lineBegin(uint32_t(open)), block);
-      // Alone in its line it is a code that somebody switched off; beside words it is a slip.
-      if (block.isEmpty() || llvm::none_of(block.comments, [&](const Comment &c) {
-            return c.begin == open && c.end == close + 1;
-          }))
-        continue;
-      if (auto finding =
-              ctx.report(SourceRange{file.source.id(), uint32_t(open), uint32_t(close + 1)}))
-        finding.message("`{0}` stands in a comment: the control does not execute it", code);
-    }
+    file.source.eachPlaceOf('(', [&](uint32_t open) { look(file, open, ctx); });
   }
+
+private:
+  void look(const FileSummary &file, uint32_t open, RuleContext &ctx) {
+    constexpr size_t longest = 9;
+    const llvm::StringRef text = file.source.text().substr(open, longest);
+    const size_t close = text.find(')');
+    if (close == llvm::StringRef::npos)
+      return;
+    const llvm::StringRef code = codeIn(text.take_front(close + 1));
+    if (code.empty())
+      return;
+    const uint32_t end = open + uint32_t(close) + 1;
+    file.reader.read(file.source.lines().lineBegin(open), block_);
+    // Alone in its line it is a code that somebody switched off; beside words it is a slip.
+    if (block_.isEmpty() || llvm::none_of(block_.comments, [&](const Comment &c) {
+          return c.begin == open && c.end == end;
+        }))
+      return;
+    if (auto finding = ctx.report(SourceRange{file.source.id(), open, end}))
+      finding.message("`{0}` stands in a comment: the control does not execute it", code);
+  }
+
+  Block block_;
 };
 
 } // namespace
