@@ -144,9 +144,13 @@ Profile readProfile(const RuleContext &ctx) {
     const ProfileBlock &entry = profile.blocks[i];
     if (!entry.moves)
       continue;
+    if (entry.toX.isConstant()) {
+      profile.reachesX.lo = std::min(profile.reachesX.lo, entry.toX.value());
+      profile.reachesX.hi = std::max(profile.reachesX.hi, entry.toX.value());
+    }
     allKnown &= entry.toX.isConstant() && (i == 0 || entry.toZ.isConstant());
     if (!allKnown)
-      break;
+      continue;
     const double x = entry.toX.value();
     profile.minX = profile.minX ? std::min(*profile.minX, x) : x;
     profile.maxX = profile.maxX ? std::max(*profile.maxX, x) : x;
@@ -156,16 +160,17 @@ Profile readProfile(const RuleContext &ctx) {
     profile.minZ = profile.minZ ? std::min(*profile.minZ, z) : z;
     profile.maxZ = profile.maxZ ? std::max(*profile.maxZ, z) : z;
   }
-  if (!allKnown || !profile.minX) {
+  if (!allKnown || !profile.minX)
     profile.minX = profile.maxX = profile.minZ = profile.maxZ = std::nullopt;
+  if (profile.reachesX.lo > profile.reachesX.hi)
     return profile;
-  }
   // Which side is cut: the side of compensation says it, else whether the contour rises or falls
   // from its first to its last point, else where the tool starts.
   const ProfileBlock &head = profile.blocks.front();
   const ProfileBlock &tail = profile.blocks[profile.lastCut - 1];
   constexpr double step = 1e-4;
-  const double rise = tail.toX.value() - head.toX.value();
+  const double rise =
+      tail.toX.isConstant() && head.toX.isConstant() ? tail.toX.value() - head.toX.value() : 0;
   const double run =
       tail.toZ.isConstant() && head.toZ.isConstant() ? tail.toZ.value() - head.toZ.value() : -1;
   Side byCode = Side::Unknown;
@@ -180,10 +185,10 @@ Profile readProfile(const RuleContext &ctx) {
   const Side byRise = std::fabs(rise) < step ? Side::Unknown
                       : rise > 0             ? Side::Outside
                                              : Side::Inside;
-  const Side byStart = std::isnan(startX)               ? Side::Unknown
-                       : startX >= *profile.maxX - step ? Side::Outside
-                       : startX <= *profile.minX + step ? Side::Inside
-                                                        : Side::Unknown;
+  const Side byStart = std::isnan(startX) || !allKnown        ? Side::Unknown
+                       : startX >= profile.reachesX.hi - step ? Side::Outside
+                       : startX <= profile.reachesX.lo + step ? Side::Inside
+                                                              : Side::Unknown;
   const bool facing = ctx.dialect().codes[flow.code].cycle == CycleKind::RoughFace;
   if (facing)
     profile.side = byStart; // a face contour falls on an outside part

@@ -47,6 +47,8 @@ struct Profile {
   /// Least and greatest X and Z of the contour, from the first block's end point on; none when one
   /// end point is not known.
   std::optional<double> minX, maxX, minZ, maxZ;
+  /// Least and greatest X of the end points that are known: the contour reaches at least so far.
+  Interval reachesX = emptyInterval;
   Side side = Side::Unknown;
 };
 

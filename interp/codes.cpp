@@ -250,8 +250,6 @@ void Execution::applyEarly(const CodeUse &use) {
   }
   case Action::PolarOff:
   case Action::PolarOn:
-    state_.clear(Fact::PolarRadiusSet);
-    [[fallthrough]];
   case Action::RotationOff:
   case Action::ScalingOff:
   case Action::MirrorOff: {

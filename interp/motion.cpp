@@ -202,13 +202,7 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
         state_.at(axis) = Interval::unknown();
     }
   if (polar) {
-    // The word of the first plane axis is the radius.
     const uint16_t plane = planeAxes(dialect_, state_);
-    const Axis first = plane == (bit(Axis::Z) | bit(Axis::X))   ? Axis::Z
-                       : plane == (bit(Axis::Y) | bit(Axis::Z)) ? Axis::Y
-                                                                : Axis::X;
-    if (axes & bit(first))
-      state_.set(Fact::PolarRadiusSet);
     for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
       if (plane & bit(axis))
         state_.at(axis) = Interval::unknown();
@@ -233,6 +227,15 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
   state_.factsMust = (state_.factsMust | on) & ~off;
   state_.factsMay = (state_.factsMay | on) & ~off;
+  if (masks_.polar != noGroup && !state_.must(Fact::PolarRadiusSet)) {
+    // The word of the first plane axis is the radius; polar input takes the last one over.
+    const uint16_t plane = planeAxes(dialect_, state_);
+    const Axis first = plane == (bit(Axis::Z) | bit(Axis::X))   ? Axis::Z
+                       : plane == (bit(Axis::Y) | bit(Axis::Z)) ? Axis::Y
+                                                                : Axis::X;
+    if (axes & bit(first))
+      state_.set(Fact::PolarRadiusSet);
+  }
   if (!dialect_.isLathe())
     trackDepth(rapid);
   if (rapid) {

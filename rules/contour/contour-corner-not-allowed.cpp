@@ -8,6 +8,7 @@ class ContourCornerNotAllowed final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
+    axisParallel_ = to.option("axisParallel", 0) != 0;
     if (corners_.corner())
       to.onChange({EventKind::Motion});
   }
@@ -43,6 +44,8 @@ private:
     if (ctx.block().hasAny(corners_.angle))
       return;
     if (axes == (x | z)) {
+      if (!axisParallel_)
+        return;
       if (auto finding = ctx.report(word))
         finding.message(
             "`{0}` asks for a corner at the end of a slanting line: both moves have to run "
@@ -63,7 +66,7 @@ private:
             ctx.text(word));
       return;
     }
-    if (then != axes && then != (x | z))
+    if (then != axes && (then != (x | z) || !axisParallel_))
       return;
     if (auto finding = ctx.report(word))
       finding
@@ -129,6 +132,7 @@ private:
   }
 
   CornerAddresses corners_;
+  bool axisParallel_ = false;
 };
 
 } // namespace

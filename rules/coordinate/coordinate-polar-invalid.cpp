@@ -37,9 +37,7 @@ public:
     const bool hasRadius = event.axes >> unsigned(radius) & 1;
     const bool hasAngle = event.axes >> unsigned(angle) & 1;
     if (hasAngle && !hasRadius) {
-      const bool wasOn =
-          before.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) == Truth::Yes;
-      if (wasOn && before.may(Fact::PolarRadiusSet))
+      if (before.may(Fact::PolarRadiusSet))
         return;
       if (auto finding = ctx.report(event))
         finding.message("under polar input this block gives an angle, but no radius was programmed")

@@ -91,8 +91,10 @@ private:
         return;
     const Origin &origin = ctx.before().origin.cycle;
     const std::string cancel = cancelOf(ctx.dialect(), code);
+    // A G code that moves nothing may end the cycle: manuals speak of "another G code".
+    const bool mayEnd = ctx.block().has(letterAddress('G'));
     if (auto finding = ctx.report(ctx.blockRange()))
-      finding
+      finding.severity(mayEnd ? std::optional(Severity::Warning) : std::nullopt)
           .message("`{0}` of line {1} is still active: this block {2} the last pass again",
                    code.name, lineOf(ctx, origin),
                    code.cycle == CycleKind::ThreadPass ? "cuts" : verbOf(code.cycle))

@@ -24,7 +24,8 @@ public:
       return;
     // On the centre line behind the face only a drill stands; else the tool list tells.
     const auto tool = ctx.machine().tools.find(before.tool);
-    const llvm::StringRef kind = tool == ctx.machine().tools.end() ? "" : tool->second.kind;
+    const llvm::StringRef kind =
+        tool == ctx.machine().tools.end() ? llvm::StringRef() : llvm::StringRef(tool->second.kind);
     const bool inner = kind == "drill" || kind == "tap" || kind == "reamer" || kind == "boring" ||
                        (kind.empty() && x.value() == 0);
     if (!inner)

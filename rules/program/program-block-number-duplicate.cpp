@@ -1,5 +1,5 @@
 // A block number that occurs twice in a program.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -30,6 +30,8 @@ private:
           continue;
         if (i > 1 && numbers[i - 2].number == again.number) // once for each number
           continue;
+        if (otherProgramBetween(first, again, file, ctx.dialect()))
+          continue;
         report(
             first, again,
             "N{0} stands twice, and a jump, call or profile names it: it may go to the wrong one",
@@ -48,6 +50,20 @@ private:
              others == 1 ? "N{0} stands twice in the program"
                          : "N{0} stands twice in the program, and {1} further numbers do",
              others == 1 ? unreferenced_ : Severity::Style, file, ctx, others - 1);
+  }
+
+  /// Whether a program header stands between the two behind other words of its line, as in
+  /// `M99 O0810`: dumps of a control's memory lack line ends.
+  static bool otherProgramBetween(const NumberedBlock &first, const NumberedBlock &again,
+                                  const FileSummary &file, const Dialect &dialect) {
+    Block block;
+    for (uint32_t at = first.offset; at < again.offset; at = block.next) {
+      file.reader.read(at, block);
+      if (block.kind != BlockKind::ProgramHeader && block.has(letterAddress('O')) &&
+          findCode(dialect, block, {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind}))
+        return true;
+    }
+    return false;
   }
 
   static SourceRange numberAt(const NumberedBlock &where, const FileSummary &file) {

@@ -12,11 +12,13 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.before().profile == 1)
       return;
+    constexpr uint16_t linear =
+        uint16_t(~(1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C)));
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Motion) {
       if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-          event.motion == MotionKind::Skip || event.number == 1)
-        return;
+          event.motion == MotionKind::Skip || event.number == 1 || !(event.axes & linear))
+        return; // a rotary axis alone positions, or the work turns against a wheel
     } else if (code.spindle == SpindleNeed::Any || code.spindle == SpindleNeed::StartsItself ||
                (!event.axes && code.group != noGroup)) {
       return; // without axis words a modal cycle sets modes only
@@ -44,6 +46,10 @@ public:
     if (!once_.speaks(origin, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
+      // Neither tool, speed nor spindle: the program may run axes in, or guide a laser.
+      if (!state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
+          !state.may(Fact::SpindleStated))
+        finding.severity(Severity::Warning);
       const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
                                                 {Action::FeedPerRevolution}) == Truth::Yes;
       finding

@@ -40,7 +40,7 @@ private:
     const Interval &startX = ctx.after().at(Axis::X), &startZ = ctx.after().at(Axis::Z);
     const Profile profile = readProfile(ctx);
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
-    if (!profile.known || !profile.minX || !unit || ctx.after().inMachineCoordinates(Axis::X))
+    if (!profile.known || !unit || ctx.after().inMachineCoordinates(Axis::X))
       return;
     if (code.cycle == CycleKind::RoughFace) {
       if (startZ.isConstant() && profile.maxZ && !ctx.after().inMachineCoordinates(Axis::Z) &&
@@ -53,17 +53,18 @@ private:
               code.name, text(startZ.value() / *unit), text(*profile.minZ / *unit),
               text(*profile.maxZ / *unit));
     }
-    if (!startX.isConstant())
+    if (!startX.isConstant() || profile.reachesX.lo > profile.reachesX.hi)
       return;
     const double start = startX.value();
+    const double least = profile.reachesX.lo, greatest = profile.reachesX.hi;
     double over = 0;
-    if (profile.side == Side::Outside && start < *profile.maxX - tolerance)
-      over = *profile.maxX - start;
-    else if (profile.side == Side::Inside && start > *profile.minX + tolerance)
-      over = start - *profile.minX;
-    else if (profile.side == Side::Unknown && start < *profile.maxX - tolerance &&
-             start > *profile.minX + tolerance)
-      over = std::min(*profile.maxX - start, start - *profile.minX);
+    if (profile.side == Side::Outside && start < greatest - tolerance)
+      over = greatest - start;
+    else if (profile.side == Side::Inside && start > least + tolerance)
+      over = start - least;
+    else if (profile.side == Side::Unknown && start < greatest - tolerance &&
+             start > least + tolerance)
+      over = std::min(greatest - start, start - least);
     if (over <= 0)
       return;
     if (auto finding = ctx.report(event, event.certain))
@@ -71,8 +72,7 @@ private:
           .message(
               "`{0}` starts at X{1}, inside of its contour, which reaches from X{2} to X{3}: the "
               "tool returns to the start at rapid",
-              code.name, text(start / *unit), text(*profile.minX / *unit),
-              text(*profile.maxX / *unit))
+              code.name, text(start / *unit), text(least / *unit), text(greatest / *unit))
           .severity(over <= overshoot + tolerance ? std::optional(Severity::Warning) : std::nullopt)
           .note(profile.blocks.front().range, "the profile begins here");
   }

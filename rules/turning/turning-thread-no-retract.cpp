@@ -17,12 +17,13 @@ public:
     const MachineState &before = ctx.before();
     if (before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Thread)
       return;
-    // The stroke before: a thread on a face runs along X and retracts in Z.
+    // The stroke before: a thread on a face runs along X and retracts in Z, and one that moves both
+    // axes may be the run-out.
     Block stroke;
     if (!readPrevious(ctx, stroke))
       return;
     const uint16_t along = axesOf(ctx.dialect(), stroke);
-    if (!(along & zBit))
+    if ((along & (xBit | zBit)) != zBit)
       return;
     if (event.motion == MotionKind::Thread && !hasMotionCode(ctx.dialect(), ctx.block()) &&
         (event.axes & (xBit | zBit)) == xBit) {

@@ -1,0 +1,88 @@
+// Fuzzes the whole check: any bytes, in any dialect, with all rules, give findings that can be
+// reported, the same ones each time, and fixes that fit.
+#include "analyzer/checker.h"
+#include "analyzer/fix.h"
+#include "formats/dialect/loader.h"
+#include "formats/reports/report.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace {
+
+using namespace ncvet;
+
+void require(bool holds) {
+  if (!holds)
+    std::abort();
+}
+
+/// One session a dialect, kept over all inputs: tables are loaded once.
+Session &sessionOf(size_t which) {
+  static const std::vector<DialectSummary> dialects = [] {
+    std::vector<DialectSummary> all = listDialects();
+    llvm::erase_if(all, [](const DialectSummary &d) { return d.abstract; });
+    return all;
+  }();
+  static std::vector<std::unique_ptr<Session>> sessions(dialects.size() + 1);
+  which %= sessions.size();
+  if (!sessions[which]) {
+    SessionOptions options;
+    options.dialect = which == dialects.size() ? "auto" : dialects[which].id;
+    options.profile = "all";
+    sessions[which] = std::make_unique<Session>(options);
+  }
+  return *sessions[which];
+}
+
+/// Findings of `text` in every format that reports them.
+std::string reportOf(Session &session, llvm::StringRef text) {
+  SourceSet sources;
+  // Without a path there is no folder in which called programs could lie.
+  const SourceFile &file = sources.add("fuzz.nc", text);
+  FileOutcome outcome = checkFile(session, sources, file);
+  require(outcome.error.empty());
+  Report report;
+  std::vector<RuleInfo> rules;
+  for (const RuleEntry &rule : allRules())
+    rules.push_back(rule.info);
+  report.rules = rules;
+  report.sources = &sources;
+  report.files.push_back({"fuzz.nc", outcome.dialect, outcome.blocks, outcome.complete, {}});
+  for (CheckedFinding &checked : outcome.findings) {
+    const SourceRange &range = checked.finding.range;
+    require(range.begin <= range.end && range.end <= sources.get(range.file).text().size());
+    require(!checked.finding.message.empty());
+    report.findings.push_back(std::move(checked.finding));
+  }
+  sortReport(report);
+  std::string all;
+  llvm::raw_string_ostream out(all);
+  for (const ReportFormat &format : reportFormats())
+    makeReportWriter(format.name)->write(report, out);
+  return all;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  if (size == 0)
+    return 0;
+  const llvm::StringRef text(reinterpret_cast<const char *>(data) + 1, size - 1);
+  // The first byte chooses the dialect, and with its upper bits whether fixes are tried: they
+  // check again and again.
+  Session &session = sessionOf(data[0] & 0x1F);
+  const std::string report = reportOf(session, text);
+  constexpr uint8_t repeated = 0x40, fixed = 0x80;
+  if (data[0] & repeated)
+    require(reportOf(session, text) == report);
+  if (data[0] & fixed) {
+    SourceSet sources;
+    const SourceFile &file = sources.add("fuzz.nc", text);
+    const FixedText once = fixText(session, file, /*unsafe=*/false);
+    SourceSet others;
+    const FixedText twice = fixText(session, others.add("fuzz.nc", once.text), /*unsafe=*/false);
+    require(once.rounds >= 10 || twice.text == once.text);
+  }
+  return 0;
+}

@@ -1,0 +1,201 @@
+// The programs that the manuals print are reported as the corpus beside the project says, when it
+// is there. Each program is listed with all of its errors and warnings: more is as wrong as less.
+#include "tests/support/process.h"
+
+#include <set>
+
+namespace ncvet {
+namespace {
+
+/// What is asked of a program that is no more than a few lines is asked of those lines only: what
+/// belongs to a whole program, and the set-up in front of them, counts as done.
+const std::set<std::string> setUp = {"compensation-without-offset",
+                                     "coordinate-work-offset-not-set",
+                                     "feed-missing",
+                                     "program-end-missing",
+                                     "program-frame-missing",
+                                     "spindle-off-while-cutting",
+                                     "tool-missing"};
+
+struct Printed {
+  const char *file;
+  const char *dialect;
+  bool fragment;
+  std::set<std::string> findings; ///< "line rule", errors and warnings
+};
+
+const std::vector<Printed> &printedPrograms() {
+  static const std::vector<Printed> list = {
+      {"fanuc-nct/common-g52-local-pair.nc", "nct-104m", true, {}},
+      {"fanuc-nct/common-g92-shift-pair.nc", "nct-104m", true, {}},
+      {"fanuc-nct/fanuc0t-g77-stepped-shaft.nc", "fanuc-0t", false, {}},
+      {"fanuc-nct/fanuc0t-g77-taper.nc", "fanuc-0t", false, {}},
+      {"fanuc-nct/nct104m-O0001-M0001.nc",
+       "nct-104m",
+       false,
+       {"3 motion-mode-not-set", "18 compensation-without-motion"}},
+      {"fanuc-nct/nct104m-O0002-M0002.nc",
+       "nct-104m",
+       false,
+       {"3 motion-mode-not-set", "7 syntax-incomplete-word", "7 feed-not-positive",
+        "15 compensation-without-motion"}},
+      {"fanuc-nct/nct104m-O0007-hole-patterns.nc",
+       "nct-104m",
+       false,
+       {"3 motion-mode-not-set", "3 spindle-speed-missing"}},
+      {"fanuc-nct/nct104m-O003-hole-patterns.nc", "nct-104m", false, {"3 motion-mode-not-set"}},
+      {"fanuc-nct/nct104m-O9000-scaling-half-main.nc",
+       "nct-104m",
+       false,
+       {"2 motion-mode-not-set"}},
+      {"fanuc-nct/nct104m-O9001-scaling-up-main.nc", "nct-104m", false, {"2 motion-mode-not-set"}},
+      {"fanuc-nct/nct104m-O9600-scaling-sub.nc", "nct-104m", false, {}},
+      {"fanuc-nct/nct104m-O9887-mirror-main.nc", "nct-104m", false, {"2 motion-mode-not-set"}},
+      {"fanuc-nct/nct104m-O9888-rotation-main.nc",
+       "nct-104m",
+       false,
+       {"2 motion-mode-not-set", "5 coordinate-frame-left-on"}},
+      {"fanuc-nct/nct104m-O9889-rotation-sub.nc", "nct-104m", false, {}},
+      {"fanuc-nct/nct104m-O9900-mirror-sub.nc", "nct-104m", false, {}},
+      {"fanuc-nct/nct104m-g16-polar-holes.nc", "nct-104m", true, {"1 block-modal-group-conflict"}},
+      {"fanuc-nct/nct104m-g43-tool-call.nc", "nct-104m", true, {}},
+      {"fanuc-nct/nct104t-O500-g73-pattern-repeat.nc",
+       "nct-104t",
+       false,
+       {"6 syntax-decimal-comma", "8 syntax-decimal-comma"}},
+      {"fanuc-nct/nct104t-O5001-L5001E.nc", "nct-104t", false, {"9 turning-start-inside-contour"}},
+      {"fanuc-nct/nct104t-O5001-g78-thread.nc", "nct-104t", false, {}},
+      {"fanuc-nct/nct104t-O5002-L5002E.nc",
+       "nct-104t",
+       false,
+       {"9 turning-start-inside-contour", "21 syntax-code-in-comment"}},
+      {"fanuc-nct/nct104t-O5004-L5004E.nc", "nct-104t", false, {"9 turning-start-inside-contour"}},
+      {"fanuc-nct/nct104t-O5008-L5008E.nc", "nct-104t", false, {"9 turning-start-inside-contour"}},
+      {"fanuc-nct/nct104t-O502-g74-face-groove.nc", "nct-104t", false, {"6 syntax-decimal-comma"}},
+      {"fanuc-nct/nct104t-O503-g75-radial-groove.nc",
+       "nct-104t",
+       false,
+       {"6 turning-two-block-form", "6 syntax-decimal-comma"}},
+      {"fanuc-nct/nct104t-O504-g76-multi-thread.nc", "nct-104t", false, {}},
+      {"fanuc-nct/nct104t-O807-2-L807-2-outer.nc",
+       "nct-104t",
+       false,
+       {"1 program-name-invalid", "10 turning-start-inside-contour", "40 cycle-left-active"}},
+      {"fanuc-nct/nct104t-O8071-L807-1-inner.nc",
+       "nct-104t",
+       false,
+       {"23 turning-start-inside-contour"}},
+      {"fanuc-nct/nct104t-g71-rough.nc", "nct-104t", true, {"3 syntax-decimal-comma"}},
+      {"fanuc-nct/nct104t-g77-stepped-shaft.nc", "nct-104t", false, {"1 program-frame-missing"}},
+      {"fanuc-nct/nct104t-g77-taper.nc", "nct-104t", false, {"1 program-frame-missing"}},
+      {"fanuc-nct/nct104t-g79-facing-disc.nc", "nct-104t", false, {"1 program-frame-missing"}},
+      {"fanuc-nct/nct104t-g79-facing-taper.nc", "nct-104t", false, {"1 program-frame-missing"}},
+      {"haas-lathe/angle-01-a110-x50.nc", "haas-lathe", true, {}},
+      {"haas-lathe/angle-02-a110-zneg5.nc", "haas-lathe", true, {}},
+      {"haas-lathe/angle-03-a190-x40.nc", "haas-lathe", true, {}},
+      {"haas-lathe/angle-04-a190-zneg20.nc", "haas-lathe", true, {}},
+      {"haas-lathe/angle-05-a190-x20.nc", "haas-lathe", true, {}},
+      {"haas-lathe/angle-06-a190-zneg10.nc", "haas-lathe", true, {}},
+      {"haas-lathe/angle-07-aneg100-x20.nc", "haas-lathe", true, {}},
+      {"haas-lathe/angle-08-aneg100-zneg3.nc", "haas-lathe", true, {}},
+      {"haas-lathe/comp-cancel-after-facing.nc", "haas-lathe", true, {"2 syntax-malformed-number"}},
+      {"haas-lathe/comp-cancel-after-turning.nc",
+       "haas-lathe",
+       true,
+       {"2 syntax-malformed-number"}},
+      {"haas-lathe/comp-cancel-with-ik.nc", "haas-lathe", true, {"2 syntax-malformed-number"}},
+      {"haas-lathe/corner-01-x40-r-neg.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-02-x40-k-neg.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-03-x40-r-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-04-x40-k-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-05-zneg30-r-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-06-zneg30-i-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-07-z30-r-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-08-z30-i-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-09-x20-r-neg.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-10-x20-k-neg.nc", "haas-lathe", true, {"2 syntax-missing-decimal-point"}},
+      {"haas-lathe/corner-11-x20-r-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-12-x20-k-pos.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-13-zneg40-r-neg.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-14-zneg40-i-neg.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-15-z40-r-neg.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-16-z40-i-neg.nc", "haas-lathe", true, {}},
+      {"haas-lathe/corner-intro.nc", "haas-lathe", true, {}},
+      {"haas-lathe/g32-chained-thread.nc", "haas-lathe", true, {"7 syntax-malformed-number"}},
+      {"haas-lathe/g32-straight-thread-passes.nc",
+       "haas-lathe",
+       true,
+       {"4 syntax-missing-decimal-point"}},
+      {"haas-lathe/g70-finish-skeleton.nc",
+       "haas-lathe",
+       true,
+       {"1 syntax-malformed-number", "2 syntax-malformed-number", "5 syntax-malformed-number",
+        "6 syntax-malformed-number", "7 syntax-malformed-number", "9 syntax-malformed-number",
+        "10 syntax-malformed-number", "11 syntax-malformed-number"}},
+      {"haas-lathe/g71-type1-inside-schematic.nc",
+       "haas-lathe",
+       false,
+       {"6 syntax-incomplete-word", "8 syntax-malformed-number", "9 syntax-malformed-number",
+        "10 syntax-malformed-number", "11 syntax-malformed-number", "12 syntax-malformed-number",
+        "13 syntax-malformed-number", "14 syntax-malformed-number", "15 syntax-malformed-number",
+        "19 syntax-incomplete-word"}},
+      {"haas-lathe/g71-type1-outside-o1234.nc", "haas-lathe", false, {}},
+      {"haas-lathe/g71-type2-schematic.nc",
+       "haas-lathe",
+       false,
+       {"6 syntax-incomplete-word", "8 syntax-malformed-number", "9 syntax-malformed-number",
+        "10 syntax-malformed-number", "11 syntax-malformed-number", "12 syntax-malformed-number",
+        "13 syntax-malformed-number", "14 syntax-malformed-number", "15 syntax-malformed-number",
+        "19 syntax-incomplete-word"}},
+      {"haas-lathe/g90-turning-passes.nc",
+       "haas-lathe",
+       false,
+       {"1 coordinate-machine-move-suspicious", "1 program-frame-missing",
+        "3 spindle-css-without-clamp"}},
+      {"haas-lathe/g92-thread-m30x3-5.nc",
+       "haas-lathe",
+       false,
+       {"1 coordinate-machine-move-suspicious", "1 program-frame-missing",
+        "12 syntax-malformed-number"}},
+      {"haas-lathe/o1-uebung.nc",
+       "haas-lathe",
+       false,
+       {"17 syntax-missing-decimal-point", "25 program-end-missing"}},
+  };
+  return list;
+}
+
+class ManualProgram : public testing::TestWithParam<Printed> {};
+
+TEST_P(ManualProgram, IsReportedAsTheManualHasIt) {
+  const Printed &printed = GetParam();
+  const std::string path = std::string(NCVET_SOURCE_DIR) + "/../shared/corpus/" + printed.file;
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    GTEST_SKIP() << "the manuals' programs are not beside the project";
+  const test::ProcessResult result = test::Shop().run(
+      {"check", "--dialect", printed.dialect, "--format", "json", "--fail-on", "never", path});
+  const auto json = nlohmann::json::parse(result.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << result.err;
+  std::set<std::string> found;
+  for (const auto &finding : json["findings"]) {
+    const std::string rule = finding["rule"];
+    // What is found in a program that it calls is that program's.
+    const bool here = llvm::StringRef(finding["path"].get<std::string>()).endswith(printed.file);
+    if (here && finding["severity"] != "style" && !(printed.fragment && setUp.count(rule)))
+      found.insert(std::to_string(finding["line"].get<int>()) + " " + rule);
+  }
+  EXPECT_EQ(printed.findings, found);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, ManualProgram, testing::ValuesIn(printedPrograms()),
+                         [](const testing::TestParamInfo<Printed> &info) {
+                           std::string name = info.param.file;
+                           for (char &c : name)
+                             if (!std::isalnum(static_cast<unsigned char>(c)))
+                               c = '_';
+                           return name;
+                         });
+
+} // namespace
+} // namespace ncvet
