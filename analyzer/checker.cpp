@@ -136,7 +136,7 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                   setup->folders);
   FileUnit &unit = project.unit(file);
-  AnalysisResult result = analyze(project, unit, *setup->rules);
+  AnalysisResult result = analyze(project, unit, *setup->rules, setup->limits);
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);

@@ -1,6 +1,8 @@
 // Looks ahead in the text for rules: the next block, and the blocks of a turning profile.
 #include "analyzer/lookahead.h"
 
+#include "interp/expression.h"
+
 #include <cmath>
 
 namespace ncvet {
@@ -217,7 +219,13 @@ AddressMask addressesOf(const CodeInfo &code, Role role) {
   return mask;
 }
 
-std::optional<double> kept(const CycleWords &words, const CodeInfo &code, Role role) {
+std::optional<double> kept(const MachineState &state, const CodeInfo &code, Role role) {
+  for (const WordSpec &spec : code.words)
+    if (spec.role == role && spec.variable) {
+      const Value value = readVariable(state, int64_t(spec.variable));
+      return value.isConstant() ? std::optional(value.number.value()) : std::nullopt;
+    }
+  const CycleWords &words = state.cycle;
   const AddressMask mask = addressesOf(code, role);
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if ((mask & maskOf(letter)) && words.has(letter)) {

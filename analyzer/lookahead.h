@@ -60,8 +60,9 @@ Profile readProfile(const RuleContext &ctx);
 const Word *wordOf(const Block &block, const CodeInfo &code, Role role);
 /// All addresses with this role in the code's format.
 AddressMask addressesOf(const CodeInfo &code, Role role);
-/// Value of a role's word as the active cycle keeps it; none when it is absent or not known.
-std::optional<double> kept(const CycleWords &words, const CodeInfo &code, Role role);
+/// Value of a role's word as the active cycle keeps it, or of its variable; none when it is absent
+/// or not known.
+std::optional<double> kept(const MachineState &state, const CodeInfo &code, Role role);
 /// Known value of a role's word in the block at hand, as written.
 std::optional<double> valueOf(const RuleContext &ctx, const CodeInfo &code, Role role);
 /// Millimetres per unit of a length in the state; none when the unit is not known.

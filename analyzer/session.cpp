@@ -178,6 +178,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
   FileSetup setup;
   setup.config = *config;
   setup.folders = folders_;
+  setup.limits = options_.limits;
   const MachineSource *machine = nullptr;
   if (options_.machine)
     machine = &*options_.machine;

@@ -1,6 +1,7 @@
 // A session: everything that must be known before a file is checked, found once and shared.
 #pragma once
 
+#include "analyzer/analyze.h"
 #include "analyzer/config.h"
 #include "analyzer/detect.h"
 #include "analyzer/failure.h"
@@ -17,6 +18,7 @@ struct SessionOptions {
   std::string configFile;               ///< instead of the nearest one; empty: the nearest
   std::string profile;                  ///< empty: as configured
   RuleSettings rules;
+  AnalysisLimits limits;
 };
 
 /// All that the check of one file needs.
@@ -26,7 +28,8 @@ struct FileSetup {
   std::shared_ptr<const MachineProfile> machine;
   std::shared_ptr<const RuleSelection> rules;
   std::shared_ptr<ProgramFolders> folders; ///< for programs that it calls
-  std::string reason;                      ///< why this dialect
+  AnalysisLimits limits;
+  std::string reason; ///< why this dialect
 };
 
 /// Finds and keeps configurations, dialects and machine profiles. Safe for several threads.

@@ -53,6 +53,9 @@ llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Eve
       continue;
     if (!holds(spec.when, &code, ctx.conditions()))
       continue;
+    if (spec.variable && (ctx.after().commons.has(spec.variable) ||
+                          (spec.orVariable && ctx.after().commons.has(spec.orVariable))))
+      continue; // set by a block before
     bool certain = event.certain;
     if (spec.need == Need::First && code.group != noGroup) {
       const uint64_t active = ctx.before().group[code.group];
@@ -77,7 +80,8 @@ void reportMissingWords(RuleContext &ctx, const Event &event,
     if (!mine(code, *missing.spec))
       continue;
     if (auto finding = ctx.report(event, missing.certain)) {
-      const std::string words = ctx.dialect().alternatives(missing.spec->any);
+      const std::string words = missing.spec->any ? ctx.dialect().alternatives(missing.spec->any)
+                                                  : "`" + missing.spec->name + "`";
       if (missing.spec->note.empty())
         finding.message("`{0}` needs {1}, and its block has none", code.name, words);
       else

@@ -83,7 +83,7 @@ void Execution::applyModal(const CodeUse &use) {
       if (!motionCode_.word || code.action == Action::Cycle)
         motionCode_ = use;
       // A motion code ends a drilling cycle, and a turning cycle's code replaces it.
-      if (isMotion(code.action))
+      if (isMotion(code.action) && !dialect_.cycleSurvivesMotion)
         cancelCycle(use.code, use.word);
     }
   } else if (code.group == noGroup || code.action == Action::DataInput) {

@@ -110,7 +110,13 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
           ? Truth::No
           : state_.isActive(dialect_, StandardGroup::ReturnLevel, {Action::ReturnInitial});
   Interval level = Interval::unknown();
-  if (toInitial == Truth::Yes) {
+  const WordSpec *plane = nullptr;
+  for (const WordSpec &spec : code.words)
+    if (spec.role == Role::Height && spec.variable)
+      plane = &spec;
+  if (plane) {
+    level = readVariable(state_, int64_t(plane->variable)).asNumber();
+  } else if (toInitial == Truth::Yes) {
     level = state_.initialLevel;
   } else if (toInitial == Truth::No && state_.cycle.has('R')) {
     const Interval factor = lengthFactor();

@@ -163,13 +163,13 @@ void Execution::run(bool guardHolds) {
   if (block_.items.empty()) {
     if (runPlainMove())
       return;
-    if (block_.words.empty())
+    if (block_.words.empty() && !runsEmpty())
       return;
   }
   outcome_.setupChanged = true;
   if (!block_.items.empty() && !runItems(guardHolds))
     return;
-  if (block_.words.empty())
+  if (block_.words.empty() && !runsEmpty())
     return;
   resolveCodes();
   // Modes first, then what they give a meaning to: an F behind G98 is a feed per minute.
@@ -184,6 +184,11 @@ void Execution::run(bool guardHolds) {
   for (const CodeUse &use : outcome_.codes)
     applyFlow(use);
   finish();
+}
+
+/// A block without words in which an active cycle runs all the same.
+bool Execution::runsEmpty() const {
+  return dialect_.emptyBlocksRun && state_.cycleActive(dialect_) != Truth::No;
 }
 
 /// Tells what is odd about the words, so that rules need not look at every block.

@@ -439,7 +439,7 @@ void Execution::moveAxes() {
     startCycle(motionCode_);
     return;
   }
-  if (!motionCode_.word && !cancelled_) {
+  if ((!motionCode_.word || dialect_.cycleSurvivesMotion) && !cancelled_) {
     const Truth active = state_.cycleActive(dialect_);
     if (active != Truth::No) {
       const CodeIndex cycle = activeCycle();

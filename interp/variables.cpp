@@ -17,6 +17,14 @@ Value Variables::get(uint64_t number) const {
   return at != entries.end() && at->number == number ? at->value : fallback_;
 }
 
+bool Variables::has(uint64_t number) const {
+  if (!data_)
+    return false;
+  const auto at = std::lower_bound(data_->entries.begin(), data_->entries.end(), number,
+                                   [](const Entry &e, uint64_t n) { return e.number < n; });
+  return at != data_->entries.end() && at->number == number;
+}
+
 void Variables::set(uint64_t number, const Value &value) {
   if (!data_)
     data_ = new Data;

@@ -18,6 +18,8 @@ public:
   explicit Variables(Value fallback = Value::unknown()) : fallback_(fallback) {}
 
   Value get(uint64_t key) const;
+  /// Whether the program has given it a value.
+  bool has(uint64_t key) const;
   void set(uint64_t key, const Value &value);
   /// Forgets everything: all variables unknown.
   void forget();

@@ -99,6 +99,7 @@ namespace ncvet {
   X(CallLocal, "call-local")                                                                       \
   X(Return, "return")                                                                              \
   X(ConditionalJump, "conditional-jump")                                                           \
+  X(ProgramHead, "program-head")                                                                   \
   X(Sleep, "sleep")                                                                                \
   X(SkipCheck, "skip-check")                                                                       \
   X(MachineSpecific, "machine-specific")

@@ -179,8 +179,10 @@ WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {
   llvm::SmallVector<llvm::StringRef, 4> names;
   llvm::StringRef spelling = name;
   if (spelling.consume_front("@")) { // a variable
-    word.name = spelling.str();
-    word.variable = variableKey(spelling);
+    const auto [first, other] = spelling.split('|');
+    word.name = first.str();
+    word.variable = variableKey(first);
+    word.orVariable = other.empty() ? 0 : variableKey(other);
   } else if (!spelling.consumeInteger(10, word.position)) { // "3 SDIS": the third argument
     word.name = spelling.trim().str();
     if (!word.position)

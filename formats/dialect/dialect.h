@@ -165,9 +165,10 @@ enum class Need : uint8_t {
 /// One word of a code's format, or several that stand for each other (`X|U`).
 struct WordSpec {
   AddressMask any = 0;
-  unsigned position = 0; ///< from 1: an argument of the code's call instead; 0: not one
-  uint64_t variable = 0; ///< `variableKey` of a variable that the code reads instead; 0: none
-  std::string name;      ///< of that argument or variable: "RTP", "ENT"
+  unsigned position = 0;   ///< from 1: an argument of the code's call instead; 0: not one
+  uint64_t variable = 0;   ///< `variableKey` of a variable that the code reads instead; 0: none
+  uint64_t orVariable = 0; ///< one that may stand for it; 0: none
+  std::string name;        ///< of that argument or variable: "RTP", "ENT"
   Need need = Need::Optional;
   Role role = Role::None;
   std::optional<Severity> severity; ///< of its absence, when it differs from the rule's
@@ -311,6 +312,7 @@ struct Lexical {
   Semicolon semicolon = Semicolon::Comment;
   bool percentHeader = false;      ///< `%O1234` is a program's first line
   bool macro = true;               ///< variables, expressions, IF, WHILE, GOTO are known
+  bool commaSeparates = false;     ///< commas separate arguments
   std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
   std::string endLabel;            ///< label that ends a repeated section; empty: there is none
   uint8_t skipLevels = 9;          ///< block skip `/1` … `/9`; 1: plain `/` only
@@ -347,6 +349,8 @@ struct Dialect {
   MachineKind machine = MachineKind::Mill;
   bool toolChangeByT = false;       ///< the T word itself changes the tool; else M06 does
   bool profileRunsThrough = false;  ///< behind a roughing cycle the control runs the profile itself
+  bool cycleSurvivesMotion = false; ///< a motion code does not end a drilling cycle
+  bool emptyBlocksRun = false;      ///< an active cycle runs in blocks without words too
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   Lexical lexical;
   Limits limits;

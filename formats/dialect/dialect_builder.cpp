@@ -42,6 +42,8 @@ void DialectBuilder::build() {
                         "toolChangeByT",
                         "profileRunsThrough",
                         "dwellInMilliseconds",
+                        "cycleSurvivesMotion",
+                        "emptyBlocksRun",
                         "lexical",
                         "limits",
                         "options",
@@ -78,6 +80,8 @@ void DialectBuilder::readHead() {
   in_.read(root_, "toolChangeByT", dialect_.toolChangeByT);
   in_.read(root_, "profileRunsThrough", dialect_.profileRunsThrough);
   in_.read(root_, "dwellInMilliseconds", dialect_.dwellInMilliseconds);
+  in_.read(root_, "cycleSurvivesMotion", dialect_.cycleSurvivesMotion);
+  in_.read(root_, "emptyBlocksRun", dialect_.emptyBlocksRun);
   in_.readName(root_, "machine", "machine", machineNames(), dialect_.machine);
   for (const char *key : {"id", "title", "reader", "machine"})
     if (!in_.member(root_, key))
@@ -116,7 +120,7 @@ void DialectBuilder::readLexical() {
   if (!lexical)
     return;
   in_.allowKeys(*lexical, {"incrementOperator", "commaAddresses", "semicolon", "percentHeader",
-                           "macro", "skipLevels", "headerMarks", "endLabel"});
+                           "macro", "skipLevels", "headerMarks", "endLabel", "commaSeparates"});
   Lexical &target = dialect_.lexical;
   in_.read(*lexical, "incrementOperator", target.incrementOperator);
   readSet(*lexical, "commaAddresses", target.commaAddresses);
@@ -124,6 +128,7 @@ void DialectBuilder::readLexical() {
   in_.read(*lexical, "percentHeader", target.percentHeader);
   in_.read(*lexical, "macro", target.macro);
   in_.read(*lexical, "headerMarks", target.headerMarks);
+  in_.read(*lexical, "commaSeparates", target.commaSeparates);
   in_.read(*lexical, "endLabel", target.endLabel);
   in_.readWhole(*lexical, "skipLevels", target.skipLevels, 0, 9);
   if (target.commaAddresses & ~(maskOf(commaA) | maskOf(commaC) | maskOf(commaR)))

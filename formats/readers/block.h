@@ -227,6 +227,8 @@ enum class SyntaxIssueKind : uint8_t {
   BadExpression,
   BadStatement,
   UnknownWord,      ///< letters that are neither a keyword nor an address with a number
+  ForeignComment,   ///< a comment in the manner of another control
+  OutsideBlock,     ///< code in front of the first block start
   TypographicQuote, ///< a quote that the word processor made of `'` or `"`
   UnclosedString,
   MissingArgument, ///< an argument list that ends too early

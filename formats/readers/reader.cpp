@@ -2,10 +2,13 @@
 #include "formats/readers/reader.h"
 
 #include "formats/readers/iso_reader.h"
+#include "formats/readers/mefi_reader.h"
 
 namespace ncvet {
 
 std::unique_ptr<Reader> makeReader(const Dialect &dialect, llvm::StringRef text) {
+  if (dialect.reader == "mefi")
+    return std::make_unique<MefiReader>(dialect, text);
   return std::make_unique<IsoReader>(dialect, text);
 }
 

@@ -24,8 +24,8 @@ public:
     const Dialect &dialect = ctx.dialect();
     const MachineState &state = ctx.after();
     const auto unit = millimetresPer(dialect, state);
-    const auto r = kept(state.cycle, code, Role::Retract);
-    const auto z = kept(state.cycle, code, Role::Depth);
+    const auto r = kept(state, code, Role::Retract);
+    const auto z = kept(state, code, Role::Depth);
     if (!unit || !r || !z || mixed(state.cycle, code, dialect) ||
         (rWord && rWord->has(wordIncremental)) || (zWord && zWord->has(wordIncremental)))
       return;
@@ -33,7 +33,10 @@ public:
         state.active(dialect, StandardGroup::Distance) != groupUnset &&
         state.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::No)
       return;
-    const Word &word = rWord ? *rWord : *zWord;
+    const bool parameters = (rWord ? rWord : zWord)->address == variableAddress;
+    const Word &word = parameters ? (zWord ? *zWord : *rWord) : (rWord ? *rWord : *zWord);
+    if (parameters)
+      planes(event, code, *r, *z, ctx);
     const double level = *r * *unit, depth = *z * *unit;
     constexpr double tolerance = 1e-6;
     if (code.cycle == CycleKind::BackBore) {
@@ -68,6 +71,31 @@ public:
   }
 
 private:
+  /// Planes that are parameters: the return plane, and the surface when it is known to be zero.
+  static void planes(const Event &event, const CodeInfo &code, double start, double depth,
+                     RuleContext &ctx) {
+    const Word *back = wordOf(ctx.block(), code, Role::Height);
+    const auto height = kept(ctx.after(), code, Role::Height);
+    if (back && height && *height < start)
+      if (auto finding = ctx.report(*back, event.certain))
+        finding.message("the return plane {0} of `{1}` lies below its start plane {2}",
+                        text(*height), code.name, text(start));
+    if (ctx.machine().option("zeroOnSurface").value_or("") != "true")
+      return;
+    const Word *from = wordOf(ctx.block(), code, Role::Retract);
+    if (from && start <= 0)
+      if (auto finding = ctx.report(*from, event.certain))
+        finding.severity(Severity::Warning)
+            .message("the start plane {0} of `{1}` is not above the surface, which is Z0",
+                     text(start), code.name);
+    const Word *to = wordOf(ctx.block(), code, Role::Depth);
+    if (to && depth >= 0)
+      if (auto finding = ctx.report(*to, event.certain))
+        finding.severity(Severity::Warning)
+            .message("the depth {0} of `{1}` is not below the surface, which is Z0", text(depth),
+                     code.name);
+  }
+
   static std::string text(double value) {
     return llvm::formatv("{0}", llvm::format("%g", value)).str();
   }

@@ -1,5 +1,6 @@
 // A code that is not known to cancel a drilling cycle stands while the cycle is active.
 #include "analyzer/lookahead.h"
+#include "analyzer/once.h"
 
 namespace ncvet {
 namespace {
@@ -10,10 +11,15 @@ public:
     const GroupIndex cycles = to.dialect().group(StandardGroup::Cycle);
     if (cycles == noGroup)
       return;
+    goesOn_ = to.dialect().cycleSurvivesMotion;
     to.onCode([&](const CodeInfo &code) {
+      if (goesOn_)
+        return changes(code.action) || (code.action == Action::Cycle && code.base != noCode);
       return !code.cancelsCycle && code.group != cycles &&
              (isMotion(code.action) || code.action == Action::Cycle);
     });
+    if (goesOn_)
+      to.on(EventKind::CycleRun);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -22,17 +28,74 @@ public:
     if (!cycle || cycle->action != Action::Cycle || !makesHole(cycle->cycle) ||
         ctx.find({Action::CycleCancel}))
       return;
+    if (event.kind == EventKind::CycleRun)
+      return running(*cycle, ctx);
     const CodeInfo &code = ctx.code(event);
-    if (auto finding = ctx.report(event))
-      finding
-          .message("`{0}` stands while `{1}` of line {2} is active: it is not documented that it "
-                   "cancels the cycle",
-                   code.name, cycle->name, lineOf(ctx, before.origin.cycle))
-          .note(before.origin.cycle, cycle->name + " becomes active here")
-          .fix(FixSafety::Unsafe,
-               "insert " + cancelOf(ctx.dialect(), *cycle) + " before this block",
-               ctx.insertBlockBefore(cancelOf(ctx.dialect(), *cycle)));
+    if (&code == cycle)
+      return;
+    auto finding = ctx.report(event);
+    if (!finding)
+      return;
+    const std::string cancel = cancelOf(ctx.dialect(), *cycle);
+    if (!goesOn_)
+      finding.message(
+          "`{0}` stands while `{1}` of line {2} is active: it is not documented that it "
+          "cancels the cycle",
+          code.name, cycle->name, lineOf(ctx, before.origin.cycle));
+    else if (code.action == Action::Cycle)
+      finding.severity(Severity::Style)
+          .message("`{0}` replaces `{1}` of line {2}: `{3}` in between says it clearly", code.name,
+                   cycle->name, lineOf(ctx, before.origin.cycle), cancel);
+    else
+      finding.severity(isArc(code.action) ? std::optional(Severity::Error) : Severity::Warning)
+          .message("`{0}` stands while `{1}` of line {2} is active: the cycle goes on in what it "
+                   "changes",
+                   code.name, cycle->name, lineOf(ctx, before.origin.cycle));
+    finding.note(before.origin.cycle, cycle->name + " becomes active here")
+        .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
+             ctx.insertBlockBefore(cancel));
   }
+
+private:
+  /// What turns or moves the system in which a cycle's planes are given, and arcs.
+  static bool changes(Action action) {
+    switch (action) {
+    case Action::PlaneXY:
+    case Action::PlaneZX:
+    case Action::PlaneYZ:
+    case Action::WorkOffset:
+    case Action::ArcCw:
+    case Action::ArcCcw:
+      return true;
+    default:
+      return false;
+    }
+  }
+
+  /// A later block of a cycle that goes on: its way to the hole, and its words.
+  void running(const CodeInfo &cycle, RuleContext &ctx) {
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if (address.kind != AddressKind::Axis || address.axis != tool)
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.severity(Severity::Warning)
+            .message("`{0}` says nothing to `{1}`: its planes are parameters of its own",
+                     ctx.text(word), cycle.name);
+    }
+    const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
+    if (!motion || motion->action != Action::Linear || !axesOf(ctx.dialect(), ctx.block()) ||
+        !once_.speaks(ctx.before().origin.cycle, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.severity(Severity::Warning)
+          .message("the way to this hole of `{0}` is made at feed: `{1}` is active", cycle.name,
+                   motion->name);
+  }
+
+  bool goesOn_ = false; ///< motion codes do not end a cycle
+  OncePerCause once_;
 };
 
 } // namespace

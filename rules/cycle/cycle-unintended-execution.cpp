@@ -112,12 +112,12 @@ private:
       return value.value() > 0 && !dialect.isLathe();
     // The level from which the cycle drills, as it was before this block.
     std::optional<double> level;
-    if (const auto r = kept(ctx.before().cycle, code, Role::Retract))
+    if (const auto r = kept(ctx.before(), code, Role::Retract))
       level = *r * *unit;
     else if (ctx.before().initialLevel.isConstant())
       level = ctx.before().initialLevel.value();
     std::optional<double> old;
-    if (const auto z = kept(ctx.before().cycle, code, Role::Depth))
+    if (const auto z = kept(ctx.before(), code, Role::Depth))
       old = *z * *unit;
     if (!level || !old || *old == *level)
       return false;

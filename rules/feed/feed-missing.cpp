@@ -15,7 +15,8 @@ public:
       return;
     const CodeInfo &code = ctx.code(event);
     // A modal cycle without axis words sets modes only.
-    if (event.kind == EventKind::CycleRun && !event.axes && code.group != noGroup)
+    if (event.kind == EventKind::CycleRun && !event.axes && code.group != noGroup &&
+        !code.firesOnEveryBlock)
       return;
     if (!code.needsFeed ||
         (event.kind == EventKind::Motion &&

@@ -20,7 +20,7 @@ public:
           event.motion == MotionKind::Skip || event.number == 1 || !(event.axes & linear))
         return; // a rotary axis alone positions, or the work turns against a wheel
     } else if (code.spindle == SpindleNeed::Any || code.spindle == SpindleNeed::StartsItself ||
-               (!event.axes && code.group != noGroup)) {
+               (!event.axes && code.group != noGroup && !code.firesOnEveryBlock)) {
       return; // without axis words a modal cycle sets modes only
     }
     // Behind rigid tapping another rule speaks.

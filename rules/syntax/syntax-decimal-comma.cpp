@@ -8,7 +8,7 @@ class SyntaxDecimalComma final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     // Elsewhere a comma is no character of the language: syntax-invalid-character speaks.
-    if (to.dialect().lexical.commaAddresses)
+    if (to.dialect().lexical.commaAddresses || to.dialect().lexical.commaSeparates)
       to.on(EventKind::Syntax);
   }
 

@@ -32,6 +32,8 @@ public:
       what = "`{0}` is no statement that the control knows";
       break;
     case SyntaxIssueKind::UnknownWord:
+      if (!ctx.dialect().keywords.empty()) // syntax-unknown-name speaks
+        return;
       what = "`{0}` is neither a word of address and number nor a statement";
       break;
     case SyntaxIssueKind::NotABlock: {

@@ -1,6 +1,8 @@
 // A character outside comments that the control cannot read.
 #include "analyzer/rule.h"
 
+#include <utility>
+
 namespace ncvet {
 namespace {
 
@@ -27,6 +29,15 @@ public:
       if (auto finding = ctx.report(range))
         finding.message("`{0}` cannot be read by the control outside comments", text);
       return;
+    case SyntaxIssueKind::TypographicQuote:
+      if (std::exchange(quoteSpoken_, true)) // a word processor makes all of them so
+        return;
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("`{0}` is a typographic quotation mark: the control knows the straight one",
+                     text)
+            .fix(FixSafety::Safe, "write a straight one", ctx.replace(range, "\""));
+      return;
     case SyntaxIssueKind::TypographicMinus:
       if (auto finding = ctx.report(range))
         finding
@@ -36,7 +47,7 @@ public:
       return;
     case SyntaxIssueKind::DecimalComma: {
       // Where commas open words of their own, syntax-decimal-comma speaks.
-      if (ctx.dialect().lexical.commaAddresses)
+      if (ctx.dialect().lexical.commaAddresses || ctx.dialect().lexical.commaSeparates)
         return;
       const size_t comma = ctx.text(range).find(',');
       const auto at = uint32_t(range.begin + (comma == llvm::StringRef::npos ? 0 : comma));
@@ -52,6 +63,9 @@ public:
       return;
     }
   }
+
+private:
+  bool quoteSpoken_ = false;
 };
 
 } // namespace

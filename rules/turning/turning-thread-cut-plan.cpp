@@ -48,7 +48,7 @@ private:
     if (before.pendingCycle == noCode || !event.word)
       return;
     const CodeInfo &data = ctx.dialect().codes[before.pendingCycle];
-    const auto least = kept(before.cycle, data, Role::LeastCut);
+    const auto least = kept(before, data, Role::LeastCut);
     if (!least || *least <= *first)
       return;
     if (auto finding = ctx.report(*firstWord, event.certain))

@@ -170,7 +170,7 @@ inline std::vector<Seen> marksOf(const std::string &text, const std::string &onl
     const size_t word = content.find("expect:");
     const size_t caret = content.find('^');
     if (word == std::string::npos || caret == std::string::npos || caret > word ||
-        content.find('(') != 0) {
+        content.find_first_of("(\";'") != 0) {
       marked = line;
       continue;
     }

@@ -1,0 +1,68 @@
+// The feed's unit was changed, and the next feed move has no F of its own.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FeedModeChangeWithoutFeed final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().group(StandardGroup::FeedMode) != noGroup && to.option("wanted", 0) != 0)
+      to.onChange({EventKind::Motion});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                       event.motion == MotionKind::ArcCcw;
+    const MachineState &state = ctx.after();
+    const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
+    const Origin &feed = state.origin.feed;
+    if (!feeds || event.code == noCode || !mode.known() || !feed.known() ||
+        mode.file != feed.file || mode.file != ctx.source().id() || !state.must(Fact::FeedSet) ||
+        state.may(Fact::UnknownCode) || feed.begin > mode.begin)
+      return;
+    // An F in the block of the mode counts in the new unit, wherever it stands.
+    const llvm::StringRef between = ctx.source().text(feed.end, mode.begin);
+    if (!between.contains('\n') || !changed(mode, ctx) || mode.begin == reported_)
+      return;
+    reported_ = mode.begin;
+    const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
+    if (auto finding = ctx.report(event))
+      finding
+          .message("this move feeds with the F of before `{0}`: the number now counts in another "
+                   "unit",
+                   code ? code->name : "the change")
+          .note(mode, "the unit changes here")
+          .note(feed, "the feed is programmed here");
+  }
+
+private:
+  /// Whether the code at `mode` was not in force already: another one stands between F and it, or
+  /// the program had stated another before.
+  static bool changed(const Origin &mode, const RuleContext &ctx) {
+    Block block;
+    const auto &reader = ctx.index().reader();
+    CodeIndex last = noCode;
+    for (uint32_t at = ctx.index().programAt(mode.begin).body; at <= mode.begin; at = block.next) {
+      reader.read(at, block);
+      for (const Word &word : block.words) {
+        const CodeIndex code = codeOf(ctx.dialect(), word);
+        if (code == noCode ||
+            ctx.dialect().codes[code].group != ctx.dialect().group(StandardGroup::FeedMode))
+          continue;
+        if (word.offset == mode.begin)
+          return last != noCode && last != code;
+        last = code;
+      }
+      if (block.next <= at)
+        break;
+    }
+    return false;
+  }
+
+  uint32_t reported_ = ~0u;
+};
+
+} // namespace
+NCVET_RULE(FeedModeChangeWithoutFeed, feed_mode_change_without_feed)
+} // namespace ncvet

@@ -1,0 +1,67 @@
+// A program's head or end stands in the wrong place, or more than once.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramFrameMisplaced final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    hasHead_ = llvm::any_of(to.dialect().codes,
+                            [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
+  }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!hasHead_)
+      return;
+    for (const ProgramInfo &program : file.index.programs())
+      check(program, file, ctx);
+  }
+
+private:
+  static void check(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    Block block;
+    SourceRange head, end;
+    bool content = false;
+    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
+      file.reader.read(at, block);
+      bool frame = false;
+      for (const Word &word : block.words) {
+        const CodeIndex code = codeOf(ctx.dialect(), word);
+        const Action action = code == noCode ? Action::None : ctx.dialect().codes[code].action;
+        const SourceRange here{file.source.id(), word.offset, block.endOf(word)};
+        if (action == Action::ProgramHead) {
+          frame = true;
+          if (head.end)
+            report(here, "`{0}` stands again: two programs lie in one file", head, ctx);
+          else if (content)
+            report(here, "`{0}` stands behind other blocks: it opens a program", {}, ctx);
+          head = here;
+        } else if (action == Action::ProgramEnd || action == Action::ProgramEndRewind) {
+          frame = true;
+          if (end.end)
+            report(here, "`{0}` ends the program once more: it has ended already", end, ctx);
+          end = here;
+        }
+      }
+      if (!frame && end.end && !block.isEmpty())
+        report(end, "`{0}` does not stand at the end of the program", {}, ctx);
+      content |= !frame && !block.isEmpty();
+    }
+  }
+
+  static void report(SourceRange range, const char *message, SourceRange first, RuleContext &ctx) {
+    auto finding = ctx.report(range);
+    if (!finding)
+      return;
+    finding.message(message, ctx.text(range));
+    if (first.end)
+      finding.note(first, "the first one");
+  }
+
+  bool hasHead_ = false;
+};
+
+} // namespace
+NCVET_RULE(ProgramFrameMisplaced, program_frame_misplaced)
+} // namespace ncvet

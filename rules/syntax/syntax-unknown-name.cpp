@@ -1,0 +1,73 @@
+// A name that the control does not know and the program does not define.
+#include "analyzer/rule.h"
+
+#include <set>
+
+namespace ncvet {
+namespace {
+
+class SyntaxUnknownName final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().keywords.empty())
+      return;
+    for (const CodeInfo &code : to.dialect().codes)
+      for (const WordSpec &spec : code.words)
+        if (spec.variable) {
+          known_.insert(spec.variable);
+          known_.insert(spec.orVariable);
+        }
+    to.on({EventKind::Syntax, EventKind::Assignment});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Assignment)
+      return parameter(event, ctx);
+    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    if (issue.kind != SyntaxIssueKind::UnknownWord)
+      return;
+    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    auto finding = ctx.report(range);
+    if (!finding)
+      return;
+    const std::string name = ctx.text(range).upper();
+    const std::string *near = nullptr;
+    unsigned least = unsigned(name.size()) / 3 + 1;
+    for (const CodeInfo &code : ctx.dialect().codes)
+      if (!code.letter) {
+        const unsigned distance = llvm::StringRef(name).edit_distance(code.name, true, least);
+        if (distance < least) {
+          least = distance;
+          near = &code.name;
+        }
+      }
+    if (near)
+      finding
+          .message("`{0}` is no name that the control knows: did you mean `{1}`?", ctx.text(range),
+                   *near)
+          .fix(FixSafety::Unsafe, "write `" + *near + "`", ctx.replace(range, *near));
+    else
+      finding.message("`{0}` is no name that the control knows", ctx.text(range));
+  }
+
+private:
+  /// A value for a name that no cycle reads, where only cycles read names.
+  void parameter(const Event &event, RuleContext &ctx) {
+    if (known_.empty() || event.number < int64_t(firstNamedVariable) ||
+        known_.count(uint64_t(event.number)))
+      return;
+    for (const Item &item : ctx.block().items)
+      if (item.kind == ItemKind::Assignment &&
+          ctx.block().keyOf(item.target) == uint64_t(event.number))
+        if (auto finding = ctx.report(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}))
+          finding.severity(Severity::Warning)
+              .message("no cycle reads `{0}`: the value goes nowhere",
+                       ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}));
+  }
+
+  std::set<uint64_t> known_; ///< keys of the variables that codes read
+};
+
+} // namespace
+NCVET_RULE(SyntaxUnknownName, syntax_unknown_name)
+} // namespace ncvet
