@@ -13,11 +13,19 @@ public:
         end_ = code.name;
       else if (code.action == Action::ProgramEnd && end_.empty())
         end_ = code.name;
+      if (code.action == Action::ProgramHead)
+        to.onAction({Action::ProgramHead});
+      hasHead_ |= code.action == Action::ProgramHead;
     }
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (FlowIssue(event.number) != FlowIssue::MainRunsOut)
+    if (event.kind == EventKind::Code) {
+      headSeen_ = true;
+      return;
+    }
+    // Where a program has a head, a text without one is a fragment.
+    if (FlowIssue(event.number) != FlowIssue::MainRunsOut || (hasHead_ && !headSeen_))
       return;
     const SourceRange where = ctx.flowRange();
     auto finding = ctx.report(where, event.certain);
@@ -35,6 +43,8 @@ public:
 
 private:
   std::string end_;
+  bool hasHead_ = false; ///< the control has a word that opens a program
+  bool headSeen_ = false;
 };
 
 } // namespace
