@@ -312,6 +312,7 @@ struct Lexical {
   Semicolon semicolon = Semicolon::Comment;
   bool percentHeader = false;      ///< `%O1234` is a program's first line
   bool macro = true;               ///< variables, expressions, IF, WHILE, GOTO are known
+  bool blocksSpanLines = false;    ///< a block ends where the next one begins, not with its line
   bool commaSeparates = false;     ///< commas separate arguments
   std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
   std::string endLabel;            ///< label that ends a repeated section; empty: there is none

@@ -119,8 +119,9 @@ void DialectBuilder::readLexical() {
   const Json *lexical = in_.member(root_, "lexical");
   if (!lexical)
     return;
-  in_.allowKeys(*lexical, {"incrementOperator", "commaAddresses", "semicolon", "percentHeader",
-                           "macro", "skipLevels", "headerMarks", "endLabel", "commaSeparates"});
+  in_.allowKeys(*lexical,
+                {"incrementOperator", "commaAddresses", "semicolon", "percentHeader", "macro",
+                 "skipLevels", "headerMarks", "endLabel", "commaSeparates", "blocksSpanLines"});
   Lexical &target = dialect_.lexical;
   in_.read(*lexical, "incrementOperator", target.incrementOperator);
   readSet(*lexical, "commaAddresses", target.commaAddresses);
@@ -129,6 +130,7 @@ void DialectBuilder::readLexical() {
   in_.read(*lexical, "macro", target.macro);
   in_.read(*lexical, "headerMarks", target.headerMarks);
   in_.read(*lexical, "commaSeparates", target.commaSeparates);
+  in_.read(*lexical, "blocksSpanLines", target.blocksSpanLines);
   in_.read(*lexical, "endLabel", target.endLabel);
   in_.readWhole(*lexical, "skipLevels", target.skipLevels, 0, 9);
   if (target.commaAddresses & ~(maskOf(commaA) | maskOf(commaC) | maskOf(commaR)))
