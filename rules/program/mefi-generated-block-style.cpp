@@ -1,0 +1,100 @@
+// A generated block that departs from what its dialog writes, without harm.
+#include "analyzer/generated_block.h"
+
+namespace ncvet {
+namespace {
+
+/// `FEED` and `CYC_FEED` are two names of one parameter.
+constexpr llvm::StringLiteral longFamily = "CYC_";
+constexpr llvm::StringLiteral twoNames[] = {"FEED", "SPINDLESPEED"};
+
+class MefiGeneratedBlockStyle final : public Rule {
+public:
+  void listen(Subscriptions &to) override { wanted_ = hasDialogs(to.dialect()); }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!wanted_)
+      return;
+    const Dialogs dialogs = dialogsOf(ctx.dialect(), ctx.machine());
+    const llvm::StringRef text = file.source.text();
+    const FileId id = file.source.id();
+    bool technologyBefore = false;
+    eachBlock(file, [&](const Block &block) {
+      if (block.kind == BlockKind::Empty)
+        return;
+      const GeneratedBlock generated = readGenerated(block, text);
+      checkNames(block, text, id, ctx);
+      checkComments(generated, technologyBefore, id, ctx);
+      checkLines(generated, block, dialogs, text, id, ctx);
+      technologyBefore = generated.isTechnology();
+    });
+  }
+
+private:
+  /// One family of names for feed and speed in a file.
+  void checkNames(const Block &block, llvm::StringRef text, FileId id, RuleContext &ctx) {
+    for (const Item &item : block.items) {
+      const std::string name = assignedName(item, text);
+      llvm::StringRef bare = name;
+      const bool isLong = bare.consume_front(longFamily);
+      if (!llvm::is_contained(twoNames, bare))
+        continue;
+      bool &seen = isLong ? seenLong_ : seenShort_;
+      const bool departs = !seen && (isLong ? seenShort_ : seenLong_);
+      seen = true;
+      if (!departs)
+        continue;
+      if (auto finding = ctx.report(SourceRange{id, item.nameBegin, item.nameEnd}))
+        finding.message("`{0}` here, the other family of names (`{1}`) before: one file uses one",
+                        name, isLong ? bare.str() : (longFamily + bare).str());
+    }
+  }
+
+  static void checkComments(const GeneratedBlock &generated, bool technologyBefore, FileId id,
+                            RuleContext &ctx) {
+    const Comment *line = generated.page             ? generated.page
+                          : generated.isTechnology() ? generated.codeLines.front()
+                                                     : nullptr;
+    if (line && !generated.notice)
+      if (auto finding = ctx.report(SourceRange{id, line->begin, line->end}))
+        finding.message("the first line of this generated block, which warns of changing it by "
+                        "hand, was taken away");
+    if (!technologyBefore || !generated.isTechnology())
+      return;
+    const Comment &second = *generated.codeLines.front();
+    if (auto finding = ctx.report(SourceRange{id, second.begin, second.end}))
+      finding.message("a second Technology block in a row: write the blocks directly");
+  }
+
+  /// All lines that the dialog writes are there.
+  static void checkLines(const GeneratedBlock &generated, const Block &block,
+                         const Dialogs &dialogs, llvm::StringRef text, FileId id,
+                         RuleContext &ctx) {
+    const Dialog *dialog = generated.page ? dialogs.find(generated.path) : nullptr;
+    const Word *call = block.find(keywordAddress);
+    if (!dialog || dialog->part.empty() || !call)
+      return;
+    for (const WordSpec &spec : ctx.dialect().codes[size_t(call->mantissa)].words) {
+      if (!spec.variable || spec.role != Role::Argument)
+        continue;
+      llvm::StringRef bare = spec.name;
+      bare.consume_front(longFamily);
+      if (findAssignment(block, spec.name, text) || findAssignment(block, bare, text) ||
+          findAssignment(block, (longFamily + bare).str(), text))
+        continue;
+      const Comment &head = generated.notice ? *generated.notice : *generated.page;
+      if (auto finding = ctx.report(SourceRange{id, head.begin, head.end}))
+        finding.message("the line `{0}`, which the dialog writes, is missing: generated blocks "
+                        "are changed in their dialog",
+                        spec.name);
+      return;
+    }
+  }
+
+  bool wanted_ = false;
+  bool seenLong_ = false, seenShort_ = false;
+};
+
+} // namespace
+NCVET_RULE(MefiGeneratedBlockStyle, mefi_generated_block_style)
+} // namespace ncvet

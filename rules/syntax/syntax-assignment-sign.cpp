@@ -1,0 +1,53 @@
+// A parameter that is written like a word, without the sign that gives it its value.
+#include "analyzer/rule.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+#include <set>
+
+namespace ncvet {
+namespace {
+
+class SyntaxAssignmentSign final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    for (const CodeInfo &code : to.dialect().codes)
+      for (const WordSpec &spec : code.words)
+        if (spec.variable) {
+          parameters_.insert(spec.variable);
+          letters_ |= spec.name.size() > 1 && llvm::isDigit(spec.name[1]);
+        }
+    if (letters_)
+      to.on(EventKind::Syntax);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    if (issue.kind != SyntaxIssueKind::MalformedNumber)
+      return;
+    // `R31-15`: a letter, the parameter's digits, and a sign where the `=` is due.
+    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const llvm::StringRef text = ctx.text(range);
+    const size_t sign = text.find_first_of("+-");
+    if (sign == llvm::StringRef::npos || sign < 2 || !llvm::isAlpha(text[0]))
+      return;
+    const llvm::StringRef name = text.take_front(sign);
+    if (!llvm::all_of(name.drop_front(), llvm::isDigit) || !parameters_.count(variableKey(name)))
+      return;
+    if (auto finding = ctx.report(range))
+      finding
+          .message("`{0}` gives `{1}` no value: a parameter is set with `=`, and keeps its old "
+                   "value without it",
+                   text, name)
+          .fix(FixSafety::Unsafe, "write `=` behind the parameter",
+               ctx.insertBefore(issue.begin + uint32_t(sign), "="));
+  }
+
+private:
+  std::set<uint64_t> parameters_; ///< keys of the variables that codes read
+  bool letters_ = false;          ///< some are a letter and digits, as words are
+};
+
+} // namespace
+NCVET_RULE(SyntaxAssignmentSign, syntax_assignment_sign)
+} // namespace ncvet
