@@ -74,7 +74,7 @@ BENCHMARK(readMacro)->Unit(benchmark::kMillisecond);
 
 /// Executes blocks that were read before, over and over: the transfer function alone.
 void executeSurfacing(benchmark::State &state) {
-  const auto dialect = loadDialect("fanuc-0m", builtinDialects());
+  auto dialect = loadDialect("fanuc-0m", builtinDialects());
   if (!dialect)
     return state.SkipWithError("the built-in table does not load");
   const std::string text = surfacingText(2'000);
