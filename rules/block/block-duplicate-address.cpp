@@ -1,14 +1,26 @@
 // An address that may stand once stands twice in a block.
 #include "analyzer/rule.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
 class BlockDuplicateAddress final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::WordIssue); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::WordIssue);
+    for (const CodeInfo &code : to.dialect().codes)
+      for (const WordSpec &spec : code.words)
+        if (spec.variable)
+          parameters_.insert(spec.variable);
+    if (!parameters_.empty())
+      to.on(EventKind::Assignment);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Assignment)
+      return parameterAgain(uint64_t(event.number), ctx);
     if (WordIssue(event.number) != WordIssue::Repeated)
       return;
     // Arguments of a macro call may be given in several sets of I, J and K.
@@ -28,6 +40,30 @@ public:
   }
 
 private:
+  /// A cycle's parameter that the block sets twice.
+  void parameterAgain(uint64_t key, RuleContext &ctx) {
+    if (!parameters_.count(key))
+      return;
+    const Word *first = nullptr;
+    for (const Item &item : ctx.block().items) {
+      if (item.kind != ItemKind::Assignment || ctx.block().keyOf(item.target) != key)
+        continue;
+      for (const Word &word : ctx.block().words) {
+        if (word.address != variableAddress || word.offset != item.begin)
+          continue;
+        if (!first)
+          first = &word;
+        else if (auto finding = ctx.report(word))
+          finding.severity(Severity::Warning)
+              .message("`{0}` sets again what `{1}` of the same block has set", ctx.text(word),
+                       ctx.text(*first))
+              .note(ctx.range(*first), "the first of the two");
+      }
+    }
+  }
+
+  std::set<uint64_t> parameters_; ///< keys of the variables that codes read
+
   static void report(const Word &first, const Word &again, RuleContext &ctx) {
     auto finding = ctx.report(again);
     if (!finding)
