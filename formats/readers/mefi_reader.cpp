@@ -11,6 +11,8 @@ namespace {
 
 /// Digits that a number may have; more do not fit into a mantissa.
 constexpr unsigned maxDigits = 18;
+/// Larger block numbers are cut.
+constexpr int64_t maxNumber = 1'000'000'000'000;
 /// A quotation mark of a word processor in UTF-8, three bytes: U+201C, U+201D, U+201E.
 constexpr llvm::StringLiteral typographicQuotes[] = {"\xE2\x80\x9C", "\xE2\x80\x9D",
                                                      "\xE2\x80\x9E"};
@@ -121,8 +123,11 @@ void Scanner::scanNumberOfBlock() {
   block_.numberEnd = offset(at_);
   if (at_ < end_ && (*at_ == '-' || *at_ == '+')) {
     const char *p = at_ + 1;
-    while (p < end_ && llvm::isDigit(*p))
-      ++p;
+    int64_t number = 0;
+    for (; p < end_ && llvm::isDigit(*p); ++p)
+      number = number < maxNumber ? number * 10 + (*p - '0') : number;
+    block_.number = number;
+    block_.numberEnd = offset(p);
     at_ = content_ = p;
     issue(SyntaxIssueKind::MalformedNumber, begin, p);
     return;

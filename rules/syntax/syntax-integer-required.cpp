@@ -26,9 +26,9 @@ public:
       if (issue.kind == SyntaxIssueKind::MalformedNumber && block.number >= 0 &&
           issue.begin == block.numberBegin && issue.end == block.numberEnd) {
         const SourceRange range{ctx.source().id(), issue.begin, issue.end};
-        if (ctx.text(range).count('.') == 1)
+        if (ctx.text(range).count('.') == 1 || ctx.text(range).contains('-'))
           if (auto finding = ctx.report(range))
-            finding.message("`{0}`: a block number is a whole number without a point",
+            finding.message("`{0}`: a block number is a whole number without a sign or point",
                             ctx.text(range));
       }
       return;

@@ -14,9 +14,9 @@ public:
     const Block &block = ctx.block();
     switch (issue.kind) {
     case SyntaxIssueKind::MalformedNumber:
-      // A block number with a point is a number in itself: syntax-integer-required speaks.
+      // A block number with a point or sign is a number in itself: syntax-integer-required speaks.
       if (block.number >= 0 && issue.begin == block.numberBegin && issue.end == block.numberEnd &&
-          ctx.text(range).count('.') == 1)
+          (ctx.text(range).count('.') == 1 || ctx.text(range).contains('-')))
         return;
       if (auto finding = ctx.report(range))
         finding.message(
