@@ -66,7 +66,9 @@ private:
     double count = 1;
     bool known = true; ///< false: it runs an unknown number of times
     const PathNode *path = nullptr;
-    std::optional<Variables> locals; ///< of the caller, when the body has its own
+    std::optional<Variables> locals;        ///< of the caller, when the body has its own
+    std::optional<MachineState> modes;      ///< of the caller, when the body gives them back
+    llvm::SmallVector<uint64_t, 2> written; ///< variables of the caller that the body may write
 
     void setCount(const Value &repeat);
   };
@@ -125,6 +127,7 @@ private:
                                   const ProgramInfo &program, const Argument &target, uint32_t at,
                                   JumpKind kind);
   Targets targetsOf(const Item &item, const Interval &choice) const;
+  void notTaken(Activation &activation, Live live, uint32_t at, const MachineState &before);
   void jumpTo(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void goOnIn(Activation &activation, Live live, FileUnit &unit, const ProgramInfo &program,
               uint32_t target);
@@ -135,7 +138,9 @@ private:
                                const MachineState &before);
   bool isRunning(const FileUnit &unit, uint32_t start, Kind kind) const;
   bool recurs(const Region &region, const Callee &callee) const;
-  void bindArguments(const Callee &callee, const Item &call, MachineState &state);
+  void bindArguments(const Callee &callee, const Item &call, const MachineState &caller,
+                     MachineState &state, Passes &passes);
+  static void restoreModes(MachineState &state, const MachineState &caller);
   void runPasses(Activation &activation, const Region &body, Live live, const MachineState &before,
                  const Passes &passes);
   void repeat(Activation &activation, Live &live, uint32_t at, const MachineState &before);

@@ -77,8 +77,12 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
     }
     calledNames_.insert(llvm::StringRef(name).upper());
     std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
-    if (!callee.program)
+    if (!callee.program) {
+      const Defined *known = unit.index.definition(region.program, name);
+      if (item.external || (known && known->kind == ItemKind::Macro))
+        return std::nullopt; // it need not lie here
       return missing(FlowIssue::UnknownProgram, range);
+    }
     callee.start = callee.program->body;
     return callee;
   }
@@ -167,15 +171,21 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
     passes.locals = live.state.locals;
     live.state.locals = flow.arguments;
   }
-  if (flow.item >= 0)
-    bindArguments(*callee, block_.items[size_t(flow.item)], live.state);
+  if (flow.kind == FlowKind::CallNamed) {
+    const MachineState caller = live.state;
+    passes.locals = caller.locals;
+    live.state.locals = Variables();
+    bindArguments(*callee, block_.items[size_t(flow.item)], caller, live.state, passes);
+  }
   runPasses(activation,
             {*callee->unit, *callee->program, callee->start, callee->kind, region.depth + 1},
             std::move(live), before, passes);
 }
 
-/// The called program's parameters get the values of the call.
-void Engine::bindArguments(const Callee &callee, const Item &call, MachineState &state) {
+/// The called program's parameters get the values of the call. What it gives back, and whether the
+/// caller's modes come back, goes into `passes`.
+void Engine::bindArguments(const Callee &callee, const Item &call, const MachineState &caller,
+                           MachineState &state, Passes &passes) {
   Block head;
   callee.unit->reader->read(callee.program->body, head);
   for (uint32_t at = callee.program->body;
@@ -185,17 +195,22 @@ void Engine::bindArguments(const Callee &callee, const Item &call, MachineState 
   for (const Item &item : head.items) {
     if (item.kind != ItemKind::Parameters)
       continue;
+    if (item.restores)
+      passes.modes = caller;
     const llvm::ArrayRef<Argument> taken = head.argumentsOf(item);
     for (size_t i = 0; i < taken.size(); ++i) {
       Value value = Value::unknown();
       if (i < given.size() && given[i].expression != noExpression)
-        value = evaluate(block_, given[i].expression, state, nullptr);
+        value = evaluate(block_, given[i].expression, caller, nullptr);
       else if (i >= given.size() || given[i].kind == ArgumentKind::Empty)
         value = taken[i].expression == noExpression
                     ? Value::of(0)
-                    : evaluate(head, taken[i].expression, state, nullptr);
+                    : evaluate(head, taken[i].expression, caller, nullptr);
       const llvm::StringRef name = callee.unit->source.text(taken[i].begin, taken[i].end);
-      writeVariable(state, int64_t(variableKey(name)), value);
+      state.locals.set(variableKey(name), value);
+      if (taken[i].byReference && i < given.size() && given[i].expression != noExpression)
+        if (const uint64_t key = block_.variableOf(given[i].expression))
+          passes.written.push_back(key);
     }
   }
 }
@@ -208,6 +223,17 @@ void Engine::Passes::setCount(const Value &repeat) {
   known = repeat.isConstant() && count <= maxRepeats;
   if (!known)
     count = std::min(count, 2.0);
+}
+
+/// The modal codes and frames of the caller come back.
+void Engine::restoreModes(MachineState &state, const MachineState &caller) {
+  state.group = caller.group;
+  state.statedMay = caller.statedMay;
+  state.statedMust = caller.statedMust;
+  state.origin.group = caller.origin.group;
+  state.switchMay = caller.switchMay;
+  state.switchMust = caller.switchMust;
+  state.switchAxes = caller.switchAxes;
 }
 
 /// Runs a body as often as it is called for, and goes on behind the call.
@@ -248,6 +274,10 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
     one.path = passes.path;
     if (passes.locals)
       one.state.locals = *passes.locals;
+    for (const uint64_t key : passes.written)
+      writeVariable(one.state, int64_t(key), Value::unknown());
+    if (passes.modes)
+      restoreModes(one.state, *passes.modes);
     if (!passes.known)
       for (Interval &position : one.state.position)
         position = Interval::unknown();

@@ -55,8 +55,11 @@ bool Engine::leave(Activation &activation, Live &live, uint32_t at, const Machin
     profile(activation, live, at, before);
     return true;
   case FlowKind::End:
-    if (region.kind != Kind::Main && region.kind != Kind::Profile && region.depth > 0)
+    if (region.kind != Kind::Main && region.kind != Kind::Profile && region.depth > 0) {
       issue(FlowIssue::EndInSubprogram, activation, live, before, where);
+      if (region.unit.dialect->endReturns)
+        activation.exits.push_back({std::move(live), notSet});
+    }
     return true;
   case FlowKind::Alarm:
     return true;
@@ -144,6 +147,8 @@ void Engine::jump(Activation &activation, Live &live, uint32_t at, const Machine
   }
   const bool certain = flow.condition == Truth::Yes;
   live.path = step(live.path, PathNode::Kind::Jump, where);
+  if (flow.item >= 0 && block_.items[size_t(flow.item)].jump == JumpKind::ToStart)
+    return goTo(activation, at, region.program.body, std::move(live), certain);
   if (flow.target.isVacant()) {
     issue(FlowIssue::NoTarget, activation, live, before, where);
     return;
@@ -281,6 +286,25 @@ Engine::Targets Engine::targetsOf(const Item &item, const Interval &choice) cons
   return targets;
 }
 
+/// Behind a conditional jump that is not taken: the next one of the block, or the next block.
+void Engine::notTaken(Activation &activation, Live live, uint32_t at, const MachineState &before) {
+  for (size_t i = size_t(outcome_.flow.item) + 1; i + 1 < block_.items.size(); ++i) {
+    if (block_.items[i].kind != ItemKind::If || block_.items[i + 1].kind != ItemKind::Jump)
+      continue;
+    const Flow flow = outcome_.flow;
+    Flow &next = outcome_.flow;
+    next.item = int16_t(i + 1);
+    next.begin = block_.items[i + 1].begin;
+    next.end = block_.items[i + 1].end;
+    next.condition = truthOf(evaluate(block_, block_.items[i].condition, live.state, nullptr));
+    next.target = evaluate(block_, block_.items[i + 1].value, live.state, nullptr);
+    leave(activation, live, at, before);
+    outcome_.flow = flow;
+    return;
+  }
+  add(activation, block_.next, std::move(live));
+}
+
 /// A jump whose item names its targets.
 void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
   const Region &region = activation.region;
@@ -293,7 +317,7 @@ void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const Machi
       ++activation.forks;
       straight.path = step(live.path, PathNode::Kind::NoJump, where);
     }
-    add(activation, block_.next, std::move(straight));
+    notTaken(activation, std::move(straight), at, before);
     if (flow.condition == Truth::No)
       return;
   }

@@ -226,6 +226,13 @@ std::optional<double> kept(const MachineState &state, const CodeInfo &code, Role
       return value.isConstant() ? std::optional(value.number.value()) : std::nullopt;
     }
   const CycleWords &words = state.cycle;
+  for (const WordSpec &spec : code.words)
+    if (spec.role == role && spec.position && spec.position <= words.value.size()) {
+      const unsigned place = spec.position - 1;
+      if (!(words.present >> place & 1) || std::isnan(words.value[place]))
+        return std::nullopt;
+      return words.value[place];
+    }
   const AddressMask mask = addressesOf(code, role);
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if ((mask & maskOf(letter)) && words.has(letter)) {

@@ -197,6 +197,37 @@ const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
   return labels;
 }
 
+const FileIndex::Definitions &FileIndex::definitions(const ProgramInfo &program) const {
+  const auto [known, fresh] = definitions_.try_emplace(program.begin);
+  Definitions &definitions = known->second;
+  if (!fresh)
+    return definitions;
+  Block block;
+  for (uint32_t at = program.begin; at < program.end; at = block.next) {
+    reader_.read(at, block);
+    for (const Item &item : block.items) {
+      if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
+          item.kind != ItemKind::Parameters && item.kind != ItemKind::Macro)
+        continue;
+      definitions.try_emplace(
+          source_.text(item.nameBegin, item.nameEnd).upper(),
+          Defined{item.kind, item.type, item.arguments != 0, item.nameBegin, item.nameEnd});
+      if (item.kind == ItemKind::Parameters)
+        for (const Argument &parameter : block.argumentsOf(item))
+          definitions.try_emplace(
+              source_.text(parameter.begin, parameter.end).upper(),
+              Defined{ItemKind::Definition, parameter.type, false, parameter.begin, parameter.end});
+    }
+  }
+  return definitions;
+}
+
+const Defined *FileIndex::definition(const ProgramInfo &program, llvm::StringRef name) const {
+  const Definitions &all = definitions(program);
+  const auto known = all.find(name.upper());
+  return known == all.end() ? nullptr : &known->second;
+}
+
 std::optional<uint32_t> FileIndex::label(const ProgramInfo &program, llvm::StringRef label,
                                          uint32_t from, Search search) const {
   const Labels &all = labels(program);

@@ -31,6 +31,14 @@ enum class Search : uint8_t {
   Backward ///< the nearest in front of the jump
 };
 
+/// A name that a program defines for itself.
+struct Defined {
+  ItemKind kind = ItemKind::Definition; ///< Definition, Parameters, Declaration, Macro
+  VariableType type = VariableType::None;
+  bool array = false;
+  uint32_t begin = 0, end = 0; ///< where its name stands
+};
+
 /// A block with a number.
 struct NumberedBlock {
   int64_t number = 0;
@@ -64,6 +72,11 @@ public:
   llvm::ArrayRef<NumberedBlock> numbers(const ProgramInfo &program) const;
   /// The same in the order in which they are written.
   llvm::ArrayRef<NumberedBlock> numbersAsWritten(const ProgramInfo &program) const;
+  /// Variables, parameters, declared programs and macros of the program by name, in capitals.
+  using Definitions = llvm::StringMap<Defined>;
+  const Definitions &definitions(const ProgramInfo &program) const;
+  /// One of them, or null.
+  const Defined *definition(const ProgramInfo &program, llvm::StringRef name) const;
   /// Offsets of the lines that hold a tape mark `%` first, ascending.
   llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
   /// The suppression comments of the file; looked for when first asked.
@@ -81,8 +94,9 @@ private:
     std::vector<NumberedBlock> sorted; ///< empty while not asked for, or when sorted as written
     bool ascending = false;
   };
-  mutable llvm::DenseMap<uint32_t, Numbers> numbers_; ///< by program's begin
-  mutable llvm::DenseMap<uint32_t, Labels> labels_;   ///< by program's begin
+  mutable llvm::DenseMap<uint32_t, Numbers> numbers_;         ///< by program's begin
+  mutable llvm::DenseMap<uint32_t, Labels> labels_;           ///< by program's begin
+  mutable llvm::DenseMap<uint32_t, Definitions> definitions_; ///< by program's begin
   mutable std::optional<std::vector<Suppression>> suppressions_;
 };
 

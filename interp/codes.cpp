@@ -16,7 +16,7 @@ void Execution::activate(const CodeInfo &code, const Word *word) {
 
 void Execution::applyModal(const CodeUse &use) {
   const CodeInfo &code = info(use);
-  if (code.group != noGroup && code.action != Action::Cycle && code.action != Action::CycleCancel)
+  if (isModal(code) && code.action != Action::Cycle && code.action != Action::CycleCancel)
     activate(code, use.word);
   switch (code.action) {
   case Action::SurfaceSpeed:
@@ -72,10 +72,12 @@ void Execution::applyModal(const CodeUse &use) {
   default:
     break;
   }
-  if (isMotion(code.action) || (code.action == Action::Cycle && code.group != noGroup) ||
+  if (isMotion(code.action) || (code.action == Action::Cycle && isModal(code)) ||
       code.action == Action::CycleCancel) {
     if (code.action == Action::CycleCancel) {
       cancelCycle(use.code, use.word);
+      if (code.cancelsCalls && !callsModally_)
+        state_.modalMacro = notSet;
       cancelled_ = true;
       if (code.group != noGroup)
         activate(code, use.word);
@@ -86,7 +88,7 @@ void Execution::applyModal(const CodeUse &use) {
       if (isMotion(code.action) && !dialect_.cycleSurvivesMotion)
         cancelCycle(use.code, use.word);
     }
-  } else if (code.group == noGroup || code.action == Action::DataInput) {
+  } else if (!isModal(code) || code.action == Action::DataInput) {
     switch (code.action) {
     case Action::Dwell:
     case Action::DataInput:
@@ -113,6 +115,10 @@ void Execution::applyModal(const CodeUse &use) {
   case Action::ScalingOn:
   case Action::MirrorOn:
   case Action::MirrorOff:
+  case Action::FrameSet:
+  case Action::FrameAdd:
+  case Action::FrameClear:
+  case Action::Pole:
   case Action::LocalShift:
   case Action::PresetPosition:
   case Action::MacroModal:

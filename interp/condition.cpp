@@ -2,6 +2,7 @@
 #include "interp/condition.h"
 
 #include "interp/expression.h"
+#include "interp/formula.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,14 +82,11 @@ bool blockHasMember(const ConditionContext &context, GroupIndex group, uint64_t 
 }
 
 bool blockHasCode(const ConditionContext &context, CodeIndex wanted) {
-  const CodeInfo &target = context.dialect.codes[wanted];
-  for (const CodeUse &use : context.codes) {
-    const CodeInfo &info = context.dialect.codes[use.code];
-    // A variant is its code: it has the same letter and number.
-    if (info.letter == target.letter && info.number == target.number)
-      return true;
-  }
-  return false;
+  // A variant is its code.
+  const CodeIndex base = context.dialect.codes[wanted].base;
+  return llvm::any_of(context.codes, [&](const CodeUse &use) {
+    return context.dialect.codes[use.code].base == base;
+  });
 }
 
 bool optionHolds(const std::pair<std::string, std::vector<std::string>> &option,
@@ -140,7 +138,8 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
     if (!broken)
       return false;
   }
-  return true;
+  return condition.formula.empty() ||
+         (code && truthOf(condition.formula, *code, context) == Truth::Yes);
 }
 
 } // namespace ncvet

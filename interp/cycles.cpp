@@ -20,6 +20,20 @@ void Execution::storeCycleWords(bool fresh) {
   CycleWords &cycle = state_.cycle;
   if (fresh)
     cycle.present = 0;
+  if (block_.has(argumentAddress)) { // the words of a call, by their places
+    unsigned place = 0;
+    for (const Word &word : block_.words) {
+      if (word.address != argumentAddress || place >= cycle.value.size())
+        continue;
+      const Interval v = value(word);
+      if (!word.has(wordNoValue)) {
+        cycle.present |= 1u << place;
+        cycle.value[place] = v.isConstant() ? v.value() : std::numeric_limits<double>::quiet_NaN();
+      }
+      ++place;
+    }
+    return;
+  }
   for (const Word &word : block_.words) {
     if (word.address >= 26 || word.address == letterAddress('G') ||
         word.address == letterAddress('M') || word.address == letterAddress('N'))
@@ -55,7 +69,8 @@ void Execution::startCycle(const CodeUse &use) {
         if (n.isConstant() && n.value() == 0)
           return;
       }
-  runCycle(use.code, axesOf(dialect_, block_));
+  if (!code.waits)
+    runCycle(use.code, axesOf(dialect_, block_));
 }
 
 void Execution::runCycle(CodeIndex index, uint16_t axes) {
@@ -81,7 +96,12 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   }
   const CodeInfo &code = dialect_.codes[index];
   event.word = block_.findAny(dialect_.axisWords);
-  storeCycleWords(false);
+  const WordSpec *height = nullptr;
+  for (const WordSpec &spec : code.words)
+    if (spec.role == Role::Height && spec.position)
+      height = &spec;
+  if (!height) // a call keeps its words
+    storeCycleWords(false);
   const bool turning = code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::FacePass ||
                        code.cycle == CycleKind::ThreadPass;
   if (turning) {
@@ -114,7 +134,17 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   for (const WordSpec &spec : code.words)
     if (spec.role == Role::Height && spec.variable)
       plane = &spec;
-  if (plane) {
+  if (block_.hasAny(dialect_.polarWords))
+    polarTarget();
+  if (height) {
+    const auto place = height->position - 1;
+    const double back = state_.cycle.present >> place & 1
+                            ? state_.cycle.value[place]
+                            : std::numeric_limits<double>::quiet_NaN();
+    const Interval factor = lengthFactor();
+    if (!std::isnan(back) && factor.isConstant())
+      level = Interval::exactly(back * factor.value());
+  } else if (plane) {
     level = readVariable(state_, int64_t(plane->variable)).asNumber();
   } else if (toInitial == Truth::Yes) {
     level = state_.initialLevel;
@@ -161,6 +191,38 @@ void Execution::cancelCycle(CodeIndex by, const Word *word) {
       state_.group[group] = uint64_t(1) << dialect_.codes[member].bit;
 }
 
+/// Where a cycle that is called with arguments leaves the tool.
+void Execution::endOfCall(const CodeInfo &code) {
+  if (!block_.has(argumentAddress))
+    return;
+  state_.fedFrom = Interval::unknown();
+  const Interval factor = lengthFactor();
+  const auto place = [&](const Word &word) {
+    return factor.isConstant() ? value(word) * factor.value() : Interval::unknown();
+  };
+  const uint16_t plane = planeAxes(dialect_, state_);
+  const Axis tool = toolAxis(dialect_, state_);
+  const bool stays = code.cycle != CycleKind::None && code.cycle < CycleKind::TurnPass;
+  if (!stays)
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (plane >> i & 1)
+        state_.position[i] = Interval::unknown();
+  if (code.cycle == CycleKind::Pattern)
+    return;
+  state_.at(tool) = Interval::unknown();
+  state_.machineAxes &= ~(1u << unsigned(tool) | plane);
+  unsigned axis = 0; // the centre is given by the first and the second axis of the plane
+  constexpr Axis order[][2] = {{Axis::X, Axis::Y}, {Axis::Z, Axis::X}, {Axis::Y, Axis::Z}};
+  const auto &axes = tool == Axis::Z ? order[0] : tool == Axis::Y ? order[1] : order[2];
+  for (const WordSpec &spec : code.words) {
+    const Word *word = wordFor(block_, spec);
+    if (spec.role == Role::Height && word)
+      state_.at(tool) = place(*word);
+    else if (spec.role == Role::Centre && axis < 2)
+      state_.at(axes[axis++]) = word ? place(*word) : Interval::unknown();
+  }
+}
+
 /// One-shot cycles of lathes: roughing, finishing, grooving, threading.
 void Execution::runCompound(const CodeUse &use) {
   const CodeInfo &code = info(use);
@@ -190,9 +252,12 @@ void Execution::runCompound(const CodeUse &use) {
   state_.set(Fact::Moved);
   state_.set(Fact::MovedSinceTool);
   state_.set(Fact::MovedSincePreset);
-  state_.set(Fact::Cut);
-  state_.set(Fact::CutSinceTool);
+  if (code.cycle != CycleKind::Pattern || state_.cycleActive(dialect_) != Truth::No) {
+    state_.set(Fact::Cut);
+    state_.set(Fact::CutSinceTool);
+  }
   state_.set(Fact::AwayFromPart);
+  endOfCall(code);
   if (!first)
     return;
   Flow &flow = outcome_.flow;

@@ -274,9 +274,12 @@ void Execution::technologyWords() {
   if (!(block_.addresses & technology))
     return;
   bool lead = false, limit = false, cycleTakesD = false, macro = false;
+  AddressMask dwell = 0;
   for (const CodeUse &use : outcome_.codes) {
     const CodeInfo &code = info(use);
     limit |= code.action == Action::SpeedLimit;
+    if (code.action == Action::Dwell)
+      dwell |= code.takes;
     macro |= code.action == Action::MacroCall || code.action == Action::MacroModal;
     lead |= code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
             code.cycle == CycleKind::ThreadMulti;
@@ -288,6 +291,8 @@ void Execution::technologyWords() {
     if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
       lead = motion->action == Action::Thread || motion->cycle == CycleKind::ThreadPass;
   for (const Word &word : block_.words) {
+    if (dwell & maskOf(word.address)) // a time, or revolutions
+      continue;
     switch (word.address) {
     case letterAddress('E'):
       if (!lead)

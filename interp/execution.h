@@ -34,6 +34,7 @@ private:
   bool runItems(bool guardHolds);
   void go(FlowKind kind, size_t index);
   void structure(size_t index);
+  void define(const Item &item);
 
   // codes.cpp: the effect of single codes
   void applyModal(const CodeUse &use);
@@ -58,6 +59,8 @@ private:
   void machineMove(uint16_t axes);
   void referenceReturn(uint16_t axes, const CodeUse &use);
   void shiftCoordinates(const CodeUse &use);
+  void changeFrame(const CodeUse &use);
+  void polarTarget();
   void workOffset(const CodeUse &use);
   Interval coordinate(const Word &word) const;
   void storeTarget(const Word &word, bool machineCoordinates);
@@ -70,6 +73,7 @@ private:
   void cancelCycle(CodeIndex by, const Word *word);
   void storeCycleWords(bool fresh);
   void runCompound(const CodeUse &use);
+  void endOfCall(const CodeInfo &code);
   CodeIndex activeCycle() const;
 
   Origin originOf(const Word &word) const { return {file_, word.offset, block_.endOf(word)}; }
@@ -84,6 +88,10 @@ private:
   }
   Interval value(const Word &word) const { return wordValue(word, block_, state_); }
   const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }
+  /// Whether a code stays in force behind its block.
+  bool isModal(const CodeInfo &code) const {
+    return code.group != noGroup && !dialect_.groups[code.group].oneShot;
+  }
 
   const Dialect &dialect_;
   const MachineProfile &machine_;
@@ -98,7 +106,8 @@ private:
   CodeUse motionCode_; ///< motion or modal cycle code of the block
   CodeUse actionCode_; ///< one-shot code that takes the block's axis words
   bool machineMove_ = false;
-  bool cancelled_ = false; ///< the block ends the active cycle
+  bool cancelled_ = false;    ///< the block ends the active cycle
+  bool callsModally_ = false; ///< the block makes a program run behind every later move
 };
 
 } // namespace ncvet

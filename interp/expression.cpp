@@ -25,6 +25,12 @@ bool isCommon(int64_t number) {
          number >= int64_t(firstNamedVariable);
 }
 
+/// Numbered local variables, and the names that the running program has defined.
+bool isLocal(const MachineState &state, int64_t number) {
+  return (number > 0 && number <= lastLocal) ||
+         (number >= int64_t(firstNamedVariable) && state.locals.has(uint64_t(number)));
+}
+
 Value fromTruth(Truth truth) {
   return truth == Truth::Unknown ? Value::of(Interval{0, 1}) : Value::of(truth == Truth::Yes);
 }
@@ -203,6 +209,19 @@ void Evaluator::step(const ExpressionOp &op) {
             : Value::unknown());
     return;
   }
+  case Op::ElementKey: {
+    const Value index = pop();
+    stack_.push_back(
+        index.isConstant()
+            ? Value::of(double(elementKey(uint64_t(op.value), std::llround(index.number.value()))))
+            : Value::unknown());
+    return;
+  }
+  case Op::Not: {
+    const Truth truth = truthOf(pop());
+    stack_.push_back(truth == Truth::Unknown ? Value::unknown() : Value::of(truth == Truth::No));
+    return;
+  }
   case Op::Opaque:
     for (unsigned i = 0; i < unsigned(op.value); ++i)
       pop();
@@ -336,7 +355,7 @@ Truth truthOf(const Value &value) {
 Value readVariable(const MachineState &state, int64_t number) {
   if (number == 0)
     return Value::vacant();
-  if (number > 0 && number <= lastLocal)
+  if (isLocal(state, number))
     return state.locals.get(uint64_t(number));
   if (isCommon(number))
     return state.commons.get(uint64_t(number));
@@ -344,7 +363,7 @@ Value readVariable(const MachineState &state, int64_t number) {
 }
 
 void writeVariable(MachineState &state, int64_t number, const Value &value) {
-  if (number > 0 && number <= lastLocal)
+  if (isLocal(state, number))
     state.locals.set(uint64_t(number), value);
   else if (isCommon(number))
     state.commons.set(uint64_t(number), value);

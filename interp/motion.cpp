@@ -201,6 +201,8 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
       if (polar && (planeAxes(dialect_, state_) & bit(axis)))
         state_.at(axis) = Interval::unknown();
     }
+  if (block_.hasAny(dialect_.polarWords))
+    polarTarget();
   if (polar) {
     const uint16_t plane = planeAxes(dialect_, state_);
     for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
@@ -340,6 +342,29 @@ void Execution::shiftCoordinates(const CodeUse &use) {
   }
 }
 
+/// TRANS, ROT, SCALE, MIRROR and their like: the place stays, its coordinates are others.
+void Execution::changeFrame(const CodeUse &use) {
+  outcome_.setupChanged = true;
+  state_.fedFrom = Interval::unknown();
+  Event &event = outcome_.emit(EventKind::CoordinateChange);
+  event.code = use.code;
+  event.word = use.word;
+  event.axes = axesOf(dialect_, block_);
+  for (unsigned i = 0; i < axisCount; ++i)
+    if (!(state_.machineAxes >> i & 1))
+      state_.position[i] = Interval::unknown();
+}
+
+/// An end point by angle and radius: somewhere in the plane.
+void Execution::polarTarget() {
+  const uint16_t plane = planeAxes(dialect_, state_);
+  for (unsigned i = 0; i < axisCount; ++i)
+    if (plane >> i & 1) {
+      state_.position[i] = Interval::unknown();
+      state_.machineAxes &= ~(1u << i);
+    }
+}
+
 void Execution::workOffset(const CodeUse &use) {
   const CodeInfo &code = info(use);
   Event &event = outcome_.emit(EventKind::CoordinateChange);
@@ -364,6 +389,8 @@ void Execution::workOffset(const CodeUse &use) {
 
 void Execution::moveAxes() {
   uint16_t axes = axesOf(dialect_, block_);
+  if (block_.hasAny(dialect_.polarWords))
+    axes |= planeAxes(dialect_, state_);
   if (actionCode_.word) {
     const CodeInfo &action = info(actionCode_);
     switch (action.action) {
@@ -406,6 +433,14 @@ void Execution::moveAxes() {
     case Action::LocalShift:
     case Action::PresetPosition:
       shiftCoordinates(actionCode_);
+      return;
+    case Action::FrameSet:
+    case Action::FrameAdd:
+    case Action::FrameClear:
+      changeFrame(actionCode_);
+      return;
+    case Action::Pole:
+      state_.set(Fact::PoleSet);
       return;
     case Action::DataInput:
       // Offsets may have changed: what was known in work coordinates is no longer.

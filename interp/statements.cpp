@@ -38,6 +38,19 @@ void Execution::structure(size_t index) {
                                           : Truth::Unknown;
 }
 
+/// A variable of the running program; it begins with its value, or with zero.
+void Execution::define(const Item &item) {
+  const uint64_t key = block_.keyOf(item.target);
+  if (!key)
+    return;
+  const bool number = item.type == VariableType::Integer || item.type == VariableType::Real ||
+                      item.type == VariableType::Boolean;
+  Value value = number ? Value::of(0) : Value::unknown();
+  if (item.value != noExpression)
+    value = number ? evaluate(block_, item.value, state_, &outcome_) : Value::unknown();
+  state_.locals.set(key, item.arguments ? Value::unknown() : value);
+}
+
 /// False when nothing behind the statements is executed.
 bool Execution::runItems(bool guardHolds) {
   Truth condition = Truth::Yes;
@@ -108,7 +121,16 @@ bool Execution::runItems(bool guardHolds) {
     case ItemKind::Structure:
       structure(i);
       break;
+    case ItemKind::Definition:
+      define(item);
+      break;
     case ItemKind::Call:
+      if (item.modal) {
+        callsModally_ = true;
+        state_.modalMacro = notKnown;
+        break;
+      }
+      [[fallthrough]];
     case ItemKind::Repeat:
       go(item.kind == ItemKind::Call ? FlowKind::CallNamed : FlowKind::Repeat, i);
       if (item.count != noExpression)
@@ -125,6 +147,8 @@ bool Execution::runItems(bool guardHolds) {
     case ItemKind::Output:
     case ItemKind::Instruction:
     case ItemKind::Parameters:
+    case ItemKind::Declaration:
+    case ItemKind::Macro:
       break;
     }
   }

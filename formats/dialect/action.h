@@ -64,6 +64,10 @@ namespace ncvet {
   X(ScalingOff, "scaling-off")                                                                     \
   X(MirrorOn, "mirror-on")                                                                         \
   X(MirrorOff, "mirror-off")                                                                       \
+  X(FrameSet, "frame-set")                                                                         \
+  X(FrameAdd, "frame-add")                                                                         \
+  X(FrameClear, "frame-clear")                                                                     \
+  X(Pole, "pole")                                                                                  \
   X(PolygonOn, "polygon-on")                                                                       \
   X(PolygonOff, "polygon-off")                                                                     \
   X(ZoneOn, "zone-on")                                                                             \

@@ -13,9 +13,10 @@ namespace {
 
 llvm::ArrayRef<llvm::StringRef> codeKeys() {
   static constexpr llvm::StringLiteral keys[] = {
-      "title",  "group",    "does",      "cycle",    "cancelsCycle", "takes",   "needs",
-      "fires",  "opposite", "spindle",   "words",    "excludes",     "notices", "variants",
-      "switch", "alone",    "exclusive", "twoBlock", "source"};
+      "title",   "group",    "does",      "cycle",   "cancelsCycle", "takes",
+      "needs",   "fires",    "opposite",  "spindle", "words",        "excludes",
+      "notices", "variants", "switch",    "alone",   "exclusive",    "twoBlock",
+      "source",  "waits",    "arguments", "foreign", "cancelsCalls"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -108,6 +109,10 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "alone", info.alone);
   in_.read(value, "exclusive", info.exclusive);
   in_.read(value, "twoBlock", info.twoBlock);
+  in_.read(value, "waits", info.waits);
+  in_.read(value, "cancelsCalls", info.cancelsCalls);
+  in_.read(value, "foreign", info.foreign);
+  in_.readWhole(value, "arguments", info.arguments, 0, 100);
   in_.readName(value, "does", "action", actionNames(), info.action);
   in_.readName(value, "cycle", "cycle", cycleNames(), info.cycle);
   in_.readName(value, "spindle", "spindle need", spindleNames(), info.spindle);
@@ -122,6 +127,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
       info.opposite = list.front();
   readNeeds(value, info);
   readSwitch(value, info);
+  code_ = &info;
   readWords(value, info);
   readExcludes(value, info);
   readNotices(value, info);
@@ -169,12 +175,40 @@ void DialectBuilder::readWords(const Json &value, CodeInfo &info) {
     info.words.push_back(readWord(entry.key(), *entry));
     info.takes |= info.words.back().any;
   }
+  // Formulas may name words behind their own.
+  size_t index = 0;
+  for (auto entry = words->begin(); entry != words->end(); ++entry, ++index)
+    if (const Json *when = in_.member(*entry, "when"))
+      readFormula(*when, info.words[index].when);
+}
+
+/// What the words of the code at hand must keep.
+void DialectBuilder::readFormula(const Json &value, Condition &when) {
+  const Json *member = in_.member(value, "formula");
+  const std::optional<std::string> text = member ? in_.text(*member) : std::nullopt;
+  if (!text)
+    return;
+  std::string error;
+  const auto known = [&](llvm::StringRef name) -> std::optional<FormulaName> {
+    for (size_t i = 0; i < code_->words.size(); ++i)
+      if (code_->words[i].name == name)
+        return FormulaName{FormulaOp::Word, uint16_t(i)};
+    for (unsigned address = 0; address < addressCount; ++address)
+      if (dialect_.addresses[address].kind != AddressKind::Unknown &&
+          dialect_.addressName(AddressId(address)) == name)
+        return FormulaName{FormulaOp::Address, uint16_t(address)};
+    return std::nullopt;
+  };
+  if (const auto formula = parseFormula(*text, known, error))
+    when.formula = *formula;
+  else
+    in_.fail(*member, "the formula " + error);
 }
 
 WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {
-  in_.allowKeys(value,
-                {"need", "role", "severity", "when", "min", "max", "minExclusive", "maxExclusive",
-                 "integer", "oneOf", "point", "rangeSeverity", "pointAdvised", "note"});
+  in_.allowKeys(value, {"need", "role", "text", "absent", "severity", "when", "min", "max",
+                        "minExclusive", "maxExclusive", "integer", "oneOf", "point",
+                        "rangeSeverity", "pointAdvised", "note"});
   WordSpec word;
   llvm::SmallVector<llvm::StringRef, 4> names;
   llvm::StringRef spelling = name;
@@ -198,6 +232,9 @@ WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {
   in_.read(value, "severity", word.severity);
   in_.read(value, "rangeSeverity", word.rangeSeverity);
   in_.read(value, "note", word.note);
+  in_.read(value, "text", word.text);
+  if (const Json *absent = in_.member(value, "absent"))
+    word.absent = in_.number(*absent);
   if (in_.member(value, "pointAdvised")) {
     bool advised = false;
     in_.read(value, "pointAdvised", advised);
@@ -262,7 +299,7 @@ void DialectBuilder::readNotices(const Json &value, CodeInfo &info) {
     if (notice.rule.empty() || notice.message.empty())
       return in_.fail(element, "a notice needs \"rule\" and \"message\"");
     if (const Json *when = in_.member(element, "when"))
-      notice.when = readCondition(*when);
+      readFormula(*when, notice.when = readCondition(*when));
     if (const Json *at = in_.member(element, "at"))
       if (std::optional<std::string> name = in_.text(*at))
         notice.at = addressId(*at, *name).value_or(noAddress);
@@ -284,6 +321,8 @@ void DialectBuilder::readVariants(const std::string &name, const Json &value, Co
       return in_.fail(variant, "a variant needs \"when\"");
     Variant entry;
     entry.when = readCondition(*when);
+    code_ = &dialect_.codes[base];
+    readFormula(*when, entry.when);
     Json own = variant;
     own.erase("when");
     Json whole = value;
@@ -321,7 +360,7 @@ void DialectBuilder::readVariants(const std::string &name, const Json &value, Co
 Condition DialectBuilder::readCondition(const Json &value) {
   Condition when;
   in_.allowKeys(value, {"has", "any", "lacks", "active", "with", "without", "first", "pending",
-                        "options", "broken"});
+                        "options", "broken", "formula"});
   readSet(value, "has", when.has);
   readSet(value, "any", when.any);
   readSet(value, "lacks", when.lacks);

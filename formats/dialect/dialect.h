@@ -3,6 +3,7 @@
 
 #include "formats/dialect/action.h"
 #include "formats/dialect/address.h"
+#include "formats/dialect/formula.h"
 #include "formats/finding/finding.h"
 
 #include "llvm/ADT/ArrayRef.h"
@@ -72,7 +73,13 @@ enum class CycleKind : uint8_t {
   Finish,
   GrooveFace,
   GrooveRadial,
-  ThreadMulti
+  ThreadMulti,
+  Pattern, ///< moves from place to place; the active modal cycle runs at each
+  Face,    ///< mills a face
+  Contour, ///< mills along a contour
+  Pocket,
+  Slot,
+  ThreadMill
 };
 llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
 std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
@@ -97,6 +104,7 @@ struct Condition {
   /// An option of the machine profile has this value (text form: "true", "SL-30", "2.5").
   std::vector<std::pair<std::string, std::vector<std::string>>> options;
   std::vector<ValueTest> broken; ///< each of these tests is broken
+  Formula formula;               ///< of the words of the code that the condition belongs to
 };
 
 /// A fact of the table that a rule reports as it stands.
@@ -169,6 +177,8 @@ struct WordSpec {
   uint64_t variable = 0;   ///< `variableKey` of a variable that the code reads instead; 0: none
   uint64_t orVariable = 0; ///< one that may stand for it; 0: none
   std::string name;        ///< of that argument or variable: "RTP", "ENT"
+  bool text = false;       ///< the argument is a string
+  std::optional<double> absent; ///< the value that counts when it is not given
   Need need = Need::Optional;
   Role role = Role::None;
   std::optional<Severity> severity; ///< of its absence, when it differs from the rule's
@@ -220,6 +230,10 @@ struct CodeInfo {
   bool twoBlock = false;          ///< a parameter block comes before the executing block
   bool alone = false;             ///< wants a block of its own (other than N and comments)
   bool exclusive = false;         ///< one-shot action: only one such code per block
+  bool waits = false;             ///< a modal cycle that does not run in its own block
+  bool cancelsCalls = false;      ///< ends a modal call of a program too
+  bool foreign = false;           ///< another control's code: here it is none
+  uint8_t arguments = 0;          ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;
   /// Sets of words that exclude each other, each pair of masks.
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
@@ -238,6 +252,7 @@ struct GroupInfo {
   std::vector<CodeIndex> members;
   uint8_t initial = 0xFF; ///< member active at power-on; 0xFF: not documented
   bool exclusive = true;  ///< two members in one block are a conflict
+  bool oneShot = false;   ///< its codes act in their own block only: the group has no state
 };
 
 /// Groups that the interpreter knows by name. A dialect may lack some and may have others.
@@ -271,6 +286,7 @@ enum class AddressKind : uint8_t {
   Unknown,   ///< not an address of this control
   Axis,      ///< absolute (or by the distance mode) coordinate
   Increment, ///< incremental coordinate of another axis (U of X)
+  Polar,     ///< angle or radius of an end point in the plane
   Code,      ///< G or M
   Parameter, ///< everything else
   Number     ///< whole number by nature: N, O, L
@@ -352,6 +368,7 @@ struct Dialect {
   bool profileRunsThrough = false;  ///< behind a roughing cycle the control runs the profile itself
   bool cycleSurvivesMotion = false; ///< a motion code does not end a drilling cycle
   bool emptyBlocksRun = false;      ///< an active cycle runs in blocks without words too
+  bool endReturns = false;          ///< a program end inside a called program leads back
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   Lexical lexical;
   Limits limits;
@@ -371,6 +388,7 @@ struct Dialect {
   llvm::StringMap<std::string> options; ///< options of the machine profile with their defaults
   AddressMask axisWords = 0;            ///< all addresses of kind Axis and Increment
   AddressMask incrementWords = 0;       ///< those of kind Increment
+  AddressMask polarWords = 0;           ///< those of kind Polar
   AddressMask known = 0;                ///< all addresses of this control
   AddressMask repeatable = 0;           ///< may stand more than once in a block
   AddressMask whole = 0;                ///< take whole numbers

@@ -44,6 +44,7 @@ void DialectBuilder::build() {
                         "dwellInMilliseconds",
                         "cycleSurvivesMotion",
                         "emptyBlocksRun",
+                        "endReturns",
                         "lexical",
                         "limits",
                         "options",
@@ -82,6 +83,7 @@ void DialectBuilder::readHead() {
   in_.read(root_, "dwellInMilliseconds", dialect_.dwellInMilliseconds);
   in_.read(root_, "cycleSurvivesMotion", dialect_.cycleSurvivesMotion);
   in_.read(root_, "emptyBlocksRun", dialect_.emptyBlocksRun);
+  in_.read(root_, "endReturns", dialect_.endReturns);
   in_.readName(root_, "machine", "machine", machineNames(), dialect_.machine);
   for (const char *key : {"id", "title", "reader", "machine"})
     if (!in_.member(root_, key))
@@ -216,6 +218,7 @@ void DialectBuilder::readAddresses() {
     AddressKind kind = dialect_.addresses[address].kind;
     dialect_.known |= kind == AddressKind::Unknown ? 0 : mask;
     dialect_.incrementWords |= kind == AddressKind::Increment ? mask : 0;
+    dialect_.polarWords |= kind == AddressKind::Polar ? mask : 0;
     dialect_.axisWords |= kind == AddressKind::Axis || kind == AddressKind::Increment ? mask : 0;
     dialect_.whole |= dialect_.addresses[address].unit == AddressUnit::Whole ? mask : 0;
     dialect_.repeatable |= dialect_.addresses[address].repeatable ? mask : 0;
@@ -264,12 +267,18 @@ void DialectBuilder::readGroups() {
   if (table->size() > maxGroups)
     return in_.fail(*table, "more than " + llvm::Twine(maxGroups) + " groups");
   for (auto entry = table->begin(); entry != table->end(); ++entry) {
-    in_.allowKeys(*entry, {"title", "initial", "exclusive"});
+    in_.allowKeys(*entry, {"title", "initial", "exclusive", "oneShot", "standsFor"});
     GroupInfo group;
     group.id = entry.key();
     group.title = group.id;
     in_.read(*entry, "title", group.title);
     in_.read(*entry, "exclusive", group.exclusive);
+    in_.read(*entry, "oneShot", group.oneShot);
+    if (const Json *others = in_.member(*entry, "standsFor"))
+      for (const std::string &other : in_.texts(*others))
+        for (size_t index = 0; index < standardGroupNames().size(); ++index)
+          if (standardGroupNames()[index] == other)
+            dialect_.standard[index] = GroupIndex(dialect_.groups.size());
     for (size_t index = 0; index < standardGroupNames().size(); ++index)
       if (standardGroupNames()[index] == group.id)
         dialect_.standard[index] = GroupIndex(dialect_.groups.size());

@@ -46,6 +46,7 @@ private:
   void readNotices(const Json &value, CodeInfo &info);
   void readVariants(const std::string &name, const Json &value, CodeIndex base);
   Condition readCondition(const Json &value);
+  void readFormula(const Json &value, Condition &when);
   void readConditionOptions(const Json &value, Condition &when);
   void readConditionCodes(const Json &value, Condition &when);
   ValueTest readTest(const Json &value);
@@ -58,6 +59,7 @@ private:
   const Json &root_;
   Dialect &dialect_;
   llvm::StringMap<CodeIndex> namedCodes_;
+  const CodeInfo *code_ = nullptr; ///< being read: its words are what formulas name
 };
 
 /// Text form of an option's value: "true", "SL-30", "2.5"; empty for null.

@@ -26,15 +26,18 @@ constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "thread-pass",    "rough-turn",
                                           "rough-face",     "pattern-repeat",
                                           "finish",         "groove-face",
-                                          "groove-radial",  "thread-multi"};
-static_assert(std::size(cycles) == size_t(CycleKind::ThreadMulti) + 1);
+                                          "groove-radial",  "thread-multi",
+                                          "pattern",        "face",
+                                          "contour",        "pocket",
+                                          "slot",           "thread-mill"};
+static_assert(std::size(cycles) == size_t(CycleKind::ThreadMill) + 1);
 
 constexpr llvm::StringLiteral needs[] = {"optional", "required", "first"};
 constexpr llvm::StringLiteral points[] = {"any", "required", "forbidden"};
 constexpr llvm::StringLiteral spindles[] = {"any", "running", "clockwise", "counter-clockwise",
                                             "starts-itself"};
 // "unknown" is what an absent entry means; a table does not write it.
-constexpr llvm::StringLiteral kinds[] = {"unknown", "axis",      "increment",
+constexpr llvm::StringLiteral kinds[] = {"unknown", "axis",      "increment", "polar",
                                          "code",    "parameter", "number"};
 constexpr llvm::StringLiteral units[] = {"none",  "length", "angle", "feed",
                                          "speed", "time",   "whole"};

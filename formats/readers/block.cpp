@@ -77,6 +77,13 @@ uint64_t Block::keyOf(uint16_t expression) const {
   return op.op == Op::Number && op.value >= 0 ? uint64_t(op.value) : 0;
 }
 
+uint64_t Block::variableOf(uint16_t expression) const {
+  if (expression >= expressions.size() || expressions[expression].count != 1)
+    return 0;
+  const ExpressionOp &op = operations[expressions[expression].first];
+  return op.op == Op::Variable ? uint64_t(op.value) : 0;
+}
+
 const Word *Block::findAny(AddressMask mask) const {
   if (!hasAny(mask))
     return nullptr;

@@ -65,6 +65,7 @@ enum class Op : uint8_t {
   Variable,   ///< `value` is its key
   VariableAt, ///< takes its number from the stack
   ElementAt,  ///< of the array whose key is `value`; takes the index from the stack
+  ElementKey, ///< the key of that element
   Opaque,     ///< a value that no program decides: a system variable, a string, a call; takes
               ///< `value` operands from the stack
   Add,
@@ -138,8 +139,14 @@ enum class ItemKind : uint8_t {
   Repeat,      ///< the blocks from its first argument to its second again, `count` times
   Input,       ///< the operator gives `target` a value, or leaves to the argument
   Instruction, ///< a keyword with arguments; its word in `Block::words` is number `wordsBefore`
-  Parameters   ///< what a called program takes: each argument a name, with its default value
+  Parameters,  ///< what program `name` takes: each argument a name, with its default value
+  Definition,  ///< variable `target`, of `type`, with its first `value`; arguments: array sizes
+  Declaration, ///< program `name` exists and takes arguments of these types
+  Macro        ///< `name` stands for words
 };
+
+/// Types of the variables that a program defines.
+enum class VariableType : uint8_t { None, Integer, Real, Boolean, Character, String, Axis, Frame };
 
 /// Brackets of structured flow. They match by kind and nest; their blocks hold nothing else.
 enum class Structure : uint8_t {
@@ -181,7 +188,9 @@ enum class ArgumentKind : uint8_t {
 /// An argument of an item: of a call, an instruction, a jump.
 struct Argument {
   ArgumentKind kind = ArgumentKind::Empty;
-  char separator = 0; ///< in front of it; 0 for the first
+  char separator = 0;                     ///< in front of it; 0 for the first
+  VariableType type = VariableType::None; ///< of a parameter
+  bool byReference = false;               ///< a parameter that gives its value back
   uint16_t expression = noExpression;
   uint32_t begin = 0, end = 0;
 };
@@ -193,10 +202,14 @@ struct Item {
   uint8_t loop = 0; ///< number behind DO or END
   Structure structure = Structure::If;
   JumpKind jump = JumpKind::Anywhere;
-  bool single = false;                       ///< a repeat of the one block that its argument names
-  uint16_t wordsBefore = 0;                  ///< words of the block in front of it
-  uint16_t target = noExpression;            ///< key of the variable assigned to
-  uint16_t value = noExpression;             ///< value assigned, number jumped to, program called
+  VariableType type = VariableType::None; ///< of a definition
+  bool single = false;                    ///< a repeat of the one block that its argument names
+  bool modal = false;                     ///< a call that is made behind every later move, not here
+  bool external = false;                  ///< a call of a program that need not lie beside this one
+  bool restores = false;          ///< parameters of a program that gives its caller the modes back
+  uint16_t wordsBefore = 0;       ///< words of the block in front of it
+  uint16_t target = noExpression; ///< key of the variable assigned to
+  uint16_t value = noExpression;  ///< value assigned, number jumped to, program called
   uint16_t condition = noExpression;         ///< of IF and WHILE, of a jump by sign or value
   uint16_t count = noExpression;             ///< how often a call or repeat runs
   uint16_t limit = noExpression;             ///< last value of a FOR
@@ -233,8 +246,12 @@ enum class SyntaxIssueKind : uint8_t {
   UnclosedString,
   MissingArgument, ///< an argument list that ends too early
   TooManyArguments,
-  MisplacedLabel, ///< a label that does not stand where labels stand
-  NotABlock       ///< text of which no part is code: prose, or another language
+  NamedArgument,       ///< `RTP=50` where only the place of an argument counts
+  MisplacedLabel,      ///< a label that does not stand where labels stand
+  MissingEquals,       ///< an address of several letters, or a calculation, without its `=`
+  AssignmentInTest,    ///< `=` where two values are compared
+  AmbiguousExpression, ///< operators whose order is another than it looks
+  NotABlock            ///< text of which no part is code: prose, or another language
 };
 
 /// Bad text in a block; reading went on behind it.
@@ -295,6 +312,8 @@ struct Block {
   }
   /// Key of the variable that an expression names, when the text says it; 0: it does not.
   uint64_t keyOf(uint16_t expression) const;
+  /// Key of the variable whose value an expression is; 0: it is something else.
+  uint64_t variableOf(uint16_t expression) const;
   bool hasLabel() const { return labelEnd > labelBegin; }
   /// First word with one of these addresses, or null.
   const Word *findAny(AddressMask mask) const;

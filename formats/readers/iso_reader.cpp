@@ -2,6 +2,7 @@
 #include "formats/readers/iso_reader.h"
 
 #include "formats/readers/macro_expression.h"
+#include "formats/readers/plain_number.h"
 
 #include <array>
 #include <cstring>
@@ -27,21 +28,8 @@ constexpr std::array<CharClass, 256> makeClasses() {
 constexpr std::array<CharClass, 256> classes = makeClasses();
 
 CharClass classOf(char c) { return classes[uint8_t(c)]; }
-bool isDigit(char c) { return uint8_t(c - '0') < 10; }
+bool isDigit(char c) { return isNumberDigit(c); }
 bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
-
-/// More digits than an int64 holds for certain: the rest is dropped and the number marked.
-constexpr unsigned maxDigits = 18;
-
-/// The typographic minus U+2212, the en dash U+2013 and the em dash U+2014, each three bytes.
-unsigned typographicMinus(const char *at, const char *end) {
-  if (end - at < 3 || uint8_t(at[0]) != 0xE2)
-    return 0;
-  const auto second = uint8_t(at[1]), third = uint8_t(at[2]);
-  if ((second == 0x88 && third == 0x92) || (second == 0x80 && (third == 0x93 || third == 0x94)))
-    return 3;
-  return 0;
-}
 
 /// The state of reading one block.
 class Scanner {
@@ -316,44 +304,12 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   addWord(word);
 }
 
-/// The usual number: optional minus, digits, perhaps a point and more digits, fewer than maxDigits
-/// in all, and nothing odd behind it. False, with nothing read, for every other one.
+/// The usual number; false, with nothing read, for every other one.
 bool Scanner::scanPlainNumber(Word &word) {
-  const char *p = at_;
-  const bool negative = *p == '-';
-  p += negative;
-  const char *const first = p;
-  int64_t mantissa = 0;
-  // One test per digit suffices: too long a run is refused behind the loop, before its value
-  // counts.
-  const char *const limit = end_ - p > ptrdiff_t(maxDigits) ? p + maxDigits : end_;
-  while (p < limit && isDigit(*p))
-    mantissa = mantissa * 10 + (*p++ - '0');
-  const char *const point = p;
-  unsigned decimals = 0;
-  if (p < limit && *p == '.') {
-    ++p;
-    while (p < limit && isDigit(*p))
-      mantissa = mantissa * 10 + (*p++ - '0');
-    decimals = unsigned(p - point - 1);
-    if (point == first && decimals == 0)
-      return false;
-    word.flags |= wordPoint;
-  } else if (p == first) {
-    return false;
-  }
-  if (p >= limit || isDigit(*p) || *p == '.' || *p == ',' || *p == '-' || *p == '+') {
-    word.flags &= uint8_t(~wordPoint);
-    return false;
-  }
-  if (negative)
-    word.flags |= wordMinus;
-  if (point - first > 1 && *first == '0')
-    word.flags |= wordLeadingZero;
-  word.mantissa = negative ? -mantissa : mantissa;
-  word.decimals = uint8_t(decimals);
-  at_ = p;
-  return true;
+  const char *const behind = readPlainNumber(at_, end_, word);
+  if (behind)
+    at_ = behind;
+  return behind;
 }
 
 /// Reads `[sign] digits [. digits]`; false when there is no digit at all.
@@ -387,7 +343,7 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
   unsigned digits = 0;
   const char *first = at_;
   while (at_ < end_ && isDigit(*at_)) {
-    if (digits < maxDigits)
+    if (digits < maxNumberDigits)
       mantissa = mantissa * 10 + unsigned(*at_ - '0');
     else
       word.flags |= wordMalformed;
@@ -411,7 +367,7 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
     word.flags |= wordPoint;
     ++at_;
     while (at_ < end_ && isDigit(*at_)) {
-      if (digits < maxDigits && decimals < maxDigits) {
+      if (digits < maxNumberDigits && decimals < maxNumberDigits) {
         mantissa = mantissa * 10 + unsigned(*at_ - '0');
         ++decimals;
         if (mantissa)

@@ -3,12 +3,15 @@
 
 #include "formats/readers/iso_reader.h"
 #include "formats/readers/mefi_reader.h"
+#include "formats/readers/sinumerik_reader.h"
 
 namespace ncvet {
 
 std::unique_ptr<Reader> makeReader(const Dialect &dialect, llvm::StringRef text) {
   if (dialect.reader == "mefi")
     return std::make_unique<MefiReader>(dialect, text);
+  if (dialect.reader == "sinumerik")
+    return std::make_unique<SinumerikReader>(dialect, text);
   return std::make_unique<IsoReader>(dialect, text);
 }
 

@@ -1,0 +1,239 @@
+// Formulas of the tables: what must hold between the words of a code's format.
+#include "formats/dialect/formula.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+namespace ncvet {
+
+namespace {
+
+/// A table's formula is short; deeper nesting is a mistake.
+constexpr unsigned maxDepth = 32;
+
+class FormulaParser {
+public:
+  using Names = llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)>;
+  FormulaParser(llvm::StringRef text, Names names) : rest_(text), names_(names) {}
+
+  bool parse() {
+    if (!disjunction(0))
+      return false;
+    rest_ = rest_.ltrim();
+    return rest_.empty() || fail("is not understood at \"" + rest_.str() + "\"");
+  }
+  Formula formula;
+  std::string error;
+
+private:
+  bool fail(std::string what) {
+    if (error.empty())
+      error = std::move(what);
+    return false;
+  }
+  bool take(llvm::StringRef token) {
+    rest_ = rest_.ltrim();
+    return rest_.consume_front(token);
+  }
+  bool takeWord(llvm::StringRef word) {
+    rest_ = rest_.ltrim();
+    if (!rest_.startswith(word) ||
+        (rest_.size() > word.size() && isNameCharacter(rest_[word.size()])))
+      return false;
+    rest_ = rest_.drop_front(word.size());
+    return true;
+  }
+  static bool isNameCharacter(char c) { return llvm::isAlnum(c) || c == '_'; }
+  void emit(FormulaOp op, uint16_t index = 0, double number = 0) {
+    formula.steps.push_back({op, index, number});
+  }
+
+  bool disjunction(unsigned depth) {
+    if (!conjunction(depth))
+      return false;
+    while (takeWord("or")) {
+      if (!conjunction(depth))
+        return false;
+      emit(FormulaOp::Or);
+    }
+    return true;
+  }
+  bool conjunction(unsigned depth) {
+    if (!negation(depth))
+      return false;
+    while (takeWord("and")) {
+      if (!negation(depth))
+        return false;
+      emit(FormulaOp::And);
+    }
+    return true;
+  }
+  bool negation(unsigned depth) {
+    if (depth > maxDepth)
+      return fail("nests too deep");
+    if (!takeWord("not"))
+      return comparison(depth);
+    if (!negation(depth + 1))
+      return false;
+    emit(FormulaOp::Not);
+    return true;
+  }
+  bool comparison(unsigned depth) {
+    if (!sum(depth))
+      return false;
+    struct Sign {
+      const char *text;
+      FormulaOp op;
+      bool swapped; ///< x > y is y < x
+    };
+    static constexpr Sign signs[] = {
+        {"<=", FormulaOp::LessEqual, false}, {">=", FormulaOp::LessEqual, true},
+        {"==", FormulaOp::Equal, false},     {"!=", FormulaOp::NotEqual, false},
+        {"<", FormulaOp::Less, false},       {">", FormulaOp::Less, true}};
+    for (const Sign &sign : signs) {
+      if (!take(sign.text))
+        continue;
+      const size_t right = formula.steps.size();
+      if (!sum(depth))
+        return false;
+      if (sign.swapped) {
+        // The right operand goes in front of the left one.
+        const size_t left = leftOperand(right);
+        std::rotate(formula.steps.begin() + ptrdiff_t(left),
+                    formula.steps.begin() + ptrdiff_t(right), formula.steps.end());
+      }
+      emit(sign.op);
+      return true;
+    }
+    return true;
+  }
+  /// First step of the operand that ends in front of step `end`.
+  size_t leftOperand(size_t end) const {
+    int wanted = 1;
+    size_t at = end;
+    while (wanted > 0 && at > 0) {
+      --at;
+      wanted += operands(formula.steps[at].op) - 1;
+    }
+    return at;
+  }
+  static int operands(FormulaOp op) {
+    switch (op) {
+    case FormulaOp::Number:
+    case FormulaOp::Word:
+    case FormulaOp::Address:
+    case FormulaOp::Given:
+    case FormulaOp::GivenAddress:
+    case FormulaOp::ToolRadius:
+      return 0;
+    case FormulaOp::Negate:
+    case FormulaOp::Absolute:
+    case FormulaOp::Not:
+      return 1;
+    default:
+      return 2;
+    }
+  }
+  bool sum(unsigned depth) {
+    if (!product(depth))
+      return false;
+    for (;;) {
+      const bool add = take("+");
+      if (!add && !take("-"))
+        return true;
+      if (!product(depth))
+        return false;
+      emit(add ? FormulaOp::Add : FormulaOp::Subtract);
+    }
+  }
+  bool product(unsigned depth) {
+    if (!operand(depth))
+      return false;
+    for (;;) {
+      const bool times = take("*");
+      if (!times && !take("/"))
+        return true;
+      if (!operand(depth))
+        return false;
+      emit(times ? FormulaOp::Multiply : FormulaOp::Divide);
+    }
+  }
+  bool operand(unsigned depth) {
+    if (depth > maxDepth)
+      return fail("nests too deep");
+    if (take("-")) {
+      if (!operand(depth + 1))
+        return false;
+      emit(FormulaOp::Negate);
+      return true;
+    }
+    if (take("("))
+      return disjunction(depth + 1) && (take(")") || fail("lacks a \")\""));
+    rest_ = rest_.ltrim();
+    if (!rest_.empty() && llvm::isDigit(rest_[0])) {
+      const llvm::StringRef digits =
+          rest_.take_while([](char c) { return llvm::isDigit(c) || c == '.'; });
+      rest_ = rest_.drop_front(digits.size());
+      double number = 0;
+      if (digits.getAsDouble(number))
+        return fail("has the bad number \"" + digits.str() + "\"");
+      emit(FormulaOp::Number, 0, number);
+      return true;
+    }
+    const llvm::StringRef name = rest_.take_while(isNameCharacter);
+    rest_ = rest_.drop_front(name.size());
+    if (name.empty())
+      return fail("ends too early, or is not understood at \"" + rest_.str() + "\"");
+    if (take("("))
+      return function(name, depth);
+    const std::optional<FormulaName> known = names_(name);
+    if (!known)
+      return fail("names \"" + name.str() + "\", which is no word of this code");
+    emit(known->word, known->index);
+    return true;
+  }
+  bool function(llvm::StringRef name, unsigned depth) {
+    if (name == "toolRadius") {
+      emit(FormulaOp::ToolRadius);
+      return take(")") || fail("lacks a \")\"");
+    }
+    if (name == "given") {
+      rest_ = rest_.ltrim();
+      const llvm::StringRef word = rest_.take_while(isNameCharacter);
+      rest_ = rest_.drop_front(word.size());
+      const std::optional<FormulaName> known = names_(word);
+      if (!known)
+        return fail("names \"" + word.str() + "\", which is no word of this code");
+      emit(known->word == FormulaOp::Word ? FormulaOp::Given : FormulaOp::GivenAddress,
+           known->index);
+      return take(")") || fail("lacks a \")\"");
+    }
+    const bool two = name == "min" || name == "max";
+    if (!two && name != "abs")
+      return fail("has the unknown function \"" + name.str() + "\"");
+    if (!disjunction(depth + 1) || (two && (!take(",") || !disjunction(depth + 1))))
+      return fail("has too few operands in \"" + name.str() + "\"");
+    emit(name == "abs"   ? FormulaOp::Absolute
+         : name == "min" ? FormulaOp::Minimum
+                         : FormulaOp::Maximum);
+    return take(")") || fail("lacks a \")\"");
+  }
+
+  llvm::StringRef rest_;
+  Names names_;
+};
+
+} // namespace
+
+std::optional<Formula>
+parseFormula(llvm::StringRef text,
+             llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,
+             std::string &error) {
+  FormulaParser parser(text, name);
+  if (!parser.parse()) {
+    error = parser.error;
+    return std::nullopt;
+  }
+  return std::move(parser.formula);
+}
+
+} // namespace ncvet

@@ -1,0 +1,67 @@
+// Formulas of the tables: what must hold between the words of a code's format.
+#pragma once
+
+#include "formats/dialect/address.h"
+
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/StringRef.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncvet {
+
+/// Operations of a formula in postfix order.
+enum class FormulaOp : uint8_t {
+  Number,
+  Word,    ///< value of word `index` of the code's format
+  Address, ///< value of the block's word with address `index`
+  Given,   ///< whether word `index` of the format is there
+  GivenAddress,
+  ToolRadius, ///< of the tool in use, by the machine profile
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Negate,
+  Absolute,
+  Minimum,
+  Maximum,
+  Less,
+  LessEqual,
+  Equal,
+  NotEqual,
+  And,
+  Or,
+  Not
+};
+
+struct FormulaStep {
+  FormulaOp op = FormulaOp::Number;
+  uint16_t index = 0;
+  double number = 0;
+};
+
+/// `given(DP) and given(DPR) and abs(RFP - DPR - DP) > 0.001`. Empty: no condition.
+struct Formula {
+  std::vector<FormulaStep> steps;
+
+  bool empty() const { return steps.empty(); }
+};
+
+/// What a name in a formula stands for; none: it is not known.
+struct FormulaName {
+  FormulaOp word = FormulaOp::Word; ///< `Word` or `Address`
+  uint16_t index = 0;
+};
+
+/// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
+/// `abs(x) min(x,y) max(x,y) given(NAME) toolRadius()`. None, with `error` set, when it cannot.
+std::optional<Formula>
+parseFormula(llvm::StringRef text,
+             llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,
+             std::string &error);
+
+} // namespace ncvet

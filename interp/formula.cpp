@@ -1,0 +1,156 @@
+// Evaluates the formulas of the tables on a block and the state before it.
+#include "interp/formula.h"
+
+#include "interp/expression.h"
+#include "interp/tool_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncvet {
+
+namespace {
+
+/// Numbers that the table's writer means to be equal differ by rounding at most.
+constexpr double tolerance = 1e-9;
+
+Interval fromTruth(Truth truth) {
+  return truth == Truth::Unknown ? Interval{0, 1} : Interval::exactly(truth == Truth::Yes);
+}
+
+Truth toTruth(const Interval &value) {
+  if (value.isConstant())
+    return value.value() != 0 ? Truth::Yes : Truth::No;
+  return value.lo > 0 || value.hi < 0 ? Truth::Yes : Truth::Unknown;
+}
+
+Truth answer(bool yes, bool no) { return yes ? Truth::Yes : no ? Truth::No : Truth::Unknown; }
+
+Truth negated(Truth truth) {
+  return truth == Truth::Yes ? Truth::No : truth == Truth::No ? Truth::Yes : Truth::Unknown;
+}
+
+Interval absolute(const Interval &x) {
+  if (x.lo >= 0)
+    return x;
+  if (x.hi <= 0)
+    return x * -1;
+  return {0, std::max(-x.lo, x.hi)};
+}
+
+class Evaluator {
+public:
+  Evaluator(const CodeInfo &code, const ConditionContext &context)
+      : code_(code), context_(context) {}
+
+  Truth run(const Formula &formula) {
+    for (const FormulaStep &step : formula.steps)
+      this->step(step);
+    return stack_.size() == 1 ? toTruth(stack_.back()) : Truth::Unknown;
+  }
+
+private:
+  Interval pop() { return stack_.empty() ? Interval::unknown() : stack_.pop_back_val(); }
+  void push(const Interval &value) { stack_.push_back(value); }
+
+  bool given(const WordSpec &spec) const {
+    return wordFor(context_.block, spec) ||
+           (spec.variable && (context_.before.commons.has(spec.variable) ||
+                              (spec.orVariable && context_.before.commons.has(spec.orVariable))));
+  }
+  Interval word(const WordSpec &spec) const {
+    if (const Word *word = wordFor(context_.block, spec))
+      return wordValue(*word, context_.block, context_.before);
+    if (spec.absent)
+      return given(spec) ? Interval::unknown() : Interval::exactly(*spec.absent);
+    if (!spec.variable)
+      return Interval::unknown();
+    const Value value = readVariable(context_.before, int64_t(spec.variable));
+    return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
+  }
+  Interval tool() const {
+    const ToolData *tool = toolInUse(context_.machine, context_.before);
+    if (!tool || !tool->radius)
+      tool = compensatingTool(context_.dialect, context_.machine, context_.before);
+    return tool && tool->radius ? Interval::exactly(*tool->radius) : Interval::unknown();
+  }
+
+  void step(const FormulaStep &step) {
+    switch (step.op) {
+    case FormulaOp::Number:
+      return push(Interval::exactly(step.number));
+    case FormulaOp::Word:
+      return push(word(code_.words[step.index]));
+    case FormulaOp::Address: {
+      const Word *word = context_.block.find(AddressId(step.index));
+      return push(word ? wordValue(*word, context_.block, context_.before) : Interval::unknown());
+    }
+    case FormulaOp::Given:
+      return push(Interval::exactly(given(code_.words[step.index])));
+    case FormulaOp::GivenAddress:
+      return push(Interval::exactly(context_.block.has(AddressId(step.index))));
+    case FormulaOp::ToolRadius:
+      return push(tool());
+    case FormulaOp::Negate:
+      return push(pop() * -1);
+    case FormulaOp::Absolute:
+      return push(absolute(pop()));
+    case FormulaOp::Not:
+      return push(fromTruth(negated(toTruth(pop()))));
+    default:
+      break;
+    }
+    const Interval b = pop(), a = pop();
+    switch (step.op) {
+    case FormulaOp::Add:
+      return push(a + b);
+    case FormulaOp::Subtract:
+      return push(a - b);
+    case FormulaOp::Multiply:
+      return push(b.isConstant()   ? a * b.value()
+                  : a.isConstant() ? b * a.value()
+                                   : Interval::unknown());
+    case FormulaOp::Divide:
+      return push(b.isConstant() && b.value() != 0 ? a * (1 / b.value()) : Interval::unknown());
+    case FormulaOp::Minimum:
+      return push({std::min(a.lo, b.lo), std::min(a.hi, b.hi)});
+    case FormulaOp::Maximum:
+      return push({std::max(a.lo, b.lo), std::max(a.hi, b.hi)});
+    case FormulaOp::Less:
+      return push(fromTruth(answer(a.hi < b.lo - tolerance, a.lo >= b.hi - tolerance)));
+    case FormulaOp::LessEqual:
+      return push(fromTruth(answer(a.hi <= b.lo + tolerance, a.lo > b.hi + tolerance)));
+    case FormulaOp::Equal:
+    case FormulaOp::NotEqual: {
+      const bool apart = a.hi < b.lo - tolerance || b.hi < a.lo - tolerance;
+      const bool same = a.isConstant() && b.isConstant() && !apart;
+      return push(
+          fromTruth(step.op == FormulaOp::Equal ? answer(same, apart) : answer(apart, same)));
+    }
+    case FormulaOp::And: {
+      const Truth x = toTruth(a), y = toTruth(b);
+      return push(
+          fromTruth(answer(x == Truth::Yes && y == Truth::Yes, x == Truth::No || y == Truth::No)));
+    }
+    case FormulaOp::Or: {
+      const Truth x = toTruth(a), y = toTruth(b);
+      return push(
+          fromTruth(answer(x == Truth::Yes || y == Truth::Yes, x == Truth::No && y == Truth::No)));
+    }
+    default:
+      return push(Interval::unknown());
+    }
+  }
+
+  const CodeInfo &code_;
+  const ConditionContext &context_;
+  llvm::SmallVector<Interval, 8> stack_;
+};
+
+} // namespace
+
+Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
+  return Evaluator(code, context).run(formula);
+}
+
+} // namespace ncvet

@@ -1,0 +1,12 @@
+// Evaluates the formulas of the tables on a block and the state before it.
+#pragma once
+
+#include "interp/condition.h"
+
+namespace ncvet {
+
+/// Whether `formula` holds; unknown as soon as a value that decides it is not known. `code` is the
+/// code whose words the formula names.
+Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context);
+
+} // namespace ncvet

@@ -1,0 +1,200 @@
+// Reads blocks of Sinumerik programs: words with and without `=`, statements, calls by name.
+#include "formats/dialect/loader.h"
+#include "formats/readers/reader.h"
+#include "interp/expression.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+
+namespace ncvet {
+namespace {
+
+class SinumerikReading : public testing::Test {
+protected:
+  std::vector<Block> blocksOf(llvm::StringRef text) {
+    text_ = text.str();
+    reader_ = makeReader(*test::dialectNamed("sinumerik"), text_);
+    std::vector<Block> blocks;
+    for (uint32_t at = reader_->first(); at < text_.size(); at = blocks.back().next) {
+      reader_->read(at, blocks.emplace_back());
+      EXPECT_GT(blocks.back().next, at);
+    }
+    return blocks;
+  }
+  Block blockOf(llvm::StringRef text) { return blocksOf(text).front(); }
+  llvm::StringRef spelling(uint32_t begin, uint32_t end) const {
+    return llvm::StringRef(text_).slice(begin, end);
+  }
+  /// Value of expression `index` before anything was executed.
+  double valueOf(const Block &block, uint16_t index) const {
+    const Value value = evaluate(block, index, MachineState(), nullptr);
+    return value.isConstant() ? value.number.value() : std::nan("");
+  }
+  std::vector<SyntaxIssueKind> issuesOf(const Block &block) const {
+    std::vector<SyntaxIssueKind> kinds;
+    for (const SyntaxIssue &issue : block.issues)
+      kinds.push_back(issue.kind);
+    return kinds;
+  }
+  std::string text_;
+  std::unique_ptr<Reader> reader_;
+};
+
+TEST_F(SinumerikReading, WordsMayFollowEachOtherWithoutBlanks) {
+  const Block block = blockOf("/2 N10G1X10.5Y-20F100 ; along the edge\n");
+  EXPECT_EQ(block.skip, 2);
+  EXPECT_EQ(block.number, 10);
+  ASSERT_EQ(block.words.size(), 4u);
+  EXPECT_EQ(block.find('X')->value(), 10.5);
+  EXPECT_EQ(block.find('Y')->value(), -20);
+  EXPECT_EQ(block.comments.size(), 1u);
+  EXPECT_TRUE(block.issues.empty());
+}
+
+TEST_F(SinumerikReading, AnAddressOfSeveralLettersTakesAnEqualsSign) {
+  const Block block = blockOf("G2 X10 Y=AC(5) CR=-7.5 I=IC(R1+2) AP=30\n");
+  ASSERT_EQ(block.words.size(), 6u);
+  EXPECT_EQ(block.words[3].value(), -7.5);
+  EXPECT_EQ(block.find('Y')->reading(), WordReading::Absolute);
+  EXPECT_EQ(valueOf(block, uint16_t(block.find('Y')->mantissa)), 5);
+  EXPECT_EQ(block.find('I')->reading(), WordReading::Incremental);
+  EXPECT_TRUE(block.issues.empty());
+}
+
+TEST_F(SinumerikReading, TheFirstSpindleIsTheOneWithoutANumber) {
+  const Block block = blockOf("S1=500 M1=3 S2=900 M2=4\n");
+  ASSERT_EQ(block.words.size(), 2u);
+  EXPECT_EQ(block.find('S')->value(), 500);
+  EXPECT_EQ(block.find('M')->value(), 3);
+  EXPECT_EQ(block.items.size(), 2u); // of a spindle that the program does not speak of otherwise
+}
+
+TEST_F(SinumerikReading, HeadersNameTheProgram) {
+  const auto blocks = blocksOf("%_N_SHAFT_MPF\n;$PATH=/_N_MPF_DIR\n%GROOVE_SPF\n%\n");
+  ASSERT_EQ(blocks.size(), 4u);
+  EXPECT_EQ(blocks[0].kind, BlockKind::ProgramHeader);
+  EXPECT_EQ(spelling(blocks[0].nameBegin, blocks[0].nameEnd), "SHAFT");
+  EXPECT_EQ(blocks[1].kind, BlockKind::Empty);
+  EXPECT_EQ(spelling(blocks[2].nameBegin, blocks[2].nameEnd), "GROOVE");
+  EXPECT_EQ(blocks[3].kind, BlockKind::Tape);
+}
+
+TEST_F(SinumerikReading, ANameAloneIsACall) {
+  const auto blocks = blocksOf("MILL1 P3\nL010\nOBD(10,,R1,\"TXT\") P=R2\nMCALL BOHR(5)\n"
+                               "EXTCALL(\"BIG\")\nPCALL /_N_SPF_DIR/POS(1)\n");
+  ASSERT_EQ(blocks.size(), 6u);
+  for (const Block &block : blocks)
+    EXPECT_TRUE(block.issues.empty());
+  EXPECT_EQ(spelling(blocks[0].items[0].nameBegin, blocks[0].items[0].nameEnd), "MILL1");
+  EXPECT_EQ(valueOf(blocks[0], blocks[0].items[0].count), 3);
+  EXPECT_EQ(spelling(blocks[1].items[0].nameBegin, blocks[1].items[0].nameEnd), "L010");
+  const auto arguments = blocks[2].argumentsOf(blocks[2].items[0]);
+  ASSERT_EQ(arguments.size(), 4u);
+  EXPECT_EQ(arguments[1].kind, ArgumentKind::Empty);
+  EXPECT_EQ(arguments[3].kind, ArgumentKind::Text);
+  EXPECT_EQ(spelling(arguments[3].begin, arguments[3].end), "TXT");
+  EXPECT_TRUE(blocks[3].items[0].modal);
+  EXPECT_TRUE(blocks[4].items[0].external);
+  EXPECT_EQ(blocks[5].items[0].kind, ItemKind::Call);
+}
+
+TEST_F(SinumerikReading, ACycleIsAWordWithArguments) {
+  const Block block = blockOf("N60 MCALL CYCLE83(20,0,2,-40,,-12,,R5)\n");
+  ASSERT_NE(block.argument(4), nullptr);
+  EXPECT_EQ(block.argument(4)->value(), -40);
+  EXPECT_TRUE(block.argument(5)->has(wordNoValue));
+  EXPECT_TRUE(block.argument(8)->has(wordExpression));
+  EXPECT_EQ(block.argument(9), nullptr);
+  EXPECT_TRUE(block.issues.empty());
+}
+
+TEST_F(SinumerikReading, ComparisonsBindWeakest) {
+  const auto blocks = blocksOf("R1=2+3*4-10/5\nR2=(1<2) AND (3>2)\nR3=NOT 0 OR 0\nR4='H1F'+'B101'\n"
+                               "R5=1.5EX-3\nR6=7 DIV 2 + 7 MOD 4\nR7=ATAN2(1,1)\n");
+  const double wanted[] = {12, 1, 1, 36, 0.0015, 6, 45};
+  ASSERT_EQ(blocks.size(), 7u);
+  for (size_t i = 0; i < 7; ++i) {
+    EXPECT_TRUE(blocks[i].issues.empty()) << i;
+    EXPECT_DOUBLE_EQ(valueOf(blocks[i], blocks[i].items[0].value), wanted[i]) << i;
+  }
+  EXPECT_EQ(issuesOf(blockOf("IF R1==1 AND R2==2 GOTOF A1\n")),
+            std::vector{SyntaxIssueKind::AmbiguousExpression});
+}
+
+TEST_F(SinumerikReading, JumpsMayStandSeveralInABlock) {
+  const Block block = blockOf("N120 IF R1==1 GOTOF DONE IF R1==2 GOTOB N100\n");
+  ASSERT_EQ(block.items.size(), 4u);
+  EXPECT_EQ(block.items[1].jump, JumpKind::Forward);
+  EXPECT_EQ(block.items[3].jump, JumpKind::Backward);
+  EXPECT_EQ(block.argumentsOf(block.items[1])[0].kind, ArgumentKind::Label);
+  EXPECT_EQ(block.argumentsOf(block.items[3])[0].kind, ArgumentKind::BlockNumber);
+}
+
+TEST_F(SinumerikReading, ACaseIsAJumpByValue) {
+  const Block block = blockOf("CASE(R1) OF 1 GOTOF ONE 2 GOTOF TWO DEFAULT GOTOF OTHER\n");
+  ASSERT_EQ(block.items.size(), 1u);
+  EXPECT_EQ(block.items[0].jump, JumpKind::ByValue);
+  EXPECT_EQ(block.items[0].arguments, 5u);
+}
+
+TEST_F(SinumerikReading, RepeatAloneIsALoopAndWithLabelsASection) {
+  const auto blocks = blocksOf("REPEAT\nUNTIL R1<=0\nREPEAT A1 A2 P=3\nREPEATB HOLE P=2\n");
+  EXPECT_EQ(blocks[0].items[0].structure, Structure::Repeat);
+  EXPECT_EQ(blocks[1].items[0].structure, Structure::Until);
+  EXPECT_EQ(blocks[2].items[0].kind, ItemKind::Repeat);
+  EXPECT_EQ(blocks[2].items[0].arguments, 2u);
+  EXPECT_EQ(valueOf(blocks[2], blocks[2].items[0].count), 3);
+  EXPECT_TRUE(blocks[3].items[0].single);
+}
+
+TEST_F(SinumerikReading, DefinitionsHaveTypesSizesAndValues) {
+  const auto blocks = blocksOf("DEF REAL A=5, B[3,2], C\nDEF STRING[20] NAME\n"
+                               "PROC OBD(REAL A, INT N=1, VAR REAL OUT) SAVE DISPLOF\n"
+                               "EXTERN OBD(REAL,INT,VAR REAL)\n");
+  ASSERT_EQ(blocks[0].items.size(), 3u);
+  EXPECT_EQ(blocks[0].items[1].arguments, 2u);
+  EXPECT_EQ(blocks[1].items[0].type, VariableType::String);
+  ASSERT_EQ(blocks[2].items[0].kind, ItemKind::Parameters);
+  EXPECT_TRUE(blocks[2].items[0].restores);
+  const auto parameters = blocks[2].argumentsOf(blocks[2].items[0]);
+  ASSERT_EQ(parameters.size(), 3u);
+  EXPECT_TRUE(parameters[2].byReference);
+  EXPECT_EQ(blocks[3].items[0].kind, ItemKind::Declaration);
+  for (const Block &block : blocks)
+    EXPECT_TRUE(block.issues.empty());
+}
+
+TEST_F(SinumerikReading, LabelsMayBeGluedToTheirStatement) {
+  const auto blocks = blocksOf("N10 LOOP1: G1 X10\nERR1:STOPRE\nA1:X5\n");
+  EXPECT_EQ(spelling(blocks[0].labelBegin, blocks[0].labelEnd), "LOOP1");
+  EXPECT_EQ(blocks[0].words.size(), 2u);
+  EXPECT_TRUE(blocks[1].hasLabel());
+  EXPECT_EQ(spelling(blocks[2].labelBegin, blocks[2].labelEnd), "A1");
+}
+
+TEST_F(SinumerikReading, SlipsAreIssuesAndTheRestIsRead) {
+  EXPECT_EQ(issuesOf(blockOf("G1 X10,5 Y20\n")), std::vector{SyntaxIssueKind::DecimalComma});
+  EXPECT_EQ(issuesOf(blockOf("G2 X10 CR20\n")), std::vector{SyntaxIssueKind::MissingEquals});
+  EXPECT_EQ(issuesOf(blockOf("G1 X (edge) Y5\n")).back(), SyntaxIssueKind::ForeignComment);
+  EXPECT_EQ(issuesOf(blockOf("IF R1=2 GOTOF END1\n")),
+            std::vector{SyntaxIssueKind::AssignmentInTest});
+  EXPECT_EQ(issuesOf(blockOf("CYCLE81(50,0,2\n")), std::vector{SyntaxIssueKind::UnbalancedBracket});
+  EXPECT_EQ(issuesOf(blockOf("CYCLE81(RTP=50,0,2,-5)\n")),
+            std::vector{SyntaxIssueKind::NamedArgument});
+}
+
+TEST_F(SinumerikReading, BeginningAnywhereReadsTheSameBlocks) {
+  const auto blocks = blocksOf(
+      "%_N_A_MPF\nN10 G54 G17\n\nA1: IF R1==1 GOTOB A1\nDEF INT K\r\nMSG(\"a;b\") ; c\nM30");
+  for (const Block &block : blocks) {
+    Block again;
+    reader_->read(block.begin, again);
+    EXPECT_EQ(again.next, block.next);
+    EXPECT_EQ(again.words.size(), block.words.size());
+    EXPECT_EQ(again.items.size(), block.items.size());
+  }
+  EXPECT_EQ(blocks.size(), 7u);
+}
+
+} // namespace
+} // namespace ncvet
