@@ -17,7 +17,7 @@ CornerAddresses cornerAddresses(const Dialect &dialect) {
       result.angle |= takes & maskOf('A');
   }
   result.plain = result.chamfer | result.rounding | result.angle;
-  result.chamfer |= takes & maskOf(commaC);
+  result.chamfer |= (takes & maskOf(commaC)) | dialect.cornerWords;
   result.rounding |= takes & maskOf(commaR);
   result.angle |= takes & maskOf(commaA);
   return result;

@@ -147,6 +147,12 @@ private:
   uint32_t endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const;
   void call(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void callMacro(Activation &activation, Live &live, int32_t program, const MachineState &before);
+  void contour(Activation &activation, Live &live, const MachineState &before);
+  bool entersStructure(const Region &region, uint32_t from, uint32_t target);
+  void checkArguments(Activation &activation, const Live &live, const MachineState &before,
+                      const Callee &callee, const Item &call);
+  bool isVariable(uint16_t expression) const;
+  std::optional<Block> parametersOf(const Callee &callee) const;
   void profile(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   Exits callBody(const Region &region, Live live);
   void runOut(Activation &activation, Lives &lives);

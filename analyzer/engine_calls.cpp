@@ -175,11 +175,80 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
     const MachineState caller = live.state;
     passes.locals = caller.locals;
     live.state.locals = Variables();
+    checkArguments(activation, live, before, *callee, block_.items[size_t(flow.item)]);
     bindArguments(*callee, block_.items[size_t(flow.item)], caller, live.state, passes);
   }
   runPasses(activation,
             {*callee->unit, *callee->program, callee->start, callee->kind, region.depth + 1},
             std::move(live), before, passes);
+}
+
+/// The block of a program that says what it takes; none when it takes nothing.
+std::optional<Block> Engine::parametersOf(const Callee &callee) const {
+  Block head;
+  uint32_t at = callee.program->body;
+  for (; at < callee.program->end; at = head.next) {
+    callee.unit->reader->read(at, head);
+    if (!head.isEmpty())
+      break;
+  }
+  if (llvm::any_of(head.items, [](const Item &i) { return i.kind == ItemKind::Parameters; }))
+    return head;
+  return std::nullopt;
+}
+
+/// Whether a call has the arguments that the program wants.
+void Engine::checkArguments(Activation &activation, const Live &live, const MachineState &before,
+                            const Callee &callee, const Item &call) {
+  if (!(dispatcher_.kinds() & bitOf(EventKind::FlowIssue)))
+    return;
+  FileUnit &unit = activation.region.unit;
+  const llvm::ArrayRef<Argument> given = block_.argumentsOf(call);
+  const SourceRange where{unit.source.id(), call.begin, call.end};
+  const std::optional<Block> head = parametersOf(callee);
+  llvm::ArrayRef<Argument> taken;
+  SourceRange related;
+  if (head)
+    for (const Item &item : head->items)
+      if (item.kind == ItemKind::Parameters) {
+        taken = head->argumentsOf(item);
+        related = {callee.unit->source.id(), item.begin, item.end};
+      }
+  if (given.size() > taken.size())
+    return issue(FlowIssue::TooManyArguments, activation, live, before, where, related);
+  for (size_t i = 0; i < taken.size(); ++i) {
+    const bool left = i >= given.size() || given[i].kind == ArgumentKind::Empty;
+    if (taken[i].byReference &&
+        (left || (given[i].expression != noExpression && !isVariable(given[i].expression))))
+      return issue(FlowIssue::ArgumentNotVariable, activation, live, before, where, related);
+    if (left && taken[i].expression == noExpression && !taken[i].byReference && given.size() > 0)
+      return issue(FlowIssue::ArgumentLeftOut, activation, live, before, where, related);
+  }
+  const Defined *declared = unit.index.definition(activation.region.program,
+                                                  unit.source.text(call.nameBegin, call.nameEnd));
+  if (!declared || declared->kind != ItemKind::Declaration)
+    return;
+  Block declaration;
+  unit.reader->read(unit.source.lines().lineBegin(declared->begin), declaration);
+  for (const Item &item : declaration.items) {
+    if (item.kind != ItemKind::Declaration)
+      continue;
+    const llvm::ArrayRef<Argument> said = declaration.argumentsOf(item);
+    bool same = said.size() == taken.size();
+    for (size_t i = 0; same && i < said.size(); ++i)
+      same = said[i].type == taken[i].type && said[i].byReference == taken[i].byReference;
+    if (!same)
+      issue(FlowIssue::DeclarationMismatch, activation, live, before, where, related);
+  }
+}
+
+/// Whether an argument is a variable, so that a value can come back in it.
+bool Engine::isVariable(uint16_t expression) const {
+  const Expression &e = block_.expressions[expression];
+  if (e.bad || e.count == 0)
+    return e.bad;
+  const Op last = block_.operations[e.first + e.count - 1].op;
+  return last == Op::Variable || last == Op::ElementAt || (last == Op::Opaque && e.count == 1);
 }
 
 /// The called program's parameters get the values of the call. What it gives back, and whether the
@@ -266,8 +335,11 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
       }
     }
     current = std::move(behind);
-    if (!changed) // every further pass is the same
+    if (!changed) { // every further pass is the same
+      if (pass > 0 && passes.known && body.kind == Kind::Subprogram && !current.empty())
+        issue(FlowIssue::RepeatSame, activation, current.front(), before, flowRange(region.unit));
       break;
+    }
   }
   activation.forks += current.size() > 1;
   for (Live &one : current) {
@@ -302,8 +374,8 @@ void Engine::repeat(Activation &activation, Live &live, uint32_t at, const Machi
   if (!places.empty())
     first = resolve(activation, live, before, unit, region.program, places[0], at, item.jump);
   if (first && places.size() > 1)
-    last = resolve(activation, live, before, unit, region.program, places[1], *first - 1,
-                   JumpKind::Forward);
+    last = resolve(activation, live, before, unit, region.program, places[1],
+                   *first ? *first - 1 : 0, JumpKind::Anywhere);
   if (!first || (places.size() > 1 && !last))
     return add(activation, next, std::move(live));
   if (item.single)
@@ -311,14 +383,19 @@ void Engine::repeat(Activation &activation, Live &live, uint32_t at, const Machi
   const bool heads = *first == at; // the body is behind the block
   if (!last)
     last = endOfSection(unit, *first, at);
-  if (*last < *first) {
-    issue(FlowIssue::ProfileReversed, activation, live, before, where);
+  if (*last < *first || (places.size() > 1 && *first < at && at <= *last)) {
+    issue(FlowIssue::RepeatBounds, activation, live, before, where);
     return add(activation, next, std::move(live));
   }
   if (item.count == noExpression && *last == at && !heads)
     return backTo(activation, *first, std::move(live), false); // without a count, and to itself
   Block end;
   unit.reader->read(*last, end);
+  for (const auto &[head, past] : shape(unit, region.program).past)
+    if ((head < *first && *first < past && past < end.next) ||
+        (*first < head && head < end.next && end.next < past))
+      issue(FlowIssue::RepeatOverlap, activation, live, before, where,
+            {unit.source.id(), head, head + 1});
   const uint32_t start = heads ? next : *first;
   if (isRunning(unit, start, Kind::Section) || callStack_.size() >= limits_.callDepth ||
       start >= end.next) {
@@ -377,6 +454,32 @@ void Engine::callMacro(Activation &activation, Live &live, int32_t program,
   if (waiting != activation.pending.end())
     for (Live &one : waiting->second)
       one.state.modalMacro = program;
+}
+
+/// A milling cycle reads a program as the contour that it works along.
+void Engine::contour(Activation &activation, Live &live, const MachineState &before) {
+  FileUnit &unit = activation.region.unit;
+  const SourceRange where = flowRange(unit);
+  const uint32_t next = block_.next;
+  const llvm::StringRef name = unit.source.text(where.begin, where.end);
+  if (name.contains(':')) // two labels of this program: its blocks are looked at where they stand
+    return add(activation, next, std::move(live));
+  calledNames_.insert(name.upper());
+  const auto [other, program] = project_.findProgram(unit, name);
+  if (!program) {
+    issue(FlowIssue::UnknownProgram, activation, live, before, where);
+    return add(activation, next, std::move(live));
+  }
+  Live read = live;
+  read.state.profile = 1;
+  read.state.set(Fact::InContour);
+  for (const Fact fact : {Fact::ContourBegun, Fact::Cut})
+    read.state.clear(fact);
+  read.path = step(live.path, PathNode::Kind::Call, where);
+  const Region body{*other, *program, program->body, Kind::Subprogram, activation.region.depth + 1};
+  if (!isRunning(*other, body.start, body.kind) && body.depth < limits_.callDepth)
+    callBody(body, std::move(read));
+  add(activation, next, std::move(live));
 }
 
 /// A cycle reads the blocks between two numbers: as data when it roughs, for real when it finishes.

@@ -51,7 +51,7 @@ void Engine::runOtherPrograms() {
       unit_.reader->read(at, block);
       ending(block, ends, returns);
     }
-    const bool subprogram = returns && !ends;
+    const bool subprogram = program.kind == ProgramKind::Subprogram || (returns && !ends);
     Lives lives(1);
     lives[0].state = subprogram ? unknownState(*unit_.dialect) : initialState(*unit_.dialect);
     collector_.setDefiniteOnly(subprogram);
@@ -118,7 +118,8 @@ AnalysisResult Engine::run() {
     }
   }
   Lives lives(1);
-  const bool subprogram = returns && !ends;
+  const bool subprogram =
+      main.kind == ProgramKind::Unknown ? returns && !ends : main.kind == ProgramKind::Subprogram;
   lives[0].state = subprogram ? unknownState(*unit_.dialect) : initialState(*unit_.dialect);
   collector_.setDefiniteOnly(subprogram);
   execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));

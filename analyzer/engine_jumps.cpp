@@ -51,6 +51,9 @@ bool Engine::leave(Activation &activation, Live &live, uint32_t at, const Machin
   case FlowKind::CallNamed:
     call(activation, live, at, before);
     return true;
+  case FlowKind::Contour:
+    contour(activation, live, before);
+    return true;
   case FlowKind::Profile:
     profile(activation, live, at, before);
     return true;
@@ -352,6 +355,9 @@ void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const Machi
       offsets.push_back(block_.next);
   }
   for (const uint32_t target : offsets) {
+    if (here && entersStructure(region, at, target))
+      issue(FlowIssue::IntoStructure, activation, live, before, where,
+            {unit->source.id(), target, target + 1});
     Live one = live;
     one.path = step(live.path, PathNode::Kind::Jump, where);
     if (here)
@@ -387,6 +393,14 @@ void Engine::branch(Activation &activation, Live &live, uint32_t at, const Machi
       goTo(activation, at, *target, std::move(left), false);
     }
   add(activation, block_.next, std::move(live));
+}
+
+/// Whether `target` lies inside a bracket of structured flow that does not hold `from`.
+bool Engine::entersStructure(const Region &region, uint32_t from, uint32_t target) {
+  for (const auto &[head, past] : this->shape(region.unit, region.program).past)
+    if (target > head && target < past && (from < head || from >= past))
+      return true;
+  return false;
 }
 
 /// One bracket of structured flow.

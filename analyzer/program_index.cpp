@@ -43,6 +43,26 @@ void eachLine(const SourceFile &source, size_t begin, size_t end, Visit visit) {
 
 } // namespace
 
+namespace {
+
+/// By the header (`%_N_SHAFT_MPF`) or, without one, by the ending of the file's name.
+ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const Dialect &dialect) {
+  llvm::StringRef sign = source.text(program.headerBegin, program.headerEnd).rsplit('_').second;
+  if (!program.hasHeader()) {
+    const llvm::StringRef path = source.display();
+    sign = path.contains('.') ? path.rsplit('.').second : llvm::StringRef();
+  }
+  const auto isOneOf = [&](const std::vector<std::string> &endings) {
+    return llvm::any_of(endings,
+                        [&](const std::string &one) { return sign.equals_insensitive(one); });
+  };
+  return isOneOf(dialect.mainExtensions)         ? ProgramKind::Main
+         : isOneOf(dialect.subprogramExtensions) ? ProgramKind::Subprogram
+                                                 : ProgramKind::Unknown;
+}
+
+} // namespace
+
 FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect)
     : source_(source), reader_(reader) {
   const llvm::StringRef text = source.text();
@@ -85,6 +105,8 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
     }
     programs_.push_back(program);
   });
+  for (ProgramInfo &program : programs_)
+    program.kind = kindOf(source, program, dialect);
   for (size_t i = 0; i < programs_.size(); ++i)
     programs_[i].end = i + 1 < programs_.size() ? programs_[i + 1].begin : uint32_t(text.size());
 }

@@ -13,6 +13,9 @@
 
 namespace ncvet {
 
+/// What the text or the file's name says a program is.
+enum class ProgramKind : uint8_t { Unknown, Main, Subprogram };
+
 /// One program of a file.
 struct ProgramInfo {
   int64_t number = -1; ///< -1: no readable number
@@ -21,6 +24,7 @@ struct ProgramInfo {
   uint32_t body = 0;   ///< first block to execute
   uint32_t end = 0;    ///< behind the last byte
   uint32_t headerBegin = 0, headerEnd = 0; ///< equal: no header
+  ProgramKind kind = ProgramKind::Unknown;
   bool hasHeader() const { return headerEnd > headerBegin; }
 };
 

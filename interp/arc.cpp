@@ -29,7 +29,8 @@ ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block
       result.foreign = word;
     }
   }
-  result.radius = block.find('R');
+  result.radius = block.find(dialect.arcRadius);
+  result.angle = dialect.arcAngle == noAddress ? nullptr : block.find(dialect.arcAngle);
   return result;
 }
 
@@ -83,6 +84,10 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
         const auto v = length(*words.centre[i]);
         known &= v.has_value();
         point[i] = v.value_or(0);
+        if (words.centre[i]->reading() == WordReading::Absolute) {
+          known &= result.start.has_value();
+          point[i] -= result.start ? (*result.start)[i] : 0;
+        }
       }
     if (known)
       result.centreWords = point;

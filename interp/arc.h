@@ -18,6 +18,7 @@ struct ArcWords {
   std::array<const Word *, 2> centre{};     ///< the block's centre words of the plane, or null
   const Word *foreign = nullptr;            ///< a centre word of the third axis
   const Word *radius = nullptr;             ///< R
+  const Word *angle = nullptr;              ///< opening angle
 
   bool hasCentre() const { return centre[0] || centre[1]; }
 };

@@ -74,7 +74,8 @@ namespace {
 
 bool blockHasMember(const ConditionContext &context, GroupIndex group, uint64_t members) {
   for (const CodeUse &use : context.codes) {
-    const CodeInfo &info = context.dialect.codes[use.code];
+    // A variant is its code, whatever group it has itself.
+    const CodeInfo &info = context.dialect.codes[context.dialect.codes[use.code].base];
     if (info.group == group && members >> info.bit & 1)
       return true;
   }

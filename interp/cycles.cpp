@@ -191,6 +191,24 @@ void Execution::cancelCycle(CodeIndex by, const Word *word) {
       state_.group[group] = uint64_t(1) << dialect_.codes[member].bit;
 }
 
+/// The cycle works along the contour of a program that its call names.
+void Execution::contourProgram(const CodeUse &use, const WordSpec &spec) {
+  for (size_t i = 0; i < block_.items.size(); ++i) {
+    const Item &item = block_.items[i];
+    if (item.kind != ItemKind::Instruction || item.arguments < spec.position ||
+        item.begin != use.word->offset)
+      continue;
+    const Argument &name = block_.argumentsOf(item)[spec.position - 1];
+    if (name.kind != ArgumentKind::Text)
+      continue;
+    go(FlowKind::Contour, i);
+    outcome_.flow.code = use.code;
+    outcome_.flow.word = use.word;
+    outcome_.flow.begin = name.begin;
+    outcome_.flow.end = name.end;
+  }
+}
+
 /// Where a cycle that is called with arguments leaves the tool.
 void Execution::endOfCall(const CodeInfo &code) {
   if (!block_.has(argumentAddress))
@@ -258,6 +276,9 @@ void Execution::runCompound(const CodeUse &use) {
   }
   state_.set(Fact::AwayFromPart);
   endOfCall(code);
+  for (const WordSpec &spec : code.words)
+    if (spec.role == Role::Program && spec.text)
+      contourProgram(use, spec);
   if (!first)
     return;
   Flow &flow = outcome_.flow;

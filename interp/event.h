@@ -27,7 +27,10 @@ enum class EventKind : uint8_t {
   CallReturned,     ///< the called program came back: the state before the call, and behind it
   Return,           ///< M99 and its like
   ProgramEnd,       ///< the program ends here: M30, M02, end of file
+  Statement,        ///< an item of the block, before any of it is executed; `number` is its index
   Assignment,       ///< a variable is written; `number`, `value`
+  UnsetRead,        ///< a variable that the program has not given a value is read; `number` is the
+                    ///< place in the text
   VacantRead,       ///< a variable that was never set is used in arithmetic
   DomainError,      ///< a value outside a function's domain: division by zero, root of a negative
   Syntax,           ///< the reader found something; `number` is the index of the issue
@@ -45,6 +48,7 @@ enum class WordIssue : uint8_t {
   Repeated,     ///< the address stands more than once
   NoPoint,      ///< a number without a decimal point where one may be advised
   PointInWhole, ///< a decimal point in a word that takes whole numbers
+  SkipLevel,    ///< a block skip of a level that the control does not have
   NumberInside, ///< a block number behind other words
   Special       ///< a word that only some codes take
 };
@@ -67,7 +71,15 @@ enum class FlowIssue : uint8_t {
   ProfileReached,     ///< plain flow runs into the blocks of a profile
   ComputedTarget,     ///< a target is computed and its value not known
   StructureMismatch,  ///< WHILE without END, END without DO
-  EndlessLoop         ///< the state repeats: the program never leaves a loop
+  IntoStructure,      ///< a jump leads into a bracket of structured flow from outside
+  RepeatBounds,       ///< a section that is repeated holds its own repeat, or ends before it begins
+  RepeatOverlap,      ///< such a section holds a part of a bracket of structured flow
+  RepeatSame,         ///< every further pass of a call does exactly what the first did
+  TooManyArguments,   ///< a call has more arguments than the program takes; or it takes none
+  ArgumentLeftOut,    ///< a parameter without a value of its own gets none
+  ArgumentNotVariable, ///< a parameter gives its value back, and the argument is no variable
+  DeclarationMismatch, ///< the program takes other arguments than its declaration says
+  EndlessLoop          ///< the state repeats: the program never leaves a loop
 };
 
 enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Reference };
@@ -106,6 +118,7 @@ enum class FlowKind : uint8_t {
   Return,    ///< to the caller, at its block `target` when that is known
   End,       ///< the program ends
   Alarm,     ///< the program stops itself with an alarm
+  Contour,   ///< a cycle reads the program that the flow's text names
   Profile    ///< a cycle reads the blocks `first` to `last`
 };
 

@@ -158,7 +158,8 @@ void Execution::run(bool guardHolds) {
   for (size_t i = 0; i < block_.issues.size(); ++i)
     outcome_.emit(EventKind::Syntax).number = int64_t(i);
   if ((block_.addresses & ~dialect_.plain) | (block_.repeated & ~dialect_.repeatable) |
-      (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole))
+          (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole) ||
+      block_.skip > int8_t(dialect_.lexical.skipLevels))
     wordIssues();
   if (block_.items.empty()) {
     if (runPlainMove())
@@ -170,12 +171,16 @@ void Execution::run(bool guardHolds) {
   if (!block_.items.empty() && !runItems(guardHolds))
     return;
   if (block_.words.empty() && !runsEmpty())
-    return;
+    return finish();
+  if (!block_.expressions.empty())
+    unsetReads();
   resolveCodes();
   // Modes first, then what they give a meaning to: an F behind G98 is a feed per minute.
   for (const CodeUse &use : outcome_.codes)
     applyModal(use);
   technologyWords();
+  if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords))
+    settingWords();
   for (const CodeUse &use : outcome_.codes)
     applyEarly(use);
   moveAxes();
@@ -184,6 +189,21 @@ void Execution::run(bool guardHolds) {
   for (const CodeUse &use : outcome_.codes)
     applyFlow(use);
   finish();
+}
+
+/// Variables without a value in the words of the block.
+void Execution::unsetReads() {
+  for (const Word &word : block_.words) {
+    if (!word.has(wordExpression))
+      continue;
+    const Expression &expression = block_.expressions[size_t(word.mantissa)];
+    for (uint32_t i = 0; i < expression.count; ++i) {
+      const ExpressionOp &op = block_.operations[expression.first + i];
+      if (op.op == Op::Variable && op.value >= double(firstNamedVariable) &&
+          !state_.locals.has(uint64_t(op.value)) && !state_.commons.has(uint64_t(op.value)))
+        outcome_.emit(EventKind::UnsetRead).number = op.offset;
+    }
+  }
 }
 
 /// A block without words in which an active cycle runs all the same.
@@ -205,6 +225,8 @@ void Execution::wordIssues() {
   emit(WordIssue::Repeated, block_.repeated & ~dialect_.repeatable);
   emit(WordIssue::NoPoint, block_.pointless & dialect_.pointAdvised);
   emit(WordIssue::PointInWhole, block_.pointed & dialect_.whole);
+  if (block_.skip > int8_t(dialect_.lexical.skipLevels))
+    outcome_.emit(EventKind::WordIssue).number = int64_t(WordIssue::SkipLevel);
   emit(WordIssue::NumberInside, block_.addresses & maskOf('N'));
   emit(WordIssue::Special, block_.addresses & dialect_.known & ~dialect_.plain);
 }
@@ -362,6 +384,30 @@ void Execution::technologyWords() {
     }
     default:
       break;
+    }
+  }
+}
+
+/// Words that set something without a code: a limit of the speed, a position of the spindle.
+void Execution::settingWords() {
+  for (const Word &word : block_.words) {
+    const AddressMask mask = maskOf(word.address);
+    if (mask & dialect_.speedLimitWords) {
+      state_.speedLimit = value(word);
+      state_.set(Fact::SpeedLimitSet);
+    } else if (mask & dialect_.orientWords) {
+      state_.spindle = spindleOriented;
+      state_.set(Fact::OrientedSinceTool);
+      state_.set(Fact::SpindleStated);
+      state_.origin.spindle = originOf(word);
+    } else if (mask & dialect_.switchWords) {
+      const unsigned index = dialect_.addresses[word.address].switches;
+      const Interval v = value(word);
+      const uint32_t bit = 1u << index;
+      const bool off = v.isConstant() && v.value() == 0, on = v.isConstant() && !off;
+      state_.switchMay = off ? state_.switchMay & ~bit : state_.switchMay | bit;
+      state_.switchMust = on ? state_.switchMust | bit : state_.switchMust & ~bit;
+      state_.origin.switched[index] = originOf(word);
     }
   }
 }

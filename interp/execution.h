@@ -28,6 +28,8 @@ private:
   bool runsEmpty() const;
   void resolveCodes();
   void technologyWords();
+  void settingWords();
+  void unsetReads();
   void finish();
 
   // statements.cpp: Macro B
@@ -74,6 +76,7 @@ private:
   void storeCycleWords(bool fresh);
   void runCompound(const CodeUse &use);
   void endOfCall(const CodeInfo &code);
+  void contourProgram(const CodeUse &use, const WordSpec &spec);
   CodeIndex activeCycle() const;
 
   Origin originOf(const Word &word) const { return {file_, word.offset, block_.endOf(word)}; }

@@ -198,6 +198,9 @@ void Evaluator::step(const ExpressionOp &op) {
     stack_.push_back(Value::vacant());
     return;
   case Op::Variable:
+    if (outcome_ && op.value >= double(firstNamedVariable) &&
+        !state_.locals.has(uint64_t(op.value)) && !state_.commons.has(uint64_t(op.value)))
+      outcome_->emit(EventKind::UnsetRead).number = op.offset;
     stack_.push_back(readVariable(state_, int64_t(op.value)));
     return;
   case Op::ElementAt: {

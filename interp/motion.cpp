@@ -224,8 +224,9 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
 
 /// The facts that a move leaves behind.
 void Execution::afterMove(bool rapid, uint16_t axes) {
-  const uint64_t on = movedFacts | (rapid ? bitOf(Fact::AwayFromPart)
-                                          : bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
+  const uint64_t on =
+      movedFacts | (state_.must(Fact::InContour) ? bitOf(Fact::ContourBegun) : 0) |
+      (rapid ? bitOf(Fact::AwayFromPart) : bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
   state_.factsMust = (state_.factsMust | on) & ~off;
   state_.factsMay = (state_.factsMay | on) & ~off;
@@ -494,7 +495,7 @@ void Execution::moveAxes() {
   const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
   // An arc by its centre alone is a full circle: it ends where it starts.
   if (!axes && motion && isArc(motion->action) &&
-      (block_.hasAny(lettersMask("IJK")) || (motionCode_.word && block_.has(letterAddress('R')))))
+      (block_.hasAny(lettersMask("IJK")) || (motionCode_.word && block_.has(dialect_.arcRadius))))
     axes = planeAxes(dialect_, state_);
   if (!axes)
     return;

@@ -41,6 +41,8 @@ enum class Fact : uint8_t {
   SpindleStated,       ///< M03, M04 or M05 was executed
   SpindleStoppedByTap, ///< a rigid tapping cycle left the spindle standing
   CycleRan,            ///< the active cycle has run at least once
+  InContour,           ///< in a program that a milling cycle reads as a contour
+  ContourBegun,        ///< … behind its first position
   PoleSet,             ///< a pole for angle and radius was programmed
   PolarRadiusSet,      ///< the word that is the radius under polar input was programmed
   UnknownCode,         ///< a code without a table entry was executed: anything may have changed

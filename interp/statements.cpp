@@ -53,6 +53,8 @@ void Execution::define(const Item &item) {
 
 /// False when nothing behind the statements is executed.
 bool Execution::runItems(bool guardHolds) {
+  for (size_t i = 0; i < block_.items.size(); ++i)
+    outcome_.emit(EventKind::Statement).number = int64_t(i);
   Truth condition = Truth::Yes;
   bool conditional = false;
   for (size_t i = 0; i < block_.items.size(); ++i) {

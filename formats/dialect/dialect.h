@@ -303,6 +303,10 @@ struct AddressInfo {
   Axis axis = Axis::Count; ///< for axes and increments
   bool diameter = false;   ///< value is a diameter (X of a lathe)
   bool repeatable = false; ///< may stand more than once in a block
+  bool corner = false;     ///< asks for a chamfer or rounding to the next move
+  uint8_t switches = 0xFF; ///< index of the switch that a value other than zero turns on
+  double least = -std::numeric_limits<double>::infinity(); ///< of its values
+  double most = std::numeric_limits<double>::infinity();
   /// A length written without a decimal point may be scaled by the control.
   bool pointAdvised = false;
   std::string title;
@@ -336,6 +340,9 @@ struct Lexical {
 };
 
 struct Limits {
+  uint16_t blockLength = 0;    ///< characters; 0: not limited
+  uint16_t structureDepth = 0; ///< structures in each other; 0: not limited
+  uint16_t nameLength = 0;     ///< letters of a program's name; 0: not limited
   uint16_t mCodesPerBlock = 0; ///< 0: not limited
   uint16_t callDepth = 0;      ///< levels below the main program; 0: not documented
   uint16_t programDigitsMin = 1;
@@ -383,16 +390,28 @@ struct Dialect {
   llvm::StringMap<CodeIndex> keywords; ///< codes that are words of their own, in capitals
   std::vector<SwitchInfo> switches;
   std::vector<DetectMark> detect;
+  std::vector<std::string> readOnly;    ///< beginnings of names of variables that cannot be written
+  std::vector<std::string> machineData; ///< … that hold for every later program
+  std::vector<std::string> readAhead;   ///< … whose value the control reads too early
+  std::vector<std::string> mainExtensions;       ///< file name endings of main programs
+  std::vector<std::string> subprogramExtensions; ///< … and of subprograms
   std::vector<std::string> extensions; ///< file name endings that speak for it, without the dot
   llvm::StringMap<RuleOverride> rules;
-  llvm::StringMap<std::string> options; ///< options of the machine profile with their defaults
-  AddressMask axisWords = 0;            ///< all addresses of kind Axis and Increment
-  AddressMask incrementWords = 0;       ///< those of kind Increment
-  AddressMask polarWords = 0;           ///< those of kind Polar
-  AddressMask known = 0;                ///< all addresses of this control
-  AddressMask repeatable = 0;           ///< may stand more than once in a block
-  AddressMask whole = 0;                ///< take whole numbers
-  AddressMask pointAdvised = 0;         ///< in some code at least, a decimal point is advised
+  llvm::StringMap<std::string> options;     ///< options of the machine profile with their defaults
+  AddressMask axisWords = 0;                ///< all addresses of kind Axis and Increment
+  AddressMask incrementWords = 0;           ///< those of kind Increment
+  AddressMask polarWords = 0;               ///< those of kind Polar
+  AddressId arcRadius = letterAddress('R'); ///< the radius of an arc
+  AddressId arcAngle = noAddress;           ///< its opening angle
+  AddressMask speedLimitWords = 0;          ///< set the greatest speed of the spindle
+  AddressMask orientWords = 0;              ///< stop the spindle at an angle
+  AddressMask switchWords = 0;              ///< turn a switch on or off
+  AddressMask cornerWords = 0;              ///< ask for a chamfer or rounding
+  std::vector<std::string> flatControls;    ///< values of option `control` without structured flow
+  AddressMask known = 0;                    ///< all addresses of this control
+  AddressMask repeatable = 0;               ///< may stand more than once in a block
+  AddressMask whole = 0;                    ///< take whole numbers
+  AddressMask pointAdvised = 0;             ///< in some code at least, a decimal point is advised
   /// Axis words, codes and the words that always act by themselves (F, S, T, tool offsets).
   AddressMask plain = 0;
   /// File names and texts of the tables that this one was made of, base first: for `overlay`.

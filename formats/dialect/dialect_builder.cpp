@@ -45,6 +45,10 @@ void DialectBuilder::build() {
                         "cycleSurvivesMotion",
                         "emptyBlocksRun",
                         "endReturns",
+                        "variables",
+                        "flatControls",
+                        "mainExtensions",
+                        "subprogramExtensions",
                         "lexical",
                         "limits",
                         "options",
@@ -57,9 +61,9 @@ void DialectBuilder::build() {
   readHead();
   readLexical();
   readLimits();
+  readSwitches(); // addresses name them
   readAddresses();
   readGroups();
-  readSwitches();
   if (const Json *codes = in_.member(root_, "codes"); codes && in_.isObject(*codes)) {
     nameCodes(*codes);
     if (!in_.failed())
@@ -84,6 +88,22 @@ void DialectBuilder::readHead() {
   in_.read(root_, "cycleSurvivesMotion", dialect_.cycleSurvivesMotion);
   in_.read(root_, "emptyBlocksRun", dialect_.emptyBlocksRun);
   in_.read(root_, "endReturns", dialect_.endReturns);
+  if (const Json *list = in_.member(root_, "flatControls"))
+    dialect_.flatControls = in_.texts(*list);
+  if (const Json *list = in_.member(root_, "mainExtensions"))
+    dialect_.mainExtensions = in_.texts(*list);
+  if (const Json *list = in_.member(root_, "subprogramExtensions"))
+    dialect_.subprogramExtensions = in_.texts(*list);
+  if (const Json *variables = in_.member(root_, "variables")) {
+    in_.allowKeys(*variables, {"readOnly", "machineData", "readAhead"});
+    const auto list = [&](const char *key, std::vector<std::string> &target) {
+      if (const Json *names = in_.member(*variables, key))
+        target = in_.texts(*names);
+    };
+    list("readOnly", dialect_.readOnly);
+    list("machineData", dialect_.machineData);
+    list("readAhead", dialect_.readAhead);
+  }
   in_.readName(root_, "machine", "machine", machineNames(), dialect_.machine);
   for (const char *key : {"id", "title", "reader", "machine"})
     if (!in_.member(root_, key))
@@ -143,7 +163,11 @@ void DialectBuilder::readLimits() {
   const Json *limits = in_.member(root_, "limits");
   if (!limits)
     return;
-  in_.allowKeys(*limits, {"mCodesPerBlock", "callDepth", "programDigits", "reservedPrograms"});
+  in_.allowKeys(*limits, {"mCodesPerBlock", "callDepth", "programDigits", "reservedPrograms",
+                          "blockLength", "structureDepth", "nameLength"});
+  in_.readWhole(*limits, "blockLength", dialect_.limits.blockLength, 0, 10000);
+  in_.readWhole(*limits, "structureDepth", dialect_.limits.structureDepth, 0, 100);
+  in_.readWhole(*limits, "nameLength", dialect_.limits.nameLength, 0, 100);
   in_.readWhole(*limits, "mCodesPerBlock", dialect_.limits.mCodesPerBlock, 0, 100);
   in_.readWhole(*limits, "callDepth", dialect_.limits.callDepth, 0, 100);
   if (const Json *digits = in_.member(*limits, "programDigits")) {
@@ -232,7 +256,8 @@ void DialectBuilder::readAddresses() {
 }
 
 void DialectBuilder::readAddress(const std::string &name, const Json &value) {
-  in_.allowKeys(value, {"kind", "axis", "unit", "diameter", "repeatable", "pointAdvised", "title"});
+  in_.allowKeys(value, {"kind", "axis", "unit", "diameter", "repeatable", "pointAdvised", "arc",
+                        "corner", "does", "switch", "min", "max", "title"});
   if (name.size() > 1 && name[0] != ',') {
     if (!llvm::all_of(name, llvm::isAlnum))
       return in_.fail(value,
@@ -252,6 +277,36 @@ void DialectBuilder::readAddress(const std::string &name, const Json &value) {
   in_.read(value, "repeatable", info.repeatable);
   in_.read(value, "pointAdvised", info.pointAdvised);
   in_.read(value, "title", info.title);
+  in_.read(value, "corner", info.corner);
+  in_.read(value, "min", info.least);
+  in_.read(value, "max", info.most);
+  std::string does;
+  in_.read(value, "does", does);
+  const AddressMask own = maskOf(*address);
+  if (does == "speed-limit")
+    dialect_.speedLimitWords |= own;
+  else if (does == "spindle-orient")
+    dialect_.orientWords |= own;
+  else if (!does.empty())
+    in_.fail(value, "\"does\" is \"speed-limit\" or \"spindle-orient\"");
+  dialect_.cornerWords |= info.corner ? own : 0;
+  if (std::string id; in_.member(value, "switch")) {
+    in_.read(value, "switch", id);
+    for (size_t i = 0; i < dialect_.switches.size(); ++i)
+      if (dialect_.switches[i].id == id)
+        info.switches = uint8_t(i);
+    if (info.switches == 0xFF)
+      in_.fail(value, "unknown switch \"" + id + "\"");
+    dialect_.switchWords |= own;
+  }
+  std::string arc;
+  in_.read(value, "arc", arc);
+  if (arc == "radius")
+    dialect_.arcRadius = *address;
+  else if (arc == "angle")
+    dialect_.arcAngle = *address;
+  else if (!arc.empty())
+    in_.fail(value, "\"arc\" is \"radius\" or \"angle\"");
   bool moves = info.kind == AddressKind::Axis || info.kind == AddressKind::Increment;
   if (info.kind == AddressKind::Unknown)
     in_.fail(value, "an address needs its \"kind\"");

@@ -449,7 +449,7 @@ void Scanner::scanLetter() {
     if (letter == 'L') {
       Item item = itemAt(ItemKind::Call, begin);
       const llvm::StringRef name = identifier();
-      if (llvm::all_of(name.drop_front(), isNumberDigit)) {
+      if (llvm::all_of(name.drop_front(), isNumberDigit) && !isEquals(behindBlanks(name.end()))) {
         at_ = name.end();
         return scanCall(name, item);
       }
@@ -521,7 +521,8 @@ void Scanner::scanExtended(char letter, const char *begin) {
   // The first spindle is the one that words without a number speak of.
   if ((letter == 'S' || letter == 'M') && digits == "1")
     return scanValue(letterAddress(letter), begin);
-  if (letter == 'S' || letter == 'M' || letter == 'T' || letter == 'D' || letter == 'H') {
+  if (letter == 'S' || letter == 'M' || letter == 'T' || letter == 'D' || letter == 'H' ||
+      letter == 'L') {
     Item item = itemAt(ItemKind::Assignment, begin);
     item.nameBegin = item.begin;
     item.nameEnd = offset(digits.end());
@@ -721,6 +722,13 @@ void Scanner::scanName() {
     issue(SyntaxIssueKind::MissingEquals, begin, at_);
     return addWord(word, begin);
   }
+  // `XR1`: a variable behind its address, without the `=`.
+  if (name.size() > 2 && (name[1] | 32) == 'r' && isLetter(name[0]) &&
+      llvm::all_of(name.drop_front(2), isNumberDigit)) {
+    issue(SyntaxIssueKind::MissingEquals, begin, name.end());
+    at_ = begin + 1;
+    return scanValue(letterAddress(char(*begin & ~32)), begin);
+  }
   Item item = itemAt(ItemKind::Call, begin);
   at_ = name.end();
   scanCall(name, item);
@@ -839,8 +847,9 @@ void Scanner::scanArgument(Item &item, char separator, bool words) {
     word.flags = wordExpression;
     word.mantissa = opaque(begin, at_);
   } else {
-    const char *const behind =
-        (isNumberDigit(*at_) || *at_ == '-') && words ? readPlainNumber(at_, end_, word) : nullptr;
+    const char *const behind = (isNumberDigit(*at_) || *at_ == '-') && words
+                                   ? readPlainNumber<true>(at_, end_, word)
+                                   : nullptr;
     const char *const next = behind ? behindBlanks(behind) : nullptr;
     argument.kind = ArgumentKind::Expression;
     if (next && next < end_ && (*next == ')' || *next == ',')) {

@@ -12,7 +12,8 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     // A centre word of the wrong axis is another rule's business.
-    if (words.radius || words.hasCentre() || words.foreign || event.code == noCode)
+    if (words.radius || words.angle || words.hasCentre() ||
+        ctx.block().hasAny(ctx.dialect().polarWords) || words.foreign || event.code == noCode)
       return;
     const CodeUse *here = ctx.find({Action::ArcCw, Action::ArcCcw});
     const std::string &name = ctx.code(event).name;

@@ -8,11 +8,25 @@ class BlockCodeNotOnControl final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
+    const auto control = to.machine().option("control");
+    flat_ = control && llvm::is_contained(to.dialect().flatControls, control->str());
+    if (flat_)
+      to.on(EventKind::Statement);
     if (!to.dialect().lexical.incrementOperator)
       to.on(EventKind::Syntax);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement) {
+      const Item &item = ctx.block().items[size_t(event.number)];
+      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      if (item.kind == ItemKind::Structure || item.kind == ItemKind::Definition ||
+          item.kind == ItemKind::Parameters || item.kind == ItemKind::Declaration)
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}`: this control has no structured flow and no definitions",
+                          ctx.text(range));
+      return;
+    }
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     // `XI-4` reads as an X without a value and an I behind it.
@@ -30,6 +44,7 @@ public:
   }
 
 private:
+  bool flat_ = false; ///< the machine's control lacks what the larger ones of its family have
   static constexpr llvm::StringLiteral id{"block-code-not-on-control"};
 };
 

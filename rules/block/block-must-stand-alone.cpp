@@ -7,12 +7,15 @@ namespace {
 class BlockMustStandAlone final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return code.alone || llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement)
+      return atStatement(ctx.block().items[size_t(event.number)], size_t(event.number), ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if (!code.alone)
@@ -20,6 +23,8 @@ public:
     AddressMask own = code.takes;
     for (const WordSpec &spec : code.words)
       own |= spec.any;
+    if (ctx.block().has(argumentAddress))
+      own |= maskOf(argumentAddress);
     for (const Word &word : ctx.block().words) {
       if (&word == event.word || own & maskOf(word.address))
         continue;
@@ -34,6 +39,30 @@ public:
   }
 
 private:
+  /// Calls by name, brackets of structured flow and jumps without a condition share their block
+  /// with nothing.
+  static void atStatement(const Item &item, size_t index, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const bool jump = item.kind == ItemKind::Jump && item.jump != JumpKind::ByValue &&
+                      item.jump != JumpKind::BySign && item.arguments &&
+                      (index == 0 || block.items[index - 1].kind != ItemKind::If);
+    const bool call = item.kind == ItemKind::Call && !item.modal;
+    const bool bracket = item.kind == ItemKind::Structure;
+    if (!jump && !call && !bracket)
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const bool marked = bracket && (block.hasLabel() || block.skip >= 0);
+    if (block.words.empty() && block.items.size() == 1 && !marked)
+      return;
+    if (auto finding = ctx.report(range))
+      finding.message(marked
+                          ? "`{0}` carries a label or a skip mark, which a bracket of structured "
+                            "flow may not have"
+                          : "`{0}` shares its block with other words: it wants a block of its "
+                            "own",
+                      ctx.text(range));
+  }
+
   /// The code goes into a block in front of this one, with the words that belong to it.
   static void moveOut(FindingBuilder &finding, const Word &code, AddressMask own,
                       const RuleContext &ctx) {

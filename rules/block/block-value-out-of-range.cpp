@@ -1,6 +1,10 @@
 // A value outside of what its code takes.
 #include "analyzer/word_checks.h"
 
+#include "llvm/ADT/StringExtras.h"
+
+#include <cmath>
+
 namespace ncvet {
 namespace {
 
@@ -11,6 +15,12 @@ bool isMine(const CodeInfo &code, const WordSpec &spec) {
 class BlockValueOutOfRange final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    for (const AddressInfo &address : to.dialect().addresses)
+      ranged_ |= std::isfinite(address.least) || std::isfinite(address.most);
+    to.on(EventKind::WordIssue);
+    if (ranged_)
+      to.on(
+          {EventKind::ToolWord, EventKind::OffsetWord, EventKind::SpeedWord, EventKind::FeedWord});
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::ZoneOn || !code.excludes.empty() ||
              llvm::any_of(code.words, [&](const WordSpec &spec) { return isMine(code, spec); }) ||
@@ -19,6 +29,10 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::WordIssue)
+      return skipLevel(event, ctx);
+    if (event.kind != EventKind::Code)
+      return ofAddress(event, ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     const AddressMask whole = ctx.dialect().whole;
@@ -34,6 +48,30 @@ public:
   }
 
 private:
+  /// What the address takes whatever stands beside it.
+  static void ofAddress(const Event &event, RuleContext &ctx) {
+    const AddressInfo &address = ctx.dialect().addresses[event.word->address];
+    if (!(event.value.hi < address.least) && !(event.value.lo > address.most))
+      return;
+    if (auto finding = ctx.report(*event.word))
+      finding.message("`{0}` ({1}) is not from {2} to {3}", ctx.text(*event.word), address.title,
+                      llvm::formatv("{0}", llvm::format("%g", address.least)),
+                      llvm::formatv("{0}", llvm::format("%g", address.most)));
+  }
+
+  static void skipLevel(const Event &event, RuleContext &ctx) {
+    if (WordIssue(event.number) != WordIssue::SkipLevel)
+      return;
+    const Block &block = ctx.block();
+    const llvm::StringRef text = ctx.source().text(block.begin, block.end).ltrim();
+    const auto begin = uint32_t(text.data() - ctx.source().text().data());
+    const auto length = uint32_t(text.drop_front().take_while(llvm::isDigit).size() + 1);
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), begin, begin + length}))
+      finding.message("`/{0}` is no level of block skip: the control has / to /{1}",
+                      int(block.skip), int(ctx.dialect().lexical.skipLevels));
+  }
+
+  bool ranged_ = false;
   static constexpr llvm::StringLiteral id{"block-value-out-of-range"};
 
   /// The limits of a working-space zone: X Y Z are the upper ones, I J K the lower ones.

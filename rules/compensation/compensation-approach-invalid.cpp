@@ -8,10 +8,14 @@ class CompensationApproachInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CompensationKeep, Action::CompensationCorner});
+    to.onNotices(id);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const CodeInfo &code = ctx.code(event);
+    ctx.reportNotices(id, event);
+    if (code.action != Action::CompensationKeep && code.action != Action::CompensationCorner)
+      return;
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     if (active == Truth::No) {
       if (auto finding = ctx.report(event, !ctx.after().may(Fact::UnknownCode)))
@@ -26,6 +30,7 @@ public:
   }
 
 private:
+  static constexpr llvm::StringLiteral id{"compensation-approach-invalid"};
   static void keep(const CodeInfo &code, const Event &event, RuleContext &ctx) {
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (!motion || !isArc(motion->action))

@@ -9,7 +9,9 @@ public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::ReferenceReturn, Action::ReferenceCheck, Action::ReferenceFrom,
                  Action::DataInput, Action::LocalShift, Action::PresetPosition, Action::MachineMove,
-                 Action::Inch, Action::Metric, Action::WorkOffset, Action::Thread, Action::Cycle});
+                 Action::Inch, Action::Metric, Action::WorkOffset, Action::Thread, Action::Cycle,
+                 Action::FrameSet, Action::FrameAdd, Action::FrameClear});
+    to.onCode([](const CodeInfo &code) { return code.name == "STOPRE"; });
     cycles_ = to.option("cycles", 0) != 0;
   }
 

@@ -9,16 +9,40 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Block, EventKind::Motion});
     allowed_ = unsigned(to.option("allowed", 1));
+    infeeds_ = unsigned(to.option("infeeds", 0));
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Motion)
       zeroMove(event, ctx);
-    else
+    else {
       idle(ctx);
+      if (infeeds_)
+        infeed(ctx);
+    }
   }
 
 private:
+  /// Moves of the infeed axis alone, one behind the other: the path has no next corner to turn to.
+  void infeed(RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const uint16_t axes = axesOf(ctx.dialect(), ctx.block());
+    const bool alone = axes == uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state))) &&
+                       (state.compensation & (phaseOn | phaseStarting)) && state.profile != 1;
+    const bool follows = ctx.block().begin == behindInfeed_;
+    inARow_ = alone ? follows ? inARow_ + 1 : 1 : 0;
+    behindInfeed_ = alone ? ctx.block().next : ~0u;
+    if (inARow_ != infeeds_ + 1)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), state.compensation == phaseOn ||
+                                                        state.compensation == phaseStarting))
+      finding
+          .message("{0} moves of the infeed axis alone in a row under {1}: the control loses the "
+                   "contour",
+                   inARow_, name(ctx))
+          .note(state.origin.compensation, "compensation is switched on here");
+  }
+
   void idle(RuleContext &ctx) {
     const MachineState &state = ctx.after();
     if (state.compensation != phaseOn || state.profile == 1 || state.idleBlocks != allowed_ + 1 ||
@@ -101,6 +125,9 @@ private:
   }
 
   unsigned allowed_ = 1;
+  unsigned infeeds_ = 0;        ///< moves of the infeed axis alone that may follow each other
+  uint32_t behindInfeed_ = ~0u; ///< behind the last block that was one
+  unsigned inARow_ = 0;
 };
 
 } // namespace

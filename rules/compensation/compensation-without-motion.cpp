@@ -7,6 +7,8 @@ namespace {
 class CompensationWithoutMotion final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    cancelAlone_ = to.option("cancelAlone", 0) != 0;
+    anyPlane_ = to.option("anyPlane", 0) != 0;
     to.onChange({EventKind::Block});
     to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
   }
@@ -19,16 +21,26 @@ public:
   }
 
 private:
-  static bool movesInPlane(RuleContext &ctx) {
-    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+  bool cancelAlone_ = false; ///< the control wants its G40 without a move
+  bool anyPlane_ = false;    ///< the machine's builder decides which plane holds at power-on
+
+  bool movesInPlane(RuleContext &ctx) const {
+    // No plane was stated: it may be any.
+    constexpr uint16_t space =
+        1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y) | 1u << unsigned(Axis::Z);
+    const bool stated =
+        !anyPlane_ || ctx.after().active(ctx.dialect(), StandardGroup::Plane) != groupUnset;
+    const uint16_t plane = stated ? planeAxes(ctx.dialect(), ctx.after()) : space;
     return llvm::any_of(ctx.outcome().events, [&](const Event &e) {
       return e.kind == EventKind::Motion && (e.axes & plane);
     });
   }
 
-  static void atCode(const Event &event, RuleContext &ctx) {
+  void atCode(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
+    if (off && cancelAlone_)
+      return;
     const uint8_t before = ctx.before().compensation, after = ctx.after().compensation;
     const uint8_t waiting = off ? phaseEnding : phaseStarting;
     if (!(after & waiting) || (off ? !(before & phaseOn) : (before & phaseOn)) || movesInPlane(ctx))
@@ -46,7 +58,7 @@ private:
 
   /// Called under compensation, the program's first block has to move in the plane: the call is a
   /// block without a move already.
-  static void atSubprogramStart(RuleContext &ctx) {
+  void atSubprogramStart(RuleContext &ctx) {
     if (ctx.callDepth() == 0 || ctx.before().compensation != phaseOn || ctx.before().profile != 0 ||
         ctx.before().idleBlocks == 0 || movesInPlane(ctx))
       return;

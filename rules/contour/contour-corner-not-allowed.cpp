@@ -85,7 +85,8 @@ private:
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     constexpr uint16_t linear =
         1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y) | 1u << unsigned(Axis::Z);
-    if ((event.axes & linear) && !(event.axes & plane)) {
+    if ((event.axes & linear) && !(event.axes & plane) &&
+        ctx.after().active(ctx.dialect(), StandardGroup::Plane) != groupUnset) {
       if (auto finding = ctx.report(word))
         finding.message("`{0}` asks for a corner in a move outside of the selected plane",
                         ctx.text(word));

@@ -7,13 +7,15 @@ namespace {
 class CoordinatePolarInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::Polar) != noGroup)
+    if (to.dialect().group(StandardGroup::Polar) != noGroup || to.dialect().polarWords)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     const Dialect &dialect = ctx.dialect();
+    if (ctx.block().hasAny(dialect.polarWords))
+      return byWords(event, ctx);
     if (event.number || event.motion == MotionKind::Reference ||
         after.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
       return;
@@ -61,6 +63,39 @@ public:
       return;
     }
   }
+
+private:
+  /// An end point by words for angle and radius.
+  void byWords(const Event &event, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const Word *const polar = ctx.block().findAny(dialect.polarWords);
+    for (const Word &word : ctx.block().words) {
+      if (!(dialect.polarWords & maskOf(word.address)))
+        continue;
+      const Interval value = ctx.value(word);
+      if (dialect.addresses[word.address].unit == AddressUnit::Length && value.hi < 0)
+        if (auto finding = ctx.report(word))
+          finding.message("`{0}`: a radius is not negative", ctx.text(word));
+    }
+    const uint16_t plane = planeAxes(dialect, ctx.after());
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = dialect.addresses[word.address];
+      if (address.kind == AddressKind::Axis && (plane >> unsigned(address.axis) & 1))
+        if (auto finding = ctx.report(word))
+          finding.message("`{0}` beside `{1}`: an end point is given by angle and radius or by "
+                          "coordinates, not by both",
+                          ctx.text(word), ctx.text(*polar));
+    }
+    if (ctx.before().may(Fact::PoleSet) || ctx.before().may(Fact::UnknownCode) || noPole_)
+      return;
+    noPole_ = true;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("no pole was programmed for `{0}`: it counts from the workpiece zero",
+                   ctx.text(*polar));
+  }
+
+  bool noPole_ = false; ///< said once
 };
 
 } // namespace

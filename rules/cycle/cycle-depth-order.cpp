@@ -8,11 +8,16 @@ namespace {
 
 class CycleDepthOrder final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::CycleStart, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::CycleStart, EventKind::CycleRun});
+    to.onNotices(id);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode)
       return;
+    if (event.kind == EventKind::Code)
+      return ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if (!makesHole(code.cycle))
       return;
@@ -71,6 +76,8 @@ public:
   }
 
 private:
+  static constexpr llvm::StringLiteral id{"cycle-depth-order"};
+
   /// Planes that are parameters: the return plane, and the surface when it is known to be zero.
   static void planes(const Event &event, const CodeInfo &code, double start, double depth,
                      RuleContext &ctx) {

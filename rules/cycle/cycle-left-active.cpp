@@ -8,8 +8,9 @@ class CycleLeftActive final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun});
-    to.onCode(
-        [](const CodeInfo &code) { return code.action == Action::Cycle && code.group == noGroup; });
+    to.onCode([](const CodeInfo &code) {
+      return code.action == Action::Cycle && code.group == noGroup && !code.arguments;
+    });
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -10,12 +10,15 @@ class CycleStepoverTooWide final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
+    to.onNotices(id);
     stepUnit_ = to.option("stepUnit", 1);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode)
       return;
+    if (event.kind == EventKind::Code)
+      return ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     const bool face = code.cycle == CycleKind::GrooveFace;
     if (!face && code.cycle != CycleKind::GrooveRadial)
@@ -61,6 +64,7 @@ public:
   }
 
 private:
+  static constexpr llvm::StringLiteral id{"cycle-stepover-too-wide"};
   double stepUnit_ = 1;
 };
 

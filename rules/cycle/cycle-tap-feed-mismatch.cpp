@@ -10,11 +10,14 @@ class CycleTapFeedMismatch final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
+    to.onNotices(id);
     leastPitch_ = to.option("leastPitch", 0.05);
     greatestPitch_ = to.option("greatestPitch", 12);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code)
+      return ctx.reportNotices(id, event);
     if (event.code == noCode || !taps(ctx.code(event).cycle))
       return;
     const Dialect &dialect = ctx.dialect();
@@ -100,6 +103,7 @@ public:
   }
 
 private:
+  static constexpr llvm::StringLiteral id{"cycle-tap-feed-mismatch"};
   static std::string text(double value) {
     return llvm::formatv("{0}", llvm::format("%.4g", value)).str();
   }

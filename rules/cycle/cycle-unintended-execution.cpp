@@ -15,10 +15,23 @@ class CycleUnintendedExecution final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
+    for (const CodeInfo &code : to.dialect().codes)
+      waits_ |= code.waits;
+    if (waits_)
+      to.on(EventKind::ToolChange);
     farFactor_ = to.option("farFactor", 1.5);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::ToolChange) {
+      if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
+        if (auto finding = ctx.report(event))
+          finding
+              .message("the tool changes while a modal call is on: the way to the change and back "
+                       "runs the cycle")
+              .note(ctx.before().origin.cycle, "the modal call begins here");
+      return;
+    }
     if (event.code == noCode || ctx.block().words.empty())
       return;
     const CodeInfo &code = ctx.code(event);
@@ -242,6 +255,7 @@ private:
   }
 
   double farFactor_ = 1.5;
+  bool waits_ = false; ///< modal calls, which only an own word ends
 };
 
 } // namespace

@@ -11,6 +11,7 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     // Only the first cut: it is the same mistake in all that follow.
     if (event.code == noCode || ctx.after().must(Fact::FeedSet) || ctx.before().must(Fact::Cut) ||
+        ctx.before().must(Fact::InContour) || // the cycle has feeds of its own
         ctx.after().may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);

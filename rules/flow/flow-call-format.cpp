@@ -6,9 +6,15 @@ namespace {
 
 class FlowCallFormat final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onAction({Action::CallLocal}); }
+  void listen(Subscriptions &to) override {
+    to.onAction({Action::CallLocal});
+    to.onNotices("flow-call-format");
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    ctx.reportNotices("flow-call-format", event);
+    if (ctx.code(event).action != Action::CallLocal)
+      return;
     const Block &block = ctx.block();
     const Word *number = block.find('N');
     if (block.has(letterAddress('P')) || !number || !number->isNumber())

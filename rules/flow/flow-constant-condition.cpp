@@ -12,12 +12,36 @@ public:
   void on(const Event &, RuleContext &ctx) override {
     const Block &block = ctx.block();
     for (const Item &item : block.items)
-      if ((item.kind == ItemKind::If || item.kind == ItemKind::While) &&
-          item.condition < block.expressions.size())
+      if (item.kind == ItemKind::Structure && item.structure == Structure::For)
+        empty(item, ctx);
+      else if ((item.kind == ItemKind::If || item.kind == ItemKind::While ||
+                (item.kind == ItemKind::Structure && item.structure != Structure::Until)) &&
+               item.condition < block.expressions.size())
         check(block.expressions[item.condition], item, ctx);
   }
 
 private:
+  /// FOR counts upwards only.
+  static void empty(const Item &item, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const auto constant = [&](uint16_t index) -> std::optional<double> {
+      if (index >= block.expressions.size())
+        return std::nullopt;
+      const Expression &e = block.expressions[index];
+      for (uint32_t i = 0; i < e.count; ++i)
+        if (block.operations[e.first + i].op == Op::Variable)
+          return std::nullopt;
+      const Value value = evaluate(block, index, ctx.before(), nullptr);
+      return value.isConstant() ? std::optional(value.number.value()) : std::nullopt;
+    };
+    const auto first = constant(item.value), last = constant(item.limit);
+    if (!first || !last || *first <= *last)
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` never runs: it counts upwards by one", ctx.text(range));
+  }
+
   /// Only what no variable decides: a parameter that is set at the program's head is there to be
   /// changed. `WHILE [1 EQ 1]` is the usual way to write a loop that is left by a jump.
   static void check(const Expression &condition, const Item &item, RuleContext &ctx) {
@@ -30,7 +54,9 @@ private:
           op.op == Op::Opaque || op.op == Op::Vacant || op.op == Op::Unknown)
         return;
     const Truth truth = truthOf(evaluate(ctx.block(), item.condition, ctx.before(), nullptr));
-    if (truth == Truth::Unknown || (item.kind == ItemKind::While && truth == Truth::Yes))
+    if (truth == Truth::Unknown ||
+        ((item.kind == ItemKind::While || item.structure == Structure::While) &&
+         truth == Truth::Yes))
       return;
     const SourceRange range{ctx.source().id(), condition.begin, condition.end};
     if (auto finding = ctx.report(range))

@@ -6,9 +6,45 @@ namespace {
 
 class FlowNestingTooDeep final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+  void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    const unsigned most = ctx.dialect().limits.structureDepth;
+    if (!most || !structures_)
+      return;
+    unsigned depth = 0;
+    Block block;
+    for (uint32_t at = file.reader.first(); at < file.source.text().size(); at = block.next) {
+      file.reader.read(at, block);
+      for (const Item &item : block.items) {
+        if (item.kind != ItemKind::Structure)
+          continue;
+        switch (item.structure) {
+        case Structure::If:
+        case Structure::While:
+        case Structure::For:
+        case Structure::Loop:
+        case Structure::Repeat:
+          if (++depth == most + 1)
+            if (auto finding = ctx.report(SourceRange{file.source.id(), item.begin, item.end}))
+              finding.message("this is structure {0} in another, the control follows {1}: it stops "
+                              "here",
+                              depth, most);
+          break;
+        case Structure::Else:
+          break;
+        default:
+          depth -= depth > 0;
+        }
+      }
+    }
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement) {
+      structures_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Structure;
+      return;
+    }
     if (FlowIssue(event.number) != FlowIssue::TooDeep)
       return;
     auto finding = ctx.report(ctx.flowRange(), event.certain);
@@ -17,6 +53,9 @@ public:
     finding.message("`{0}` is call level {1}, the control follows {2}: it stops here",
                     ctx.text(ctx.flowRange()), ctx.callDepth() + 1, ctx.dialect().limits.callDepth);
   }
+
+private:
+  bool structures_ = false;
 };
 
 } // namespace

@@ -11,6 +11,12 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     if (FlowIssue(event.number) != FlowIssue::EndInSubprogram)
       return;
+    if (ctx.dialect().endReturns) {
+      if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+        finding.message("`{0}` in a called program only returns here: M17 says so",
+                        ctx.text(ctx.flowRange()));
+      return;
+    }
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding
           .message("`{0}` in a called program ends the whole job, not only this program",

@@ -1,5 +1,6 @@
 // The repeat count of a call is not a whole number of runs.
 #include "analyzer/rule.h"
+#include "interp/expression.h"
 
 #include <cmath>
 
@@ -10,9 +11,14 @@ class FlowRepeatCount final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CallProgram, Action::CallLocal, Action::MacroCall});
+    to.on(EventKind::Statement);
+    usual_ = to.option("usual", 0);
+    greatest_ = to.option("greatest", 0);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement)
+      return atStatement(ctx.block().items[size_t(event.number)], ctx);
     const Word *count = ctx.block().find('L');
     if (!count || count->has(wordNoValue))
       return;
@@ -32,6 +38,35 @@ public:
                       none ? "the control makes none, or one all the same"
                            : "it has to be a whole number from 1 on");
   }
+
+private:
+  /// A call by name, or a section that is repeated.
+  void atStatement(const Item &item, RuleContext &ctx) const {
+    if ((item.kind != ItemKind::Call && item.kind != ItemKind::Repeat) ||
+        item.count == noExpression)
+      return;
+    const Expression &count = ctx.block().expressions[item.count];
+    const Value value = evaluate(ctx.block(), item.count, ctx.before(), nullptr);
+    if (!value.isConstant())
+      return;
+    const double runs = value.number.value();
+    const bool plain = count.count == 1;
+    const SourceRange range{ctx.source().id(), count.begin, count.end};
+    const bool none = runs < 1 && (plain || runs < 0);
+    const bool broken = none || runs != std::floor(runs) || (greatest_ > 0 && runs > greatest_);
+    if (!broken && (usual_ == 0 || runs <= usual_))
+      return;
+    if (auto finding = ctx.report(range)) {
+      finding.message(none     ? "`{0}` is no number of runs: it has to be 1 at least"
+                      : broken ? "`{0}` is no number of runs that the control makes"
+                               : "`{0}` runs are more than is usual: smaller controls refuse it",
+                      ctx.text(range));
+      if (!broken)
+        finding.severity(Severity::Warning);
+    }
+  }
+
+  double usual_ = 0, greatest_ = 0; ///< 0: not limited
 };
 
 } // namespace

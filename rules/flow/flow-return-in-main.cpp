@@ -14,12 +14,18 @@ public:
       return;
     // Macros have numbers of their own range; their callers may be anywhere.
     constexpr int64_t firstMacro = 8000;
-    if (ctx.index().programAt(ctx.block().begin).number >= firstMacro)
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const bool named = !ctx.dialect().mainExtensions.empty();
+    if (program.number >= firstMacro || (named && program.kind != ProgramKind::Main))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding
-          .message("`{0}` in a program that nobody calls: it starts again from the top without end",
-                   ctx.text(ctx.flowRange()))
+          .message(
+              named ? "`{0}` ends a main program: it is the end of a subprogram, and M30 that of "
+                      "a main program"
+                    : "`{0}` in a program that nobody calls: it starts again from the top without "
+                      "end",
+              ctx.text(ctx.flowRange()))
           .fix(FixSafety::Unsafe, "write `M30`", ctx.replace(ctx.flowRange(), "M30"));
   }
 };

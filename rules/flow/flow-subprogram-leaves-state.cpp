@@ -9,6 +9,7 @@ class FlowSubprogramLeavesState final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CallReturned);
+    atCause_ = to.option("atCause", 0) != 0;
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Distance, StandardGroup::Plane, StandardGroup::Units,
                           StandardGroup::WorkOffset, StandardGroup::FeedMode, StandardGroup::Polar,
@@ -27,6 +28,8 @@ public:
         changes.groups |= uint64_t(1) << i;
     if (!changes.any())
       return;
+    if (atCause_)
+      return atCause(changes, ctx);
     SourceRange user;
     const ModeChanges relied = firstReliance(ctx, changes, user);
     if (!relied.any())
@@ -43,6 +46,21 @@ public:
   }
 
 private:
+  /// Reported where the called program changes the mode, whether or not the caller notices.
+  static void atCause(const ModeChanges &changes, RuleContext &ctx) {
+    for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i) {
+      const Origin &origin = ctx.after().origin.group[i];
+      if (!(changes.groups >> i & 1) || !origin.known())
+        continue;
+      if (auto finding = ctx.report(origin.range()))
+        finding
+            .message("the {0} is set here and not set back: the caller goes on with it",
+                     ctx.dialect().groups[i].title)
+            .note(ctx.blockRange(), "called here");
+    }
+  }
+
+  bool atCause_ = false;
   uint64_t watched_ = 0;
 };
 

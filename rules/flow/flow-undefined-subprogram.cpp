@@ -21,6 +21,10 @@ public:
     // A macro of the control itself is not part of any folder of programs.
     const bool builtIn =
         flow.macro && flow.target.isConstant() && flow.target.number.value() >= firstProtected;
+    // A subprogram may belong to a set of the machine's builder, which lies on the control.
+    if (flow.kind == FlowKind::CallNamed &&
+        ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
+      return;
     auto finding = ctx.report(ctx.flowRange(), event.certain && !builtIn);
     if (!finding)
       return;

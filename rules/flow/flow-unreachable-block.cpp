@@ -23,7 +23,7 @@ SourceRange contentOf(const Block &block, const SourceFile &source) {
 
 class FlowUnreachableBlock final : public Rule {
 public:
-  void listen(Subscriptions &) override {}
+  void listen(Subscriptions &to) override { behindEnd_ = to.option("behindEnd", 0) != 0; }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     if (!file.complete)
@@ -33,16 +33,20 @@ public:
   }
 
 private:
+  bool behindEnd_ = false; ///< … of the program too, which is another rule's business elsewhere
+
   /// Reports what stands behind the end of a section that is executed, when it ends with a return
   /// or a jump. What stands behind a program end is another rule's business, and a section that
   /// nothing in front of it leads around was not analysed at all.
-  static void check(const FileSummary &file, const SourceRange &reached, RuleContext &ctx) {
+  void check(const FileSummary &file, const SourceRange &reached, RuleContext &ctx) {
     const ProgramInfo &program = file.index.programAt(reached.end - 1);
     if (reached.end >= program.end)
       return;
     Block block;
     readBlockAt(file.source, file.reader, reached.end - 1, block);
-    if (block.skip >= 0 || !leadsAway(block, ctx.dialect()))
+    const bool ends = behindEnd_ && findCode(ctx.dialect(), block,
+                                             {Action::ProgramEnd, Action::ProgramEndRewind});
+    if (block.skip >= 0 || !(ends || leadsAway(block, ctx.dialect())))
       return;
     for (uint32_t at = reached.end; at < program.end; at = std::max(block.next, at + 1)) {
       file.reader.read(at, block);
@@ -57,8 +61,9 @@ private:
 
   /// `END1` behind a jump out of the loop: nothing is lost.
   static bool onlyEndsLoop(const Block &block) {
-    return block.words.empty() &&
-           llvm::all_of(block.items, [](const Item &item) { return item.kind == ItemKind::End; });
+    return block.words.empty() && llvm::all_of(block.items, [](const Item &item) {
+             return item.kind == ItemKind::End || item.kind == ItemKind::Structure;
+           });
   }
 
   static bool leadsAway(const Block &block, const Dialect &dialect) {

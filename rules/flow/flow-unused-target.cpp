@@ -24,10 +24,33 @@ public:
                   ctx.report(SourceRange{file.source.id(), program.headerBegin, program.headerEnd}))
             finding.message("nothing calls program {0}", program.number);
     for (const ProgramInfo &program : programs)
+      labels(file, program, ctx);
+    for (const ProgramInfo &program : programs)
       localSections(file, program, ctx);
   }
 
 private:
+  /// Labels that nothing jumps to.
+  static void labels(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
+    constexpr uint32_t readable = 4u << 20; // a program that long was made by a machine
+    if (!ctx.dialect().lexical.commaSeparates || program.end - program.begin > readable)
+      return; // no labels there
+    Block block;
+    for (const auto &label : file.index.labels(program)) {
+      if (label.getKey() == ctx.dialect().lexical.endLabel ||
+          llvm::is_contained(file.usedLabels, label.getKey().str()))
+        continue;
+      for (const uint32_t at : label.getValue()) {
+        file.reader.read(at, block);
+        if (!file.isReached(at))
+          continue;
+        const SourceRange range{file.source.id(), block.labelBegin, block.labelEnd};
+        if (auto finding = ctx.report(range))
+          finding.message("nothing leads to the label `{0}`", ctx.text(range));
+      }
+    }
+  }
+
   static bool endsWithReturn(const FileSummary &file, const ProgramInfo &program,
                              const Dialect &dialect) {
     Block block;

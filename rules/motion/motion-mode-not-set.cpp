@@ -6,9 +6,14 @@ namespace {
 
 class MotionModeNotSet final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion}); }
+  void listen(Subscriptions &to) override {
+    to.onChange({EventKind::Motion});
+    implicit_ = to.option("implicit", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (implicit_ && !reported_)
+      return powerOn(event, ctx);
     // Only where the power-on mode is not documented and nothing at all was stated.
     if (event.code != noCode || event.motion == MotionKind::Reference || reported_ ||
         ctx.dialect().group(StandardGroup::Motion) == noGroup ||
@@ -29,6 +34,24 @@ public:
   }
 
 private:
+  /// The power-on mode is documented, and it feeds: whoever leaves the code out rarely knows.
+  void powerOn(const Event &event, RuleContext &ctx) {
+    const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
+    const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
+    if (group == noGroup || (ctx.after().statedMay >> group & 1) || !word || event.number ||
+        event.motion == MotionKind::Reference || ctx.after().may(Fact::UnknownCode) ||
+        event.code == noCode || ctx.callDepth() > 0 || ctx.before().profile)
+      return;
+    reported_ = true;
+    if (auto finding = ctx.report(*word))
+      finding
+          .message("`{0}` stands before any motion code: it runs as `{1}`", ctx.text(*word),
+                   ctx.code(event).name)
+          .fix(FixSafety::Unsafe, "write `G0` in front of it",
+               ctx.insertBefore(word->offset, "G0 "));
+  }
+
+  bool implicit_ = false;
   bool reported_ = false; ///< the blocks behind it say the same thing again
 };
 

@@ -7,12 +7,19 @@ namespace {
 class MotionUselessMove final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().isLathe())
+    zero_ = to.option("zero", 0) != 0;
+    if (zero_)
+      to.onMoves({MotionKind::Rapid, MotionKind::Feed});
+    else if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
     margin_ = to.option("margin", 10);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (zero_)
+      nowhere(event, ctx);
+    if (event.motion != MotionKind::Rapid)
+      return;
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
     if (event.number || !event.axes || (event.axes & ~plane))
       return;
@@ -33,6 +40,24 @@ public:
   }
 
 private:
+  /// A feed move of coordinates alone that ends where it begins.
+  static void nowhere(const Event &event, RuleContext &ctx) {
+    if (event.motion != MotionKind::Feed || event.number || event.code == noCode || !event.axes ||
+        (ctx.block().addresses & ~ctx.dialect().axisWords) || ctx.before().profile ||
+        ctx.after().compensation != phaseOff)
+      return;
+    for (unsigned i = 0; i < axisCount; ++i)
+      if ((event.axes >> i & 1) && (!ctx.before().position[i].isConstant() ||
+                                    !(ctx.before().position[i] == ctx.after().position[i]) ||
+                                    (ctx.before().machineAxes >> i & 1)))
+        return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Style)
+          .message("this block moves nothing: the tool stands there already");
+  }
+
+  bool zero_ = false;
+
   /// Whether the next block that does more than switch something changes the tool.
   static bool changesToolNext(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();

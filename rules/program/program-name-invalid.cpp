@@ -7,13 +7,30 @@ namespace {
 class ProgramNameInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    names_ = to.dialect().limits.nameLength;
+    if (names_)
+      to.on({EventKind::Return, EventKind::Statement});
     digitsMin_ = to.dialect().limits.programDigitsMin;
     digitsMax_ = to.dialect().limits.programDigitsMax;
     percent_ = to.dialect().lexical.percentHeader;
     nameLength_ = size_t(to.option("fileNameLength", 0));
   }
 
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Return)
+      return atReturn(ctx);
+    const Item &item = ctx.block().items[size_t(event.number)];
+    if (item.kind != ItemKind::Definition)
+      return;
+    const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
+    if (const char *why = wrongName(ctx.text(range)))
+      if (auto finding = ctx.report(range))
+        finding.message("`{0}` is no name for a variable: {1}", ctx.text(range), why);
+  }
+
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (names_)
+      return named(file, ctx);
     for (const ProgramInfo &program : file.index.programs())
       if (program.hasHeader())
         header(program, file, ctx);
@@ -22,6 +39,75 @@ public:
   }
 
 private:
+  /// What is wrong with a name of letters, digits and `_`; null: nothing.
+  static const char *wrongName(llvm::StringRef name) {
+    const auto letter = [](char c) { return llvm::isAlpha(c) || c == '_'; };
+    if (name.size() < 2 || !letter(name[0]) || !letter(name[1]))
+      return "it has to begin with two letters";
+    return nullptr;
+  }
+
+  /// Programs with names: the header's, and the file's that holds it.
+  void named(const FileSummary &file, RuleContext &ctx) {
+    const auto programs = file.index.programs();
+    for (const ProgramInfo &program : programs) {
+      if (!program.hasHeader())
+        continue;
+      const SourceRange range{file.source.id(), program.headerBegin, program.headerEnd};
+      const bool numbered = llvm::StringRef(program.name).startswith("L") &&
+                            llvm::all_of(program.name.substr(1), llvm::isDigit);
+      if (const char *why = numbered ? nullptr : wrongName(program.name)) {
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` is no name for a program: {1}", program.name, why);
+      } else if (program.name.size() > names_) {
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` has {1} characters, and the control takes {2}", program.name,
+                          program.name.size(), names_);
+      }
+    }
+    if (programs.size() != 1 || !programs[0].hasHeader())
+      return;
+    // A file of one program carries its name.
+    const std::string shown = file.source.display();
+    llvm::StringRef name = shown;
+    name = name.substr(name.rfind('/') + 1);
+    const auto [stem, ending] = name.rsplit('.');
+    const SourceRange range{file.source.id(), programs[0].headerBegin, programs[0].headerEnd};
+    const llvm::StringRef text = ctx.text(range);
+    const bool otherKind =
+        (ending.equals_insensitive("MPF") && text.endswith_insensitive("_SPF")) ||
+        (ending.equals_insensitive("SPF") && text.endswith_insensitive("_MPF"));
+    if ((!ending.equals_insensitive("MPF") && !ending.equals_insensitive("SPF")) ||
+        (stem.equals_insensitive(programs[0].name) && !otherKind))
+      return;
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` stands in the file `{1}`: the control files it under the name of its "
+                   "header",
+                   text, name);
+  }
+
+  /// A called program lies in a file of subprograms.
+  void atReturn(RuleContext &ctx) {
+    const auto &endings = ctx.dialect().subprogramExtensions;
+    if (ctx.callDepth() == 0 || endings.empty() || ctx.index().programs()[0].hasHeader())
+      return;
+    const std::string shown = ctx.source().display();
+    const llvm::StringRef ending = llvm::StringRef(shown).rsplit('.').second;
+    if (llvm::any_of(endings,
+                     [&](const std::string &one) { return ending.equals_insensitive(one); }) ||
+        ending.empty())
+      return;
+    const uint32_t begin = ctx.index().programs()[0].body;
+    const uint32_t end = uint32_t(std::min<size_t>(ctx.source().text().find_first_of("\r\n", begin),
+                                                   ctx.source().text().size()));
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), begin, end}))
+      finding.severity(Severity::Warning)
+          .message("this file is called as a subprogram, and its ending is `.{0}`", ending);
+  }
+
+  size_t names_ = 0; ///< most characters of a program's name; 0: programs have numbers
+
   void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     const SourceRange range{file.source.id(), program.headerBegin, program.headerEnd};
     const llvm::StringRef text = ctx.text(range).trim();

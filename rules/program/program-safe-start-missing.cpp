@@ -9,9 +9,24 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::FeedMode) != noGroup)
       to.on(EventKind::FeedWord);
+    const auto watch = [&](const char *name, StandardGroup which) {
+      if (to.option(name, 0) != 0 && to.dialect().group(which) != noGroup)
+        wanted_.push_back(which);
+    };
+    watch("distance", StandardGroup::Distance);
+    watch("units", StandardGroup::Units);
+    plane_ = to.option("plane", 0) != 0;
+    if (!wanted_.empty())
+      to.onChange({EventKind::Motion});
+    if (plane_)
+      to.on({EventKind::CompensationMove, EventKind::CycleRun, EventKind::CycleStart});
+    if (plane_)
+      to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind != EventKind::FeedWord)
+      return atUse(event, ctx);
     const GroupIndex group = ctx.dialect().group(StandardGroup::FeedMode);
     const uint64_t bit = uint64_t(1) << group;
     // A thread's F is a lead whatever the mode; the first F says it once for the program.
@@ -26,6 +41,38 @@ public:
   }
 
 private:
+  /// The first move asks for dimensions and units, the first arc, cycle or compensation for a
+  /// plane.
+  void atUse(const Event &event, RuleContext &ctx) {
+    if (ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode) || ctx.before().profile)
+      return;
+    if (event.kind == EventKind::Motion && !moved_) {
+      moved_ = true;
+      for (const StandardGroup which : wanted_)
+        ask(which, event, ctx);
+    }
+    const bool turns = event.kind != EventKind::Motion || event.motion == MotionKind::ArcCw ||
+                       event.motion == MotionKind::ArcCcw;
+    if (!plane_ || !turns || turned_)
+      return;
+    turned_ = true;
+    ask(StandardGroup::Plane, event, ctx);
+  }
+
+  static void ask(StandardGroup which, const Event &event, RuleContext &ctx) {
+    const GroupIndex group = ctx.dialect().group(which);
+    if (group == noGroup || (ctx.after().statedMay >> group & 1))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Style)
+          .message("the program has not stated {0} before this block: it is what the machine was "
+                   "left in",
+                   modes(ctx.dialect(), group));
+  }
+
+  std::vector<StandardGroup> wanted_;
+  bool plane_ = false, moved_ = false, turned_ = false;
+
   static std::string modes(const Dialect &dialect, GroupIndex group) {
     std::string text;
     const auto &members = dialect.groups[group].members;

@@ -12,7 +12,7 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       if (code.action == Action::SpeedLimit && limit_.empty())
         limit_ = code.name;
-    if (!limit_.empty())
+    if (!limit_.empty() || to.dialect().speedLimitWords)
       to.onAction({Action::SurfaceSpeed});
   }
 
@@ -29,7 +29,7 @@ public:
       finding.message(
           "`{0}` without a speed limit: near the centre the spindle runs up to its maximum",
           ctx.code(event).name);
-      if (const auto most = ctx.machine().spindleMax) {
+      if (const auto most = ctx.machine().spindleMax; most && !limit_.empty()) {
         const std::string block = llvm::formatv("{0} S{1:f0}", limit_, *most).str();
         finding.fix(FixSafety::Unsafe, "insert `" + block + "` before this block",
                     ctx.insertBlockBefore(block));

@@ -17,7 +17,8 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Motion) {
       if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-          event.motion == MotionKind::Skip || event.number == 1 || !(event.axes & linear))
+          event.motion == MotionKind::Skip || event.number == 1 || !(event.axes & linear) ||
+          code.spindle == SpindleNeed::StartsItself)
         return; // a rotary axis alone positions, or the work turns against a wheel
     } else if (code.spindle == SpindleNeed::Any || code.spindle == SpindleNeed::StartsItself ||
                (!event.axes && code.group != noGroup && !code.firesOnEveryBlock)) {

@@ -17,13 +17,27 @@ public:
           parameters_.insert(spec.variable);
           letters_ |= spec.name.size() > 1 && llvm::isDigit(spec.name[1]);
         }
-    if (letters_)
-      to.on(EventKind::Syntax);
+    to.on(EventKind::Syntax);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    if (issue.kind != SyntaxIssueKind::MalformedNumber)
+    const SourceRange where{ctx.source().id(), issue.begin, issue.end};
+    if (issue.kind == SyntaxIssueKind::MissingEquals) {
+      if (auto finding = ctx.report(where))
+        finding.message(
+            "`{0}` lacks its `=`: an address of several letters, a variable and a value "
+            "that is computed take one",
+            ctx.text(where));
+      return;
+    }
+    if (issue.kind == SyntaxIssueKind::AssignmentInTest) {
+      if (auto finding = ctx.report(where))
+        finding.message("`=` gives a value; two values are compared with `==`")
+            .fix(FixSafety::Unsafe, "write `==`", ctx.replace(where, "=="));
+      return;
+    }
+    if (!letters_ || issue.kind != SyntaxIssueKind::MalformedNumber)
       return;
     // `R31-15`: a letter, the parameter's digits, and a sign where the `=` is due.
     const SourceRange range{ctx.source().id(), issue.begin, issue.end};

@@ -23,6 +23,8 @@ public:
     const char *what = nullptr;
     switch (issue.kind) {
     case SyntaxIssueKind::UnbalancedBracket:
+      if (ctx.dialect().lexical.commaSeparates) // syntax-unbalanced-brackets speaks
+        return;
       what = "`{0}` has no bracket to match it";
       break;
     case SyntaxIssueKind::BadExpression:

@@ -14,6 +14,7 @@ class SyntaxIntegerRequired final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::WordIssue, EventKind::Syntax});
+    codes_ = to.option("codes", 0) != 0;
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words, [](const WordSpec &w) { return namesSomething(w.role); });
     });
@@ -53,9 +54,12 @@ public:
   }
 
 private:
+  bool codes_ = false; ///< codes are whole numbers too
+
   /// `G84.2` is a code with its digit behind the point; an unknown code has its own rule.
-  static bool isCode(const Word &word, const RuleContext &ctx) {
-    return ctx.dialect().addresses[word.address].kind == AddressKind::Code && word.decimals > 0;
+  bool isCode(const Word &word, const RuleContext &ctx) const {
+    return !codes_ && ctx.dialect().addresses[word.address].kind == AddressKind::Code &&
+           word.decimals > 0;
   }
 
   static void report(const Word &word, RuleContext &ctx) {

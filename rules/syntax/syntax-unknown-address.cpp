@@ -6,9 +6,28 @@ namespace {
 
 class SyntaxUnknownAddress final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::Syntax, EventKind::WordIssue}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::Syntax, EventKind::WordIssue});
+    if (to.option("axesOfMachine", 0) == 0)
+      return;
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (to.machine().axes[i].min || to.machine().axes[i].max)
+        axes_ |= uint16_t(1u << i);
+    if (axes_)
+      to.on(EventKind::Motion);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Motion) {
+      for (const Word &word : ctx.block().words) {
+        const AddressInfo &address = ctx.dialect().addresses[word.address];
+        if (address.kind == AddressKind::Axis && !(axes_ >> unsigned(address.axis) & 1))
+          if (auto finding = ctx.report(word))
+            finding.message("`{0}`: the machine profile has no axis {1}", ctx.text(word),
+                            ctx.dialect().addressName(word.address));
+      }
+      return;
+    }
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
       if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
@@ -29,6 +48,9 @@ public:
           finding.message("`{0}`: this control has no address {1}, the block is refused",
                           ctx.text(word), ctx.dialect().addressName(word.address));
   }
+
+private:
+  uint16_t axes_ = 0; ///< that the machine profile has; 0: it does not say
 };
 
 } // namespace

@@ -7,12 +7,17 @@ namespace {
 class ToolOffsetCancelled final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().isLathe())
+    edges_ = to.option("edges", 0) != 0;
+    if (to.dialect().isLathe() || edges_)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
+    if (edges_) {
+      withoutEdge(event, ctx);
+      return;
+    }
     // A machine position needs no offset, nor does the reference point.
     if (state.toolOffset != 0 || state.tool <= 0 || event.number == 1 ||
         event.motion == MotionKind::Reference || event.code == noCode ||
@@ -32,6 +37,24 @@ public:
   }
 
 private:
+  /// D is length and radius: with D0 the tool has none.
+  void withoutEdge(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.before();
+    const bool cuts = event.kind == EventKind::CycleRun ||
+                      (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
+    if (!cuts || event.number == 1 || ctx.after().radiusOffset != 0 ||
+        state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
+        !once_.speaks(ctx.after().origin.radiusOffset, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain)) {
+      finding.message("the tool cuts with D0: neither its length nor its radius is in force")
+          .note(ctx.after().origin.radiusOffset, "D0 is programmed here");
+      if (event.kind == EventKind::Motion)
+        finding.severity(Severity::Warning);
+    }
+  }
+
+  bool edges_ = false;
   OncePerCause once_;
 };
 

@@ -1,0 +1,58 @@
+// An arc under scale factors that differ.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ArcInDistortedFrame final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
+    to.onAction({Action::FrameSet, Action::FrameAdd, Action::FrameClear});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code) {
+      const CodeInfo &code = ctx.code(event);
+      distorted_ = {};
+      if (llvm::StringRef(code.name).endswith("SCALE") && unequal(ctx))
+        distorted_ = ctx.range(*event.word);
+      return;
+    }
+    if (!distorted_.end || event.code == noCode || distorted_.file != ctx.source().id() ||
+        ctx.block().begin < distorted_.begin)
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message(
+              "`{0}` under scale factors that differ in the plane: the control makes no ellipse",
+              ctx.code(event).name)
+          .note(distorted_, "the factors are programmed here");
+  }
+
+private:
+  /// The two axes of the plane have different factors; an axis that is not named has 1.
+  static bool unequal(RuleContext &ctx) {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.before());
+    double factor[2] = {1, 1};
+    unsigned i = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (!(plane >> axis & 1))
+        continue;
+      if (const Word *word = ctx.block().find(AddressId(letterAddress('X') + axis))) {
+        const Interval value = ctx.value(*word);
+        if (!value.isConstant())
+          return false;
+        factor[i] = value.value();
+      }
+      ++i;
+    }
+    return factor[0] != factor[1];
+  }
+
+  SourceRange distorted_;
+};
+
+} // namespace
+NCVET_RULE(ArcInDistortedFrame, arc_in_distorted_frame)
+} // namespace ncvet

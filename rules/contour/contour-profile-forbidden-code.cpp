@@ -1,0 +1,98 @@
+// Codes that a contour program may not hold.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ContourProfileForbiddenCode final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::Code, EventKind::Motion, EventKind::ToolWord, EventKind::SpeedWord});
+    to.onCode([](const CodeInfo &) { return true; });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (!ctx.before().must(Fact::InContour))
+      return;
+    switch (event.kind) {
+    case EventKind::Code:
+      return atCode(event, ctx);
+    case EventKind::Motion:
+      return atMove(event, ctx);
+    default:
+      return foreign(event, ctx);
+    }
+  }
+
+private:
+  static void atCode(const Event &event, RuleContext &ctx) {
+    switch (ctx.code(event).action) {
+    case Action::CompensationLeft:
+    case Action::CompensationRight:
+    case Action::CompensationOff:
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}` in a contour program: the cycle switches compensation itself",
+                        ctx.code(event).name);
+      return;
+    case Action::FrameSet:
+    case Action::FrameAdd:
+    case Action::FrameClear:
+      if (!ctx.before().may(Fact::ContourBegun))
+        if (auto finding = ctx.report(event))
+          finding.message("`{0}` in front of the first position of a contour: the cycle does not "
+                          "know where the contour begins",
+                          ctx.code(event).name);
+      return;
+    case Action::PlaneXY:
+    case Action::PlaneZX:
+    case Action::PlaneYZ: {
+      const GroupIndex group = ctx.code(event).group;
+      if (group != noGroup && ctx.before().group[group] != (uint64_t(1) << ctx.code(event).bit))
+        if (auto finding = ctx.report(event))
+          finding.message("`{0}` changes the plane inside a contour: a contour lies in one plane",
+                          ctx.code(event).name);
+      return;
+    }
+    case Action::ToolChange:
+    case Action::SpindleCw:
+    case Action::SpindleCcw:
+    case Action::SpindleStop:
+    case Action::Cycle:
+      return foreign(event, ctx);
+    default:
+      if (ctx.code(event).name == "STOPRE")
+        foreign(event, ctx);
+      return;
+    }
+  }
+
+  static void foreign(const Event &event, RuleContext &ctx) {
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` has no place in a contour: the cycle reads the path alone",
+                   ctx.text(*event.word));
+  }
+
+  static void atMove(const Event &event, RuleContext &ctx) {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (event.axes & ~plane & 7u) {
+      if (auto finding = ctx.report(event))
+        finding.message(
+            "this block of a contour moves the infeed axis: a contour lies in one plane");
+      return;
+    }
+    if (ctx.before().may(Fact::ContourBegun))
+      return;
+    const bool absolute = ctx.after().isActive(ctx.dialect(), StandardGroup::Distance,
+                                               {Action::Absolute}) != Truth::No;
+    if (event.motion == MotionKind::Rapid && absolute)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("a contour begins with a straight block of G90 and G0, which says where its "
+                      "start is");
+  }
+};
+
+} // namespace
+NCVET_RULE(ContourProfileForbiddenCode, contour_profile_forbidden_code)
+} // namespace ncvet

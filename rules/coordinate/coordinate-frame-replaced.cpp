@@ -1,0 +1,31 @@
+// A frame that replaces the one in force.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class CoordinateFrameReplaced final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.onAction({Action::FrameSet}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const CodeInfo &code = ctx.code(event);
+    if (code.effect.index >= maxSwitches || !ctx.before().switchMustBeOn(code.effect.index) ||
+        ctx.before().may(Fact::UnknownCode))
+      return;
+    const Origin &origin = ctx.before().origin.switched[code.effect.index];
+    // The same frame with other values is meant to replace it.
+    if (origin.known() && origin.file == ctx.source().id() &&
+        ctx.text(origin.range()).equals_insensitive(ctx.text(*event.word)))
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` deletes the frame that is in force: a frame on top of it is `A{0}`",
+                   code.name)
+          .note(origin, "that frame is programmed here");
+  }
+};
+
+} // namespace
+NCVET_RULE(CoordinateFrameReplaced, coordinate_frame_replaced)
+} // namespace ncvet

@@ -1,0 +1,60 @@
+// Positions for a cycle that does not run.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class CyclePatternWithoutCycle final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    for (const CodeInfo &code : to.dialect().codes)
+      modal_ |= code.waits;
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.cycle == CycleKind::Pattern) {
+      const Truth active = ctx.before().cycleActive(ctx.dialect());
+      if (active == Truth::Yes || ctx.before().modalMacro != notSet ||
+          ctx.before().may(Fact::UnknownCode))
+        return;
+      if (auto finding = ctx.report(event, active == Truth::No))
+        finding.message("`{0}` moves from place to place, and no modal call runs at any of them",
+                        code.name);
+      return;
+    }
+    if (modal_ && makesHole(code.cycle) && code.group == noGroup && positionsFollow(ctx))
+      if (auto finding = ctx.report(event, event.certain))
+        finding.message(
+            "`{0}` drills here only: at the positions behind it nothing happens without "
+            "a modal call",
+            code.name);
+  }
+
+private:
+  /// Two blocks and more of nothing but coordinates in the plane.
+  static bool positionsFollow(RuleContext &ctx) {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    Block next;
+    bool more = readNext(ctx, next);
+    unsigned places = 0;
+    for (; more && places < 2; more = readOn(ctx, next)) {
+      if (!next.items.empty() || next.words.empty() || (next.addresses & ~ctx.dialect().axisWords))
+        break;
+      const uint16_t axes = axesOf(ctx.dialect(), next);
+      if (!axes || (axes & ~plane))
+        break;
+      ++places;
+    }
+    return places == 2;
+  }
+
+  bool modal_ = false;
+};
+
+} // namespace
+NCVET_RULE(CyclePatternWithoutCycle, cycle_pattern_without_cycle)
+} // namespace ncvet

@@ -1,0 +1,129 @@
+// A call and what it calls do not agree in their arguments.
+#include "analyzer/rule.h"
+#include "interp/condition.h"
+
+namespace ncvet {
+namespace {
+
+class FlowArgumentMismatch final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::FlowIssue, EventKind::Syntax, EventKind::Statement});
+    to.onCode([](const CodeInfo &code) {
+      return code.arguments || llvm::any_of(code.words, [](const WordSpec &w) { return w.text; });
+    });
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    switch (event.kind) {
+    case EventKind::Code:
+      return atCode(event, ctx);
+    case EventKind::Statement:
+      return atDefinition(ctx.block().items[size_t(event.number)], ctx);
+    case EventKind::Syntax: {
+      const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+      const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      if (issue.kind == SyntaxIssueKind::NamedArgument)
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}`: arguments are told by their places, and take no names",
+                          ctx.text(range));
+      return;
+    }
+    default:
+      return atCall(event, ctx);
+    }
+  }
+
+private:
+  static void atCode(const Event &event, RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    const Block &block = ctx.block();
+    if (code.arguments)
+      if (const Word *further = block.argument(code.arguments + 1u))
+        if (auto finding = ctx.report(*further))
+          finding.message("`{0}` takes {1} arguments at most, and this is one more", code.name,
+                          code.arguments);
+    for (const WordSpec &spec : code.words) {
+      const Word *word = spec.text ? wordFor(block, spec) : nullptr;
+      if (!word)
+        continue;
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Instruction && item.begin == event.word->offset &&
+            item.arguments >= spec.position &&
+            isName(block.argumentsOf(item)[spec.position - 1], block))
+          if (auto finding = ctx.report(*word))
+            finding.message("`{0}` ({1}) of `{2}` is a string: it stands in quotation marks",
+                            ctx.text(*word), spec.note, code.name);
+    }
+  }
+
+  /// A number, or a name that nothing has defined: no variable that could hold a string.
+  static bool isName(const Argument &argument, const Block &block) {
+    if (argument.kind != ArgumentKind::Expression || argument.expression == noExpression)
+      return false;
+    const Expression &e = block.expressions[argument.expression];
+    return !e.bad && e.count == 1 && block.operations[e.first].op != Op::Opaque;
+  }
+
+  /// Definitions stand in front of everything that runs, and what a program takes in front of them.
+  void atDefinition(const Item &item, RuleContext &ctx) {
+    if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
+        item.kind != ItemKind::Parameters)
+      return;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    Block block;
+    for (uint32_t at = program.body; at < ctx.block().begin; at = block.next) {
+      ctx.index().reader().read(at, block);
+      const bool runs = !block.words.empty() || llvm::any_of(block.items, [&](const Item &i) {
+        return item.kind == ItemKind::Parameters ||
+               (i.kind != ItemKind::Definition && i.kind != ItemKind::Declaration &&
+                i.kind != ItemKind::Parameters && i.kind != ItemKind::Macro);
+      });
+      if (!runs)
+        continue;
+      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      if (auto finding = ctx.report(range))
+        finding
+            .message(item.kind == ItemKind::Parameters
+                         ? "`{0}` has to be the program's first block"
+                         : "`{0}` has to stand in front of the first block that runs",
+                     ctx.text(range))
+            .note(SourceRange{ctx.source().id(), block.begin, block.end},
+                  "this block comes before");
+      return;
+    }
+  }
+
+  static void atCall(const Event &event, RuleContext &ctx) {
+    const char *what = nullptr;
+    std::optional<Severity> severity;
+    switch (FlowIssue(event.number)) {
+    case FlowIssue::TooManyArguments:
+      what = ctx.flowRelated().end
+                 ? "`{0}` has more arguments than the program takes"
+                 : "`{0}` has arguments, and the program has no PROC to take them";
+      break;
+    case FlowIssue::ArgumentLeftOut:
+      what = "`{0}` leaves an argument out that has no value of its own: it becomes 0";
+      severity = Severity::Warning;
+      break;
+    case FlowIssue::ArgumentNotVariable:
+      what = "`{0}`: the program gives a value back, and the argument is no variable to take it";
+      break;
+    case FlowIssue::DeclarationMismatch:
+      what = "`{0}` is declared with other types than the program takes";
+      break;
+    default:
+      return;
+    }
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain)) {
+      finding.message(what, ctx.text(ctx.flowRange())).severity(severity);
+      if (ctx.flowRelated().end)
+        finding.note(ctx.flowRelated(), "what the program takes");
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowArgumentMismatch, flow_argument_mismatch)
+} // namespace ncvet

@@ -1,0 +1,44 @@
+// A modal call is still on when the program ends.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FlowModalCallLeftActive final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    for (const CodeInfo &code : to.dialect().codes)
+      if (code.cancelsCalls) {
+        cancel_ = code.name;
+        to.on({EventKind::ProgramEnd, EventKind::ToolChange});
+        return;
+      }
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &state = ctx.before();
+    if (state.may(Fact::UnknownCode) || ctx.callDepth() > 0)
+      return;
+    const Truth cycle = state.cycleActive(ctx.dialect());
+    const bool call = state.modalMacro != notSet;
+    if (cycle == Truth::No && !call)
+      return;
+    if (auto finding = ctx.report(event, cycle == Truth::Yes || call))
+      finding
+          .message(
+              "a modal call is still on {0}: every move from here on runs it again; `{1}` ends "
+              "it",
+              event.kind == EventKind::ProgramEnd ? "at the program's end" : "at this tool change",
+              cancel_)
+          .note(state.origin.cycle, "the modal call begins here")
+          .fix(FixSafety::Unsafe, "insert " + cancel_ + " before this block",
+               ctx.insertBlockBefore(cancel_));
+  }
+
+private:
+  std::string cancel_;
+};
+
+} // namespace
+NCVET_RULE(FlowModalCallLeftActive, flow_modal_call_left_active)
+} // namespace ncvet

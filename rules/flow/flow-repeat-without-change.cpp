@@ -1,0 +1,23 @@
+// Every pass of a repeated call does the same again.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FlowRepeatWithoutChange final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::RepeatSame || !ctx.after().must(Fact::Cut))
+      return;
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+      finding.message("`{0}` is called several times, and every pass cuts the same path: nothing "
+                      "in it moves on",
+                      ctx.text(ctx.flowRange()));
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowRepeatWithoutChange, flow_repeat_without_change)
+} // namespace ncvet

@@ -1,0 +1,53 @@
+// A rapid move along the tool axis ends in the work.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class MotionRapidPlunge final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().isLathe())
+      return;
+    if (to.machine().number("stockTopZ"))
+      top_ = to.machine().number("stockTopZ");
+    wanted_ = to.option("belowZero", 0) != 0;
+    if (top_ || wanted_)
+      to.onMoves({MotionKind::Rapid});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
+    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
+    if (event.axes != tool || event.number || !from.isConstant() || !to.isConstant() ||
+        ctx.before().inMachineCoordinates(Axis::Z) || ctx.after().inMachineCoordinates(Axis::Z) ||
+        to.value() >= from.value() || ctx.before().may(Fact::UnknownCode))
+      return;
+    const double top = top_.value_or(0);
+    if (to.value() >= top || from.value() < top)
+      return;
+    if (!top_ && !cutsAcross(ctx))
+      return;
+    if (auto finding = ctx.report(event, top_.has_value()))
+      finding.message("this rapid move ends {0} mm below {1}: the tool goes into the work at full "
+                      "speed",
+                      llvm::formatv("{0}", llvm::format("%g", top - to.value())),
+                      top_ ? "the top of the stock" : "zero");
+  }
+
+private:
+  /// Without a stock: the tool comes up again from there, so that it has not gone past the part.
+  static bool cutsAcross(RuleContext &ctx) {
+    Block next;
+    if (!readNext(ctx, next))
+      return false;
+    return !(axesOf(ctx.dialect(), next) & (1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y)));
+  }
+
+  std::optional<double> top_;
+  bool wanted_ = false;
+};
+
+} // namespace
+NCVET_RULE(MotionRapidPlunge, motion_rapid_plunge)
+} // namespace ncvet

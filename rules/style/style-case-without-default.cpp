@@ -1,0 +1,25 @@
+// A choice by value without a way for every other value.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class StyleCaseWithoutDefault final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Item &item = ctx.block().items[size_t(event.number)];
+    if (item.kind != ItemKind::Jump || item.jump != JumpKind::ByValue || item.arguments % 2 ||
+        !item.arguments)
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` has no DEFAULT: every other value runs on into the next block",
+                      ctx.text(range));
+  }
+};
+
+} // namespace
+NCVET_RULE(StyleCaseWithoutDefault, style_case_without_default)
+} // namespace ncvet

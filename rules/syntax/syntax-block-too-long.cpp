@@ -1,0 +1,36 @@
+// A block of more characters than the control reads.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SyntaxBlockTooLong final : public Rule {
+public:
+  void listen(Subscriptions &to) override { most_ = to.dialect().limits.blockLength; }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!most_)
+      return;
+    const llvm::StringRef text = file.source.text();
+    for (size_t begin = 0; begin < text.size();) {
+      size_t end = text.find('\n', begin);
+      if (end == llvm::StringRef::npos)
+        end = text.size();
+      if (end - begin > most_ && text.slice(begin, begin + most_).contains(' '))
+        if (auto finding =
+                ctx.report(SourceRange{file.source.id(), uint32_t(begin),
+                                       uint32_t(begin + text.slice(begin, end).find(' '))}))
+          finding.message("this block has {0} characters, and the control reads {1}: the rest is "
+                          "lost",
+                          end - begin, most_);
+      begin = end + 1;
+    }
+  }
+
+private:
+  size_t most_ = 0;
+};
+
+} // namespace
+NCVET_RULE(SyntaxBlockTooLong, syntax_block_too_long)
+} // namespace ncvet

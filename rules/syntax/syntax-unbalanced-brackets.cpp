@@ -1,0 +1,38 @@
+// Brackets, parentheses or quotation marks that are not closed, in languages of calls.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class SyntaxUnbalancedBrackets final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.dialect().lexical.commaSeparates)
+      to.on(EventKind::Syntax);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const char *what = nullptr;
+    switch (issue.kind) {
+    case SyntaxIssueKind::UnbalancedBracket:
+      what = "`{0}` is not closed: the control cannot tell where it ends";
+      break;
+    case SyntaxIssueKind::UnclosedString:
+      what = "the string `{0}` has no closing quotation mark";
+      break;
+    case SyntaxIssueKind::StrayParenthesis:
+      what = "`{0}` closes what nothing has opened";
+      break;
+    default:
+      return;
+    }
+    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    if (auto finding = ctx.report(range))
+      finding.message(what, ctx.source().displayText(ctx.text(range)));
+  }
+};
+
+} // namespace
+NCVET_RULE(SyntaxUnbalancedBrackets, syntax_unbalanced_brackets)
+} // namespace ncvet

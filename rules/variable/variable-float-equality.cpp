@@ -1,0 +1,43 @@
+// A fraction is compared for equality.
+#include "analyzer/rule.h"
+
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class VariableFloatEquality final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    const Item &item = block.items[size_t(event.number)];
+    if (item.condition == noExpression || item.kind == ItemKind::Jump)
+      return;
+    const Expression &condition = block.expressions[item.condition];
+    const auto operations =
+        llvm::makeArrayRef(block.operations).slice(condition.first, condition.count);
+    bool variable = false;
+    for (size_t i = 0; i < operations.size(); ++i) {
+      variable |= operations[i].op == Op::Variable || operations[i].op == Op::ElementAt;
+      // A number right in front of its comparison.
+      const bool equal =
+          i > 0 && (operations[i].op == Op::Equal || operations[i].op == Op::NotEqual);
+      if (!equal || operations[i - 1].op != Op::Number || !variable ||
+          operations[i - 1].value == std::floor(operations[i - 1].value))
+        continue;
+      const SourceRange range{ctx.source().id(), condition.begin, condition.end};
+      if (auto finding = ctx.report(range))
+        finding.message(
+            "`{0}` compares a fraction for equality: a value that was computed may miss "
+            "it by its last digit",
+            ctx.text(range));
+      return;
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(VariableFloatEquality, variable_float_equality)
+} // namespace ncvet

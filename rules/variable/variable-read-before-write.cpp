@@ -1,0 +1,67 @@
+// A parameter is read that the program has not given a value.
+#include "analyzer/lookahead.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+#include <set>
+
+namespace ncvet {
+namespace {
+
+class VariableReadBeforeWrite final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.option("wanted", 0) != 0)
+      to.on(EventKind::UnsetRead);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (ctx.callDepth() > 0 || !isMain(ctx) ||
+        ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
+      return;
+    const llvm::StringRef text = ctx.source().text(uint32_t(event.number), ctx.block().end);
+    const llvm::StringRef name =
+        text.take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
+    int64_t index = 0;
+    // Other names may be defined outside of the program.
+    if (!(name.startswith("R") || name.startswith("r")) ||
+        name.drop_front().getAsInteger(10, index) || !reported_.insert(index).second)
+      return;
+    const SourceRange range{ctx.source().id(), uint32_t(event.number),
+                            uint32_t(event.number + int64_t(name.size()))};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is read before the program has given it a value: it holds what an "
+                      "earlier program left there",
+                      name);
+  }
+
+private:
+  /// A program that ends as a main program does, and in a file of its own name.
+  bool isMain(RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (program.begin == known_)
+      return main_;
+    known_ = program.begin;
+    main_ = false;
+    Block block;
+    for (uint32_t at = program.body; at < program.end && at - program.body < 1u << 20;
+         at = block.next) {
+      ctx.index().reader().read(at, block);
+      if (llvm::any_of(block.items, [](const Item &i) { return i.kind == ItemKind::Parameters; }))
+        return false;
+      main_ |=
+          findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind}) != nullptr;
+      if (findCode(ctx.dialect(), block, {Action::Return}))
+        return main_ = false;
+    }
+    return main_;
+  }
+
+  uint32_t known_ = ~0u;
+  bool main_ = false;
+  std::set<int64_t> reported_;
+};
+
+} // namespace
+NCVET_RULE(VariableReadBeforeWrite, variable_read_before_write)
+} // namespace ncvet
