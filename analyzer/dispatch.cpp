@@ -32,9 +32,17 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     for (const EventKind kind : {EventKind::Block, EventKind::Motion})
       if (subscriptions.everyBlock() & bitOf(kind))
         everyBlock_.emplace_back(kind, listener);
+    // Facts of the table are reported for every rule; some do so themselves.
+    if (!subscriptions.noticesHandled())
+      for (size_t code = 0; code < dialect.codes.size(); ++code)
+        if (llvm::any_of(dialect.codes[code].notices,
+                         [&](const Notice &n) { return n.rule == table[i].info.id; })) {
+          kinds_ |= bitOf(EventKind::Code);
+          byCode_[code].push_back({nullptr, RuleId(i)});
+        }
     for (const CodeIndex code : subscriptions.codes()) {
       kinds_ |= bitOf(EventKind::Code);
-      if (byCode_[code].empty() || byCode_[code].back().rule != listener.rule)
+      if (llvm::none_of(byCode_[code], [&](const Listener &l) { return l.rule == listener.rule; }))
         byCode_[code].push_back(listener);
     }
   }
@@ -72,7 +80,10 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
     if (event.kind == EventKind::Code)
       for (const Listener &listener : byCode_[event.code]) {
         context_.rule_ = listener.id;
-        listener.rule->on(event, context_);
+        if (listener.rule)
+          listener.rule->on(event, context_);
+        else
+          context_.reportNotices(allRules()[listener.id].info.id, event);
       }
   }
 }

@@ -144,6 +144,8 @@ private:
   void runPasses(Activation &activation, const Region &body, Live live, const MachineState &before,
                  const Passes &passes);
   void repeat(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  bool holdsEnd(FileUnit &unit, uint32_t first, uint32_t end) const;
+  bool holdsWayOut(FileUnit &unit, uint32_t first, uint32_t end) const;
   uint32_t endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const;
   void call(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void callMacro(Activation &activation, Live &live, int32_t program, const MachineState &before);

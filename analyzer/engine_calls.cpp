@@ -336,7 +336,7 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
     }
     current = std::move(behind);
     if (!changed) { // every further pass is the same
-      if (pass > 0 && passes.known && body.kind == Kind::Subprogram && !current.empty())
+      if (pass > 0 && passes.known && body.kind != Kind::Profile && !current.empty())
         issue(FlowIssue::RepeatSame, activation, current.front(), before, flowRange(region.unit));
       break;
     }
@@ -383,12 +383,15 @@ void Engine::repeat(Activation &activation, Live &live, uint32_t at, const Machi
   const bool heads = *first == at; // the body is behind the block
   if (!last)
     last = endOfSection(unit, *first, at);
-  if (*last < *first || (places.size() > 1 && *first < at && at <= *last)) {
+  if (item.count == noExpression && *last == at && !heads) { // without a count, and to itself
+    if (!holdsWayOut(unit, *first, at))
+      issue(FlowIssue::EndlessLoop, activation, live, before, where);
+    return backTo(activation, *first, std::move(live), false);
+  }
+  if (*last < *first || (places.size() > 1 && *first < at && at <= *last && !heads)) {
     issue(FlowIssue::RepeatBounds, activation, live, before, where);
     return add(activation, next, std::move(live));
   }
-  if (item.count == noExpression && *last == at && !heads)
-    return backTo(activation, *first, std::move(live), false); // without a count, and to itself
   Block end;
   unit.reader->read(*last, end);
   for (const auto &[head, past] : shape(unit, region.program).past)
@@ -397,8 +400,15 @@ void Engine::repeat(Activation &activation, Live &live, uint32_t at, const Machi
       issue(FlowIssue::RepeatOverlap, activation, live, before, where,
             {unit.source.id(), head, head + 1});
   const uint32_t start = heads ? next : *first;
-  if (isRunning(unit, start, Kind::Section) || callStack_.size() >= limits_.callDepth ||
-      start >= end.next) {
+  // Nested repeats may begin at one block; a section that holds its own repeat has no end.
+  const bool itself = !heads && start <= at && at < end.next;
+  const unsigned nested = unsigned(llvm::count_if(
+      callStack_, [](const Running &running) { return std::get<2>(running) == Kind::Section; }));
+  if (unit.dialect->limits.repeatDepth && nested >= unit.dialect->limits.repeatDepth)
+    issue(FlowIssue::TooDeep, activation, live, before, where);
+  if (holdsEnd(unit, start, end.next))
+    issue(FlowIssue::RepeatBounds, activation, live, before, where);
+  if (itself || callStack_.size() >= limits_.callDepth || start >= end.next) {
     if (start < end.next)
       issue(FlowIssue::Recursion, activation, live, before, where,
             {unit.source.id(), start, start + 1});
@@ -413,6 +423,35 @@ void Engine::repeat(Activation &activation, Live &live, uint32_t at, const Machi
   Region body{unit, region.program, start, Kind::Section, region.depth};
   body.stopAt = end.next;
   runPasses(activation, body, std::move(live), before, passes);
+}
+
+/// Whether a block between two places ends the program, or returns.
+bool Engine::holdsEnd(FileUnit &unit, uint32_t first, uint32_t end) const {
+  Block block;
+  for (uint32_t at = first; at < end; at = block.next) {
+    unit.reader->read(at, block);
+    bool ends = false, returns = false;
+    ending(block, ends, returns);
+    if ((ends || returns) && block.skip < 0)
+      return true;
+  }
+  return false;
+}
+
+/// Whether a block between two places can leave them: a jump, a return, a stop, an answer.
+bool Engine::holdsWayOut(FileUnit &unit, uint32_t first, uint32_t end) const {
+  Block block;
+  for (uint32_t at = first; at < end; at = block.next) {
+    unit.reader->read(at, block);
+    bool ends = false, returns = false;
+    ending(block, ends, returns);
+    if (ends || returns || block.has(letterAddress('M')) ||
+        llvm::any_of(block.items, [](const Item &i) {
+          return i.kind == ItemKind::Jump || i.kind == ItemKind::Input || i.kind == ItemKind::Call;
+        }))
+      return true;
+  }
+  return false;
 }
 
 /// Last block of a section that only its begin names: the one with the end label, or the one in

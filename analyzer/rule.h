@@ -119,10 +119,14 @@ public:
   }
   /// `Code` events of the codes that have notices for rule `id`.
   void onNotices(llvm::StringRef id) {
+    noticesHandled_ = true;
     onCode([&](const CodeInfo &code) {
       return llvm::any_of(code.notices, [&](const Notice &n) { return id == n.rule; });
     });
   }
+  /// The rule reports its notices itself; without this they are reported for it.
+  void handleNotices() { noticesHandled_ = true; }
+  bool noticesHandled() const { return noticesHandled_; }
   /// A threshold of the rule: the dialect's or the user's, else `fallback`.
   double option(llvm::StringRef name, double fallback) const {
     if (options_) {
@@ -147,6 +151,7 @@ private:
   uint32_t kinds_ = 0;
   uint32_t everyBlock_ = 0;
   uint8_t moves_ = 0xFF;
+  bool noticesHandled_ = false;
   std::vector<CodeIndex> codes_;
 };
 

@@ -92,6 +92,16 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
     if (known)
       result.centreWords = point;
   }
+  // A control whose centres are coordinates, unless the machine was set otherwise.
+  auto centres = machine.option("arcCentres");
+  if (const auto usual = dialect.options.find("arcCentres");
+      !centres && usual != dialect.options.end())
+    centres = llvm::StringRef(usual->second);
+  if (centres && *centres != "incremental") {
+    result.centreAbsolute = *centres == "absolute";
+    if (!result.centreAbsolute)
+      result.centreWords.reset();
+  }
   if (dialect.group(StandardGroup::ArcDistance) != noGroup &&
       after.active(dialect, StandardGroup::ArcDistance) != groupUnset) {
     const Truth absolute =

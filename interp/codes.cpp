@@ -75,6 +75,9 @@ void Execution::applyModal(const CodeUse &use) {
   if (isMotion(code.action) || (code.action == Action::Cycle && isModal(code)) ||
       code.action == Action::CycleCancel) {
     if (code.action == Action::CycleCancel) {
+      const CodeIndex running = before_.cycleActive(dialect_) == Truth::No ? noCode : activeCycle();
+      if (running != noCode && dialect_.codes[running].family != code.family)
+        return; // each family has a cancel of its own
       cancelCycle(use.code, use.word);
       if (code.cancelsCalls && !callsModally_)
         state_.modalMacro = notSet;
@@ -215,6 +218,18 @@ void Execution::applyEarly(const CodeUse &use) {
       changeTool(state_.tool == notSet ? notKnown : state_.tool, notSet, *use.word, use.code);
     }
     break;
+  case Action::Reset:
+    reset(*use.word);
+    break;
+  case Action::ProfileBegin:
+    state_.profile = 1;
+    state_.origin.rough = originOf(*use.word);
+    break;
+  case Action::ProfileRun:
+    state_.profile = 0;
+    for (Interval &position : state_.position)
+      position = Interval::unknown();
+    break;
   case Action::Clamp:
     state_.set(Fact::SpindleClamped);
     break;
@@ -276,6 +291,35 @@ void Execution::applyEarly(const CodeUse &use) {
   default:
     break;
   }
+}
+
+/// The modes of power-on come back; the spindle turns on.
+void Execution::reset(const Word &word) {
+  const MachineState fresh = initialState(dialect_);
+  for (size_t i = 0; i < dialect_.groups.size(); ++i)
+    if (dialect_.groups[i].initial != 0xFF) {
+      state_.group[i] = fresh.group[i];
+      state_.origin.group[i] = originOf(word);
+      state_.statedMay &= ~(uint64_t(1) << i);
+      state_.statedMust &= ~(uint64_t(1) << i);
+    }
+  state_.compensation = phaseOff;
+  state_.profile = 0;
+  uint32_t stays = 0;
+  for (size_t i = 0; i < dialect_.switches.size(); ++i)
+    if (dialect_.switches[i].survivesReset)
+      stays |= 1u << i;
+  state_.switchMay &= stays;
+  state_.switchMust &= stays;
+  state_.cycle.present = 0;
+  state_.modalMacro = notSet;
+  state_.fedFrom = Interval::unknown();
+  for (Interval &shift : state_.localShift)
+    shift = Interval::unknown();
+  for (Interval &position : state_.position)
+    position = Interval::unknown();
+  for (const Fact fact : {Fact::FeedSet, Fact::SpeedSet, Fact::WorkOffsetStated, Fact::CycleRan})
+    state_.clear(fact);
 }
 
 /// What takes effect behind the block's motion.

@@ -3,6 +3,7 @@
 
 #include "interp/expression.h"
 #include "interp/formula.h"
+#include "interp/tool_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +91,22 @@ bool blockHasCode(const ConditionContext &context, CodeIndex wanted) {
   });
 }
 
+/// Whether words stand in front of the code, or behind it, as the condition wants.
+bool standsAround(const Condition &condition, const CodeInfo *code,
+                  const ConditionContext &context) {
+  for (const CodeUse &use : context.codes) {
+    if (!code || !use.word || context.dialect.codes[use.code].base != code->base)
+      continue;
+    bool before = !condition.before, behind = !condition.behind;
+    for (const Word &word : context.block.words) {
+      before |= word.offset < use.word->offset && (condition.before & maskOf(word.address));
+      behind |= word.offset > use.word->offset && (condition.behind & maskOf(word.address));
+    }
+    return before && behind;
+  }
+  return false;
+}
+
 bool optionHolds(const std::pair<std::string, std::vector<std::string>> &option,
                  const ConditionContext &context) {
   std::optional<llvm::StringRef> value = context.machine.option(option.first);
@@ -137,6 +154,23 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
     for (const Word &word : context.block.words)
       broken |= word.address == test.address && breaks(test, word, context);
     if (!broken)
+      return false;
+  }
+  const MachineState &before = context.before;
+  if ((condition.on & ~before.switchMust) || (condition.off & before.switchMay))
+    return false;
+  if ((condition.before || condition.behind) && !standsAround(condition, code, context))
+    return false;
+  constexpr uint8_t turning = spindleCw | spindleCcw;
+  if (condition.spindleTurns &&
+      (*condition.spindleTurns ? (before.spindle & ~turning) || !before.spindle
+                               : before.spindle != spindleOff))
+    return false;
+  if (!condition.toolKind.empty() || !condition.otherToolKind.empty()) {
+    const ToolData *tool = toolInUse(context.machine, before);
+    if (!tool || tool->kind.empty() ||
+        (!condition.toolKind.empty() && !llvm::is_contained(condition.toolKind, tool->kind)) ||
+        llvm::is_contained(condition.otherToolKind, tool->kind))
       return false;
   }
   return condition.formula.empty() ||

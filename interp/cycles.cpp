@@ -69,7 +69,8 @@ void Execution::startCycle(const CodeUse &use) {
         if (n.isConstant() && n.value() == 0)
           return;
       }
-  if (!code.waits)
+  if (code.firesInPlane ? (axesOf(dialect_, block_) & planeAxes(dialect_, state_)) != 0
+                        : !code.waits)
     runCycle(use.code, axesOf(dialect_, block_));
 }
 
@@ -176,6 +177,10 @@ void Execution::cancelCycle(CodeIndex by, const Word *word) {
   const Truth active = before_.cycleActive(dialect_);
   if (active == Truth::No)
     return;
+  if (const CodeIndex running = activeCycle();
+      running != noCode && dialect_.codes[running].family != dialect_.codes[by].family &&
+      dialect_.codes[by].action == Action::CycleCancel)
+    return; // each family has a cancel of its own
   Event &event = outcome_.emit(EventKind::CycleCancel);
   event.code = activeCycle();
   event.by = by;

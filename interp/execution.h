@@ -47,6 +47,7 @@ private:
   void setSpindle(uint8_t direction, const CodeUse &use);
   void changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by);
   void toolWord(const Word &word);
+  void reset(const Word &word);
 
   // flow.cpp: calls, returns, ends
   void applyFlow(const CodeUse &use);

@@ -75,6 +75,20 @@ private:
     return tool && tool->radius ? Interval::exactly(*tool->radius) : Interval::unknown();
   }
 
+  /// The block's own assignment to a variable, or null.
+  const Item *assigned(uint64_t key) const {
+    const Item *last = nullptr;
+    for (const Item &item : context_.block.items)
+      if (item.kind == ItemKind::Assignment && context_.block.keyOf(item.target) == key)
+        last = &item;
+    return last;
+  }
+  Value variable(uint64_t key) const {
+    if (const Item *item = assigned(key))
+      return evaluate(context_.block, item->value, context_.before, nullptr);
+    return readVariable(context_.before, int64_t(key));
+  }
+
   void step(const FormulaStep &step) {
     switch (step.op) {
     case FormulaOp::Number:
@@ -89,6 +103,13 @@ private:
       return push(Interval::exactly(given(code_.words[step.index])));
     case FormulaOp::GivenAddress:
       return push(Interval::exactly(context_.block.has(AddressId(step.index))));
+    case FormulaOp::Variable: {
+      const Value value = variable(uint64_t(step.number));
+      return push(value.kind == Value::Kind::Number ? value.number : Interval::unknown());
+    }
+    case FormulaOp::GivenVariable:
+      return push(Interval::exactly(assigned(uint64_t(step.number)) ||
+                                    context_.before.commons.has(uint64_t(step.number))));
     case FormulaOp::ToolRadius:
       return push(tool());
     case FormulaOp::Negate:

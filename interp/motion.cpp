@@ -480,7 +480,8 @@ void Execution::moveAxes() {
     if (active != Truth::No) {
       const CodeIndex cycle = activeCycle();
       const CodeInfo *code = cycle == noCode ? nullptr : &dialect_.codes[cycle];
-      const bool fires = code && (code->firesOnEveryBlock || (block_.addresses & code->fires));
+      const bool fires = code && (code->firesOnEveryBlock || (block_.addresses & code->fires) ||
+                                  (code->firesInPlane && (axes & planeAxes(dialect_, state_))));
       if (fires || (!code && axes)) {
         runCycle(cycle, axes);
         return;

@@ -67,6 +67,9 @@ namespace ncvet {
   X(FrameSet, "frame-set")                                                                         \
   X(FrameAdd, "frame-add")                                                                         \
   X(FrameClear, "frame-clear")                                                                     \
+  X(Reset, "reset")                                                                                \
+  X(ProfileBegin, "profile-begin")                                                                 \
+  X(ProfileRun, "profile-run")                                                                     \
   X(Pole, "pole")                                                                                  \
   X(PolygonOn, "polygon-on")                                                                       \
   X(PolygonOff, "polygon-off")                                                                     \

@@ -16,7 +16,7 @@ llvm::ArrayRef<llvm::StringRef> codeKeys() {
       "title",   "group",    "does",      "cycle",   "cancelsCycle", "takes",
       "needs",   "fires",    "opposite",  "spindle", "words",        "excludes",
       "notices", "variants", "switch",    "alone",   "exclusive",    "twoBlock",
-      "source",  "waits",    "arguments", "foreign", "cancelsCalls"};
+      "source",  "waits",    "arguments", "foreign", "cancelsCalls", "family"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -110,6 +110,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "exclusive", info.exclusive);
   in_.read(value, "twoBlock", info.twoBlock);
   in_.read(value, "waits", info.waits);
+  in_.read(value, "family", info.family);
   in_.read(value, "cancelsCalls", info.cancelsCalls);
   in_.read(value, "foreign", info.foreign);
   in_.readWhole(value, "arguments", info.arguments, 0, 100);
@@ -119,7 +120,8 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   readSet(value, "takes", info.takes);
   if (const Json *fires = in_.member(value, "fires")) {
     info.firesOnEveryBlock = fires->is_string() && fires->get_ref<const std::string &>() == "*";
-    if (!info.firesOnEveryBlock)
+    info.firesInPlane = fires->is_string() && fires->get_ref<const std::string &>() == "plane";
+    if (!info.firesOnEveryBlock && !info.firesInPlane)
       info.fires = addressSet(*fires);
   }
   if (const Json *opposite = in_.member(value, "opposite"))
@@ -360,7 +362,21 @@ void DialectBuilder::readVariants(const std::string &name, const Json &value, Co
 Condition DialectBuilder::readCondition(const Json &value) {
   Condition when;
   in_.allowKeys(value, {"has", "any", "lacks", "active", "with", "without", "first", "pending",
-                        "options", "broken", "formula"});
+                        "options", "broken", "formula", "on", "off", "before", "behind",
+                        "spindleTurns", "toolKind", "otherToolKind"});
+  when.on = switchSet(value, "on");
+  when.off = switchSet(value, "off");
+  readSet(value, "before", when.before);
+  readSet(value, "behind", when.behind);
+  if (in_.member(value, "spindleTurns")) {
+    bool turns = false;
+    in_.read(value, "spindleTurns", turns);
+    when.spindleTurns = turns;
+  }
+  if (const Json *kinds = in_.member(value, "toolKind"))
+    when.toolKind = in_.texts(*kinds);
+  if (const Json *kinds = in_.member(value, "otherToolKind"))
+    when.otherToolKind = in_.texts(*kinds);
   readSet(value, "has", when.has);
   readSet(value, "any", when.any);
   readSet(value, "lacks", when.lacks);
@@ -385,6 +401,24 @@ Condition DialectBuilder::readCondition(const Json &value) {
       when.broken.push_back(std::move(test));
     }
   return when;
+}
+
+uint32_t DialectBuilder::switchSet(const Json &value, const char *key) {
+  uint32_t set = 0;
+  const Json *names = in_.member(value, key);
+  if (!names)
+    return 0;
+  for (const std::string &name : in_.texts(*names)) {
+    bool known = false;
+    for (size_t i = 0; i < dialect_.switches.size(); ++i)
+      if (dialect_.switches[i].id == name) {
+        set |= 1u << i;
+        known = true;
+      }
+    if (!known)
+      in_.fail(*names, "unknown switch \"" + name + "\"");
+  }
+  return set;
 }
 
 void DialectBuilder::readConditionOptions(const Json &value, Condition &when) {

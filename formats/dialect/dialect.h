@@ -79,7 +79,8 @@ enum class CycleKind : uint8_t {
   Contour, ///< mills along a contour
   Pocket,
   Slot,
-  ThreadMill
+  ThreadMill,
+  Measure ///< touches the work
 };
 llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
 std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
@@ -103,8 +104,15 @@ struct Condition {
   std::optional<CycleKind> pending;
   /// An option of the machine profile has this value (text form: "true", "SL-30", "2.5").
   std::vector<std::pair<std::string, std::vector<std::string>>> options;
-  std::vector<ValueTest> broken; ///< each of these tests is broken
-  Formula formula;               ///< of the words of the code that the condition belongs to
+  std::vector<ValueTest> broken;     ///< each of these tests is broken
+  uint32_t on = 0;                   ///< switches that certainly are on before the block
+  uint32_t off = 0;                  ///< switches that certainly are off
+  AddressMask before = 0;            ///< one of these stands in front of the code
+  AddressMask behind = 0;            ///< one of these stands behind the code
+  std::optional<bool> spindleTurns;  ///< the spindle certainly turns, or stands, before the block
+  std::vector<std::string> toolKind; ///< the tool in use is known to be one of these
+  std::vector<std::string> otherToolKind; ///< … is known, and none of these
+  Formula formula; ///< of the words of the code that the condition belongs to
 };
 
 /// A fact of the table that a rule reports as it stands.
@@ -230,6 +238,8 @@ struct CodeInfo {
   bool twoBlock = false;          ///< a parameter block comes before the executing block
   bool alone = false;             ///< wants a block of its own (other than N and comments)
   bool exclusive = false;         ///< one-shot action: only one such code per block
+  std::string family;             ///< of cycles and what cancels them; empty: all are one
+  bool firesInPlane = false;      ///< runs with every move in the plane, in its own block too
   bool waits = false;             ///< a modal cycle that does not run in its own block
   bool cancelsCalls = false;      ///< ends a modal call of a program too
   bool foreign = false;           ///< another control's code: here it is none
@@ -318,8 +328,9 @@ struct SwitchInfo {
   std::string title;  ///< "coolant", for messages
   std::string leftOn; ///< id of the rule that reports it at the program's end; empty: none
   std::optional<Severity> severity;
-  bool atToolChange = false; ///< also reported at a tool change
-  std::string off;           ///< how to switch it off, for messages: "M09"
+  bool atToolChange = false;  ///< also reported at a tool change
+  bool survivesReset = false; ///< a reset code leaves it as it is
+  std::string off;            ///< how to switch it off, for messages: "M09"
 };
 
 enum class Semicolon : uint8_t { Comment, EndOfBlock };
@@ -342,6 +353,8 @@ struct Lexical {
 struct Limits {
   uint16_t blockLength = 0;    ///< characters; 0: not limited
   uint16_t structureDepth = 0; ///< structures in each other; 0: not limited
+  uint16_t repeatDepth = 0;    ///< repeats in each other; 0: not limited
+  uint16_t labelLength = 0;    ///< letters of a label that count; 0: all
   uint16_t nameLength = 0;     ///< letters of a program's name; 0: not limited
   uint16_t mCodesPerBlock = 0; ///< 0: not limited
   uint16_t callDepth = 0;      ///< levels below the main program; 0: not documented
@@ -390,6 +403,7 @@ struct Dialect {
   llvm::StringMap<CodeIndex> keywords; ///< codes that are words of their own, in capitals
   std::vector<SwitchInfo> switches;
   std::vector<DetectMark> detect;
+  std::vector<std::string> variableNames; ///< variables of the control with names of their own
   std::vector<std::string> readOnly;    ///< beginnings of names of variables that cannot be written
   std::vector<std::string> machineData; ///< … that hold for every later program
   std::vector<std::string> readAhead;   ///< … whose value the control reads too early

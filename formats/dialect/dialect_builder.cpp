@@ -95,11 +95,12 @@ void DialectBuilder::readHead() {
   if (const Json *list = in_.member(root_, "subprogramExtensions"))
     dialect_.subprogramExtensions = in_.texts(*list);
   if (const Json *variables = in_.member(root_, "variables")) {
-    in_.allowKeys(*variables, {"readOnly", "machineData", "readAhead"});
+    in_.allowKeys(*variables, {"names", "readOnly", "machineData", "readAhead"});
     const auto list = [&](const char *key, std::vector<std::string> &target) {
       if (const Json *names = in_.member(*variables, key))
         target = in_.texts(*names);
     };
+    list("names", dialect_.variableNames);
     list("readOnly", dialect_.readOnly);
     list("machineData", dialect_.machineData);
     list("readAhead", dialect_.readAhead);
@@ -163,8 +164,11 @@ void DialectBuilder::readLimits() {
   const Json *limits = in_.member(root_, "limits");
   if (!limits)
     return;
-  in_.allowKeys(*limits, {"mCodesPerBlock", "callDepth", "programDigits", "reservedPrograms",
-                          "blockLength", "structureDepth", "nameLength"});
+  in_.allowKeys(*limits,
+                {"mCodesPerBlock", "callDepth", "programDigits", "reservedPrograms", "blockLength",
+                 "structureDepth", "nameLength", "repeatDepth", "labelLength"});
+  in_.readWhole(*limits, "repeatDepth", dialect_.limits.repeatDepth, 0, 100);
+  in_.readWhole(*limits, "labelLength", dialect_.limits.labelLength, 0, 100);
   in_.readWhole(*limits, "blockLength", dialect_.limits.blockLength, 0, 10000);
   in_.readWhole(*limits, "structureDepth", dialect_.limits.structureDepth, 0, 100);
   in_.readWhole(*limits, "nameLength", dialect_.limits.nameLength, 0, 100);
@@ -194,6 +198,8 @@ std::optional<AddressId> DialectBuilder::addressId(const Json &at, llvm::StringR
     return commaAddress(name[1]);
   if (name == "#")
     return noAddress;
+  if (name == "@") // any variable that gets a value
+    return variableAddress;
   for (size_t index = 0; index < dialect_.addressNames.size(); ++index)
     if (dialect_.addressNames[index] == name)
       return AddressId(firstNamed + index);
@@ -346,7 +352,7 @@ void DialectBuilder::readSwitches() {
   if (!table || !in_.isObject(*table))
     return;
   for (auto entry = table->begin(); entry != table->end(); ++entry) {
-    in_.allowKeys(*entry, {"title", "off", "leftOn", "severity", "atToolChange"});
+    in_.allowKeys(*entry, {"title", "off", "leftOn", "severity", "atToolChange", "survivesReset"});
     SwitchInfo info;
     info.id = entry.key();
     info.title = info.id;
@@ -355,6 +361,7 @@ void DialectBuilder::readSwitches() {
     in_.read(*entry, "leftOn", info.leftOn);
     in_.read(*entry, "severity", info.severity);
     in_.read(*entry, "atToolChange", info.atToolChange);
+    in_.read(*entry, "survivesReset", info.survivesReset);
     dialect_.switches.push_back(std::move(info));
   }
   if (dialect_.switches.size() > maxSwitches)

@@ -1,6 +1,8 @@
 // Formulas of the tables: what must hold between the words of a code's format.
 #include "formats/dialect/formula.h"
 
+#include "formats/dialect/variable_key.h"
+
 #include "llvm/ADT/StringExtras.h"
 
 namespace ncvet {
@@ -123,6 +125,8 @@ private:
     case FormulaOp::Address:
     case FormulaOp::Given:
     case FormulaOp::GivenAddress:
+    case FormulaOp::Variable:
+    case FormulaOp::GivenVariable:
     case FormulaOp::ToolRadius:
       return 0;
     case FormulaOp::Negate:
@@ -179,6 +183,10 @@ private:
       emit(FormulaOp::Number, 0, number);
       return true;
     }
+    if (take("$")) {
+      emit(FormulaOp::Variable, 0, double(variableKey(takeName())));
+      return true;
+    }
     const llvm::StringRef name = rest_.take_while(isNameCharacter);
     rest_ = rest_.drop_front(name.size());
     if (name.empty())
@@ -194,6 +202,14 @@ private:
   bool function(llvm::StringRef name, unsigned depth) {
     if (name == "toolRadius") {
       emit(FormulaOp::ToolRadius);
+      return take(")") || fail("lacks a \")\"");
+    }
+    if (name == "key") {
+      emit(FormulaOp::Number, 0, double(variableKey(takeName())));
+      return take(")") || fail("lacks a \")\"");
+    }
+    if (name == "given" && take("$")) {
+      emit(FormulaOp::GivenVariable, 0, double(variableKey(takeName())));
       return take(")") || fail("lacks a \")\"");
     }
     if (name == "given") {
@@ -216,6 +232,15 @@ private:
          : name == "min" ? FormulaOp::Minimum
                          : FormulaOp::Maximum);
     return take(")") || fail("lacks a \")\"");
+  }
+
+  /// A variable's name, perhaps with the marks of its type.
+  llvm::StringRef takeName() {
+    rest_ = rest_.ltrim();
+    const llvm::StringRef name =
+        rest_.take_while([](char c) { return isNameCharacter(c) || c == '%'; });
+    rest_ = rest_.drop_front(name.size());
+    return name;
   }
 
   llvm::StringRef rest_;

@@ -20,7 +20,9 @@ enum class FormulaOp : uint8_t {
   Address, ///< value of the block's word with address `index`
   Given,   ///< whether word `index` of the format is there
   GivenAddress,
-  ToolRadius, ///< of the tool in use, by the machine profile
+  Variable,      ///< value of the variable whose key is `number`: `$NAME`
+  GivenVariable, ///< whether it has one
+  ToolRadius,    ///< of the tool in use, by the machine profile
   Add,
   Subtract,
   Multiply,
@@ -58,7 +60,8 @@ struct FormulaName {
 };
 
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
-/// `abs(x) min(x,y) max(x,y) given(NAME) toolRadius()`. None, with `error` set, when it cannot.
+/// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) given(NAME) toolRadius()
+/// key(SYMBOL)`. None, with `error` set, when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

@@ -29,8 +29,9 @@ constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "groove-radial",  "thread-multi",
                                           "pattern",        "face",
                                           "contour",        "pocket",
-                                          "slot",           "thread-mill"};
-static_assert(std::size(cycles) == size_t(CycleKind::ThreadMill) + 1);
+                                          "slot",           "thread-mill",
+                                          "measure"};
+static_assert(std::size(cycles) == size_t(CycleKind::Measure) + 1);
 
 constexpr llvm::StringLiteral needs[] = {"optional", "required", "first"};
 constexpr llvm::StringLiteral points[] = {"any", "required", "forbidden"};

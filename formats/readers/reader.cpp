@@ -1,6 +1,7 @@
 // Chooses a reader by the name in the dialect's table.
 #include "formats/readers/reader.h"
 
+#include "formats/readers/ecs_reader.h"
 #include "formats/readers/iso_reader.h"
 #include "formats/readers/mefi_reader.h"
 #include "formats/readers/sinumerik_reader.h"
@@ -8,6 +9,8 @@
 namespace ncvet {
 
 std::unique_ptr<Reader> makeReader(const Dialect &dialect, llvm::StringRef text) {
+  if (dialect.reader == "ecs")
+    return std::make_unique<EcsReader>(dialect, text);
   if (dialect.reader == "mefi")
     return std::make_unique<MefiReader>(dialect, text);
   if (dialect.reader == "sinumerik")

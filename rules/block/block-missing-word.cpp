@@ -11,6 +11,7 @@ bool isMine(const CodeInfo &code, const WordSpec &spec) {
 class BlockMissingWord final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.handleNotices();
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Sleep ||
              llvm::any_of(code.words,

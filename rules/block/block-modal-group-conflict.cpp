@@ -24,6 +24,7 @@ bool leadsElsewhere(Action action) {
 class BlockModalGroupConflict final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.handleNotices();
     to.onCode([&](const CodeInfo &code) {
       return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
              code.opposite != noCode ||

@@ -7,7 +7,9 @@ namespace {
 class BlockMustStandAlone final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Statement);
+    to.handleNotices();
+    if (to.option("statements", 0) != 0)
+      to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return code.alone || llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });

@@ -15,6 +15,7 @@ bool isMine(const CodeInfo &code, const WordSpec &spec) {
 class BlockValueOutOfRange final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.handleNotices();
     for (const AddressInfo &address : to.dialect().addresses)
       ranged_ |= std::isfinite(address.least) || std::isfinite(address.most);
     to.on(EventKind::WordIssue);

@@ -9,7 +9,8 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun});
     to.onCode([](const CodeInfo &code) {
-      return code.action == Action::Cycle && code.group == noGroup && !code.arguments;
+      return code.action == Action::Cycle && code.group == noGroup && !code.arguments &&
+             code.cycle < CycleKind::Pattern;
     });
   }
 

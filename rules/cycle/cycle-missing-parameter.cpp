@@ -9,6 +9,7 @@ constexpr llvm::StringLiteral id = "cycle-missing-parameter";
 class CycleMissingParameter final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.handleNotices();
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Cycle ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });

@@ -9,6 +9,7 @@ constexpr llvm::StringLiteral id = "cycle-parameter-conflict";
 class CycleParameterConflict final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.handleNotices();
     to.onCode([](const CodeInfo &code) {
       return (code.action == Action::Cycle && !code.excludes.empty()) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });

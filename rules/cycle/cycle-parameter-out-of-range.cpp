@@ -10,6 +10,7 @@ constexpr llvm::StringLiteral id = "cycle-parameter-out-of-range";
 class CycleParameterOutOfRange final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.handleNotices();
     to.on(EventKind::CycleRun);
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Cycle ||

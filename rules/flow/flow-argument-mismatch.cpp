@@ -23,6 +23,15 @@ public:
     case EventKind::Syntax: {
       const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
       const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      if (issue.kind == SyntaxIssueKind::MissingArgument ||
+          issue.kind == SyntaxIssueKind::TooManyArguments) {
+        if (auto finding = ctx.report(range))
+          finding.message(issue.kind == SyntaxIssueKind::MissingArgument
+                              ? "`{0}` has fewer arguments than it needs"
+                              : "`{0}` has more arguments than it takes",
+                          ctx.text(range));
+        return;
+      }
       if (issue.kind == SyntaxIssueKind::NamedArgument)
         if (auto finding = ctx.report(range))
           finding.message("`{0}`: arguments are told by their places, and take no names",

@@ -9,9 +9,13 @@ public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CallLocal});
     to.onNotices("flow-call-format");
+    if (to.option("statements", 0) != 0)
+      to.on(EventKind::Statement);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement)
+      return atStatement(ctx.block().items[size_t(event.number)], ctx);
     ctx.reportNotices("flow-call-format", event);
     if (ctx.code(event).action != Action::CallLocal)
       return;
@@ -26,6 +30,48 @@ public:
                    ctx.text(*number), ctx.text(*event.word), cure)
           .fix(FixSafety::Unsafe, llvm::formatv("write `{0}`", cure).str(),
                ctx.replace(ctx.range(*number), cure));
+  }
+
+private:
+  /// How calls and choices name their targets.
+  static void atStatement(const Item &item, RuleContext &ctx) {
+    const SourceRange whole{ctx.source().id(), item.begin, item.end};
+    if (item.kind == ItemKind::Call && item.nameEnd > item.nameBegin) {
+      const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
+      const llvm::StringRef name = ctx.text(range);
+      if (name.size() > 1 && name[0] == 'R' &&
+          llvm::all_of(name.drop_front(), [](char c) { return c >= '0' && c <= '9'; })) {
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` is taken as a name: the program that a variable names is `&{0}`",
+                          name);
+      } else if (ctx.text(whole).contains('\\')) {
+        if (auto finding = ctx.report(whole))
+          finding.severity(Severity::Style)
+              .message("`{0}` names a folder of this control: on another one it is not found",
+                       ctx.text(whole));
+      }
+      return;
+    }
+    if (item.kind != ItemKind::Jump)
+      return;
+    for (const Argument &target : ctx.block().argumentsOf(item)) {
+      if (target.kind != ArgumentKind::Label)
+        continue;
+      const SourceRange range{ctx.source().id(), target.begin, target.end};
+      const llvm::StringRef name = ctx.text(range);
+      const bool number =
+          name.size() > 1 && name[0] == 'N' &&
+          llvm::all_of(name.drop_front(), [](char c) { return c >= '0' && c <= '9'; });
+      if (item.jump != JumpKind::BySign && !number)
+        continue;
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message(number
+                         ? "the label `{0}` reads like a block number: `{0}` without brackets is "
+                           "another place"
+                         : "`{0}`: a choice by sign takes block numbers, not labels",
+                     name);
+    }
   }
 };
 

@@ -12,7 +12,9 @@ public:
   void on(const Event &, RuleContext &ctx) override {
     const Block &block = ctx.block();
     for (const Item &item : block.items)
-      if (item.kind == ItemKind::Structure && item.structure == Structure::For)
+      if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
+        choice(item, ctx);
+      else if (item.kind == ItemKind::Structure && item.structure == Structure::For)
         empty(item, ctx);
       else if ((item.kind == ItemKind::If || item.kind == ItemKind::While ||
                 (item.kind == ItemKind::Structure && item.structure != Structure::Until)) &&
@@ -21,6 +23,23 @@ public:
   }
 
 private:
+  /// A choice by sign that always goes one way.
+  static void choice(const Item &item, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const auto targets = block.argumentsOf(item);
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    bool same = targets.size() == 3;
+    for (const Argument &target : targets)
+      same &= ctx.text(SourceRange{ctx.source().id(), target.begin, target.end}) ==
+              ctx.text(SourceRange{ctx.source().id(), targets[0].begin, targets[0].end});
+    if (same) {
+      if (auto finding = ctx.report(range))
+        finding.message("all three ways of `{0}` lead to the same block", ctx.text(range));
+      return;
+    }
+    check(block.expressions[item.condition], item, ctx);
+  }
+
   /// FOR counts upwards only.
   static void empty(const Item &item, RuleContext &ctx) {
     const Block &block = ctx.block();

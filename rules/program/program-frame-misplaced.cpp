@@ -7,8 +7,34 @@ namespace {
 class ProgramFrameMisplaced final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    if (llvm::any_of(to.dialect().codes,
+                     [](const CodeInfo &c) { return c.action == Action::Reset; }))
+      to.onAction({Action::Reset});
     hasHead_ = llvm::any_of(to.dialect().codes,
                             [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
+  }
+
+  /// A reset opens the program; a numbered one begins a new phase of it.
+  void on(const Event &event, RuleContext &ctx) override {
+    if (ctx.block().mainBlock)
+      return;
+    if (ctx.callDepth() > 0) {
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}` in a called program resets the modes of its caller",
+                        ctx.text(*event.word));
+      return;
+    }
+    Block block;
+    for (uint32_t at = ctx.index().programAt(ctx.block().begin).body; at < ctx.block().begin;
+         at = block.next) {
+      ctx.index().reader().read(at, block);
+      if (block.isEmpty())
+        continue;
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}` stands behind other blocks: it opens a program",
+                        ctx.text(*event.word));
+      return;
+    }
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {

@@ -1,5 +1,5 @@
 // The program number, or the closing mark, that the control wants around a program is missing.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -9,6 +9,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ProgramEnd);
     wantsHeader_ = to.option("header", 1) != 0;
+    wantsReset_ = to.option("reset", 0) != 0;
     wantsEndMark_ = to.option("endMark", to.dialect().lexical.percentHeader ? 1 : 0) != 0;
     percent_ = to.dialect().lexical.percentHeader;
   }
@@ -34,6 +35,8 @@ public:
     if (!end)
       return;
     const ProgramInfo &first = file.index.programs().front();
+    if (wantsReset_)
+      reset(first, file, ctx);
     if (wantsHeader_ && !first.hasHeader())
       header(first, file, ctx);
     if (wantsEndMark_)
@@ -41,6 +44,23 @@ public:
   }
 
 private:
+  /// The first block that says anything resets the control.
+  void reset(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    Block block;
+    for (uint32_t at = program.begin; at < program.end; at = block.next) {
+      file.reader.read(at, block);
+      if (block.isEmpty())
+        continue;
+      if (!findCode(ctx.dialect(), block, {Action::Reset}))
+        if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
+          finding.message(
+              "the program begins without `%`: it runs in whatever modes the one before "
+              "has left");
+      return;
+    }
+  }
+
+  bool wantsReset_ = false;
   void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     Block block;
     for (uint32_t at = program.begin; at < program.end; at = block.next) {

@@ -8,6 +8,9 @@ class ProgramNameInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     names_ = to.dialect().limits.nameLength;
+    labels_ = to.dialect().limits.labelLength;
+    if (labels_)
+      to.on(EventKind::Statement);
     if (names_)
       to.on({EventKind::Return, EventKind::Statement});
     digitsMin_ = to.dialect().limits.programDigitsMin;
@@ -20,6 +23,8 @@ public:
     if (event.kind == EventKind::Return)
       return atReturn(ctx);
     const Item &item = ctx.block().items[size_t(event.number)];
+    if (labels_ && item.kind == ItemKind::Call)
+      return calledName({ctx.source().id(), item.nameBegin, item.nameEnd}, ctx);
     if (item.kind != ItemKind::Definition)
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
@@ -29,6 +34,8 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (labels_)
+      return labels(file, ctx);
     if (names_)
       return named(file, ctx);
     for (const ProgramInfo &program : file.index.programs())
@@ -39,6 +46,47 @@ public:
   }
 
 private:
+  /// A program is called by its name alone.
+  static void calledName(SourceRange range, RuleContext &ctx) {
+    const llvm::StringRef name = ctx.text(range);
+    if (!name.contains('.') && !llvm::any_of(name, [](char c) { return c >= 'a' && c <= 'z'; }))
+      return;
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is no name that a call takes: capitals and digits, without an ending",
+                   name);
+  }
+
+  /// Of a label only some characters count.
+  void labels(const FileSummary &file, RuleContext &ctx) const {
+    constexpr size_t readable = 4u << 20; // a program that long was made by a machine
+    if (file.source.text().size() > readable)
+      return;
+    Block block;
+    for (uint32_t at = file.reader.first(); at < file.source.text().size(); at = block.next) {
+      file.reader.read(at, block);
+      for (const SyntaxIssue &issue : block.issues)
+        if (issue.kind == SyntaxIssueKind::BadStatement &&
+            ctx.text(SourceRange{file.source.id(), issue.begin, issue.end}) == "[]")
+          if (auto finding = ctx.report(SourceRange{file.source.id(), issue.begin, issue.end}))
+            finding.message("a label without a name");
+      if (!block.hasLabel())
+        continue;
+      const SourceRange range{file.source.id(), block.labelBegin, block.labelEnd};
+      const llvm::StringRef name = ctx.text(range).split(':').first;
+      const size_t letters = name.size() - name.count(' ');
+      if (letters <= labels_ && !name.trim().contains(' '))
+        continue;
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Style)
+            .message(letters > labels_ ? "of the label `{0}` only {1} characters count"
+                                       : "blanks of the label `{0}` do not count",
+                     ctx.text(range), labels_);
+    }
+  }
+
+  size_t labels_ = 0; ///< characters of a label that count; 0: all
+
   /// What is wrong with a name of letters, digits and `_`; null: nothing.
   static const char *wrongName(llvm::StringRef name) {
     const auto letter = [](char c) { return llvm::isAlpha(c) || c == '_'; };

@@ -12,9 +12,24 @@ public:
     if (to.option("atToolChange", 0) != 0)
       to.on(EventKind::ToolChange);
     atToolChange_ = to.option("atToolChange", 0) != 0;
+    if (to.option("atEnd", 0) != 0) {
+      to.on(EventKind::ProgramEnd);
+      to.onAction({Action::ProgramStop});
+      atEnd_ = true;
+    }
   }
   void on(const Event &event, RuleContext &ctx) override {
-    LeftOnRule::on(event, ctx);
+    if (event.kind != EventKind::Code)
+      LeftOnRule::on(event, ctx);
+    if (atEnd_ && (event.kind == EventKind::ProgramEnd || event.kind == EventKind::Code) &&
+        ctx.after().spindle && !(ctx.after().spindle & ~(spindleCw | spindleCcw)) &&
+        !ctx.after().may(Fact::UnknownCode)) {
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Style)
+            .message("the spindle still turns where the program stops")
+            .note(ctx.after().origin.spindle, "it is started here");
+      return;
+    }
     if (event.kind != EventKind::ToolChange || !atToolChange_ ||
         (ctx.before().spindle & ~(spindleCw | spindleCcw)) || !ctx.before().spindle ||
         !ctx.before().must(Fact::CutSinceTool))
@@ -26,7 +41,7 @@ public:
   }
 
 private:
-  bool atToolChange_ = false;
+  bool atToolChange_ = false, atEnd_ = false;
 };
 
 } // namespace

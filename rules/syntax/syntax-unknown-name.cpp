@@ -17,6 +17,8 @@ public:
           known_.insert(spec.variable);
           known_.insert(spec.orVariable);
         }
+    for (const std::string &name : to.dialect().variableNames)
+      known_.insert(variableKey(name));
     to.on({EventKind::Syntax, EventKind::Assignment});
   }
 
@@ -53,8 +55,8 @@ public:
 private:
   /// A value for a name that no cycle reads, where only cycles read names.
   void parameter(const Event &event, RuleContext &ctx) {
-    if (known_.empty() || event.number < int64_t(firstNamedVariable) ||
-        known_.count(uint64_t(event.number)))
+    if (known_.empty() || !ctx.block().has(variableAddress) ||
+        event.number < int64_t(firstNamedVariable) || known_.count(uint64_t(event.number)))
       return;
     for (const Item &item : ctx.block().items)
       if (item.kind == ItemKind::Assignment &&

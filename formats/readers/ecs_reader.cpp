@@ -1,0 +1,1050 @@
+// Reader of ECS programs: words, instructions and variables in angle brackets, labels, expressions.
+#include "formats/readers/ecs_reader.h"
+
+#include "formats/readers/ecs_expression.h"
+#include "formats/readers/plain_number.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/ADT/StringSwitch.h"
+
+#include <algorithm>
+
+namespace ncvet {
+
+namespace {
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f'; }
+bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
+bool isNameCharacter(char c) { return isLetter(c) || isNumberDigit(c); }
+
+/// Bytes of a typographic quotation mark in UTF-8: U+2018 to U+201E; 0: none. `comment` says
+/// whether it stands for the one that opens a comment.
+unsigned typographicQuote(const char *at, const char *end, bool &comment) {
+  if (end - at < 3 || uint8_t(at[0]) != 0xE2 || uint8_t(at[1]) != 0x80)
+    return 0;
+  const auto third = uint8_t(at[2]);
+  comment = third == 0x98 || third == 0x99 || third == 0x9B;
+  return third >= 0x98 && third <= 0x9E ? 3 : 0;
+}
+
+class Scanner {
+public:
+  Scanner(const Dialect &dialect, const llvm::StringMap<AddressId> &addresses, llvm::StringRef text,
+          uint32_t offset, Block &block)
+      : dialect_(dialect), addresses_(addresses), base_(text.begin()), at_(text.begin() + offset),
+        end_(text.end()), block_(block) {}
+
+  void scan();
+
+private:
+  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
+  void issue(SyntaxIssueKind kind, const char *begin, const char *end) {
+    block_.issues.push_back({kind, offset(begin), offset(end)});
+  }
+  void skipBlanks() {
+    while (at_ < end_ && isBlank(*at_))
+      ++at_;
+  }
+  const char *behindBlanks(const char *p) const {
+    while (p < end_ && isBlank(*p))
+      ++p;
+    return p;
+  }
+  bool atLineEnd() const { return at_ == end_ || isLineEnd(*at_); }
+  bool startsBlock() const { return block_.words.empty() && block_.items.empty(); }
+  const char *lineEnd() const {
+    const char *p = at_;
+    while (p < end_ && !isLineEnd(*p))
+      ++p;
+    return p;
+  }
+  llvm::StringRef name() const {
+    const char *p = at_;
+    while (p < end_ && *p == '%' && p - at_ < 2)
+      ++p;
+    while (p < end_ && isNameCharacter(*p))
+      ++p;
+    return {at_, size_t(p - at_)};
+  }
+
+  void scanItem();
+  void scanLineComment(unsigned mark);
+  void scanComment(char close);
+  void scanLabel();
+  void scanReset();
+  void scanPhase();
+  void scanLetter();
+  void scanPlane(const char *begin);
+  void scanValue(AddressId address, const char *begin);
+  bool scanNumber(Word &word, const char *begin);
+  void scanAssignment(const char *begin);
+  void scanElement(const char *begin);
+  void scanCall(const char *begin);
+  void scanOther();
+
+  void scanAngle();
+  void closeAngle(const char *begin);
+  void scanVariable(const char *begin, llvm::StringRef name);
+  void scanInstruction(const char *begin, llvm::StringRef name);
+  void scanJump(const char *begin, bool other);
+  void scanChoice(const char *begin, bool other);
+  void scanRepeat(const char *begin);
+  void scanInput(const char *begin);
+  Argument scanTarget(char separator);
+  Argument scanArgument(char separator);
+  char scanSeparator();
+  llvm::StringRef scanProgramName();
+  void scanString(Argument &argument);
+  void keyword(CodeIndex code, const char *begin, const char *end);
+  void argumentWord(const Argument &argument);
+
+  void addWord(Word &word, const char *begin);
+  uint16_t constant(const char *begin, const char *end, double value);
+  uint16_t opaque(const char *begin, const char *end) {
+    const uint16_t index = constant(begin, end, 0);
+    block_.operations.back().op = Op::Opaque;
+    return index;
+  }
+  uint16_t expression() {
+    EcsExpression parser(base_, at_, end_, block_);
+    const uint16_t index = parser.parse();
+    at_ = parser.position();
+    return index;
+  }
+  /// `<expr>`; the bracket is at hand.
+  uint16_t bracketed() {
+    const char *const begin = at_++;
+    const uint16_t index = expression();
+    closeAngle(begin);
+    return index;
+  }
+  Item itemAt(ItemKind kind, const char *begin) const {
+    Item item;
+    item.kind = kind;
+    item.wordsBefore = uint16_t(block_.words.size());
+    item.begin = offset(begin);
+    item.firstArgument = uint16_t(block_.arguments.size());
+    return item;
+  }
+  void add(Item &item) {
+    item.arguments = uint16_t(block_.arguments.size() - item.firstArgument);
+    item.end = offset(at_);
+    block_.items.push_back(item);
+  }
+
+  const Dialect &dialect_;
+  const llvm::StringMap<AddressId> &addresses_;
+  const char *base_;
+  const char *at_;
+  const char *end_;
+  Block &block_;
+};
+
+void Scanner::scan() {
+  block_.begin = offset(at_);
+  const char *content = at_;
+  while (at_ < end_ && !isLineEnd(*at_)) {
+    if (isBlank(*at_)) {
+      ++at_;
+      continue;
+    }
+    scanItem();
+    content = at_;
+  }
+  block_.end = offset(content);
+  if (at_ < end_) {
+    const char c = *at_++;
+    if (c == '\r' && at_ < end_ && *at_ == '\n')
+      ++at_;
+  }
+  block_.next = offset(at_);
+  if (block_.isEmpty() && block_.issues.empty() && block_.number < 0 && block_.skip < 0 &&
+      !block_.hasLabel())
+    block_.kind = BlockKind::Empty;
+}
+
+void Scanner::scanItem() {
+  const char c = *at_;
+  if (isLetter(c))
+    return scanLetter();
+  bool comment = false;
+  switch (c) {
+  case '<':
+    return scanAngle();
+  case '(':
+    return scanComment(')');
+  case '{':
+    return scanComment('}');
+  case '\'':
+    return scanLineComment(1);
+  case '[':
+    return scanLabel();
+  case '%':
+    if (startsBlock())
+      return scanReset();
+    break;
+  case ':':
+    if (startsBlock())
+      return scanPhase();
+    break;
+  case '/':
+    ++at_;
+    if (startsBlock() && block_.skip < 0) {
+      block_.skip = 0;
+      return;
+    }
+    return issue(SyntaxIssueKind::InvalidCharacter, at_ - 1, at_);
+  case '#':
+    if (at_ + 1 < end_ && isNumberDigit(at_[1]))
+      return scanAssignment(at_);
+    break;
+  default:
+    if (const unsigned mark = typographicQuote(at_, end_, comment); mark && comment)
+      return scanLineComment(mark);
+  }
+  scanOther();
+}
+
+/// To the end of the line.
+void Scanner::scanLineComment(unsigned mark) {
+  const char *const begin = at_;
+  if (mark > 1)
+    issue(SyntaxIssueKind::TypographicQuote, begin, begin + mark);
+  at_ = lineEnd();
+  block_.comments.push_back({offset(begin), offset(at_)});
+}
+
+void Scanner::scanComment(char close) {
+  const char *const begin = at_;
+  const char *const line = lineEnd();
+  while (at_ < line && *at_ != close)
+    ++at_;
+  if (at_ == line)
+    issue(SyntaxIssueKind::UnclosedComment, begin, at_);
+  else if (const llvm::StringRef inside(begin + 1, size_t(at_++ - begin - 1));
+           inside.contains(*begin))
+    issue(SyntaxIssueKind::NestedComment, begin + 1 + inside.find(*begin), at_);
+  block_.comments.push_back({offset(begin), offset(at_)});
+}
+
+void Scanner::scanLabel() {
+  const char *const begin = at_++;
+  const char *const line = lineEnd();
+  const char *const text = at_;
+  while (at_ < line && *at_ != ']')
+    ++at_;
+  const bool misplaced = !startsBlock() || block_.hasLabel();
+  if (at_ == line)
+    return issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+  if (misplaced) {
+    ++at_;
+    return issue(SyntaxIssueKind::MisplacedLabel, begin, at_);
+  }
+  block_.labelBegin = offset(text);
+  block_.labelEnd = offset(at_++);
+  if (block_.labelBegin == block_.labelEnd)
+    issue(SyntaxIssueKind::BadStatement, begin, at_);
+}
+
+/// `%`: what follows on the line is a remark.
+void Scanner::scanReset() {
+  const char *const begin = at_++;
+  if (const CodeIndex code = dialect_.keyword("%"); code != noCode)
+    keyword(code, begin, at_);
+  skipBlanks();
+  if (atLineEnd())
+    return;
+  const char *const remark = at_;
+  at_ = lineEnd();
+  block_.comments.push_back({offset(remark), offset(at_)});
+}
+
+/// `:N10` or `:10`
+void Scanner::scanPhase() {
+  const char *const begin = at_++;
+  skipBlanks();
+  if (at_ < end_ && (*at_ | 32) == 'n')
+    ++at_;
+  int64_t number = 0;
+  const char *const digits = at_;
+  while (at_ < end_ && isNumberDigit(*at_))
+    number = std::min<int64_t>(1'000'000'000'000, number * 10 + (*at_++ - '0'));
+  if (at_ == digits)
+    return issue(SyntaxIssueKind::BadStatement, begin, at_);
+  block_.number = number;
+  block_.numberBegin = offset(begin);
+  block_.numberEnd = offset(at_);
+  block_.mainBlock = true;
+  if (const CodeIndex code = dialect_.keyword(":N"); code != noCode)
+    keyword(code, begin, at_);
+}
+
+void Scanner::keyword(CodeIndex code, const char *begin, const char *end) {
+  Word word;
+  word.address = keywordAddress;
+  word.mantissa = code;
+  const char *const at = at_;
+  at_ = end;
+  addWord(word, begin);
+  at_ = at;
+}
+
+void Scanner::addWord(Word &word, const char *begin) {
+  word.offset = offset(begin);
+  word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
+  const AddressMask mask = maskOf(word.address);
+  block_.words.push_back(word);
+  block_.repeated |= block_.addresses & mask;
+  block_.addresses |= mask;
+  if (word.flags & wordPoint)
+    block_.pointed |= mask;
+  else if (!(word.flags & (wordExpression | wordNoValue)) && word.mantissa)
+    block_.pointless |= mask;
+}
+
+uint16_t Scanner::constant(const char *begin, const char *end, double value) {
+  Expression expression;
+  expression.first = uint32_t(block_.operations.size());
+  expression.count = 1;
+  expression.begin = offset(begin);
+  expression.end = offset(end);
+  block_.operations.push_back({Op::Number, offset(begin), value});
+  if (block_.expressions.size() >= noExpression - 1)
+    return uint16_t(block_.expressions.size() - 1);
+  block_.expressions.push_back(expression);
+  return uint16_t(block_.expressions.size() - 1);
+}
+
+void Scanner::scanLetter() {
+  const char *const begin = at_;
+  const char letter = char(*at_ & ~32);
+  block_.lowerCase |= *at_ >= 'a';
+  const char *const next = at_ + 1;
+  if (next < end_ && isLetter(*next)) {
+    // `DX`, `RA`, `SM`: two letters that no further letter follows.
+    const auto two = addresses_.find(llvm::StringRef(begin, 2).upper());
+    if (two != addresses_.end() && (next + 1 == end_ || !isLetter(next[1]))) {
+      at_ += 2;
+      return scanValue(two->second, begin);
+    }
+    const llvm::StringRef run =
+        llvm::StringRef(begin, size_t(end_ - begin)).take_while([](char c) { return isLetter(c); });
+    // Bare axes (`G23 XYZ`) and K stand without values; other runs of letters mean nothing.
+    if (run.size() > 2 &&
+        run.find_first_not_of("XYZABCUVWKDxyzabcuvwkd") != llvm::StringRef::npos) {
+      at_ = run.end();
+      while (at_ < end_ && isNameCharacter(*at_))
+        ++at_;
+      return issue(SyntaxIssueKind::UnknownWord, begin, at_);
+    }
+  }
+  const AddressId address = letterAddress(letter);
+  const bool digit = next < end_ && isNumberDigit(*next);
+  switch (letter) {
+  case 'N':
+    if (digit && startsBlock() && block_.number < 0) {
+      ++at_;
+      int64_t number = 0;
+      while (at_ < end_ && isNumberDigit(*at_))
+        number = std::min<int64_t>(1'000'000'000'000, number * 10 + (*at_++ - '0'));
+      block_.number = number;
+      block_.numberBegin = offset(begin);
+      block_.numberEnd = offset(at_);
+      if (at_ < end_ && (*at_ == '.' || *at_ == ',')) {
+        while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == ','))
+          ++at_;
+        issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+      }
+      return;
+    }
+    break;
+  case 'R':
+  case 'V': {
+    const char *p = next;
+    while (p < end_ && isNumberDigit(*p))
+      ++p;
+    const char *const sign = behindBlanks(p);
+    if (p > next && sign < end_ && *sign == '=')
+      return scanAssignment(begin);
+    break;
+  }
+  case 'L': {
+    const char *const open = behindBlanks(next);
+    if (open < end_ && *open == '<') {
+      at_ = open;
+      return scanCall(begin);
+    }
+    if (digit)
+      return scanElement(begin);
+    break;
+  }
+  case 'P':
+  case 'O':
+    if (digit)
+      return scanElement(begin);
+    break;
+  case 'G':
+    if (next + 2 < end_ && next[0] == '1' && next[1] == '6' &&
+        (isLetter(*behindBlanks(next + 2)) && !isNumberDigit(next[2])))
+      return scanPlane(begin);
+    break;
+  default:
+    break;
+  }
+  ++at_;
+  scanValue(address, begin);
+}
+
+/// `G16XYZ+`: a free plane, its axis and direction.
+void Scanner::scanPlane(const char *begin) {
+  at_ = behindBlanks(begin + 3);
+  const char *const axes = at_;
+  while (at_ < end_ && isLetter(*at_))
+    ++at_;
+  const llvm::StringRef letters(axes, size_t(at_ - axes));
+  const CodeIndex code = dialect_.keyword("G16" + letters.upper());
+  const bool sign = at_ < end_ && (*at_ == '+' || *at_ == '-');
+  at_ += sign;
+  if (code == noCode || !sign) {
+    while (!atLineEnd() && !isBlank(*at_) && *at_ != '<')
+      ++at_;
+    Word word; // a plane all the same, which one is not known
+    word.address = letterAddress('G');
+    word.mantissa = 16;
+    word.flags = wordMalformed;
+    addWord(word, begin);
+    return;
+  }
+  keyword(code, begin, at_);
+}
+
+/// The number, `= expression` or `<expression>` behind an address.
+void Scanner::scanValue(AddressId address, const char *begin) {
+  Word word;
+  word.address = address;
+  if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
+    if (const char *const behind = readPlainNumber(at_, end_, word)) {
+      at_ = behind;
+      // `G54.01`: two digits behind the point are a number of their own.
+      if (address == letterAddress('G') && word.decimals == 2)
+        if (const CodeIndex code = dialect_.keyword({begin, size_t(at_ - begin)}); code != noCode)
+          return keyword(code, begin, at_);
+      return addWord(word, begin);
+    }
+  }
+  const char *const value = behindBlanks(at_);
+  const char c = value < end_ ? *value : '\n';
+  if (c == '=' || c == '<') {
+    // Behind K, and where axes are only named, a bracket is an item of its own.
+    const bool bare = c == '<' && (value > at_ || address == letterAddress('K'));
+    if (!bare) {
+      at_ = value;
+      uint16_t index = 0;
+      if (c == '<') {
+        index = bracketed();
+      } else {
+        ++at_;
+        skipBlanks();
+        if (atLineEnd() || *at_ == '<') {
+          word.flags = wordNoValue;
+          issue(SyntaxIssueKind::MissingValue, begin, at_);
+          return addWord(word, begin);
+        }
+        index = expression();
+      }
+      word.flags = wordExpression;
+      word.mantissa = index;
+      if (index < block_.expressions.size())
+        block_.expressions[index].end = std::max(block_.expressions[index].end, offset(at_));
+      return addWord(word, begin);
+    }
+  }
+  if (isNumberDigit(c) || c == '-' || c == '+' || c == '.' || typographicMinus(value, end_)) {
+    if (value > at_ && isNumberDigit(c))
+      issue(SyntaxIssueKind::BlankInNumber, begin, value + 1);
+    at_ = value;
+    if (!scanNumber(word, begin))
+      word.flags |= wordNoValue | wordMalformed;
+    return addWord(word, begin);
+  }
+  word.flags = wordNoValue;
+  // A flag, or an axis that is only named.
+  const bool flag =
+      address == letterAddress('K') || dialect_.addresses[address].kind == AddressKind::Axis;
+  if (!flag)
+    issue(SyntaxIssueKind::MissingValue, begin, at_);
+  addWord(word, begin);
+}
+
+bool Scanner::scanNumber(Word &word, const char *begin) {
+  bool negative = false;
+  if (const unsigned bytes = typographicMinus(at_, end_)) {
+    issue(SyntaxIssueKind::TypographicMinus, at_, at_ + bytes);
+    negative = true;
+    at_ += bytes;
+  } else if (*at_ == '-' || *at_ == '+') {
+    negative = *at_ == '-';
+    if (!negative)
+      word.flags |= wordPlus;
+    ++at_;
+    const char *const digits = behindBlanks(at_);
+    if (digits > at_ && digits < end_ && (isNumberDigit(*digits) || *digits == '.')) {
+      issue(SyntaxIssueKind::BlankInNumber, begin, digits + 1);
+      at_ = digits;
+    }
+  }
+  if (negative)
+    word.flags |= wordMinus;
+  int64_t mantissa = 0;
+  unsigned digits = 0, decimals = 0, read = 0;
+  const auto take = [&](unsigned &counted) {
+    for (; at_ < end_ && isNumberDigit(*at_); ++at_, ++read)
+      if (digits < maxNumberDigits) {
+        mantissa = mantissa * 10 + (*at_ - '0');
+        digits += mantissa != 0;
+        ++counted;
+      } else {
+        word.flags |= wordMalformed;
+      }
+  };
+  unsigned whole = 0;
+  take(whole);
+  if (at_ < end_ && (*at_ == '.' || (*at_ == ',' && at_ + 1 < end_ && isNumberDigit(at_[1])))) {
+    const bool comma = *at_++ == ',';
+    word.flags |= wordPoint;
+    take(decimals);
+    decimals = std::min(decimals, maxNumberDigits);
+    if (comma)
+      issue(SyntaxIssueKind::DecimalComma, begin, at_);
+  }
+  if (!read) {
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    return false;
+  }
+  word.mantissa = negative ? -mantissa : mantissa;
+  word.decimals = uint8_t(decimals);
+  if (at_ < end_ && (*at_ == '.' || *at_ == '-' || *at_ == '+')) {
+    while (at_ < end_ && (*at_ == '.' || *at_ == '-' || *at_ == '+' || isNumberDigit(*at_)))
+      ++at_;
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    word.flags |= wordMalformed;
+  }
+  return true;
+}
+
+/// `R1 = R2 + 10`, `#271=5`
+void Scanner::scanAssignment(const char *begin) {
+  Item item = itemAt(ItemKind::Assignment, begin);
+  EcsExpression parser(base_, at_, end_, block_);
+  item.target = parser.parseTarget();
+  at_ = parser.position();
+  item.nameBegin = item.begin;
+  item.nameEnd = offset(at_);
+  skipBlanks();
+  if (at_ == end_ || *at_ != '=') {
+    at_ = std::max(at_, begin + 1);
+    return issue(SyntaxIssueKind::MissingEquals, begin, at_);
+  }
+  ++at_;
+  skipBlanks();
+  if (atLineEnd())
+    return issue(SyntaxIssueKind::MissingValue, begin, at_);
+  item.value = expression();
+  add(item);
+}
+
+/// `L1`, `P2`, `O5`: an element of a contour by its name; `=` defines it.
+void Scanner::scanElement(const char *begin) {
+  const char letter = char(*begin & ~32);
+  Word word;
+  word.address = letterAddress(letter);
+  ++at_;
+  int64_t number = 0;
+  while (at_ < end_ && isNumberDigit(*at_))
+    number = std::min<int64_t>(1'000'000'000, number * 10 + (*at_++ - '0'));
+  word.mantissa = number;
+  addWord(word, begin);
+  const char *const sign = behindBlanks(at_);
+  if (sign == end_ || *sign != '=')
+    return;
+  // What defines it moves nothing: its words are its own.
+  at_ = lineEnd();
+  if (const CodeIndex code = dialect_.keyword("ELEMENT"); code != noCode)
+    keyword(code, begin, at_);
+}
+
+/// `L<NAME>`, `L<&R12>`, `L<C:\PATH\NAME>`
+void Scanner::scanCall(const char *begin) {
+  ++at_; // the bracket
+  skipBlanks();
+  Item item = itemAt(ItemKind::Call, begin);
+  if (at_ < end_ && *at_ == '&') {
+    ++at_;
+    item.value = expression();
+    closeAngle(begin);
+    return add(item);
+  }
+  const char *const from = at_;
+  while (!atLineEnd() && *at_ != '>')
+    ++at_;
+  const llvm::StringRef whole = llvm::StringRef(from, size_t(at_ - from)).rtrim();
+  const size_t slash = whole.find_last_of("\\/");
+  const llvm::StringRef called =
+      slash == llvm::StringRef::npos ? whole : whole.drop_front(slash + 1);
+  closeAngle(begin);
+  if (called.empty())
+    return issue(SyntaxIssueKind::BadStatement, begin, at_);
+  if (const CodeIndex code = dialect_.keyword(("L<" + called).str()); code != noCode)
+    return keyword(code, begin, at_);
+  item.nameBegin = offset(called.begin());
+  item.nameEnd = offset(called.end());
+  add(item);
+}
+
+/// The bracket that closes what was opened at `begin`.
+void Scanner::closeAngle(const char *begin) {
+  skipBlanks();
+  if (at_ < end_ && *at_ == '>') {
+    ++at_;
+    return;
+  }
+  const char *p = at_;
+  while (p < end_ && !isLineEnd(*p) && *p != '>' && *p != '<')
+    ++p;
+  if (p < end_ && *p == '>') {
+    issue(SyntaxIssueKind::BadExpression, at_, p);
+    at_ = p + 1;
+    return;
+  }
+  issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+}
+
+void Scanner::scanAngle() {
+  const char *const begin = at_++;
+  skipBlanks();
+  const llvm::StringRef word = name();
+  if (word.empty() || word == "%" || word == "%%") {
+    while (!atLineEnd() && *at_ != '>')
+      ++at_;
+    closeAngle(begin);
+    return issue(SyntaxIssueKind::BadStatement, begin, at_);
+  }
+  const char *const behind = behindBlanks(word.end());
+  const char c = behind < end_ ? *behind : '\n';
+  if (c == '=') {
+    at_ = behind + 1;
+    return scanVariable(begin, word);
+  }
+  if (c == '<' && (word.equals_insensitive("IFF") || word.equals_insensitive("IFC"))) {
+    at_ = behind;
+    return scanChoice(begin, word.equals_insensitive("IFC"));
+  }
+  if (c == ':') {
+    at_ = behind + 1;
+    return scanInstruction(begin, word);
+  }
+  at_ = behind;
+  const CodeIndex code = dialect_.keyword(word);
+  closeAngle(begin);
+  if (code != noCode)
+    return keyword(code, begin, at_);
+  issue(c == '>' ? SyntaxIssueKind::MissingValue : SyntaxIssueKind::BadStatement, begin, at_);
+}
+
+/// `<ENT=-10>`, `<CFF=CFZ>`
+void Scanner::scanVariable(const char *begin, llvm::StringRef variable) {
+  Item item = itemAt(ItemKind::Assignment, begin);
+  item.nameBegin = offset(variable.begin());
+  item.nameEnd = offset(variable.end());
+  item.target = constant(variable.begin(), variable.end(), double(variableKey(variable)));
+  skipBlanks();
+  Word word;
+  word.address = variableAddress;
+  const llvm::StringRef symbol = name();
+  const char *const behind = behindBlanks(symbol.end());
+  if (atLineEnd() || *at_ == '>') {
+    word.flags = wordNoValue;
+    issue(SyntaxIssueKind::MissingValue, begin, at_);
+  } else if (symbol.size() == 3 && symbol.startswith_insensitive("CF") && behind < end_ &&
+             *behind == '>') {
+    // The name of an axis stands for itself; as a number it is its key.
+    item.value = constant(symbol.begin(), symbol.end(), double(variableKey(symbol)));
+    word.flags = wordExpression;
+    word.mantissa = item.value;
+    at_ = symbol.end();
+  } else {
+    const char *const from = at_;
+    const char *number = nullptr;
+    if (isNumberDigit(*at_) || *at_ == '-')
+      number = readPlainNumber(at_, end_, word);
+    const char *const next = number ? behindBlanks(number) : nullptr;
+    if (next && next < end_ && *next == '>') {
+      at_ = number;
+      item.value = constant(from, number, word.value());
+    } else {
+      word = Word();
+      word.address = variableAddress;
+      item.value = expression();
+      word.flags = wordExpression;
+      word.mantissa = item.value;
+    }
+  }
+  closeAngle(begin);
+  add(item);
+  if (word.has(wordExpression) && size_t(word.mantissa) < block_.expressions.size())
+    block_.expressions[size_t(word.mantissa)].end =
+        std::max(block_.expressions[size_t(word.mantissa)].end, offset(at_));
+  addWord(word, begin);
+}
+
+/// `;` or `,`; 0: neither is at hand.
+char Scanner::scanSeparator() {
+  skipBlanks();
+  if (at_ < end_ && (*at_ == ';' || *at_ == ','))
+    return *at_++;
+  return 0;
+}
+
+void Scanner::scanString(Argument &argument) {
+  bool comment = false;
+  unsigned mark = *at_ == '"' ? 1 : typographicQuote(at_, end_, comment);
+  if (mark > 1)
+    issue(SyntaxIssueKind::TypographicQuote, at_, at_ + mark);
+  const char *const begin = at_;
+  at_ += mark;
+  argument.kind = ArgumentKind::Text;
+  argument.begin = offset(at_);
+  for (mark = 0; !atLineEnd(); ++at_) {
+    mark = *at_ == '"' ? 1 : typographicQuote(at_, end_, comment);
+    if (mark)
+      break;
+  }
+  argument.end = offset(at_);
+  if (!mark)
+    return issue(SyntaxIssueKind::UnclosedString, begin, at_);
+  at_ += mark;
+}
+
+/// `N50`, `N<R1>`, `[LABEL]`
+Argument Scanner::scanTarget(char separator) {
+  skipBlanks();
+  Argument target;
+  target.separator = separator;
+  target.begin = target.end = offset(at_);
+  if (atLineEnd() || *at_ == '>' || *at_ == ';' || *at_ == ',')
+    return target;
+  if (*at_ == '[') {
+    const char *const begin = ++at_;
+    while (!atLineEnd() && *at_ != ']' && *at_ != '>')
+      ++at_;
+    target.kind = ArgumentKind::Label;
+    target.begin = offset(begin);
+    target.end = offset(at_);
+    if (at_ < end_ && *at_ == ']')
+      ++at_;
+    else
+      issue(SyntaxIssueKind::UnbalancedBracket, begin - 1, at_);
+    return target;
+  }
+  if ((*at_ | 32) == 'n') {
+    const char *const begin = at_++;
+    target.kind = ArgumentKind::BlockNumber;
+    if (at_ < end_ && *at_ == '<') {
+      target.expression = bracketed();
+    } else {
+      const char *const digits = at_;
+      double number = 0;
+      while (at_ < end_ && isNumberDigit(*at_))
+        number = std::min(1e12, number * 10 + (*at_++ - '0'));
+      target.expression = constant(begin, at_, number);
+      if (at_ == digits) {
+        block_.operations.back().op = Op::Opaque;
+        issue(SyntaxIssueKind::BadStatement, begin, at_);
+      }
+    }
+    target.end = offset(at_);
+    return target;
+  }
+  return scanArgument(separator);
+}
+
+Argument Scanner::scanArgument(char separator) {
+  skipBlanks();
+  Argument argument;
+  argument.separator = separator;
+  argument.begin = argument.end = offset(at_);
+  bool comment = false;
+  if (atLineEnd() || *at_ == '>' || *at_ == ';' || *at_ == ',')
+    return argument;
+  if (*at_ == '"' || typographicQuote(at_, end_, comment)) {
+    scanString(argument);
+    return argument;
+  }
+  if (*at_ == '<') {
+    argument.kind = ArgumentKind::Expression;
+    argument.expression = bracketed();
+    argument.end = offset(at_);
+    return argument;
+  }
+  const llvm::StringRef symbol = name();
+  const char *const behind = behindBlanks(symbol.end());
+  const bool ends =
+      behind == end_ || isLineEnd(*behind) || *behind == '>' || *behind == ';' || *behind == ',';
+  // A symbol: ON, an axis, a name. `R12` is a variable.
+  const bool variable = symbol.size() > 1 && (symbol[0] | 32) == 'r' &&
+                        llvm::all_of(symbol.drop_front(), isNumberDigit);
+  if (!symbol.empty() && isLetter(symbol[0]) && ends && !variable) {
+    argument.kind = ArgumentKind::Name;
+    at_ = symbol.end();
+    argument.end = offset(at_);
+    return argument;
+  }
+  if (!symbol.empty() && isLetter(symbol[0]) && behind < end_ && *behind == '=') {
+    at_ = behind + 1; // `AX=X`
+    skipBlanks();
+  }
+  const char *const before = at_;
+  argument.kind = ArgumentKind::Expression;
+  argument.expression = expression();
+  argument.end = offset(at_);
+  if (at_ == before && !atLineEnd() && *at_ != '>')
+    ++at_;
+  return argument;
+}
+
+/// A name up to the separator.
+llvm::StringRef Scanner::scanProgramName() {
+  skipBlanks();
+  const char *const begin = at_;
+  while (!atLineEnd() && *at_ != ';' && *at_ != ',' && *at_ != '>')
+    ++at_;
+  const llvm::StringRef whole = llvm::StringRef(begin, size_t(at_ - begin)).rtrim();
+  const size_t slash = whole.find_last_of("\\/");
+  return slash == llvm::StringRef::npos ? whole : whole.drop_front(slash + 1);
+}
+
+/// An argument of an instruction as a word, so that the table can say what it takes.
+void Scanner::argumentWord(const Argument &argument) {
+  Word word;
+  word.address = argumentAddress;
+  if (argument.kind == ArgumentKind::Empty) {
+    word.flags = wordNoValue;
+  } else {
+    word.flags = wordExpression;
+    word.mantissa = argument.expression != noExpression
+                        ? argument.expression
+                        : opaque(base_ + argument.begin, base_ + argument.end);
+  }
+  const char *const at = at_;
+  at_ = base_ + argument.end;
+  addWord(word, base_ + argument.begin);
+  at_ = at;
+}
+
+void Scanner::scanInstruction(const char *begin, llvm::StringRef word) {
+  const std::string key = word.upper();
+  if (key == "JMP" || key == "JMC")
+    return scanJump(begin, key == "JMC");
+  if (key == "RPT")
+    return scanRepeat(begin);
+  if (key == "INP")
+    return scanInput(begin);
+  Item item = itemAt(ItemKind::Instruction, begin);
+  item.nameBegin = offset(word.begin());
+  item.nameEnd = offset(word.end());
+  std::string first;
+  for (char separator = 0;;) {
+    const Argument argument = scanArgument(separator);
+    if (argument.kind == ArgumentKind::Empty && !separator && at_ < end_ && *at_ == '>')
+      break;
+    if (first.empty() && argument.kind == ArgumentKind::Name && !separator)
+      first = llvm::StringRef(base_ + argument.begin, argument.end - argument.begin).upper();
+    block_.arguments.push_back(argument);
+    separator = scanSeparator();
+    if (!separator)
+      break;
+  }
+  closeAngle(begin);
+  add(item);
+  CodeIndex code = dialect_.keyword(key + ":" + first);
+  if (code == noCode)
+    code = dialect_.keyword(key);
+  if (code == noCode)
+    return issue(SyntaxIssueKind::UnknownWord, word.begin(), word.end());
+  keyword(code, begin, at_);
+  const llvm::SmallVector<Argument, 8> arguments(block_.argumentsOf(item).begin(),
+                                                 block_.argumentsOf(item).end());
+  for (const Argument &argument : arguments)
+    argumentWord(argument);
+}
+
+/// `<JMP:N50>`, `<JMP:[A]>`, `<JMC: PROG; N50>`
+void Scanner::scanJump(const char *begin, bool other) {
+  Item item = itemAt(ItemKind::Jump, begin);
+  if (other) {
+    const llvm::StringRef program = scanProgramName();
+    item.nameBegin = offset(program.begin());
+    item.nameEnd = offset(program.end());
+    if (!scanSeparator())
+      issue(SyntaxIssueKind::MissingArgument, begin, at_);
+  }
+  block_.arguments.push_back(scanTarget(0));
+  if (scanSeparator()) {
+    issue(SyntaxIssueKind::TooManyArguments, begin, at_);
+    while (!atLineEnd() && *at_ != '>')
+      ++at_;
+  }
+  closeAngle(begin);
+  add(item);
+}
+
+/// `<IFF<R1-5>: N10; N20; N30>`, `<IFC<R1>: PROG; N10; N20; N30>`
+void Scanner::scanChoice(const char *begin, bool other) {
+  Item item = itemAt(ItemKind::Jump, begin);
+  item.jump = JumpKind::BySign;
+  item.condition = bracketed();
+  skipBlanks();
+  if (at_ < end_ && *at_ == ':')
+    ++at_;
+  else
+    issue(SyntaxIssueKind::BadStatement, begin, at_);
+  if (other) {
+    const llvm::StringRef program = scanProgramName();
+    item.nameBegin = offset(program.begin());
+    item.nameEnd = offset(program.end());
+    if (!scanSeparator())
+      issue(SyntaxIssueKind::MissingArgument, begin, at_);
+  }
+  unsigned targets = 0;
+  for (char separator = 0;; ++targets) {
+    const Argument target = scanTarget(separator);
+    if (target.kind == ArgumentKind::Empty)
+      break;
+    if (targets < 3)
+      block_.arguments.push_back(target);
+    separator = scanSeparator();
+    if (!separator) {
+      ++targets;
+      break;
+    }
+  }
+  closeAngle(begin);
+  if (targets != 3)
+    issue(targets < 3 ? SyntaxIssueKind::MissingArgument : SyntaxIssueKind::TooManyArguments, begin,
+          at_);
+  add(item);
+}
+
+/// `<RPT:N10;N20;3>`
+void Scanner::scanRepeat(const char *begin) {
+  Item item = itemAt(ItemKind::Repeat, begin);
+  block_.arguments.push_back(scanTarget(0));
+  const char separator = scanSeparator();
+  if (separator) {
+    block_.arguments.push_back(scanTarget(separator));
+    if (scanSeparator()) {
+      const Argument count = scanArgument(separator);
+      if (count.expression != noExpression)
+        item.count = count.expression;
+      if (scanSeparator()) {
+        issue(SyntaxIssueKind::TooManyArguments, begin, at_);
+        while (!atLineEnd() && *at_ != '>')
+          ++at_;
+      }
+    }
+  } else {
+    issue(SyntaxIssueKind::MissingArgument, begin, at_);
+  }
+  closeAngle(begin);
+  add(item);
+}
+
+/// `<INP: "prompt"; R0; N100; 10; 100>`: the target for ESC is the first argument of the item,
+/// behind it the prompt and the bounds.
+void Scanner::scanInput(const char *begin) {
+  Item item = itemAt(ItemKind::Input, begin);
+  const Argument prompt = scanArgument(0);
+  bool complete = prompt.kind == ArgumentKind::Text;
+  if (scanSeparator()) {
+    skipBlanks();
+    EcsExpression parser(base_, at_, end_, block_);
+    item.nameBegin = offset(at_);
+    item.target = parser.parseTarget();
+    at_ = parser.position();
+    item.nameEnd = offset(at_);
+  } else {
+    complete = false;
+  }
+  if (const char separator = scanSeparator())
+    block_.arguments.push_back(scanTarget(separator));
+  else
+    complete = false;
+  block_.arguments.push_back(prompt);
+  for (unsigned bounds = 0; const char separator = scanSeparator(); ++bounds) {
+    if (bounds == 2) {
+      issue(SyntaxIssueKind::TooManyArguments, begin, at_);
+      while (!atLineEnd() && *at_ != '>')
+        ++at_;
+      break;
+    }
+    block_.arguments.push_back(scanArgument(separator));
+  }
+  closeAngle(begin);
+  if (!complete)
+    issue(SyntaxIssueKind::MissingArgument, begin, at_);
+  add(item);
+}
+
+void Scanner::scanOther() {
+  const char *const begin = at_;
+  if (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+') {
+    while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+'))
+      ++at_;
+    return issue(SyntaxIssueKind::MissingAddress, begin, at_);
+  }
+  switch (*at_) {
+  case '>':
+  case ']':
+  case '}':
+    ++at_;
+    return issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+  case ')':
+    ++at_;
+    return issue(SyntaxIssueKind::StrayParenthesis, begin, at_);
+  case ';':
+    // A comment of another control.
+    at_ = lineEnd();
+    return issue(SyntaxIssueKind::ForeignComment, begin, at_);
+  default:
+    break;
+  }
+  ++at_;
+  while (at_ < end_ && (uint8_t(*at_) >= 128 || *at_ == *begin))
+    ++at_;
+  issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+}
+
+} // namespace
+
+EcsReader::EcsReader(const Dialect &dialect, llvm::StringRef text)
+    : Reader(text), dialect_(dialect) {
+  for (size_t i = 0; i < dialect.addressNames.size(); ++i)
+    addresses_[llvm::StringRef(dialect.addressNames[i]).upper()] = AddressId(firstNamed + i);
+}
+
+void EcsReader::read(uint32_t offset, Block &block) const {
+  block.clear();
+  Scanner(dialect_, addresses_, text_, offset, block).scan();
+}
+
+std::string EcsReader::labelKey(llvm::StringRef label) const {
+  constexpr size_t significant = 8;
+  std::string key;
+  for (const char c : label.split(':').first)
+    if (!isBlank(c) && key.size() < significant)
+      key += llvm::toUpper(c);
+  return key;
+}
+
+} // namespace ncvet

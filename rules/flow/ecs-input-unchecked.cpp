@@ -1,0 +1,55 @@
+// An answer of the operator that nothing checks.
+#include "analyzer/rule.h"
+#include "interp/expression.h"
+
+namespace ncvet {
+namespace {
+
+class EcsInputUnchecked final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    const Item &item = block.items[size_t(event.number)];
+    if (item.kind != ItemKind::Input)
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange name{ctx.source().id(), item.nameBegin, item.nameEnd};
+    int64_t index = 0;
+    llvm::StringRef variable = ctx.text(name).trim();
+    if (!variable.consume_front("R") || variable.getAsInteger(10, index) || index > 999) {
+      if (auto finding = ctx.report(name))
+        finding.message("`{0}` takes no answer: the operator's value goes to R0 to R999",
+                        ctx.text(name));
+      return;
+    }
+    // Behind the target and the prompt stand the bounds.
+    const auto arguments = block.argumentsOf(item);
+    std::optional<double> bound[2];
+    for (size_t i = 0; i < 2 && i + 2 < arguments.size(); ++i)
+      if (arguments[i + 2].expression != noExpression) {
+        const Value value = evaluate(block, arguments[i + 2].expression, ctx.before(), nullptr);
+        if (value.isConstant())
+          bound[i] = value.number.value();
+        else
+          return;
+      }
+    if (bound[0] && bound[1] && *bound[0] > *bound[1]) {
+      if (auto finding = ctx.report(range))
+        finding.message(
+            "no answer to `{0}` is allowed: the least value is greater than the greatest",
+            ctx.text(range));
+    } else if (!bound[0] && !bound[1]) {
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Style)
+            .message(
+                "`{0}` takes any answer: bounds keep a slip of the operator out of the program",
+                ctx.text(range));
+    }
+  }
+};
+
+} // namespace
+NCVET_RULE(EcsInputUnchecked, ecs_input_unchecked)
+} // namespace ncvet

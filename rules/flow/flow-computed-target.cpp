@@ -1,0 +1,27 @@
+// A target that only the run decides.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class FlowComputedTarget final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.option("wanted", 0) != 0)
+      to.on(EventKind::FlowIssue);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::ComputedTarget)
+      return;
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+      finding.message(
+          "where `{0}` leads depends on a value that is not known here: nothing says that "
+          "such a block or program exists",
+          ctx.text(ctx.flowRange()));
+  }
+};
+
+} // namespace
+NCVET_RULE(FlowComputedTarget, flow_computed_target)
+} // namespace ncvet

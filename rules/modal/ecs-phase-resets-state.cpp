@@ -1,0 +1,63 @@
+// A new phase of the program resets what is still needed.
+#include "analyzer/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+class EcsPhaseResetsState final : public Rule {
+public:
+  void listen(Subscriptions &to) override { to.onAction({Action::Reset}); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (!ctx.block().mainBlock || ctx.before().may(Fact::UnknownCode))
+      return;
+    const MachineState &before = ctx.before();
+    const char *inside = nullptr;
+    if (before.compensation & phaseOn)
+      inside = "radius compensation";
+    else if (before.cycleActive(ctx.dialect()) == Truth::Yes)
+      inside = "a cycle";
+    else if (before.switchMust)
+      inside = "a frame or mode";
+    if (inside) {
+      if (auto finding = ctx.report(event))
+        finding.message("`{0}` begins while {1} is on: it is reset in the middle of its work",
+                        ctx.text(*event.word), inside);
+      return;
+    }
+    // Modes that the program has chosen, and that are no more.
+    for (size_t i = 0; i < ctx.dialect().groups.size(); ++i) {
+      const GroupInfo &group = ctx.dialect().groups[i];
+      if (group.initial == 0xFF || !(before.statedMust >> i & 1) || group.id == "motion" ||
+          (before.group[i] & (uint64_t(1) << group.initial)) || restated(GroupIndex(i), ctx))
+        continue;
+      if (auto finding = ctx.report(event))
+        finding
+            .message(
+                "`{0}` resets the {1}, which the program has set: the blocks behind it state it "
+                "again",
+                ctx.text(*event.word), group.title)
+            .note(before.origin.group[i], "it is set here");
+      return;
+    }
+  }
+
+private:
+  /// A code of the group stands in the next blocks, in front of a move.
+  static bool restated(GroupIndex group, RuleContext &ctx) {
+    Block next;
+    bool more = readNext(ctx, next);
+    for (unsigned i = 0; more && i < 8; ++i, more = readOn(ctx, next)) {
+      for (const CodeIndex code : codesOf(ctx.dialect(), next))
+        if (ctx.dialect().codes[code].group == group)
+          return true;
+      if (next.hasAny(ctx.dialect().axisWords))
+        return false;
+    }
+    return true;
+  }
+};
+
+} // namespace
+NCVET_RULE(EcsPhaseResetsState, ecs_phase_resets_state)
+} // namespace ncvet

@@ -1,0 +1,30 @@
+// The program ends with the tool in the work.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ProgramEndWithoutRetract final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
+      to.on(EventKind::ProgramEnd);
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const MachineState &state = ctx.after();
+    const Axis tool = toolAxis(ctx.dialect(), state);
+    // Fed down since, and not above that level again.
+    if (ctx.callDepth() > 0 || !state.must(Fact::Cut) || state.may(Fact::UnknownCode) ||
+        !state.fedFrom.isConstant() || !state.at(tool).isConstant() ||
+        state.at(tool).value() >= state.fedFrom.value())
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "the program ends with the tool at depth: the next one begins inside the work");
+  }
+};
+
+} // namespace
+NCVET_RULE(ProgramEndWithoutRetract, program_end_without_retract)
+} // namespace ncvet
