@@ -152,6 +152,22 @@ void Evaluator::arithmetic(const ExpressionOp &op) {
   case Op::Maximum:
     stack_.push_back(Value::of(Interval{std::max(a.lo, b.lo), std::max(a.hi, b.hi)}));
     return;
+  case Op::Power: {
+    if (!a.isConstant() || !b.isConstant()) {
+      stack_.push_back(Value::unknown());
+      return;
+    }
+    // A root of a negative number, or a division by zero.
+    if ((a.value() < 0 && b.value() != std::trunc(b.value())) ||
+        (a.value() == 0 && b.value() < 0)) {
+      domainError(op);
+      stack_.push_back(Value::unknown());
+      return;
+    }
+    const double power = std::pow(a.value(), b.value());
+    stack_.push_back(std::isfinite(power) ? Value::of(power) : Value::unknown());
+    return;
+  }
   case Op::Modulo:
     if (b.isConstant() && b.value() == 0)
       domainError(op);
@@ -325,6 +341,7 @@ void Evaluator::step(const ExpressionOp &op) {
   case Op::Minimum:
   case Op::Maximum:
   case Op::Modulo:
+  case Op::Power:
   case Op::And:
   case Op::Or:
   case Op::Xor:
