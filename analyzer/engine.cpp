@@ -149,12 +149,6 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
   PlainRun plainRun;
 
   while (!stopped_) {
-    if (at == region.stopAt && !lives.empty()) { // a section ends here
-      for (Live &live : lives)
-        activation.exits.push_back({std::move(live), notSet});
-      lives.clear();
-      continue;
-    }
     if (lives.empty()) {
       if (activation.pending.empty())
         break;
@@ -172,6 +166,12 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         lives = takePending(activation, at);
       }
       synced = nullptr;
+    }
+    if (at == region.stopAt) { // a section ends here, however it was reached
+      for (Live &live : lives)
+        activation.exits.push_back({std::move(live), notSet});
+      lives.clear();
+      continue;
     }
     if (at >= end) {
       runOut(activation, lives);

@@ -51,8 +51,15 @@ private:
     uint32_t lastBlock = ~0u; ///< profile: offset of the last block
     uint32_t stopAt = ~0u;    ///< section: offset behind its last block
   };
-  /// A region that is being executed: its file, start and kind.
-  using Running = std::tuple<FileId, uint32_t, Kind>;
+  /// A region that is being executed: its file, start, kind and end. Sections and profiles of one
+  /// start may end at different blocks, and one may hold the other.
+  using Running = std::tuple<FileId, uint32_t, Kind, uint32_t>;
+  static Running keyOf(const Region &region) {
+    const uint32_t end = region.kind == Kind::Section   ? region.stopAt
+                         : region.kind == Kind::Profile ? region.lastBlock
+                                                        : ~0u;
+    return {region.unit.source.id(), region.start, region.kind, end};
+  }
   struct Callee {
     FileUnit *unit;
     const ProgramInfo *program;
@@ -136,7 +143,7 @@ private:
   static Truth countUp(const Block &head, MachineState &state);
   std::optional<Callee> callee(Activation &activation, const Live &live, uint32_t at,
                                const MachineState &before);
-  bool isRunning(const FileUnit &unit, uint32_t start, Kind kind) const;
+  bool isRunning(const FileUnit &unit, uint32_t start, Kind kind, uint32_t end = ~0u) const;
   bool recurs(const Region &region, const Callee &callee) const;
   void bindArguments(const Callee &callee, const Item &call, const MachineState &caller,
                      MachineState &state, Passes &passes);

@@ -17,7 +17,7 @@ constexpr double maxRepeats = 10000;
 
 /// Runs a called body, or remembers what it did for the same state before.
 Engine::Exits Engine::callBody(const Region &region, Live live) {
-  auto &memos = memos_[{region.unit.source.id(), region.start, region.kind}];
+  auto &memos = memos_[keyOf(region)];
   const uint64_t print = hash(live.state);
   for (const Memo &memo : memos)
     if (memo.hash == print && equal(memo.entry, live.state)) {
@@ -29,7 +29,7 @@ Engine::Exits Engine::callBody(const Region &region, Live live) {
   // The storage of the block at hand is needed again behind the call.
   Block savedBlock = block_;
   Outcome savedOutcome = outcome_;
-  callStack_.push_back({region.unit.source.id(), region.start, region.kind});
+  callStack_.push_back(keyOf(region));
   const MachineState entry = live.state;
   const PathNode *path = live.path;
   Lives lives;
@@ -117,8 +117,8 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
   return callee;
 }
 
-bool Engine::isRunning(const FileUnit &unit, uint32_t start, Kind kind) const {
-  return llvm::is_contained(callStack_, Running{unit.source.id(), start, kind});
+bool Engine::isRunning(const FileUnit &unit, uint32_t start, Kind kind, uint32_t end) const {
+  return llvm::is_contained(callStack_, Running{unit.source.id(), start, kind, end});
 }
 
 /// Whether the call comes back to a program that is being executed.
@@ -400,15 +400,15 @@ void Engine::repeat(Activation &activation, Live &live, uint32_t at, const Machi
       issue(FlowIssue::RepeatOverlap, activation, live, before, where,
             {unit.source.id(), head, head + 1});
   const uint32_t start = heads ? next : *first;
-  // Nested repeats may begin at one block; a section that holds its own repeat has no end.
-  const bool itself = !heads && start <= at && at < end.next;
   const unsigned nested = unsigned(llvm::count_if(
       callStack_, [](const Running &running) { return std::get<2>(running) == Kind::Section; }));
   if (unit.dialect->limits.repeatDepth && nested >= unit.dialect->limits.repeatDepth)
     issue(FlowIssue::TooDeep, activation, live, before, where);
   if (holdsEnd(unit, start, end.next))
     issue(FlowIssue::RepeatBounds, activation, live, before, where);
-  if (itself || callStack_.size() >= limits_.callDepth || start >= end.next) {
+  // Nested repeats may begin at one block; a section that holds its own repeat has no end.
+  if ((!heads && start <= at && at < end.next) || isRunning(unit, start, Kind::Section, end.next) ||
+      callStack_.size() >= limits_.callDepth || start >= end.next) {
     if (start < end.next)
       issue(FlowIssue::Recursion, activation, live, before, where,
             {unit.source.id(), start, start + 1});
