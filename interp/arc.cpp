@@ -25,7 +25,7 @@ ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block
     } else if (result.axes[1] == Axis(axis)) {
       result.centreAddress[1] = address;
       result.centre[1] = word;
-    } else {
+    } else if (!word || !word->has(wordNoValue)) { // without a number it is a flag
       result.foreign = word;
     }
   }

@@ -276,6 +276,8 @@ void Execution::runCompound(const CodeUse &use) {
   state_.set(Fact::MovedSinceTool);
   state_.set(Fact::MovedSincePreset);
   if (code.cycle != CycleKind::Pattern || state_.cycleActive(dialect_) != Truth::No) {
+    if (code.cycle == CycleKind::Pattern)
+      state_.set(Fact::CycleRan);
     state_.set(Fact::Cut);
     state_.set(Fact::CutSinceTool);
   }

@@ -58,6 +58,7 @@ private:
   void moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes);
   void afterMove(bool rapid, uint16_t axes);
   void angleWords();
+  bool hasAngleWord() const;
   void contourFacts(MotionKind kind, uint16_t axes);
   void machineMove(uint16_t axes);
   void referenceReturn(uint16_t axes, const CodeUse &use);

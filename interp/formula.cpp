@@ -1,6 +1,7 @@
 // Evaluates the formulas of the tables on a block and the state before it.
 #include "interp/formula.h"
 
+#include "interp/execute.h"
 #include "interp/expression.h"
 #include "interp/tool_data.h"
 
@@ -112,6 +113,22 @@ private:
                                     context_.before.commons.has(uint64_t(step.number))));
     case FormulaOp::ToolRadius:
       return push(tool());
+    case FormulaOp::Tool:
+      return push(context_.before.tool >= 0 ? Interval::exactly(context_.before.tool)
+                                            : Interval::unknown());
+    case FormulaOp::Level: {
+      const Axis axis = toolAxis(context_.dialect, context_.before);
+      return push(context_.before.inMachineCoordinates(axis) ? Interval::unknown()
+                                                             : context_.before.at(axis));
+    }
+    case FormulaOp::Feed:
+      return push(context_.before.feed);
+    case FormulaOp::Speed:
+      return push(context_.before.speed);
+    case FormulaOp::Floor: {
+      const Interval x = pop(); // of a number that is whole but for its rounding, the number
+      return push({std::floor(x.lo + tolerance), std::floor(x.hi + tolerance)});
+    }
     case FormulaOp::Negate:
       return push(pop() * -1);
     case FormulaOp::Absolute:

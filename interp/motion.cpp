@@ -91,7 +91,7 @@ void Execution::storeTarget(const Word &word, bool machineCoordinates) {
   position = relative == Truth::No ? target : Interval::unknown();
 }
 
-void Execution::compensationStep(MotionKind, uint16_t axes) {
+void Execution::compensationStep(MotionKind kind, uint16_t axes) {
   if (state_.compensation == phaseOff || state_.compensation == phaseOn ||
       !(axes & planeAxes(dialect_, state_)))
     return;
@@ -106,7 +106,8 @@ void Execution::compensationStep(MotionKind, uint16_t axes) {
   if (group != noGroup && std::has_single_bit(state_.group[group]) &&
       state_.group[group] != groupUnset)
     event.code = dialect_.groups[group].members[size_t(std::countr_zero(state_.group[group]))];
-  if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  if (motion && isArc(motion->action) == (kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw))
     event.by = CodeIndex(motion - dialect_.codes.data());
   uint8_t phase = state_.compensation;
   if (starting)
@@ -117,15 +118,17 @@ void Execution::compensationStep(MotionKind, uint16_t axes) {
   outcome_.setupChanged = true;
 }
 
+bool Execution::hasAngleWord() const {
+  return block_.has(commaA) || llvm::any_of(block_.words, [&](const Word &word) {
+           const AddressInfo &address = dialect_.addresses[word.address];
+           return address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle;
+         });
+}
+
 /// `,A` (or A on lathes) gives the direction of a line: the coordinate that is not written comes
 /// from it, or from the next block.
 void Execution::angleWords() {
-  bool angle = block_.has(commaA);
-  for (const Word &word : block_.words) {
-    const AddressInfo &address = dialect_.addresses[word.address];
-    angle |= address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle;
-  }
-  if (!angle)
+  if (!hasAngleWord())
     return;
   const uint16_t plane = planeAxes(dialect_, state_);
   uint16_t written = uint16_t(axesOf(dialect_, block_) & plane);
@@ -498,6 +501,10 @@ void Execution::moveAxes() {
   if (!axes && motion && isArc(motion->action) &&
       (block_.hasAny(lettersMask("IJK")) || (motionCode_.word && block_.has(dialect_.arcRadius))))
     axes = planeAxes(dialect_, state_);
+  // A line by its angle alone ends where the next element begins.
+  if (!axes && motion && motion->action == Action::Linear && !block_.words.empty() &&
+      hasAngleWord())
+    axes = planeAxes(dialect_, state_);
   if (!axes)
     return;
   if (!motion || !isMotion(motion->action)) {
@@ -511,6 +518,10 @@ void Execution::moveAxes() {
                           : motion->action == Action::ArcCcw ? MotionKind::ArcCcw
                           : motion->action == Action::Thread ? MotionKind::Thread
                                                              : MotionKind::Feed;
+  if (isArc(motion->action) && !motionCode_.word)
+    for (const CodeUse &use : outcome_.codes)
+      if (info(use).ownMove) // an approach or a departure between two elements
+        return moveBy(&info(use), use.code, MotionKind::Feed, axes);
   moveBy(motion, motionCode_.word ? motionCode_.code : index, kind, axes);
 }
 

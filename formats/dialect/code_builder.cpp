@@ -13,10 +13,10 @@ namespace {
 
 llvm::ArrayRef<llvm::StringRef> codeKeys() {
   static constexpr llvm::StringLiteral keys[] = {
-      "title",   "group",    "does",      "cycle",   "cancelsCycle", "takes",
-      "needs",   "fires",    "opposite",  "spindle", "words",        "excludes",
-      "notices", "variants", "switch",    "alone",   "exclusive",    "twoBlock",
-      "source",  "waits",    "arguments", "foreign", "cancelsCalls", "family"};
+      "title",     "group",    "does",         "cycle",    "cancelsCycle", "takes",   "needs",
+      "fires",     "opposite", "spindle",      "words",    "excludes",     "notices", "variants",
+      "switch",    "alone",    "exclusive",    "twoBlock", "source",       "waits",   "ownMove",
+      "arguments", "foreign",  "cancelsCalls", "family"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -110,6 +110,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "exclusive", info.exclusive);
   in_.read(value, "twoBlock", info.twoBlock);
   in_.read(value, "waits", info.waits);
+  in_.read(value, "ownMove", info.ownMove);
   in_.read(value, "family", info.family);
   in_.read(value, "cancelsCalls", info.cancelsCalls);
   in_.read(value, "foreign", info.foreign);

@@ -240,10 +240,11 @@ struct CodeInfo {
   bool exclusive = false;         ///< one-shot action: only one such code per block
   std::string family;             ///< of cycles and what cancels them; empty: all are one
   bool firesInPlane = false;      ///< runs with every move in the plane, in its own block too
-  bool waits = false;             ///< a modal cycle that does not run in its own block
-  bool cancelsCalls = false;      ///< ends a modal call of a program too
-  bool foreign = false;           ///< another control's code: here it is none
-  uint8_t arguments = 0;          ///< most arguments that its call takes; 0: not limited
+  bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
+  bool waits = false;        ///< a modal cycle that does not run in its own block
+  bool cancelsCalls = false; ///< ends a modal call of a program too
+  bool foreign = false;      ///< another control's code: here it is none
+  uint8_t arguments = 0;     ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;
   /// Sets of words that exclude each other, each pair of masks.
   std::vector<std::pair<AddressMask, AddressMask>> excludes;

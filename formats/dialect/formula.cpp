@@ -128,9 +128,14 @@ private:
     case FormulaOp::Variable:
     case FormulaOp::GivenVariable:
     case FormulaOp::ToolRadius:
+    case FormulaOp::Tool:
+    case FormulaOp::Level:
+    case FormulaOp::Feed:
+    case FormulaOp::Speed:
       return 0;
     case FormulaOp::Negate:
     case FormulaOp::Absolute:
+    case FormulaOp::Floor:
     case FormulaOp::Not:
       return 1;
     default:
@@ -200,10 +205,17 @@ private:
     return true;
   }
   bool function(llvm::StringRef name, unsigned depth) {
-    if (name == "toolRadius") {
-      emit(FormulaOp::ToolRadius);
-      return take(")") || fail("lacks a \")\"");
-    }
+    constexpr std::pair<llvm::StringLiteral, FormulaOp> ofState[] = {
+        {"toolRadius", FormulaOp::ToolRadius},
+        {"tool", FormulaOp::Tool},
+        {"level", FormulaOp::Level},
+        {"feed", FormulaOp::Feed},
+        {"speed", FormulaOp::Speed}};
+    for (const auto &[known, op] : ofState)
+      if (name == known) {
+        emit(op);
+        return take(")") || fail("lacks a \")\"");
+      }
     if (name == "key") {
       emit(FormulaOp::Number, 0, double(variableKey(takeName())));
       return take(")") || fail("lacks a \")\"");
@@ -224,13 +236,14 @@ private:
       return take(")") || fail("lacks a \")\"");
     }
     const bool two = name == "min" || name == "max";
-    if (!two && name != "abs")
+    if (!two && name != "abs" && name != "floor")
       return fail("has the unknown function \"" + name.str() + "\"");
     if (!disjunction(depth + 1) || (two && (!take(",") || !disjunction(depth + 1))))
       return fail("has too few operands in \"" + name.str() + "\"");
-    emit(name == "abs"   ? FormulaOp::Absolute
-         : name == "min" ? FormulaOp::Minimum
-                         : FormulaOp::Maximum);
+    emit(name == "abs"     ? FormulaOp::Absolute
+         : name == "floor" ? FormulaOp::Floor
+         : name == "min"   ? FormulaOp::Minimum
+                           : FormulaOp::Maximum);
     return take(")") || fail("lacks a \")\"");
   }
 

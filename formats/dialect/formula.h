@@ -23,12 +23,17 @@ enum class FormulaOp : uint8_t {
   Variable,      ///< value of the variable whose key is `number`: `$NAME`
   GivenVariable, ///< whether it has one
   ToolRadius,    ///< of the tool in use, by the machine profile
+  Tool,          ///< number of the tool in use
+  Level,         ///< place along the tool axis before the block
+  Feed,          ///< F in force before the block
+  Speed,         ///< S in force before the block
   Add,
   Subtract,
   Multiply,
   Divide,
   Negate,
   Absolute,
+  Floor,
   Minimum,
   Maximum,
   Less,
@@ -60,8 +65,8 @@ struct FormulaName {
 };
 
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
-/// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) given(NAME) toolRadius()
-/// key(SYMBOL)`. None, with `error` set, when it cannot.
+/// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) floor(x) given(NAME)
+/// toolRadius() tool() level() feed() speed() key(SYMBOL)`. None, with `error` set, when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

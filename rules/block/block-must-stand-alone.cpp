@@ -27,6 +27,14 @@ public:
       own |= spec.any;
     if (ctx.block().has(argumentAddress))
       own |= maskOf(argumentAddress);
+    for (const Item &item : ctx.block().items)
+      if (item.kind == ItemKind::Call && item.begin != event.word->offset) {
+        const SourceRange call{ctx.source().id(), item.begin, item.end};
+        if (auto finding = ctx.report(call))
+          finding.message("`{0}` stands in the block of `{1}`, which wants a block of its own",
+                          ctx.text(call), ctx.text(*event.word));
+        return;
+      }
     for (const Word &word : ctx.block().words) {
       if (&word == event.word || own & maskOf(word.address))
         continue;

@@ -8,11 +8,17 @@ namespace {
 
 class BlockUnknownMCode final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::UnknownCode); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::UnknownCode);
+    above_ = to.option("above", -1);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.word->address != letterAddress('M') ||
         ctx.find({Action::MacroCall, Action::MacroModal}))
+      return;
+    const Interval number = ctx.value(*event.word);
+    if (above_ >= 0 && (!number.isConstant() || number.value() <= above_))
       return;
     // Once for each code: a machine's own codes come again and again.
     const auto place = std::pair(ctx.source().id(), event.word->offset);
@@ -25,6 +31,7 @@ public:
   }
 
 private:
+  double above_ = -1; ///< codes up to here may be the machine builder's
   std::map<int64_t, std::pair<FileId, uint32_t>> first_; ///< where each code was met first
 };
 

@@ -45,6 +45,11 @@ private:
     const uint8_t waiting = off ? phaseEnding : phaseStarting;
     if (!(after & waiting) || (off ? !(before & phaseOn) : (before & phaseOn)) || movesInPlane(ctx))
       return;
+    // `G47 K`: it begins at the foot of the normal to the next element.
+    if (!off && llvm::any_of(ctx.block().words, [&](const Word &w) {
+          return w.has(wordNoValue) && (code.takes & maskOf(w.address));
+        }))
+      return;
     const bool certain = after == waiting && (off ? before == phaseOn : !(before & phaseOn));
     auto finding = ctx.report(event, certain);
     if (!finding)

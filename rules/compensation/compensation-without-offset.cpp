@@ -10,6 +10,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CompensationMove);
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
+    byTool_ = to.option("byTool", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -27,9 +28,21 @@ public:
   }
 
 private:
-  static void check(const CodeInfo &code, const Event &event, RuleContext &ctx) {
+  bool byTool_ = false; ///< the radius comes with the tool, not with a word
+
+  void check(const CodeInfo &code, const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
     const bool lathe = ctx.dialect().isLathe();
+    if (byTool_) {
+      if (state.tool != notSet || state.may(Fact::ToolCalled) || state.may(Fact::UnknownCode))
+        return;
+      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+        finding.message(
+            "`{0}` before any tool was changed in: the radius is zero, the tool runs on "
+            "the contour line",
+            code.name);
+      return;
+    }
     const int32_t number = radiusOffsetNumber(ctx.dialect(), state);
     const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
     const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();

@@ -19,8 +19,9 @@ public:
       return;
     }
     const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
-    if (!cycle || cycle->action != Action::Cycle || !makesHole(cycle->cycle) ||
-        before.may(Fact::CycleRan) || before.may(Fact::UnknownCode))
+    if (!cycle || cycle->action != Action::Cycle ||
+        !(makesHole(cycle->cycle) || cycle->firesInPlane) || before.may(Fact::CycleRan) ||
+        before.may(Fact::UnknownCode))
       return;
     if (event.kind == EventKind::CycleStart && &ctx.code(event) == cycle)
       return;

@@ -56,6 +56,11 @@ private:
       report(event, code, ctx, true, "to a depth above its start level");
       return;
     }
+    // A place of the list needs no rapid code: with one it reads like a way out.
+    if (code.firesInPlane && ctx.find({Action::Rapid})) {
+      report(event, code, ctx, false, "at a rapid move");
+      return;
+    }
     // The first position after a tool change cannot belong to the list of the old tool.
     if (before.must(Fact::ToolCalled) && !before.may(Fact::MovedSinceTool) &&
         before.origin.tool.file == before.origin.cycle.file &&

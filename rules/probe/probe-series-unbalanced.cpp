@@ -1,13 +1,13 @@
-// A measurement outside of its series.
-#include "analyzer/rule.h"
+// A measurement outside of its series, or a series that is not closed.
+#include "analyzer/left_on.h"
 
 namespace ncvet {
 namespace {
 
-class ProbeSeriesUnbalanced final : public Rule {
+/// What the tables say of its codes is reported for it.
+class ProbeSeriesUnbalanced final : public LeftOnRule {
 public:
-  /// The tables say when; what they say is reported for it.
-  void listen(Subscriptions &) override {}
+  ProbeSeriesUnbalanced() : LeftOnRule("probe-series-unbalanced") {}
 };
 
 } // namespace

@@ -7,7 +7,7 @@ namespace {
 class ProgramSafeStartMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::FeedMode) != noGroup)
+    if (to.option("feedMode", 1) != 0 && to.dialect().group(StandardGroup::FeedMode) != noGroup)
       to.on(EventKind::FeedWord);
     const auto watch = [&](const char *name, StandardGroup which) {
       if (to.option(name, 0) != 0 && to.dialect().group(which) != noGroup)

@@ -17,6 +17,8 @@ public:
           parameters_.insert(spec.variable);
           letters_ |= spec.name.size() > 1 && llvm::isDigit(spec.name[1]);
         }
+    for (const std::string &name : to.dialect().variableNames)
+      names_.insert(variableKey(name));
     to.on(EventKind::Syntax);
   }
 
@@ -35,6 +37,11 @@ public:
       if (auto finding = ctx.report(where))
         finding.message("`=` gives a value; two values are compared with `==`")
             .fix(FixSafety::Unsafe, "write `==`", ctx.replace(where, "=="));
+      return;
+    }
+    if (issue.kind == SyntaxIssueKind::UnknownWord && isNamed(ctx.text(where))) {
+      if (auto finding = ctx.report(where))
+        finding.message("`{0}` is a variable: it takes its value with `=`", ctx.text(where));
       return;
     }
     if (!letters_ || issue.kind != SyntaxIssueKind::MalformedNumber)
@@ -58,6 +65,12 @@ public:
   }
 
 private:
+  /// `<ENT:-5>`: the name of a variable where an instruction's is due.
+  bool isNamed(llvm::StringRef text) const {
+    text = text.ltrim("< ").take_until([](char c) { return c == ':' || c == ' ' || c == '>'; });
+    return !text.empty() && names_.count(variableKey(text));
+  }
+  std::set<uint64_t> names_;      ///< of the control's own variables
   std::set<uint64_t> parameters_; ///< keys of the variables that codes read
   bool letters_ = false;          ///< some are a letter and digits, as words are
 };
