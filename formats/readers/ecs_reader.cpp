@@ -469,10 +469,7 @@ void Scanner::scanValue(AddressId address, const char *begin) {
     return addWord(word, begin);
   }
   word.flags = wordNoValue;
-  // A flag, or an axis that is only named.
-  const bool flag =
-      address == letterAddress('K') || dialect_.addresses[address].kind == AddressKind::Axis;
-  if (!flag)
+  if (address != letterAddress('K')) // a flag
     issue(SyntaxIssueKind::MissingValue, begin, at_);
   addWord(word, begin);
 }

@@ -28,7 +28,7 @@ public:
     if (!event.certain || ctx.before().profile == 1)
       return;
     const bool line = event.motion == MotionKind::Feed || event.motion == MotionKind::Rapid;
-    if (!line || !block.has(commaA) || (event.axes & plane) != plane)
+    if (!line || !block.has(commaA) || (axesOf(ctx, block) & plane) != plane)
       return;
     // Both coordinates and the angle: it is intersected with the element before.
     if (ctx.before().compensation == phaseOff && ctx.after().compensation == phaseOff) {
