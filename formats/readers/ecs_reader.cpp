@@ -385,9 +385,9 @@ void Scanner::scanLetter() {
       return scanElement(begin);
     break;
   case 'G':
-    if (next + 2 < end_ && next[0] == '1' && next[1] == '6' &&
-        (isLetter(*behindBlanks(next + 2)) && !isNumberDigit(next[2])))
-      return scanPlane(begin);
+    if (end_ - next > 2 && next[0] == '1' && next[1] == '6')
+      if (const char *const axes = behindBlanks(next + 2); axes < end_ && isLetter(*axes))
+        return scanPlane(begin);
     break;
   default:
     break;
