@@ -1,5 +1,5 @@
-// Fuzzes the reader of ECS programs: it always gets on, and every block start is a place to
-// begin from.
+// Fuzzes the reader of ECS programs: it always gets on, and every block start is a place to begin
+// from.
 #include "formats/dialect/loader.h"
 #include "tests/fuzz/reader_promises.h"
 

@@ -1,7 +1,8 @@
-// Reads blocks of ECS programs: labels, instructions and variables in angle brackets, expressions.
+// Reads blocks of ECS programs: words, items in angle brackets, labels, phases, expressions.
 #include "formats/dialect/loader.h"
 #include "formats/readers/reader.h"
 #include "interp/expression.h"
+#include "tests/fuzz/reader_promises.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,7 @@ class EcsReading : public testing::Test {
 protected:
   std::vector<Block> blocksOf(llvm::StringRef text) {
     text_ = text.str();
-    dialect_ = test::dialectNamed("ecs");
-    reader_ = makeReader(*dialect_, text_);
+    reader_ = makeReader(*test::dialectNamed("ecs"), text_);
     std::vector<Block> blocks;
     for (uint32_t at = reader_->first(); at < text_.size(); at = blocks.back().next) {
       reader_->read(at, blocks.emplace_back());
@@ -26,17 +26,10 @@ protected:
   llvm::StringRef spelling(uint32_t begin, uint32_t end) const {
     return llvm::StringRef(text_).slice(begin, end);
   }
+  /// Value of expression `index` before anything was executed.
   double valueOf(const Block &block, uint16_t index) const {
     const Value value = evaluate(block, index, MachineState(), nullptr);
     return value.isConstant() ? value.number.value() : std::nan("");
-  }
-  /// The word along `axis`: a place, or with `kind` Increment a distance.
-  const Word *along(const Block &block, Axis axis, AddressKind kind) const {
-    for (const Word &word : block.words)
-      if (dialect_->addresses[word.address].kind == kind &&
-          dialect_->addresses[word.address].axis == axis)
-        return &word;
-    return nullptr;
   }
   std::vector<SyntaxIssueKind> issuesOf(const Block &block) const {
     std::vector<SyntaxIssueKind> kinds;
@@ -45,116 +38,228 @@ protected:
     return kinds;
   }
   std::string text_;
-  std::shared_ptr<const Dialect> dialect_;
   std::unique_ptr<Reader> reader_;
 };
 
-TEST_F(EcsReading, WordsNumbersAndTheThreeKindsOfComment) {
-  const Block block = blockOf("/N10 G1 X10.5 DY-20 F100 (edge) {to the operator} 'rest of it X5\n");
-  EXPECT_GE(block.skip, 0);
+TEST_F(EcsReading, WordsMayFollowEachOtherWithoutBlanks) {
+  const Block block = blockOf("/N10G1X10.5Y-20DZ-1F100 {edge} 'to the corner\n");
+  EXPECT_EQ(block.skip, 0);
   EXPECT_EQ(block.number, 10);
+  ASSERT_EQ(block.words.size(), 5u);
   EXPECT_EQ(block.find('X')->value(), 10.5);
-  const Word *distance = along(block, Axis::Y, AddressKind::Increment);
-  ASSERT_NE(distance, nullptr);
-  EXPECT_EQ(distance->value(), -20);
-  EXPECT_EQ(block.comments.size(), 3u);
+  EXPECT_EQ(block.find('Y')->value(), -20);
+  EXPECT_EQ(block.find('Z'), nullptr) << "DZ is an address of its own";
+  EXPECT_EQ(block.comments.size(), 2u);
   EXPECT_TRUE(block.issues.empty());
 }
 
-TEST_F(EcsReading, AxesMayTakeTheirValueFromAnExpression) {
-  const Block block = blockOf("N10 X=2+3*4 Y=(1+2)*3 Z=0-SQR(16)\n");
+TEST_F(EcsReading, TheWordsOfAContourKeepTheirSigns) {
+  const Block block = blockOf("N20 G1 X5 RC45 RA-2\n");
+  ASSERT_EQ(block.words.size(), 4u);
+  EXPECT_EQ(block.words[2].value(), 45);
+  EXPECT_EQ(block.words[3].value(), -2);
+}
+
+TEST_F(EcsReading, AVariableIsAWordAndAnAssignmentAtTheSamePlace) {
+  const Block block = blockOf("N30 G81 <ENT=-10><%CON = %CON+1> <CFF=CFZ>\n");
+  ASSERT_EQ(block.items.size(), 3u);
+  ASSERT_EQ(block.words.size(), 4u);
+  EXPECT_EQ(block.words[1].address, variableAddress);
+  EXPECT_EQ(block.words[1].value(), -10);
+  EXPECT_EQ(block.words[1].offset, block.items[0].begin);
+  EXPECT_EQ(block.keyOf(block.items[0].target), variableKey("ENT"));
+  EXPECT_EQ(block.keyOf(block.items[1].target), variableKey("%CON"));
+  EXPECT_NE(block.keyOf(block.items[1].target), variableKey("CON")) << "% belongs to the name";
   EXPECT_TRUE(block.issues.empty());
-  EXPECT_EQ(valueOf(block, uint16_t(block.find('X')->mantissa)), 14);
-  EXPECT_EQ(valueOf(block, uint16_t(block.find('Y')->mantissa)), 9);
 }
 
-TEST_F(EcsReading, EightCharactersOfALabelCount) {
-  const auto blocks = blocksOf("[DRILLINGA1]\nN10 G0 X1\n[SLOT: the second]\n<JMP:[DRILLINGB2]>\n");
-  EXPECT_TRUE(blocks[0].hasLabel());
-  EXPECT_EQ(reader_->labelKey("DRILLINGA1"), reader_->labelKey("DRILLINGB2"));
-  EXPECT_NE(reader_->labelKey("DRILL"), reader_->labelKey("SLOT"));
-  EXPECT_EQ(reader_->labelKey("SLOT: the second"), reader_->labelKey("SLOT"));
-  ASSERT_EQ(blocks[3].items.size(), 1u);
-  EXPECT_EQ(blocks[3].items[0].kind, ItemKind::Jump);
-  EXPECT_EQ(blocks[3].argumentsOf(blocks[3].items[0])[0].kind, ArgumentKind::Label);
+TEST_F(EcsReading, ExpressionsFollowTheControlsOrder) {
+  const Block block = blockOf("R1=2+3*2**2 R2=-2**2 R3=133//40 R4=SQR(50**2+80**2)\n");
+  ASSERT_EQ(block.items.size(), 4u);
+  EXPECT_EQ(valueOf(block, block.items[0].value), 14);
+  EXPECT_EQ(valueOf(block, block.items[1].value), -4);
+  EXPECT_EQ(valueOf(block, block.items[2].value), 13);
+  EXPECT_NEAR(valueOf(block, block.items[3].value), 94.34, 0.01);
 }
 
-TEST_F(EcsReading, VariablesInAngleBracketsAreAssignments) {
-  const Block block = blockOf("N10 G81 <RAP=2><ENT=-10+4> <%NHL=3> <%%PGC=5> R5=7 V1050=1\n");
-  EXPECT_TRUE(block.issues.empty());
-  ASSERT_EQ(block.items.size(), 6u);
-  for (const Item &item : block.items)
-    EXPECT_EQ(item.kind, ItemKind::Assignment);
-  EXPECT_EQ(valueOf(block, block.items[0].value), 2);
-  EXPECT_EQ(valueOf(block, block.items[1].value), -6);
+TEST_F(EcsReading, ARadiusIsAWordAndAVariableTakesItsSign) {
+  const Block block = blockOf("N10 G2 X10 Y0 R15\nN20 R15=3 X=R15\n");
+  EXPECT_NE(block.find('R'), nullptr);
+  EXPECT_TRUE(block.items.empty());
+  const auto blocks = blocksOf("N20 R15=3 X=R15\n");
+  EXPECT_EQ(blocks[0].items.size(), 1u);
+  EXPECT_EQ(blocks[0].find('R'), nullptr);
+  ASSERT_NE(blocks[0].find('X'), nullptr);
+  EXPECT_TRUE(blocks[0].find('X')->has(wordExpression));
 }
 
-TEST_F(EcsReading, TheChoiceHasThreeTargetsAndNoWayOn) {
-  const Block block = blockOf("N30 <IFF<R1-5>: N40; [MIDDLE]; N60>\n");
+TEST_F(EcsReading, ComputedCodesAndTargetsAreExpressions) {
+  const Block block = blockOf("N10 G<FTI(1.2)> X5 T<FTL(14.6)>\n");
+  ASSERT_NE(block.find('G'), nullptr);
+  EXPECT_EQ(valueOf(block, uint16_t(block.find('G')->mantissa)), 1);
+  EXPECT_EQ(valueOf(block, uint16_t(block.find('T')->mantissa)), 14);
+}
+
+TEST_F(EcsReading, AChoiceHasThreeTargetsAndBothSeparators) {
+  const Block block = blockOf("N10 <IFF<R1-5> : N20, N<R2>; [HOME]>\n");
   ASSERT_EQ(block.items.size(), 1u);
-  EXPECT_EQ(block.items[0].jump, JumpKind::BySign);
-  const auto targets = block.argumentsOf(block.items[0]);
-  ASSERT_GE(targets.size(), 3u);
+  const Item &item = block.items[0];
+  EXPECT_EQ(item.kind, ItemKind::Jump);
+  EXPECT_EQ(item.jump, JumpKind::BySign);
+  const auto targets = block.argumentsOf(item);
+  ASSERT_EQ(targets.size(), 3u);
+  EXPECT_EQ(targets[0].kind, ArgumentKind::BlockNumber);
+  EXPECT_EQ(targets[1].separator, ',');
+  EXPECT_EQ(targets[2].separator, ';');
+  EXPECT_EQ(targets[2].kind, ArgumentKind::Label);
   EXPECT_TRUE(block.issues.empty());
-  EXPECT_EQ(issuesOf(blockOf("N30 <IFF<R1>: N40; N50>\n")),
-            std::vector{SyntaxIssueKind::MissingArgument});
-  EXPECT_EQ(issuesOf(blockOf("N30 <IFF<R1>: N40; N50; N60; N70>\n")),
-            std::vector{SyntaxIssueKind::TooManyArguments});
 }
 
-TEST_F(EcsReading, RepeatsNameASectionAndPerhapsACount) {
-  const auto blocks = blocksOf("<RPT:N10;N50;3>\n<RPT:[A];[B];<R1+1>>\n<RPT:N10;N50>\n");
+TEST_F(EcsReading, AChoiceOfTwoTargetsLacksOne) {
+  EXPECT_EQ(issuesOf(blockOf("N10 <IFF<R1>: N20; N30>\n")),
+            (std::vector<SyntaxIssueKind>{SyntaxIssueKind::MissingArgument}));
+}
+
+TEST_F(EcsReading, ARepeatNamesItsBlocksAndItsCount) {
+  const Block block = blockOf("N40 <RPT:N10;N30;<%NRP>>\n");
+  ASSERT_EQ(block.items.size(), 1u);
+  EXPECT_EQ(block.items[0].kind, ItemKind::Repeat);
+  EXPECT_EQ(block.argumentsOf(block.items[0]).size(), 2u);
+  EXPECT_EQ(block.variableOf(block.items[0].count), variableKey("%NRP"));
+}
+
+TEST_F(EcsReading, AnInputHasItsWayOutFirstAndThenItsPromptAndBounds) {
+  const Block block = blockOf("N10 <INP: \"Radius [mm] <100\"; R0; N100;10;100>\n");
+  ASSERT_EQ(block.items.size(), 1u);
+  EXPECT_EQ(block.items[0].kind, ItemKind::Input);
+  const auto arguments = block.argumentsOf(block.items[0]);
+  ASSERT_EQ(arguments.size(), 4u);
+  EXPECT_EQ(arguments[0].kind, ArgumentKind::BlockNumber);
+  EXPECT_EQ(arguments[1].kind, ArgumentKind::Text);
+  EXPECT_EQ(spelling(arguments[1].begin, arguments[1].end), "Radius [mm] <100");
+  EXPECT_TRUE(block.issues.empty());
+}
+
+TEST_F(EcsReading, ABoundOfAnInputMayBeEmpty) {
+  const Block block = blockOf("N10 <INP: \"R\"; R0; N100;;100>\n");
+  ASSERT_EQ(block.items.size(), 1u);
+  const auto arguments = block.argumentsOf(block.items[0]);
+  ASSERT_EQ(arguments.size(), 4u);
+  EXPECT_EQ(arguments[2].kind, ArgumentKind::Empty);
+  EXPECT_TRUE(block.issues.empty());
+}
+
+TEST_F(EcsReading, CallsNameAProgramOrTheVariableThatDoes) {
+  const auto blocks = blocksOf("N10 L<SUB1>\nN20 L <C:\\ECS.CNC\\PROGRAM\\SUB2>\nN30 L<&R12>\n");
+  ASSERT_EQ(blocks.size(), 3u);
   for (const Block &block : blocks) {
     ASSERT_EQ(block.items.size(), 1u);
-    EXPECT_EQ(block.items[0].kind, ItemKind::Repeat);
-    EXPECT_EQ(block.items[0].arguments, 2u);
-    EXPECT_TRUE(block.issues.empty());
+    EXPECT_EQ(block.items[0].kind, ItemKind::Call);
   }
-  EXPECT_EQ(valueOf(blocks[0], blocks[0].items[0].count), 3);
-  EXPECT_NE(blocks[1].items[0].count, noExpression);
-  EXPECT_EQ(blocks[2].items[0].count, noExpression);
+  EXPECT_EQ(spelling(blocks[0].items[0].nameBegin, blocks[0].items[0].nameEnd), "SUB1");
+  EXPECT_EQ(spelling(blocks[1].items[0].nameBegin, blocks[1].items[0].nameEnd), "SUB2");
+  EXPECT_NE(blocks[2].items[0].value, noExpression);
 }
 
-TEST_F(EcsReading, CallsNameAProgramOrAVariableThatHoldsItsName) {
-  const auto blocks = blocksOf("N10 L<HOLES>\nN20 L <&R12>\nN30 L100 = G1 X0 Y5 RC0\n");
-  EXPECT_EQ(blocks[0].items.size(), 1u);
-  EXPECT_EQ(blocks[0].items[0].kind, ItemKind::Call);
-  EXPECT_EQ(spelling(blocks[0].items[0].nameBegin, blocks[0].items[0].nameEnd), "HOLES");
-  EXPECT_EQ(blocks[1].items[0].kind, ItemKind::Call);
-  EXPECT_TRUE(blocks[2].items.empty() || blocks[2].items[0].kind != ItemKind::Call);
-  for (const Block &block : blocks)
-    EXPECT_TRUE(block.issues.empty());
+TEST_F(EcsReading, LabelsAreKnownByEightCharactersInFrontOfAColon) {
+  const auto blocks = blocksOf("[OBJECT 6]\nN10 <JMP:[F1:MAINWINDOW]>\n");
+  EXPECT_TRUE(blocks[0].hasLabel());
+  EXPECT_EQ(reader_->labelKey("OBJECT 6"), "OBJECT6");
+  EXPECT_EQ(reader_->labelKey("F1:MAINWINDOW"), "F1");
+  EXPECT_EQ(reader_->labelKey("CONTOUR10"), reader_->labelKey("CONTOUR11"));
+  EXPECT_NE(reader_->labelKey("CONT10"), reader_->labelKey("CONT11"));
 }
 
-TEST_F(EcsReading, FreePlanesAndOriginsAreCodes) {
-  const Block block = blockOf("N1 G16XYZ+ G54.01 T1 M6\n");
+TEST_F(EcsReading, APhaseIsABlockWithItsNumber) {
+  for (const char *text : {":20 {second side}\n", ":N20\n"}) {
+    const Block block = blockOf(text);
+    EXPECT_EQ(block.number, 20) << text;
+    EXPECT_TRUE(block.mainBlock) << text;
+    EXPECT_TRUE(block.issues.empty()) << text;
+  }
+}
+
+TEST_F(EcsReading, WhatFollowsTheResetIsARemark) {
+  const Block block = blockOf("% PLATE 12\n");
+  EXPECT_EQ(block.comments.size(), 1u);
+  EXPECT_EQ(block.find('P'), nullptr);
+}
+
+TEST_F(EcsReading, ParenthesesAreCommentsBetweenWordsAndBracketsInExpressions) {
+  const Block block = blockOf("N10 (shown) X=(R1+2)*3 Y5\n");
+  EXPECT_EQ(block.comments.size(), 1u);
+  ASSERT_NE(block.find('Y'), nullptr);
   EXPECT_TRUE(block.issues.empty());
-  ASSERT_EQ(block.words.size(), 4u);
-  EXPECT_EQ(block.words[0].mantissa, dialect_->keyword("G16XYZ"));
-  EXPECT_EQ(block.words[1].mantissa, dialect_->keyword("G54.01"));
-  EXPECT_EQ(block.find('T')->value(), 1);
 }
 
-TEST_F(EcsReading, SlipsAreIssuesAndTheRestIsRead) {
-  EXPECT_EQ(issuesOf(blockOf("N10 G1 X10,5 Y20\n")), std::vector{SyntaxIssueKind::DecimalComma});
-  EXPECT_EQ(issuesOf(blockOf("N10 <RET\n")), std::vector{SyntaxIssueKind::UnbalancedBracket});
-  EXPECT_EQ(issuesOf(blockOf("N10 G0 X Y5\n")), std::vector{SyntaxIssueKind::MissingValue});
-  const Block block = blockOf("N10 ? G1 X5\n");
-  EXPECT_EQ(issuesOf(block), std::vector{SyntaxIssueKind::InvalidCharacter});
-  EXPECT_EQ(block.find('X')->value(), 5);
+TEST_F(EcsReading, SlipsAreNamedAndReadingGoesOn) {
+  using Kinds = std::vector<SyntaxIssueKind>;
+  EXPECT_EQ(issuesOf(blockOf("N10 X- 40 Y5\n")), Kinds{SyntaxIssueKind::BlankInNumber});
+  EXPECT_EQ(issuesOf(blockOf("N10 G0 X1 {start\n")), Kinds{SyntaxIssueKind::UnclosedComment});
+  EXPECT_EQ(issuesOf(blockOf("N70 <RET\n")), Kinds{SyntaxIssueKind::UnbalancedBracket});
+  EXPECT_EQ(issuesOf(blockOf("N10 G0 X1 ; go\n")), Kinds{SyntaxIssueKind::ForeignComment});
+  EXPECT_EQ(issuesOf(blockOf("N10 X\xE2\x80\x93"
+                             "5\n")),
+            Kinds{SyntaxIssueKind::TypographicMinus});
+  const Block block = blockOf("N10 X- 40 Y5\n");
+  ASSERT_NE(block.find('Y'), nullptr);
+  EXPECT_EQ(block.find('Y')->value(), 5);
 }
+
+/// Nothing is read behind the text: seen by the sanitizers.
+TEST_F(EcsReading, APlaneWithoutAxesAtTheEndIsACode) {
+  for (const char *text : {"N10 G16", "N10 G16 ", "N10 G16\t\t"}) {
+    const Block block = blockOf(text);
+    ASSERT_NE(block.find('G'), nullptr) << text;
+    EXPECT_EQ(block.find('G')->value(), 16) << text;
+  }
+}
+
+/// Every form of the manual in one text; reading may begin at each of its blocks.
+constexpr const char *everyForm = "% PLATE\n"
+                                  "N1 G16XYZ+ <CFF=CFZ>\n"
+                                  "N2 T1 M6 (mill 10)\n"
+                                  "[OBJECT 6]\n"
+                                  "/N10 G1 X=R1*2 DY-5 RC45 RA-2 F100 'edge\n"
+                                  "N20 R1=SQR (R1**2 + R2**2) #271=5\n"
+                                  "N30 G83 <ENT=-9><RAP=2> <RAL=5> <INI=R3> <IND=1>\n"
+                                  "N40 <IFF<R1 - 5> : N50, N60, N70>\n"
+                                  "N50 <INP: \"Radius [mm]\"; R0; N100;;100>\n"
+                                  "N60 <JMC: PROG; N50> \n"
+                                  "N70 <RPT:N10;N20;<%NRP>>\n"
+                                  ":N80 {second side}\n"
+                                  "N90 L<FORFLA> X0 Y0 I5 J0 <%NHL=6> <ARC=0> <RDF=0> <AIN=90>\n"
+                                  "N95 L<&R12>\n"
+                                  "N96 O5 = G2 I0 J0 R250\n"
+                                  "N97 G1 G48 P2\n"
+                                  "N98 <G69: AX=XYZ; E=0.02; S=ON>\n"
+                                  "N99 <REP:N1;N2 X5 <<>> ] } ) ~ \xFF\n"
+                                  "N100 G<FTI(R0)> X5 K\r\n"
+                                  "N110 M30";
 
 TEST_F(EcsReading, BeginningAnywhereReadsTheSameBlocks) {
-  const auto blocks = blocksOf("%\n:1\nN10 G16XYZ+ <CFF=CFZ>\n\n[A1]\n<IFF<R1>: N10; [A1]; N30>\r\n"
-                               "N30 <INP: \"a;b\"; R1; N10;0;9> ' c\nN40 M30");
-  for (const Block &block : blocks) {
+  for (const Block &block : blocksOf(everyForm)) {
     Block again;
     reader_->read(block.begin, again);
-    EXPECT_EQ(again.next, block.next);
-    EXPECT_EQ(again.words.size(), block.words.size());
-    EXPECT_EQ(again.items.size(), block.items.size());
+    EXPECT_TRUE(fuzz::sameBlock(block, again)) << spelling(block.begin, block.end).str();
   }
-  EXPECT_EQ(blocks.size(), 8u);
+  EXPECT_EQ(blocksOf(everyForm).size(), 20u);
+}
+
+TEST_F(EcsReading, EveryBeginningOfATextIsReadToItsEnd) {
+  const llvm::StringRef whole = everyForm;
+  for (size_t length = 0; length <= whole.size(); ++length)
+    fuzz::readAll(*test::dialectNamed("ecs"), whole.take_front(length));
+}
+
+/// Such a block is most of a long program: nothing of it needs the stores of expressions.
+TEST_F(EcsReading, APlainBlockIsWordsAlone) {
+  const Block block = blockOf("N10 X1.5 Y2 F100\n");
+  EXPECT_EQ(block.words.size(), 3u);
+  EXPECT_EQ(block.words.capacity(), Block().words.capacity()) << "no store beyond the block's own";
+  EXPECT_TRUE(block.items.empty());
+  EXPECT_TRUE(block.expressions.empty());
+  EXPECT_TRUE(block.operations.empty());
 }
 
 } // namespace
