@@ -28,9 +28,14 @@ public:
       if (!drove || (before.statedMay >> group & 1))
         return;
     }
+    // The way back belongs to the change that was reported.
+    if (stated && back_ == std::pair(code.action, ctx.source().id()))
+      return;
     auto finding = ctx.report(event);
     if (!finding)
       return;
+    if (stated)
+      back_ = {active->action, ctx.source().id()};
     if (stated)
       finding
           .message("`{0}` changes the unit: `{1}` was in force", ctx.text(*event.word),
@@ -42,6 +47,9 @@ public:
                       "read in whatever unit was in force",
                       ctx.text(*event.word));
   }
+
+private:
+  std::pair<Action, FileId> back_{Action::None, 0}; ///< unit before the change that was reported
 };
 
 } // namespace

@@ -1,5 +1,7 @@
-// A cycle begins below its retraction plane.
+// A cycle begins below its retraction plane, at the part.
 #include "analyzer/lookahead.h"
+
+#include <array>
 
 namespace ncvet {
 namespace {
@@ -14,25 +16,36 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (code.cycle != CycleKind::Pocket && code.cycle != CycleKind::Contour)
       return;
-    // The retraction plane is the first argument, behind the name of the contour.
-    const WordSpec *plane = nullptr;
+    // The retraction plane is the first argument behind the name of the contour; the plane of the
+    // part and the safety distance above it follow.
+    std::array<const WordSpec *, 3> specs{};
     for (const WordSpec &spec : code.words)
-      if (spec.position && !spec.text && (!plane || spec.position < plane->position))
-        plane = &spec;
-    const Word *word = plane ? wordFor(ctx.block(), *plane) : nullptr;
+      if (spec.position && !spec.text) {
+        const WordSpec *next = &spec;
+        for (const WordSpec *&held : specs)
+          if (next && (!held || next->position < held->position))
+            std::swap(held, next);
+      }
+    std::array<const Word *, 3> words{};
+    for (size_t i = 0; i < specs.size(); ++i)
+      words[i] = specs[i] ? wordFor(ctx.block(), *specs[i]) : nullptr;
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
     const Interval &from = ctx.before().at(tool);
-    if (!word || !unit || !from.isConstant() || ctx.before().inMachineCoordinates(tool))
+    if (!words[0] || !words[1] || !unit || !from.isConstant() ||
+        ctx.before().inMachineCoordinates(tool))
       return;
-    const Interval level = ctx.value(*word);
+    // From anywhere above the part the way up is free.
+    const Interval part = ctx.value(*words[1]);
+    const Interval distance = words[2] ? ctx.value(*words[2]) : Interval::exactly(0);
+    const Interval level = part + distance;
     if (!level.isConstant() || from.value() >= level.value() * *unit - 1e-6)
       return;
     if (auto finding = ctx.report(event, event.certain))
-      finding.message("`{0}` begins at {1}, below its retraction plane {2}: the way to its first "
-                      "point is not free",
+      finding.message("`{0}` begins at {1}, below its retraction plane {2} and inside the safety "
+                      "distance: the way to its first point is not free",
                       code.name, llvm::formatv("{0}", llvm::format("%g", from.value() / *unit)),
-                      ctx.text(*word));
+                      ctx.text(*words[0]));
   }
 };
 

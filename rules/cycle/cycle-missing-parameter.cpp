@@ -17,6 +17,11 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    // A list of arguments that breaks off is one slip, not one for each argument behind it.
+    if (llvm::any_of(ctx.block().issues, [](const SyntaxIssue &issue) {
+          return issue.kind == SyntaxIssueKind::UnbalancedBracket;
+        }))
+      return;
     reportMissingWords(ctx, event, [](const CodeInfo &code, const WordSpec &spec) {
       return code.action == Action::Cycle && topicOf(code, spec) == WordTopic::Cycle;
     });

@@ -47,8 +47,7 @@ Dialect wordAddressDialect() {
 }
 
 /// Reads all blocks of `text` again and again; blocks are counted as items.
-void readAll(benchmark::State &state, const std::string &text) {
-  const Dialect dialect = wordAddressDialect();
+void readAll(benchmark::State &state, const Dialect &dialect, const std::string &text) {
   const std::unique_ptr<Reader> reader = makeReader(dialect, text);
   Block block;
   int64_t blocks = 0;
@@ -66,11 +65,32 @@ void readAll(benchmark::State &state, const std::string &text) {
                           static_cast<int64_t>(text.size()));
 }
 
-void readSurfacing(benchmark::State &state) { readAll(state, surfacingText(100'000)); }
+void readSurfacing(benchmark::State &state) {
+  readAll(state, wordAddressDialect(), surfacingText(100'000));
+}
 BENCHMARK(readSurfacing)->Unit(benchmark::kMillisecond);
 
-void readMacro(benchmark::State &state) { readAll(state, macroText(25'000)); }
+void readMacro(benchmark::State &state) { readAll(state, wordAddressDialect(), macroText(25'000)); }
 BENCHMARK(readMacro)->Unit(benchmark::kMillisecond);
+
+/// The same million numbered blocks in every language: what one reader costs beside the others.
+void readNumbered(benchmark::State &state, const char *id) {
+  auto dialect = loadDialect(id, builtinDialects());
+  if (!dialect)
+    return state.SkipWithError("the built-in table does not load");
+  std::string text;
+  char block[64];
+  for (int i = 0; i < 1'000'000; ++i) {
+    std::snprintf(block, sizeof block, "N%d X%.3f Y%.3f Z-%.4f\n", i + 1, 0.487 * (i % 400),
+                  0.02 * (i % 7), 6.0 + 0.0137 * (i % 97));
+    text += block;
+  }
+  readAll(state, **dialect, text);
+}
+BENCHMARK_CAPTURE(readNumbered, iso, "fanuc-0m")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readNumbered, ecs, "ecs")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readNumbered, mefi, "mefi")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readNumbered, sinumerik, "sinumerik")->Unit(benchmark::kMillisecond);
 
 /// Executes blocks that were read before, over and over: the transfer function alone.
 void executeSurfacing(benchmark::State &state) {
