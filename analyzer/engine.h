@@ -116,6 +116,7 @@ private:
     uint64_t hash;
     MachineState entry;
     Exits exits;
+    unsigned sections; ///< repeated sections around it
   };
   Exits execute(const Region &region, Lives entry);
   void add(Activation &activation, uint32_t offset, Live live);
@@ -143,6 +144,7 @@ private:
   static Truth countUp(const Block &head, MachineState &state);
   std::optional<Callee> callee(Activation &activation, const Live &live, uint32_t at,
                                const MachineState &before);
+  unsigned runningSections() const;
   bool isRunning(const FileUnit &unit, uint32_t start, Kind kind, uint32_t end = ~0u) const;
   bool recurs(const Region &region, const Callee &callee) const;
   void bindArguments(const Callee &callee, const Item &call, const MachineState &caller,

@@ -19,8 +19,10 @@ constexpr double maxRepeats = 10000;
 Engine::Exits Engine::callBody(const Region &region, Live live) {
   auto &memos = memos_[keyOf(region)];
   const uint64_t print = hash(live.state);
+  // Deeper inside repeated sections than before, one more level may be one too many.
+  const unsigned sections = region.kind == Kind::Section ? runningSections() : 0;
   for (const Memo &memo : memos)
-    if (memo.hash == print && equal(memo.entry, live.state)) {
+    if (memo.hash == print && sections <= memo.sections && equal(memo.entry, live.state)) {
       Exits exits = memo.exits;
       for (Returned &exit : exits)
         exit.live.path = live.path;
@@ -49,7 +51,7 @@ Engine::Exits Engine::callBody(const Region &region, Live live) {
     for (Live &exit : group)
       exits.push_back({std::move(exit), target});
   if (!stopped_ && memos.size() < memosPerProgram)
-    memos.push_back({print, entry, exits});
+    memos.push_back({print, entry, exits, sections});
   return exits;
 }
 
@@ -115,6 +117,12 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
       callee.start = *offset;
   }
   return callee;
+}
+
+/// Repeated sections that are being executed, one in the other.
+unsigned Engine::runningSections() const {
+  return unsigned(llvm::count_if(
+      callStack_, [](const Running &running) { return std::get<2>(running) == Kind::Section; }));
 }
 
 bool Engine::isRunning(const FileUnit &unit, uint32_t start, Kind kind, uint32_t end) const {
@@ -400,8 +408,7 @@ void Engine::repeat(Activation &activation, Live &live, uint32_t at, const Machi
       issue(FlowIssue::RepeatOverlap, activation, live, before, where,
             {unit.source.id(), head, head + 1});
   const uint32_t start = heads ? next : *first;
-  const unsigned nested = unsigned(llvm::count_if(
-      callStack_, [](const Running &running) { return std::get<2>(running) == Kind::Section; }));
+  const unsigned nested = runningSections();
   if (unit.dialect->limits.repeatDepth && nested >= unit.dialect->limits.repeatDepth)
     issue(FlowIssue::TooDeep, activation, live, before, where);
   if (holdsEnd(unit, start, end.next))

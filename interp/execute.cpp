@@ -18,6 +18,9 @@ uint16_t planeAxes(const Dialect &dialect, const MachineState &state) {
   case Action::PlaneYZ:
     return axisBit(Axis::Y) | axisBit(Axis::Z);
   default:
+    // A plane of rotary axes is none of the three: any axis but the tool's may lie in it.
+    if (state.activeCode(dialect, StandardGroup::Plane))
+      return uint16_t(((1u << axisCount) - 1) & ~axisBit(toolAxis(dialect, state)));
     return dialect.isLathe() ? axisBit(Axis::Z) | axisBit(Axis::X)
                              : axisBit(Axis::X) | axisBit(Axis::Y);
   }

@@ -35,6 +35,11 @@ private:
                       code.spindle == SpindleNeed::StartsItself;
     if (!starts && !taps)
       return;
+    // A cycle that has a word of its own for the speed lacks none: its parameters are another rule.
+    if (!starts && llvm::any_of(code.words, [](const WordSpec &spec) {
+          return spec.role == Role::Speed && spec.need != Need::Optional;
+        }))
+      return;
     // The machine's builder may give a speed by a code of his own.
     if (ctx.after().may(Fact::UnknownCode))
       return;

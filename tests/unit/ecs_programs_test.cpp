@@ -1,0 +1,65 @@
+// What whole ECS programs are told, and above all what they are not told.
+#include "tests/support/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ncvet {
+namespace {
+
+/// Rules that report something of `program`: "line rule".
+std::vector<std::string> findings(const std::string &program) {
+  std::vector<std::string> rules;
+  for (const test::Seen &seen :
+       test::analyseProgram("ecs", {{"PART.ecs", program}}, "", [](const Dialect &dialect) {
+         return RuleSelection::defaults(dialect);
+       }))
+    rules.push_back(std::to_string(seen.line) + " " + seen.rule);
+  return rules;
+}
+
+TEST(EcsPrograms, ACycleWithItsOwnSpeedLacksNone) {
+  EXPECT_THAT(findings("%\n"
+                       "N10 G16XYZ+ <CFF=CFZ>\n"
+                       "N20 T5 M6\n"
+                       "N30 G0 X0 Y0 Z50 G94\n"
+                       "N40 G184 <ENT=-15> <RAP=3> <RAL=10> <SPD=300> <PCH=1.25> <ROT=3> <DAX=0>\n"
+                       "N50 X20 Y20\n"
+                       "N60 G150 Z100\n"
+                       "N70 M30\n"),
+              testing::Not(testing::Contains("5 spindle-speed-missing")));
+}
+
+/// Around a cylinder the rotary axis is an axis of the plane.
+TEST(EcsPrograms, ARotaryAxisMovesInItsPlane) {
+  EXPECT_THAT(findings("%\n"
+                       "N10 G16BYZ+\n"
+                       "N20 T2 M6\n"
+                       "N30 G0 Y110 Z220 B0 S800 M3\n"
+                       "N40 G1 G42 B0 Y120 F150\n"
+                       "N50 B250 Y120\n"
+                       "N60 B600\n"
+                       "N70 B850\n"
+                       "N80 G0 G40 B900 Y110\n"
+                       "N90 Z220 M5\n"
+                       "N100 M30\n"),
+              testing::Not(testing::Contains(testing::HasSubstr("compensation-idle-blocks"))));
+}
+
+TEST(EcsPrograms, RepeatsMayNestUpToTheControlsLevels) {
+  std::string program = "%\nN1 G16XYZ+ <CFF=CFZ>\nN2 T1 M6\nN10 G0 DX1\n";
+  const auto repeats = [&](int levels) {
+    std::string text = program;
+    for (int i = 0; i < levels; ++i)
+      text += "N" + std::to_string(11 + i) + " <RPT:N10;N" + std::to_string(10 + i) + ";2>\n";
+    return text + "N99 M30\n";
+  };
+  const auto tooDeep = testing::Contains(testing::HasSubstr("flow-nesting-too-deep"));
+  EXPECT_THAT(findings(repeats(7)), testing::Not(tooDeep));
+  EXPECT_THAT(findings(repeats(8)), tooDeep);
+  EXPECT_THAT(findings(repeats(7)),
+              testing::Not(testing::Contains(testing::HasSubstr("flow-recursion"))));
+}
+
+} // namespace
+} // namespace ncvet
