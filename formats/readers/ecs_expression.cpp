@@ -83,6 +83,11 @@ uint16_t EcsExpression::parseTarget() {
   });
 }
 
+void EcsExpression::ambiguous(const char *begin) {
+  block_.issues.push_back(
+      {SyntaxIssueKind::AmbiguousExpression, uint32_t(begin - base_), uint32_t(at_ - base_)});
+}
+
 bool EcsExpression::sum(unsigned depth) {
   if (!product(depth))
     return false;
@@ -97,15 +102,22 @@ bool EcsExpression::sum(unsigned depth) {
     }
     const char *const at = at_;
     at_ += length ? length : 1;
+    const bool continues = minus && depth == 0 && at > before && at_ < end_ && *at_ != ' ';
     if (!product(depth))
       return false;
+    if (continues) // `X=R1 -5` looks like a value and something else
+      ambiguous(at);
     emit(minus ? Op::Subtract : Op::Add, at);
   }
 }
 
 bool EcsExpression::product(unsigned depth) {
+  skipBlanks();
+  const char *const begin = at_;
   if (!factor(depth))
     return false;
+  unsigned operators = 0;
+  bool remainders = false, told = false;
   for (;;) {
     const char *const before = at_;
     skipBlanks();
@@ -118,6 +130,11 @@ bool EcsExpression::product(unsigned depth) {
     at_ += remainder ? 2 : 1;
     if (!factor(depth))
       return false;
+    remainders |= remainder;
+    if (++operators > 1 && remainders && !told) { // no manual says which of them goes first
+      ambiguous(begin);
+      told = true;
+    }
     emit(remainder ? Op::Modulo : *at == '*' ? Op::Multiply : Op::Divide, at);
   }
 }
@@ -131,10 +148,16 @@ bool EcsExpression::factor(unsigned depth) {
   const unsigned dash = typographicMinus(at_, end_);
   if (*at_ == '-' || *at_ == '+' || dash) {
     at_ += dash ? dash : 1;
+    const bool atomic = at_ < end_ && *at_ != '(';
+    const size_t operations = block_.operations.size();
     if (!factor(depth + 1))
       return false;
-    if (*at != '+')
+    if (*at != '+') {
+      if (atomic && block_.operations.size() > operations &&
+          block_.operations.back().op == Op::Power)
+        ambiguous(at); // `-2**2`
       emit(Op::Negate, at);
+    }
     return true;
   }
   if (!atom(depth))

@@ -24,6 +24,7 @@ private:
 
   template <typename Parse>
   uint16_t read(Parse parse);
+  void ambiguous(const char *begin); ///< what was read since `begin` may be grouped otherwise
   bool sum(unsigned depth);
   bool product(unsigned depth);
   bool factor(unsigned depth);

@@ -89,6 +89,7 @@ private:
   void scanInstruction(const char *begin, llvm::StringRef name);
   void scanJump(const char *begin, bool other);
   void scanChoice(const char *begin, bool other);
+  void missingColon(const char *begin);
   void scanRepeat(const char *begin);
   void scanInput(const char *begin);
   Argument scanTarget(char separator);
@@ -343,6 +344,15 @@ void Scanner::scanLetter() {
   const bool digit = next < end_ && isNumberDigit(*next);
   switch (letter) {
   case 'N':
+    if (next + 1 < end_ && (*next == '-' || *next == '+') && isNumberDigit(next[1]) &&
+        startsBlock() && block_.number < 0) {
+      for (at_ = next + 1; at_ < end_ && (isNumberDigit(*at_) || *at_ == '.');)
+        ++at_;
+      block_.number = 0;
+      block_.numberBegin = offset(begin);
+      block_.numberEnd = offset(at_);
+      return issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    }
     if (digit && startsBlock() && block_.number < 0) {
       ++at_;
       int64_t number = 0;
@@ -896,6 +906,19 @@ void Scanner::scanJump(const char *begin, bool other) {
   add(item);
 }
 
+/// Behind the expression of a choice something else than `:` stands, mostly a comparison
+/// (`<IFF<R1 > 5>:`): one report, and reading goes on at the targets.
+void Scanner::missingColon(const char *begin) {
+  const llvm::StringRef rest(at_, size_t(end_ - at_));
+  const size_t colon = rest.find_first_of(":;\r\n");
+  if (colon == llvm::StringRef::npos || rest[colon] != ':')
+    return issue(SyntaxIssueKind::BadStatement, begin, at_);
+  at_ += colon;
+  const char *const expression = std::find(begin + 1, at_, '<');
+  issue(SyntaxIssueKind::BadExpression, expression, at_);
+  ++at_;
+}
+
 /// `<IFF<R1-5>: N10; N20; N30>`, `<IFC<R1>: PROG; N10; N20; N30>`
 void Scanner::scanChoice(const char *begin, bool other) {
   Item item = itemAt(ItemKind::Jump, begin);
@@ -905,7 +928,7 @@ void Scanner::scanChoice(const char *begin, bool other) {
   if (at_ < end_ && *at_ == ':')
     ++at_;
   else
-    issue(SyntaxIssueKind::BadStatement, begin, at_);
+    missingColon(begin);
   if (other) {
     const llvm::StringRef program = scanProgramName();
     item.nameBegin = offset(program.begin());

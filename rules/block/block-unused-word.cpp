@@ -1,6 +1,8 @@
 // A word that no code of the block and no code in force takes.
 #include "analyzer/rule.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
@@ -9,11 +11,20 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::WordIssue);
     to.onNotices(id);
+    for (const CodeInfo &code : to.dialect().codes)
+      if (code.action == Action::Cycle)
+        for (const WordSpec &spec : code.words)
+          if (spec.variable)
+            parameters_.insert(spec.variable);
+    if (!parameters_.empty())
+      to.on(EventKind::Assignment);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
+    if (event.kind == EventKind::Assignment)
+      return parameter(uint64_t(event.number), ctx);
     if (WordIssue(event.number) != WordIssue::Special)
       return;
     // What an unknown code takes is not known either; the letters of a macro call are arguments.
@@ -40,6 +51,37 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-unused-word"};
+
+  std::set<uint64_t> parameters_; ///< keys of the variables that cycles read
+
+  /// A cycle's parameter beside a cycle that does not read it.
+  void parameter(uint64_t key, RuleContext &ctx) {
+    if (!parameters_.count(key))
+      return;
+    const CodeInfo *cycle = nullptr;
+    for (const CodeUse &use : ctx.codes()) {
+      bool reads = false;
+      for (const WordSpec &spec : ctx.code(use).words) {
+        if (spec.variable == key || spec.orVariable == key)
+          return;
+        reads |= spec.variable != 0;
+      }
+      if (reads && ctx.code(use).action == Action::Cycle)
+        cycle = &ctx.code(use);
+    }
+    if (!cycle)
+      return;
+    for (const Item &item : ctx.block().items) {
+      if (item.kind != ItemKind::Assignment || ctx.block().keyOf(item.target) != key)
+        continue;
+      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Style)
+            .message("`{0}` stands beside `{1}`, which does not read it", ctx.text(range),
+                     cycle->name);
+      return;
+    }
+  }
 
   static AddressMask wordsOf(const CodeInfo &code) {
     AddressMask mask = code.takes;

@@ -27,14 +27,25 @@ public:
              Truth::No))
       return;
     reported_ = true;
-    if (auto finding = ctx.report(*word, !state.may(Fact::WorkOffsetStated)))
-      finding
-          .message("`{0}` is driven before the program has selected a work offset", ctx.text(*word))
-          .fix(FixSafety::Unsafe, "write `G54` in front of it",
-               ctx.insertBefore(word->offset, "G54 "));
+    auto finding = ctx.report(*word, !state.may(Fact::WorkOffsetStated));
+    if (!finding)
+      return;
+    const std::string offset = firstOffset(ctx.dialect());
+    finding
+        .message("`{0}` is driven before the program has selected a work offset", ctx.text(*word))
+        .fix(FixSafety::Unsafe, "write `" + offset + "` in front of it",
+             ctx.insertBefore(word->offset, offset + " "));
   }
 
 private:
+  /// `G54`, or `G54.01` where the origins have numbers.
+  static std::string firstOffset(const Dialect &dialect) {
+    for (const CodeIndex member : dialect.groups[dialect.group(StandardGroup::WorkOffset)].members)
+      if (llvm::StringRef(dialect.codes[member].name).startswith("G54"))
+        return dialect.codes[member].name;
+    return "G54";
+  }
+
   bool reported_ = false; ///< every further move says the same again
 };
 

@@ -14,7 +14,8 @@ public:
     goesOn_ = to.dialect().cycleSurvivesMotion;
     to.onCode([&](const CodeInfo &code) {
       if (goesOn_)
-        return changes(code.action) || (code.action == Action::Cycle && code.base != noCode);
+        return changes(code.action) || (code.action == Action::Cycle && code.base != noCode &&
+                                        code.cycle != CycleKind::Pattern);
       return !code.cancelsCycle && code.group != cycles &&
              (isMotion(code.action) || code.action == Action::Cycle);
     });

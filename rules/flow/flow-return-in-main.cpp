@@ -6,9 +6,18 @@ namespace {
 
 class FlowReturnInMain final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::FlowIssue);
+    to.onAction({Action::Reset});
+    opens_ = llvm::any_of(to.dialect().codes,
+                          [](const CodeInfo &code) { return code.action == Action::Reset; });
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code) {
+      opened_ |= ctx.callDepth() == 0;
+      return;
+    }
     // `/M99` in front of M30 is the usual switch between one part and many.
     if (FlowIssue(event.number) != FlowIssue::ReturnInMain || ctx.block().skip >= 0)
       return;
@@ -16,18 +25,24 @@ public:
     constexpr int64_t firstMacro = 8000;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const bool named = !ctx.dialect().mainExtensions.empty();
-    if (program.number >= firstMacro || (named && program.kind != ProgramKind::Main))
+    if (program.number >= firstMacro || (named && program.kind != ProgramKind::Main) ||
+        (opens_ && !opened_))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding
           .message(
-              named ? "`{0}` ends a main program: it is the end of a subprogram, and M30 that of "
-                      "a main program"
-                    : "`{0}` in a program that nobody calls: it starts again from the top without "
-                      "end",
+              named || opens_
+                  ? "`{0}` ends a main program: it is the end of a subprogram, and M30 that of "
+                    "a main program"
+                  : "`{0}` in a program that nobody calls: it starts again from the top without "
+                    "end",
               ctx.text(ctx.flowRange()))
           .fix(FixSafety::Unsafe, "write `M30`", ctx.replace(ctx.flowRange(), "M30"));
   }
+
+private:
+  bool opens_ = false;  ///< main programs open with a code that resets the control
+  bool opened_ = false; ///< this one has
 };
 
 } // namespace

@@ -24,8 +24,12 @@ public:
     while (ctx.index().block(program, number, 0))
       ++number;
     const SourceRange words = ctx.blockRange();
+    // A bare `N` that opens the block lacks its digits only.
+    const llvm::StringRef text = ctx.source().text().substr(words.begin, 2);
+    const bool bare = text.size() == 2 && (text[0] | 32) == 'n' && !llvm::isAlnum(text[1]);
     finding.fix(FixSafety::Unsafe, "number the block",
-                ctx.insertBefore(words.begin, llvm::formatv("N{0} ", number).str()));
+                bare ? ctx.insertBefore(words.begin + 1, std::to_string(number))
+                     : ctx.insertBefore(words.begin, llvm::formatv("N{0} ", number).str()));
   }
 };
 

@@ -37,8 +37,10 @@ public:
     finding.message("the program runs out behind this block: no `{0}` ends it", end_);
     const llvm::StringRef rest = ctx.source().text().substr(where.end, 2);
     const llvm::StringRef lineEnd = rest.startswith("\r\n") ? "\r\n" : "\n";
+    // Where a block goes on over its line's end, a new one has to be opened.
+    const llvm::StringRef opened = ctx.dialect().lexical.blocksSpanLines ? "N " : "";
     finding.fix(FixSafety::Unsafe, "end the program here",
-                ctx.insertBefore(where.end, (lineEnd + end_).str()));
+                ctx.insertBefore(where.end, (lineEnd + opened + end_).str()));
   }
 
 private:

@@ -61,12 +61,27 @@ private:
   }
 
   bool wantsReset_ = false;
+
+  /// The word that opens a program; null: a number does.
+  static const CodeInfo *headOf(const Dialect &dialect) {
+    for (const CodeInfo &code : dialect.codes)
+      if (code.action == Action::ProgramHead)
+        return &code;
+    return nullptr;
+  }
+
   void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     Block block;
     for (uint32_t at = program.begin; at < program.end; at = block.next) {
       file.reader.read(at, block);
       if (block.isEmpty() && block.number < 0)
         continue;
+      if (const CodeInfo *head = headOf(ctx.dialect())) {
+        if (!findCode(ctx.dialect(), block, {Action::ProgramHead}))
+          if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
+            finding.message("the program begins without `{0}`", head->name);
+        return;
+      }
       if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
         finding.message(
             "the program begins without {0}: the control cannot store it under a number",

@@ -17,6 +17,7 @@ public:
     digitsMax_ = to.dialect().limits.programDigitsMax;
     percent_ = to.dialect().lexical.percentHeader;
     nameLength_ = size_t(to.option("fileNameLength", 0));
+    ending_ = to.option("fileEnding", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -34,6 +35,8 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (ending_)
+      ending(file, ctx);
     if (labels_)
       return labels(file, ctx);
     if (names_)
@@ -46,6 +49,26 @@ public:
   }
 
 private:
+  /// The control lists files with its own ending only.
+  static void ending(const FileSummary &file, RuleContext &ctx) {
+    const auto &endings = ctx.dialect().extensions;
+    const std::string shown = file.source.display();
+    const llvm::StringRef ending = llvm::StringRef(shown).rsplit('.').second;
+    if (ending.empty() || endings.empty() ||
+        llvm::any_of(endings, [&](const auto &one) { return ending.equals_insensitive(one); }))
+      return;
+    Block block;
+    uint32_t at = file.reader.first();
+    do {
+      file.reader.read(at, block);
+      at = block.next;
+    } while (block.isEmpty() && block.number < 0 && at < file.source.text().size());
+    if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
+      finding.severity(Severity::Style)
+          .message("the file's ending is `.{0}`: programs of this control have `.{1}`", ending,
+                   llvm::StringRef(endings.front()).upper());
+  }
+
   /// A program is called by its name alone.
   static void calledName(SourceRange range, RuleContext &ctx) {
     const llvm::StringRef name = ctx.text(range);
@@ -207,6 +230,7 @@ private:
   uint16_t digitsMin_ = 1, digitsMax_ = 0;
   bool percent_ = false;
   size_t nameLength_ = 0;
+  bool ending_ = false; ///< the ending of the file's name is looked at
 };
 
 } // namespace

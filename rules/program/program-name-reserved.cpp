@@ -9,6 +9,8 @@ public:
   void listen(Subscriptions &to) override { reserved_ = to.dialect().limits.reservedPrograms; }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!ctx.dialect().keywords.empty())
+      return named(file, ctx);
     for (const ProgramInfo &program : file.index.programs()) {
       if (!program.hasHeader() || !llvm::is_contained(reserved_, int(program.number)))
         continue;
@@ -20,6 +22,39 @@ public:
   }
 
 private:
+  /// Programs with names: one that is called like a word or a cycle of the control.
+  static void named(const FileSummary &file, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const ProgramInfo &program = file.index.programs().front();
+    std::string name = program.name;
+    SourceRange where{file.source.id(), program.headerBegin, program.headerEnd};
+    if (!program.hasHeader()) {
+      const std::string shown = file.source.display();
+      name = llvm::StringRef(shown).substr(shown.rfind('/') + 1).split('.').first.upper();
+      Block block;
+      for (uint32_t at = program.begin; at < program.end; at = block.next) {
+        file.reader.read(at, block);
+        where = {file.source.id(), block.begin, block.end};
+        if (!block.isEmpty())
+          break;
+      }
+    }
+    // Libraries are called `L<NAME>`, cycles by their name alone.
+    CodeIndex own = dialect.keyword("L<" + name);
+    if (own == noCode) {
+      own = dialect.keyword(name);
+      if (own != noCode && dialect.codes[own].action != Action::Cycle)
+        own = noCode;
+    }
+    if (own == noCode)
+      return;
+    if (auto finding = ctx.report(where))
+      finding.severity(Severity::Warning)
+          .message("this program is called `{0}` like what the control has itself: one of the two "
+                   "hides the other",
+                   name);
+  }
+
   llvm::ArrayRef<int> reserved_;
 };
 

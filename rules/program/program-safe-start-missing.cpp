@@ -74,14 +74,18 @@ private:
   bool plane_ = false, moved_ = false, turned_ = false;
 
   static std::string modes(const Dialect &dialect, GroupIndex group) {
+    constexpr size_t readable = 4;
     std::string text;
     const auto &members = dialect.groups[group].members;
-    for (size_t i = 0; i < members.size(); ++i) {
+    const bool all = members.size() <= readable;
+    const size_t shown = all ? members.size() : readable - 1;
+    for (size_t i = 0; i < shown; ++i) {
       if (i)
-        text += i + 1 == members.size() ? " or " : ", ";
+        text += all && i + 1 == shown ? " or " : ", ";
       text += "`" + dialect.codes[members[i]].name + "`";
     }
-    return text;
+    return all ? text
+               : text + " or another code of this group (" + dialect.groups[group].title + ")";
   }
 };
 

@@ -6,9 +6,11 @@ namespace {
 
 class StyleCommentMissing final : public Rule {
 public:
-  void listen(Subscriptions &) override {}
+  void listen(Subscriptions &to) override { named_ = to.dialect().limits.nameLength != 0; }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (named_) // the control's list shows the name
+      return;
     Block block;
     for (const ProgramInfo &program : file.index.programs()) {
       if (!program.hasHeader())
@@ -21,6 +23,9 @@ public:
         finding.text("no comment names the program: the control's list shows its number alone");
     }
   }
+
+private:
+  bool named_ = false; ///< programs have names, not numbers
 };
 
 } // namespace

@@ -13,10 +13,20 @@ public:
     if (issue.kind != SyntaxIssueKind::AmbiguousExpression)
       return;
     const SourceRange range{ctx.source().id(), issue.begin, issue.end};
-    if (auto finding = ctx.report(range))
+    const llvm::StringRef text = ctx.text(range);
+    auto finding = ctx.report(range);
+    if (!finding)
+      return;
+    if (text.find_first_of("=<>") != llvm::StringRef::npos)
       finding.message("in `{0}` AND, OR and NOT bind stronger than the comparisons: write each "
                       "comparison in brackets",
-                      ctx.text(range));
+                      text);
+    else if (text[0] == '-' && !text.contains("**"))
+      finding.message("`{0}` is subtracted from what stands before the blank: write it without the "
+                      "blank, or as a word of its own",
+                      text);
+    else
+      finding.message("no manual says in which order `{0}` is computed: write brackets", text);
   }
 };
 

@@ -18,6 +18,23 @@ llvm::StringRef codeIn(llvm::StringRef comment) {
   return digits && digits <= 4 ? inner : llvm::StringRef();
 }
 
+/// True for words of one letter and a number and nothing else.
+bool isWords(llvm::StringRef text) {
+  text = text.trim(" \t\r");
+  if (text.empty())
+    return false;
+  while (!text.empty()) {
+    if (!llvm::isAlpha(text[0]))
+      return false;
+    const llvm::StringRef number = text.drop_front().take_while(
+        [](char c) { return llvm::isDigit(c) || c == '.' || c == '-'; });
+    if (number.find_first_of("0123456789") == llvm::StringRef::npos)
+      return false;
+    text = text.drop_front(1 + number.size()).ltrim(" \t");
+  }
+  return true;
+}
+
 class SyntaxCodeInComment final : public Rule {
 public:
   void listen(Subscriptions &) override {}
@@ -25,9 +42,34 @@ public:
   void finish(const FileSummary &file, RuleContext &ctx) override {
     // Comments of this kind are rare: looking for them in the text spares every block a test.
     file.source.eachPlaceOf('(', [&](uint32_t open) { look(file, open, ctx); });
+    file.source.eachPlaceOf('"', [&](uint32_t open) { lookBehind(file, open, ctx); });
   }
 
 private:
+  /// `" text " M3 S600`: the second mark of a comment that runs to the end of its line.
+  void lookBehind(const FileSummary &file, uint32_t open, RuleContext &ctx) {
+    const uint32_t begin = file.source.lines().lineBegin(open);
+    const llvm::StringRef line =
+        file.source.text().substr(begin).take_until([](char c) { return c == '\n' || c == '\r'; });
+    const size_t second = open - begin;
+    const size_t first = line.find('"');
+    if (first == second || line.find('"', first + 1) != second ||
+        !isWords(line.drop_front(second + 1)))
+      return;
+    file.reader.read(begin, block_);
+    if (llvm::none_of(block_.comments, [&](const Comment &c) { return c.begin == begin + first; }))
+      return;
+    const size_t words = line.find_first_not_of(" \t", second + 1);
+    const uint32_t from = begin + uint32_t(words);
+    const SourceRange range{file.source.id(), from,
+                            from + uint32_t(line.substr(words).rtrim().size())};
+    if (auto finding = ctx.report(range))
+      finding.message(
+          "`{0}` stands in a comment that runs to the end of its line: the control does "
+          "not execute it",
+          ctx.text(range));
+  }
+
   void look(const FileSummary &file, uint32_t open, RuleContext &ctx) {
     constexpr size_t longest = 9;
     const llvm::StringRef text = file.source.text().substr(open, longest);

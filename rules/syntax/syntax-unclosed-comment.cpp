@@ -17,15 +17,19 @@ public:
         finding
             .text("the comment is not closed in its block: the control reads it into the next one")
             .fix(FixSafety::Unsafe, "close the comment at the end of the block",
-                 ctx.insertBefore(issue.end, ")"));
+                 ctx.insertBefore(issue.end, ctx.text(range).startswith("{") ? "}" : ")"));
       return;
-    case SyntaxIssueKind::NestedComment:
+    case SyntaxIssueKind::NestedComment: {
+      const bool braces = ctx.text(range).startswith("{");
       if (auto finding = ctx.report(range))
         finding
-            .text("a `(` inside a comment: the comment ends at the first `)`, what follows is read "
-                  "as code")
+            .message(
+                "a `{0}` inside a comment: the comment ends at the first `{1}`, what follows is "
+                "read as code",
+                braces ? '{' : '(', braces ? '}' : ')')
             .severity(Severity::Warning);
       return;
+    }
     case SyntaxIssueKind::StrayParenthesis:
       if (auto finding = ctx.report(range))
         finding.text("a `)` without its `(`: the control cannot read it");
