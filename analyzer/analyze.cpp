@@ -14,6 +14,7 @@ RuleSelection RuleSelection::defaults(const Dialect &dialect) {
       on = *table->second.enabled;
     selection.enabled.push_back(on);
   }
+  selection.asked.resize(selection.enabled.size());
   selection.severity.resize(selection.enabled.size());
   return selection;
 }
@@ -21,6 +22,7 @@ RuleSelection RuleSelection::defaults(const Dialect &dialect) {
 RuleSelection RuleSelection::everything() {
   RuleSelection selection;
   selection.enabled.assign(allRules().size(), true);
+  selection.asked = selection.enabled;
   selection.severity.resize(selection.enabled.size());
   return selection;
 }

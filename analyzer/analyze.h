@@ -11,6 +11,8 @@ namespace ncvet {
 /// Which rules run and how severe their findings are. Indexed like `allRules()`.
 struct RuleSelection {
   std::vector<bool> enabled;
+  /// Rules that the user selected, by name, category or `all`: their advice is wanted too.
+  std::vector<bool> asked;
   /// Severity that the user set; none: the table's or the rule's own.
   std::vector<std::optional<Severity>> severity;
   /// Options that the user set, over those of the dialect.

@@ -26,6 +26,11 @@ class Collector {
 public:
   Collector(const RuleSelection &selection, const Dialect &dialect, const AnalysisLimits &limits);
 
+  /// Whether the user selected the rule, beyond what is on by default.
+  bool isAsked(RuleId rule) const {
+    return rule < selection_.asked.size() && selection_.asked[rule];
+  }
+
   void beginStop() {
     if (++depth_ > frames_.size())
       frames_.emplace_back();

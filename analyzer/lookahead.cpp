@@ -211,6 +211,15 @@ const Word *wordOf(const Block &block, const CodeInfo &code, Role role) {
   return nullptr;
 }
 
+const Word *assignsWordOf(const Block &block, const CodeInfo &code) {
+  if (!block.has(variableAddress))
+    return nullptr;
+  for (const WordSpec &spec : code.words)
+    if (const Word *word = spec.variable ? assignmentOf(block, spec.variable) : nullptr)
+      return word;
+  return nullptr;
+}
+
 AddressMask addressesOf(const CodeInfo &code, Role role) {
   AddressMask mask = 0;
   for (const WordSpec &spec : code.words)

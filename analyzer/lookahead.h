@@ -58,6 +58,8 @@ Profile readProfile(const RuleContext &ctx);
 
 /// First word of the block that has this role in the code's format, or null.
 const Word *wordOf(const Block &block, const CodeInfo &code, Role role);
+/// First assignment of the block to a variable that is a word of the code's format, or null.
+const Word *assignsWordOf(const Block &block, const CodeInfo &code);
 /// All addresses with this role in the code's format.
 AddressMask addressesOf(const CodeInfo &code, Role role);
 /// Value of a role's word as the active cycle keeps it, or of its variable; none when it is absent

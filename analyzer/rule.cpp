@@ -34,12 +34,17 @@ FindingBuilder RuleContext::report(SourceRange range, bool certain) {
   return FindingBuilder(collector_.report(rule_, range, certain));
 }
 
+bool RuleContext::asked() const { return collector_.isAsked(rule_); }
+
 void RuleContext::reportNotices(llvm::StringRef id, const Event &event) {
   const CodeInfo &info = code(event);
   for (const Notice &notice : info.notices) {
-    if (id != notice.rule || !holds(notice.when, &info, conditions()))
+    if (id != notice.rule || (notice.advice && !asked()) ||
+        !holds(notice.when, &info, conditions()))
       continue;
-    const Word *word = notice.at == noAddress ? event.word : block_->find(notice.at);
+    const Word *word = notice.atVariable        ? assignmentOf(*block_, notice.atVariable)
+                       : notice.at == noAddress ? event.word
+                                                : block_->find(notice.at);
     if (!word)
       word = event.word;
     if (auto finding = report(*word)) {

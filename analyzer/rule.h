@@ -207,6 +207,8 @@ public:
   FindingBuilder report(const Event &event, bool certain = true) {
     return event.word ? report(*event.word, certain) : report(blockRange(), certain);
   }
+  /// Whether the user selected the rule at work: its advice is wanted too.
+  bool asked() const;
   /// Reports every notice of `code` for rule `id` whose condition holds.
   void reportNotices(llvm::StringRef id, const Event &event);
 

@@ -44,7 +44,7 @@ void applySettings(RuleSelection &selection, const RuleSettings &settings) {
     selection.enabled.assign(selection.enabled.size(), false);
   for (const std::vector<std::string> *names : {&settings.select, &settings.extendSelect})
     for (const std::string &name : *names)
-      each(name, [&](RuleId rule) { selection.enabled[rule] = true; });
+      each(name, [&](RuleId rule) { selection.enabled[rule] = selection.asked[rule] = true; });
   for (const std::string &name : settings.ignore)
     each(name, [&](RuleId rule) { selection.enabled[rule] = false; });
   for (const auto &choice : settings.severity)

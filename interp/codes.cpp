@@ -157,7 +157,7 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
     // Off when every named axis is zero; a value that is not known may be either.
     bool zero = true, known = true;
     for (const Word &word : block_.words)
-      if (dialect_.axisWords & maskOf(word.address)) {
+      if ((dialect_.axisWords & maskOf(word.address)) || word.address == argumentAddress) {
         const Interval v = value(word);
         known &= v.isConstant();
         zero &= v.isConstant() && v.value() == 0;

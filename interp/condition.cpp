@@ -19,22 +19,25 @@ CodeIndex codeOf(const Dialect &dialect, const Word &word) {
   return dialect.find(char('A' + word.address), word.codeNumber());
 }
 
+const Word *assignmentOf(const Block &block, uint64_t variable) {
+  if (!block.has(variableAddress))
+    return nullptr;
+  const Word *last = nullptr; // the last one counts
+  for (const Item &item : block.items)
+    if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == variable)
+      for (const Word &word : block.words)
+        if (word.address == variableAddress && word.offset == item.begin)
+          last = &word;
+  return last;
+}
+
 const Word *wordFor(const Block &block, const WordSpec &spec) {
   if (spec.position) {
     const Word *word = block.argument(spec.position);
     return word && !word->has(wordNoValue) ? word : nullptr;
   }
-  if (spec.variable) {
-    if (!block.has(variableAddress))
-      return nullptr;
-    const Word *last = nullptr; // the last one counts
-    for (const Item &item : block.items)
-      if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == spec.variable)
-        for (const Word &word : block.words)
-          if (word.address == variableAddress && word.offset == item.begin)
-            last = &word;
-    return last;
-  }
+  if (spec.variable)
+    return assignmentOf(block, spec.variable);
   return block.findAny(spec.any);
 }
 
@@ -115,7 +118,8 @@ bool optionHolds(const std::pair<std::string, std::vector<std::string>> &option,
     if (found != context.dialect.options.end() && !found->second.empty())
       value = llvm::StringRef(found->second);
   }
-  return value && llvm::is_contained(option.second, value->str());
+  // `null` in the table: nothing is known of the option.
+  return llvm::is_contained(option.second, value ? value->str() : std::string());
 }
 
 } // namespace

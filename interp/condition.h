@@ -6,6 +6,8 @@
 
 namespace ncvet {
 
+/// The word of the block's last assignment to the variable with this key, or null.
+const Word *assignmentOf(const Block &block, uint64_t variable);
 /// The word of the block that `spec` speaks of: by its address, its place among the arguments, or
 /// the variable that it sets. Null when there is none; an argument left empty counts as none.
 const Word *wordFor(const Block &block, const WordSpec &spec);

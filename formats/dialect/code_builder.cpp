@@ -294,18 +294,24 @@ void DialectBuilder::readNotices(const Json &value, CodeInfo &info) {
   if (!list->is_array())
     return in_.fail(*list, "a list of notices is expected");
   for (const Json &element : *list) {
-    in_.allowKeys(element, {"rule", "severity", "when", "message", "at"});
+    in_.allowKeys(element, {"rule", "severity", "when", "message", "at", "advice"});
     Notice notice;
     in_.read(element, "rule", notice.rule);
     in_.read(element, "severity", notice.severity);
     in_.read(element, "message", notice.message);
+    in_.read(element, "advice", notice.advice);
     if (notice.rule.empty() || notice.message.empty())
       return in_.fail(element, "a notice needs \"rule\" and \"message\"");
     if (const Json *when = in_.member(element, "when"))
       readFormula(*when, notice.when = readCondition(*when));
     if (const Json *at = in_.member(element, "at"))
-      if (std::optional<std::string> name = in_.text(*at))
-        notice.at = addressId(*at, *name).value_or(noAddress);
+      if (std::optional<std::string> name = in_.text(*at)) {
+        llvm::StringRef spelling = *name;
+        if (spelling.consume_front("@"))
+          notice.atVariable = variableKey(spelling);
+        else
+          notice.at = addressId(*at, *name).value_or(noAddress);
+      }
     info.notices.push_back(std::move(notice));
   }
 }

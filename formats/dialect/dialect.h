@@ -122,6 +122,8 @@ struct Notice {
   Condition when;
   std::string message;      ///< `{code}` and `{X}` (a word of the block) are replaced
   AddressId at = noAddress; ///< the word to mark; the code itself when none
+  bool advice = false;      ///< only where the user selected the rule
+  uint64_t atVariable = 0;  ///< or the assignment to the variable with this key; 0: none
 };
 
 /// What a word is for in a code's format; rules of one family pick the words of their roles.

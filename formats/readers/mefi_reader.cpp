@@ -63,6 +63,7 @@ private:
   void addWord(const Word &word);
   uint16_t key(const char *begin, const char *end);
   uint16_t constant(const Word &word);
+  uint16_t constantName(const char *begin);
   void finish();
   void skipBlanks() {
     while (at_ < end_ && isBlank(*at_))
@@ -114,6 +115,14 @@ uint16_t Scanner::constant(const Word &word) {
     block_.operations.push_back({Op::Opaque, word.offset, 0});
   block_.expressions.push_back(expression);
   return uint16_t(block_.expressions.size() - 1);
+}
+
+/// The name that ends here: it stands for what it names; as a number it is its key.
+uint16_t Scanner::constantName(const char *begin) {
+  Word name;
+  name.offset = offset(begin);
+  name.mantissa = int64_t(variableKey({begin, size_t(at_ - begin)}));
+  return constant(name);
 }
 
 void Scanner::scanNumberOfBlock() {
@@ -242,8 +251,8 @@ void Scanner::scanCall(const char *begin, const char *end) {
         ++at_;
       argument.kind = ArgumentKind::Name;
       word.length = uint8_t(std::min<ptrdiff_t>(at_ - from, 255));
+      word.mantissa = constantName(from);
       word.flags |= wordExpression;
-      word.mantissa = constant(word);
     } else {
       word.flags |= wordNoValue;
     }
@@ -281,11 +290,7 @@ void Scanner::scanAssignment(const char *begin, const char *end) {
       isNameLetter(at_[1])) {
     while (at_ < end_ && (llvm::isAlnum(*at_) || *at_ == '_'))
       ++at_;
-    // A name stands for what it names; as a number it is its key.
-    Word name;
-    name.offset = offset(value);
-    name.mantissa = int64_t(variableKey({value, size_t(at_ - value)}));
-    word.mantissa = constant(name);
+    word.mantissa = constantName(value);
     word.flags |= wordExpression;
   } else {
     known = scanNumber(word, begin);

@@ -63,6 +63,10 @@ private:
       return nullptr; // the same code twice says the same thing
     if (a.group != noGroup && a.group == b.group && dialect.groups[a.group].exclusive)
       return "`{0}` and `{1}` belong to one group: only one of them can be in force";
+    // An arc that is a code of the machine stands for one of the group.
+    if ((isArc(a.action) && a.group == noGroup && isMotion(b.action)) ||
+        (isArc(b.action) && b.group == noGroup && isMotion(a.action)))
+      return "`{0}` and `{1}` both say how the block moves";
     if (a.exclusive && b.exclusive)
       return "`{0}` and `{1}` are both actions of their own: a block executes one of them";
     if (leadsElsewhere(a.action) && leadsElsewhere(b.action))

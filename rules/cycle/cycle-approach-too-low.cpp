@@ -14,6 +14,8 @@ public:
     if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);
+    if (makesHole(code.cycle))
+      return wayToHole(event, code, ctx);
     if (code.cycle != CycleKind::Pocket && code.cycle != CycleKind::Contour)
       return;
     // The retraction plane is the first argument behind the name of the contour; the plane of the
@@ -46,6 +48,32 @@ public:
                       "distance: the way to its first point is not free",
                       code.name, llvm::formatv("{0}", llvm::format("%g", from.value() / *unit)),
                       ctx.text(*words[0]));
+  }
+
+private:
+  /// A drilling cycle whose planes are parameters goes to its hole at the level where it stands,
+  /// and only then to its start plane.
+  static void wayToHole(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const Axis tool = toolAxis(ctx.dialect(), ctx.before());
+    const Interval &from = ctx.before().at(tool);
+    const bool parameters = llvm::any_of(code.words, [](const WordSpec &spec) {
+      return spec.role == Role::Retract && spec.variable;
+    });
+    const auto unit = millimetresPer(ctx.dialect(), ctx.before());
+    const auto start = kept(ctx.after(), code, Role::Retract);
+    if (!parameters || !ctx.dialect().cycleSurvivesMotion || !unit || !start ||
+        !from.isConstant() || ctx.before().inMachineCoordinates(tool) ||
+        (axesOf(ctx.dialect(), ctx.block()) >> unsigned(tool) & 1) ||
+        !(event.axes & ~(1u << unsigned(tool))) || from.value() >= *start * *unit - 1e-6)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Warning)
+          .message("the way to this hole of `{0}` is made at {1}, below the start plane {2}",
+                   code.name, number(from.value() / *unit), number(*start));
+  }
+
+  static std::string number(double value) {
+    return llvm::formatv("{0}", llvm::format("%g", value)).str();
   }
 };
 

@@ -64,8 +64,10 @@ public:
                         text(*r), code.name, text(*z));
       return;
     }
-    if (level > depth + tolerance && from.isConstant() && from.value() < level - tolerance &&
-        event.kind == EventKind::CycleStart) {
+    // Where the planes are parameters the way to the hole is made before the tool rises to them:
+    // another rule speaks of it.
+    if (!parameters && level > depth + tolerance && from.isConstant() &&
+        from.value() < level - tolerance && event.kind == EventKind::CycleStart) {
       const bool inside = from.value() < depth - tolerance;
       if (auto finding = ctx.report(word, event.certain && inside))
         finding

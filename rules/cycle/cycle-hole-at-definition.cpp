@@ -8,9 +8,15 @@ namespace {
 
 class CycleHoleAtDefinition final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::CycleStart); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleStart);
+    if (to.option("placeFirst", 0) != 0)
+      to.on({EventKind::CycleRun, EventKind::Motion});
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind != EventKind::CycleStart)
+      return firstPlace(event, ctx);
     const CodeInfo &code = ctx.code(event);
     const auto count = valueOf(ctx, code, Role::Repeat);
     if (!makesHole(code.cycle) || !count || *count < 2)
@@ -48,6 +54,38 @@ public:
                       "stands gets none",
                       code.name, *count);
   }
+
+private:
+  /// The first hole of a whole program: some block has gone to its place.
+  void firstPlace(const Event &event, RuleContext &ctx) {
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    const bool moves = event.axes & ~(1u << unsigned(tool));
+    if (placed_ || moves || ctx.callDepth() > 0) {
+      placed_ = true;
+      return;
+    }
+    if (event.kind != EventKind::CycleRun || event.code == noCode ||
+        !makesHole(ctx.code(event).cycle))
+      return;
+    placed_ = true;
+    Block first;
+    const auto &reader = ctx.index().reader();
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (uint32_t at = program.begin; at < program.end; at = first.next) {
+      reader.read(at, first);
+      if (!first.isEmpty())
+        break;
+    }
+    if (!findCode(ctx.dialect(), first, {Action::ProgramHead}))
+      return; // a fragment is placed by what stands in front of it
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` makes its first hole where the tool happens to stand: no block before "
+                   "has gone to its place",
+                   ctx.code(event).name);
+  }
+
+  bool placed_ = false; ///< the tool has gone to some place, or it was spoken of
 };
 
 } // namespace

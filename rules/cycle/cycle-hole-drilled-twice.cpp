@@ -16,6 +16,7 @@ public:
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
       return;
     if (event.kind == EventKind::CycleRun) {
+      behindCall(event, ctx);
       samePlace(event, ctx);
       repeatedHere(event, ctx);
     }
@@ -46,6 +47,35 @@ private:
       finding.message("`{0}` runs `{1}` {2} times at the same place: the positions are absolute",
                       ctx.text(*count), code.name, *n);
   }
+
+  /// A modal cycle called where a cycle of one hole has just made it.
+  void behindCall(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Axis tool = toolAxis(ctx.dialect(), state);
+    std::array<double, axisCount> at{};
+    bool known = state.position[0].isConstant() && state.position[1].isConstant();
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (i != unsigned(tool) && state.position[i].isConstant())
+        at[i] = state.position[i].value();
+    if (ctx.code(event).group == noGroup) {
+      call_ = known ? ctx.blockRange() : SourceRange{};
+      calledAt_ = at;
+      return;
+    }
+    const bool here =
+        call_.end != 0 && call_.file == ctx.source().id() && known && at == calledAt_ &&
+        ctx.block().begin >= call_.end &&
+        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
+    if (here && !axesOf(ctx.dialect(), ctx.block()))
+      if (auto finding = ctx.report(event, event.certain))
+        finding
+            .message("`{0}` {1} the hole again that the block before has made",
+                     ctx.code(event).name, verbOf(ctx.code(event).cycle))
+            .note(call_, "the hole is made here");
+    call_ = {};
+  }
+  SourceRange call_{}; ///< block of the last cycle of one hole; no end: none
+  std::array<double, axisCount> calledAt_{};
 
   /// A position that the same list of holes has had before.
   void samePlace(const Event &event, RuleContext &ctx) {

@@ -2,6 +2,8 @@
 // are lost.
 #include "analyzer/lookahead.h"
 
+#include <unordered_map>
+
 namespace ncvet {
 namespace {
 
@@ -10,14 +12,36 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange(
         {EventKind::CycleCancel, EventKind::CycleStart, EventKind::ProgramEnd, EventKind::Block});
+    const Dialect &dialect = to.dialect();
+    for (unsigned i = 0; i < dialect.switches.size(); ++i)
+      if (dialect.switches[i].leftOn == id)
+        stored_ |= uint64_t(1) << i;
+    if (stored_)
+      to.onCode([&](const CodeInfo &code) {
+        return code.action == Action::Switch && code.effect.on && code.effect.index < 64 &&
+               (stored_ >> code.effect.index & 1);
+      });
+    if (dialect.lexical.blocksSpanLines)
+      callParameters(dialect);
+    to.onNotices(id);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &before = ctx.before();
     if (event.kind == EventKind::Block) {
       checkLooseWords(ctx);
+      checkLooseParameters(ctx);
       return;
     }
+    if (event.kind == EventKind::Code) {
+      ctx.reportNotices(id, event);
+      storedIn_ = ctx.block().numberEnd > ctx.block().begin
+                      ? SourceRange{ctx.source().id(), ctx.block().begin, ctx.block().numberEnd}
+                      : ctx.range(*event.word);
+      return;
+    }
+    if (event.kind == EventKind::ProgramEnd && stored_)
+      storedForNothing(ctx);
     const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
     if (!cycle || cycle->action != Action::Cycle ||
         !(makesHole(cycle->cycle) || cycle->firesInPlane) || before.may(Fact::CycleRan) ||
@@ -34,6 +58,64 @@ public:
   }
 
 private:
+  static constexpr llvm::StringLiteral id{"cycle-never-executed"};
+
+  /// Parameters that were stored for a cycle that the program does not call.
+  void storedForNothing(RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (!(state.switchMust & stored_) || ctx.callDepth() > 0 || state.may(Fact::UnknownCode) ||
+        storedIn_.end == 0)
+      return;
+    if (auto finding = ctx.report(storedIn_))
+      finding.severity(Severity::Warning)
+          .text("parameters of a cycle are stored here, and no block behind calls the cycle")
+          .note(ctx.blockRange(), "the program ends here");
+  }
+
+  /// Variables that only calls read which have them in their own block.
+  void callParameters(const Dialect &dialect) {
+    for (const CodeInfo &code : dialect.codes)
+      for (const WordSpec &spec : code.words)
+        if (spec.variable && code.action == Action::Cycle && code.group == noGroup)
+          callParameters_.insert({spec.variable, CodeIndex(&code - dialect.codes.data())});
+    for (const CodeInfo &code : dialect.codes)
+      for (const WordSpec &spec : code.words)
+        if (code.group != noGroup)
+          callParameters_.erase(spec.variable);
+  }
+
+  /// The parameters of a call stand in a block that does not make it.
+  void checkLooseParameters(RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (callParameters_.empty() || block.items.empty() || !block.has(variableAddress))
+      return;
+    for (const Item &item : block.items) {
+      if (item.kind != ItemKind::Assignment)
+        continue;
+      const auto call = callParameters_.find(block.keyOf(item.target));
+      if (call == callParameters_.end())
+        continue;
+      const CodeInfo &code = ctx.dialect().codes[call->second];
+      if (llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+            return ctx.dialect().codes[use.code].base == code.base;
+          }))
+        return;
+      const SourceRange range = block.numberEnd > block.begin
+                                    ? SourceRange{ctx.source().id(), block.begin, block.numberEnd}
+                                    : SourceRange{ctx.source().id(), item.begin, item.end};
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("the block sets `{0}` and holds no `{1}`: nothing reads it",
+                     ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}),
+                     code.name);
+      return;
+    }
+  }
+
+  uint64_t stored_ = 0; ///< switches that say that parameters are stored
+  SourceRange storedIn_{};
+  std::unordered_map<uint64_t, CodeIndex> callParameters_;
+
   /// Depths of pecks and the like in a block that makes no hole.
   void checkLooseWords(RuleContext &ctx) {
     const Block &block = ctx.block();

@@ -1,6 +1,10 @@
 // A drilling cycle runs in a plane in which it does not work.
 #include "analyzer/lookahead.h"
 
+#include <nlohmann/json.hpp>
+
+#include <map>
+
 namespace ncvet {
 namespace {
 
@@ -19,12 +23,22 @@ public:
       to.on(EventKind::CycleStart);
     if (setup_)
       to.on(EventKind::CycleRun);
-    to.onNotices(id);
+    to.handleNotices();
+    const std::map<std::string, std::string> planes = arcPlanes(to.machine());
+    for (const auto &[name, selects] : planes)
+      if (const CodeIndex arc = to.dialect().find(name), of = to.dialect().find(selects);
+          arc != noCode && of != noCode)
+        planeOf_[arc] = of;
+    to.onCode([&](const CodeInfo &code) {
+      return planeOf_.count(code.base) ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
+      arcInPlane(event, ctx);
       return;
     }
     if (setup_)
@@ -44,6 +58,35 @@ public:
   }
 
 private:
+  /// The machine profile's `arcMacroPlanes`: arcs of the machine's own that work in one plane.
+  static std::map<std::string, std::string> arcPlanes(const MachineProfile &machine) {
+    std::map<std::string, std::string> planes;
+    const auto text = machine.option("arcMacroPlanes");
+    const auto object = nlohmann::json::parse(text ? text->str() : "", nullptr, false);
+    if (object.is_object())
+      for (const auto &[name, plane] : object.items())
+        if (plane.is_string())
+          planes[name] = plane.get<std::string>();
+    return planes;
+  }
+
+  void arcInPlane(const Event &event, RuleContext &ctx) {
+    const auto wanted = planeOf_.find(ctx.code(event).base);
+    if (wanted == planeOf_.end())
+      return;
+    const CodeInfo *plane = ctx.after().activeCode(ctx.dialect(), StandardGroup::Plane);
+    if (!plane || plane->base == wanted->second)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Error)
+          .message("`{0}` is an arc of the plane `{1}`, and `{2}` is active", ctx.code(event).name,
+                   ctx.dialect().codes[wanted->second].name, plane->name)
+          .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Plane),
+                "`" + plane->name + "` becomes active here");
+  }
+
+  std::map<CodeIndex, CodeIndex> planeOf_; ///< arcs of one plane, and the code that selects it
+
   /// Work offset, plane and dimensions are programmed in front of the first cycle.
   void prepared(const Event &event, RuleContext &ctx) {
     if (event.code == noCode || said_ || ctx.callDepth() > 0 ||

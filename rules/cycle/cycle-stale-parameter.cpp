@@ -41,9 +41,10 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-stale-parameter"};
-  /// Depth and heights mean the same to every cycle.
+  /// Depth, heights and feed mean the same to every cycle.
   static bool shared(const WordSpec &spec) {
-    return spec.role == Role::Depth || spec.role == Role::Retract || spec.role == Role::Height;
+    return spec.role == Role::Depth || spec.role == Role::Retract || spec.role == Role::Height ||
+           spec.role == Role::Feed;
   }
 
   std::map<uint64_t, CodeIndex> meant_; ///< by variable: the code in whose block it was given last

@@ -85,6 +85,14 @@ private:
             .message("`{0}` says nothing to `{1}`: its planes are parameters of its own",
                      ctx.text(word), cycle.name);
     }
+    if (cycle.firesOnEveryBlock && !axesOf(ctx.dialect(), ctx.block()) &&
+        llvm::none_of(ctx.codes(), [&](const CodeUse &use) { return &ctx.code(use) == &cycle; }))
+      if (const Word *word = assignsWordOf(ctx.block(), cycle))
+        if (auto finding = ctx.report(*word))
+          finding.severity(Severity::Warning)
+              .message("`{0}` changes `{1}` in a block that moves nowhere: the last hole is made "
+                       "again with it",
+                       ctx.text(*word), cycle.name);
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (!motion || motion->action != Action::Linear || !axesOf(ctx.dialect(), ctx.block()) ||
         !once_.speaks(ctx.before().origin.cycle, ctx))

@@ -20,9 +20,12 @@ public:
     for (const CodeUse &use : ctx.codes()) {
       const Action action = ctx.code(use).action;
       if (use.code == event.code || action == Action::ProgramEnd ||
-          action == Action::ProgramEndRewind || action == Action::ToolChange)
+          action == Action::ProgramEndRewind || action == Action::ToolChange ||
+          action == Action::SpindleStop)
         return; // its own block, or the business of those who speak of cycles left on
     }
+    if (assignsWordOf(ctx.block(), cycle))
+      return; // a parameter that comes too late: another rule speaks of it
     const Origin &origin = ctx.before().origin.cycle;
     const std::string cancel = cancelOf(ctx.dialect(), cycle);
     SourceRange range = ctx.blockRange();

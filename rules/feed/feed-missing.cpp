@@ -1,5 +1,5 @@
 // A feed move or cutting cycle runs without a feed ever having been programmed.
-#include "analyzer/rule.h"
+#include "analyzer/once.h"
 
 namespace ncvet {
 namespace {
@@ -9,8 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &event, RuleContext &ctx) override {
-    // Only the first cut: it is the same mistake in all that follow.
-    if (event.code == noCode || ctx.after().must(Fact::FeedSet) || ctx.before().must(Fact::Cut) ||
+    if (event.code == noCode || ctx.after().must(Fact::FeedSet) ||
         ctx.before().must(Fact::InContour) || // the cycle has feeds of its own
         ctx.after().may(Fact::UnknownCode))
       return;
@@ -23,12 +22,35 @@ public:
         (event.kind == EventKind::Motion &&
          (event.motion == MotionKind::Reference || event.motion == MotionKind::Rapid)))
       return;
+    if (event.kind == EventKind::CycleRun && hasOwnFeed(code, ctx)) {
+      if (!ctx.after().may(Fact::FeedSet) && once_.speaks(ctx.before().origin.cycle, ctx))
+        if (auto finding = ctx.report(event, event.certain))
+          finding.severity(Severity::Style)
+              .message("`{0}` lives on the feed of another call's parameters: the program has no F",
+                       code.name);
+      return;
+    }
+    // Only the first cut: it is the same mistake in all that follow.
+    if (!once_.speaks(ctx.after().origin.feed, ctx))
+      return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
     if (auto finding = ctx.report(event, certain))
       finding.message("`{0}` cuts, but no feed was programmed", code.name)
           .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                 "`" + code.name + "` becomes active here");
   }
+
+private:
+  /// A feed among the cycle's own words, or among the variables that it reads.
+  static bool hasOwnFeed(const CodeInfo &code, const RuleContext &ctx) {
+    return llvm::any_of(code.words, [&](const WordSpec &spec) {
+      return spec.role == Role::Feed && spec.variable &&
+             (wordFor(ctx.block(), spec) || ctx.before().commons.has(spec.variable) ||
+              (spec.orVariable && ctx.before().commons.has(spec.orVariable)));
+    });
+  }
+
+  OncePerCause once_;
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // The feed's unit was changed, and the next feed move has no F of its own.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -8,10 +8,18 @@ class FeedModeChangeWithoutFeed final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::FeedMode) != noGroup && to.option("wanted", 0) != 0)
-      to.onChange({EventKind::Motion});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
+    afterTap_ = to.option("afterTap", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::CycleRun) {
+      if (afterTap_ && event.code != noCode && taps(ctx.code(event).cycle))
+        tap_ = ctx.blockRange();
+      return;
+    }
+    if (afterTap_)
+      pitchLeftOn(event, ctx);
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
     const MachineState &state = ctx.after();
@@ -37,6 +45,28 @@ public:
   }
 
 private:
+  /// The feed per revolution that the block of a tapping cycle switched on is still in force.
+  void pitchLeftOn(const Event &event, RuleContext &ctx) {
+    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                       event.motion == MotionKind::ArcCcw;
+    const MachineState &state = ctx.after();
+    const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
+    const Origin since = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
+    if (!feeds || tap_.end == 0 || !mode || mode->action != Action::FeedPerRevolution ||
+        state.cycleActive(ctx.dialect()) != Truth::No || !since.known() ||
+        since.file != tap_.file || since.begin < tap_.begin || since.begin >= tap_.end)
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` of the tapping cycle is still in force: this move feeds per revolution",
+                   mode->name)
+          .note(since, "it was switched on for tapping");
+    tap_ = {};
+  }
+
+  bool afterTap_ = false;
+  SourceRange tap_{}; ///< block of the last tapped hole
+
   /// Whether the code at `mode` was not in force already: another one stands between F and it, or
   /// the program had stated another before.
   static bool changed(const Origin &mode, const RuleContext &ctx) {

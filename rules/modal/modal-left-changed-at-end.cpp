@@ -1,5 +1,6 @@
-// Turning goes on in the plane that a drilling cycle selected.
-#include "analyzer/rule.h"
+// A mode that the next program does not expect: left on at the end, or, on lathes, the plane that a
+// drilling cycle selected.
+#include "analyzer/left_on.h"
 
 #include <set>
 
@@ -11,9 +12,12 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
       to.onChange({EventKind::Motion});
+    listenForLeftOn(id, to);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind != EventKind::Motion)
+      return reportLeftOn(id, event, ctx);
     constexpr uint16_t turning = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
     if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
         event.motion == MotionKind::Skip || !event.axes || (event.axes & ~turning))
@@ -35,6 +39,8 @@ public:
   }
 
 private:
+  static constexpr llvm::StringLiteral id{"modal-left-changed-at-end"};
+
   /// Whether the block of `origin` or one of the next two holds a cycle.
   static bool drillsAt(const Origin &origin, RuleContext &ctx) {
     const llvm::StringRef text = ctx.source().text();

@@ -9,9 +9,15 @@ constexpr int64_t wrapsFrom = 9000;
 
 class ProgramBlockNumberOrder final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::WordIssue); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::WordIssue);
+    if (to.dialect().lexical.blocksSpanLines)
+      to.on(EventKind::Block);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Block)
+      return beginsInside(ctx);
     if (WordIssue(event.number) != WordIssue::NumberInside)
       return;
     // A local call may name its target so.
@@ -29,6 +35,21 @@ public:
   }
 
 private:
+  /// Where a number begins a block wherever it stands, one behind other words hides it.
+  static void beginsInside(RuleContext &ctx) {
+    const llvm::StringRef text = ctx.source().text();
+    const Block &block = ctx.block();
+    const llvm::StringRef before =
+        text.slice(ctx.source().lines().lineBegin(block.begin), block.begin);
+    if (before.trim(" \t").empty())
+      return;
+    const uint32_t end = std::max(block.numberEnd, block.begin + 1);
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), block.begin, end}))
+      finding.severity(Severity::Style)
+          .message("`{0}` begins a block inside a line: a line of its own shows it",
+                   text.slice(block.begin, end));
+  }
+
   /// The first descent of a program. Numbers that something refers to are labels, not an order.
   static void ascending(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     const NumberedBlock *last = nullptr;

@@ -15,6 +15,8 @@ public:
     };
     watch("distance", StandardGroup::Distance);
     watch("units", StandardGroup::Units);
+    watch("feedModeAtMove", StandardGroup::FeedMode);
+    watch("workOffset", StandardGroup::WorkOffset);
     plane_ = to.option("plane", 0) != 0;
     if (!wanted_.empty())
       to.onChange({EventKind::Motion});

@@ -12,6 +12,7 @@ public:
     if (to.option("atToolChange", 0) != 0)
       to.on(EventKind::ToolChange);
     atToolChange_ = to.option("atToolChange", 0) != 0;
+    always_ = to.option("atToolChange", 0) > 1;
     if (to.option("atEnd", 0) != 0) {
       to.on(EventKind::ProgramEnd);
       to.onAction({Action::ProgramStop});
@@ -32,16 +33,17 @@ public:
     }
     if (event.kind != EventKind::ToolChange || !atToolChange_ ||
         (ctx.before().spindle & ~(spindleCw | spindleCcw)) || !ctx.before().spindle ||
-        !ctx.before().must(Fact::CutSinceTool))
+        (!always_ && !ctx.before().must(Fact::CutSinceTool)) || ctx.find({Action::SpindleStop}))
       return;
     if (auto finding = ctx.report(event))
-      finding.severity(Severity::Style)
+      finding.severity(always_ ? Severity::Warning : Severity::Style)
           .message("the spindle still turns at this tool change")
           .note(ctx.before().origin.spindle, "it is started here");
   }
 
 private:
   bool atToolChange_ = false, atEnd_ = false;
+  bool always_ = false; ///< at a tool change that nothing was cut before, too
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 // A cut behind rigid tapping, which has left the spindle standing.
+#include "analyzer/lookahead.h"
 #include "analyzer/once.h"
 
 namespace ncvet {
@@ -6,9 +7,14 @@ namespace {
 
 class SpindleNotRestarted final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    to.onChange({EventKind::Motion, EventKind::CycleRun});
+    afterTap_ = to.option("afterTap", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (afterTap_)
+      directionAfterTap(event, ctx);
     if (event.code == noCode || !ctx.before().may(Fact::SpindleStoppedByTap) ||
         !ctx.after().may(Fact::SpindleStoppedByTap) || ctx.before().profile == 1)
       return;
@@ -43,6 +49,35 @@ public:
   }
 
 private:
+  /// A tapping cycle turns the spindle round, and nothing says which way it turns behind it.
+  void directionAfterTap(const Event &event, RuleContext &ctx) {
+    if (event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    const bool tap = code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft;
+    if (event.kind == EventKind::CycleRun && tap) {
+      tap_ = ctx.blockRange();
+      return;
+    }
+    const bool cuts = event.kind == EventKind::CycleRun
+                          ? makesHole(code.cycle)
+                          : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                                event.motion == MotionKind::ArcCcw;
+    const Origin &start = ctx.after().origin.spindle;
+    if (!cuts || tap_.end == 0 || tap_.file != ctx.source().id() || !start.known() ||
+        start.file != tap_.file || start.begin >= tap_.end || ctx.block().begin < tap_.end)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), false))
+      finding.severity(Severity::Style)
+          .message("`{0}` cuts behind tapping: which way the spindle turns after its reversal is "
+                   "not certain",
+                   code.name)
+          .note(tap_, "the tapping cycle runs here");
+    tap_ = {};
+  }
+
+  bool afterTap_ = false;
+  SourceRange tap_{}; ///< block of the last tapped hole
   OncePerCause once_;
 };
 

@@ -27,8 +27,11 @@ public:
     // Behind rigid tapping another rule speaks.
     if (ctx.before().may(Fact::SpindleStoppedByTap))
       return;
-    // M05 stops behind the block's move, M03 starts before it.
-    const MachineState &state = ctx.find({Action::SpindleStop}) ? ctx.before() : ctx.after();
+    // M05 stops behind the block's move, M03 starts before it; a hole in a block that moves nowhere
+    // is made behind everything.
+    const bool behind = event.kind == EventKind::CycleRun && code.firesOnEveryBlock && !event.axes;
+    const MachineState &state =
+        ctx.find({Action::SpindleStop}) && !behind ? ctx.before() : ctx.after();
     constexpr uint8_t turning = spindleCw | spindleCcw;
     const uint8_t live =
         ctx.find({Action::LiveToolStop}) ? ctx.before().liveTool : ctx.after().liveTool;

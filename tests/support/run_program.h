@@ -66,7 +66,7 @@ inline std::optional<size_t> ruleNamed(llvm::StringRef id) {
 inline RuleSelection only(const Dialect &dialect, size_t rule) {
   RuleSelection selection = RuleSelection::defaults(dialect);
   std::fill(selection.enabled.begin(), selection.enabled.end(), false);
-  selection.enabled[rule] = true;
+  selection.enabled[rule] = selection.asked[rule] = true;
   return selection;
 }
 
