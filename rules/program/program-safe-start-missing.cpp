@@ -50,26 +50,31 @@ private:
       return;
     if (event.kind == EventKind::Motion && !moved_) {
       moved_ = true;
-      for (const StandardGroup which : wanted_)
-        ask(which, event, ctx);
+      ask(wanted_, event, ctx);
     }
     const bool turns = event.kind != EventKind::Motion || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
     if (!plane_ || !turns || turned_)
       return;
     turned_ = true;
-    ask(StandardGroup::Plane, event, ctx);
+    ask({StandardGroup::Plane}, event, ctx);
   }
 
-  static void ask(StandardGroup which, const Event &event, RuleContext &ctx) {
-    const GroupIndex group = ctx.dialect().group(which);
-    if (group == noGroup || (ctx.after().statedMay >> group & 1))
+  /// One finding for all modes that are not stated.
+  static void ask(llvm::ArrayRef<StandardGroup> asked, const Event &event, RuleContext &ctx) {
+    std::string missing;
+    for (const StandardGroup which : asked) {
+      const GroupIndex group = ctx.dialect().group(which);
+      if (group != noGroup && !(ctx.after().statedMay >> group & 1))
+        missing += (missing.empty() ? "" : "; ") + modes(ctx.dialect(), group);
+    }
+    if (missing.empty())
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Style)
           .message("the program has not stated {0} before this block: it is what the machine was "
                    "left in",
-                   modes(ctx.dialect(), group));
+                   missing);
   }
 
   std::vector<StandardGroup> wanted_;
