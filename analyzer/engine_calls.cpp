@@ -344,7 +344,9 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
     }
     current = std::move(behind);
     if (!changed) { // every further pass is the same
-      if (pass > 0 && passes.known && body.kind != Kind::Profile && !current.empty())
+      // A section behind which its repeat stands has run once already.
+      const bool ran = pass > 0 || (body.kind == Kind::Section && body.start < passes.at);
+      if (ran && passes.known && body.kind != Kind::Profile && !current.empty())
         issue(FlowIssue::RepeatSame, activation, current.front(), before, flowRange(region.unit));
       break;
     }

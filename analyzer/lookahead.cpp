@@ -361,6 +361,13 @@ llvm::StringRef verbOf(CycleKind kind) {
   }
 }
 
+std::string returnOf(const Dialect &dialect) {
+  for (const CodeInfo &code : dialect.codes)
+    if (code.action == Action::Return && code.letter)
+      return code.name;
+  return "M99";
+}
+
 std::string cancelOf(const Dialect &dialect, const CodeInfo &cycle) {
   if (cycle.opposite != noCode)
     return dialect.codes[cycle.opposite].name;

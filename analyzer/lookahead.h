@@ -84,6 +84,8 @@ llvm::StringRef verbOf(CycleKind kind);
 
 /// What ends the modal cycle, for fixes: "G80", or "G00" for the cycles of turning.
 std::string cancelOf(const Dialect &dialect, const CodeInfo &cycle);
+/// What ends a called program, for messages and fixes: "M99", "M17".
+std::string returnOf(const Dialect &dialect);
 /// Line number of a place, from 1.
 unsigned lineOf(const RuleContext &ctx, const Origin &origin);
 

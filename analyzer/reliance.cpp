@@ -10,7 +10,7 @@ constexpr unsigned lookAhead = 60;
 
 void drop(ModeChanges &changes, const Dialect &dialect, StandardGroup group) {
   if (dialect.group(group) != noGroup)
-    changes.groups &= ~(1u << dialect.group(group));
+    changes.groups &= ~(uint64_t(1) << dialect.group(group));
 }
 
 /// Calls `visit` with each code of the block; false when one has no table entry.
@@ -51,6 +51,8 @@ bool restate(ModeChanges &changes, const Block &block, const Dialect &dialect) {
     if (code.group != noGroup)
       changes.groups &= ~(uint64_t(1) << code.group);
     // A motion code ends a cycle, a cycle's code replaces the motion.
+    if (dialect.cycleSurvivesMotion)
+      return;
     if (code.group == dialect.group(StandardGroup::Motion))
       drop(changes, dialect, StandardGroup::Cycle);
     if (code.group == dialect.group(StandardGroup::Cycle))
@@ -86,7 +88,7 @@ uint64_t groupMask(const Dialect &dialect, std::initializer_list<StandardGroup> 
   uint64_t mask = 0;
   for (const StandardGroup group : groups)
     if (dialect.group(group) != noGroup)
-      mask |= 1u << dialect.group(group);
+      mask |= uint64_t(1) << dialect.group(group);
   return mask;
 }
 

@@ -200,7 +200,17 @@ void Scanner::scanName() {
     scanAssignment(begin, end);
     return;
   }
-  const CodeIndex code = dialect_.keyword({begin, size_t(end - begin)});
+  CodeIndex code = dialect_.keyword({begin, size_t(end - begin)});
+  // A call has an entry for each program that it may name: `CALLCYCLE(CYC_COPY)`.
+  if (behind < end_ && *behind == '(') {
+    const llvm::StringRef rest(behind + 1, size_t(end_ - behind - 1));
+    const llvm::StringRef name =
+        rest.ltrim(" \t").take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
+    const CodeIndex named = dialect_.keyword(
+        (llvm::Twine(llvm::StringRef(begin, size_t(end - begin))) + "(" + name + ")").str());
+    if (!name.empty() && named != noCode)
+      code = named;
+  }
   if (code == noCode) {
     if (behind < end_ && *behind == '(') {
       at_ = behind;

@@ -87,6 +87,20 @@ Op functionOf(llvm::StringRef upper) {
       .Default(Op::Unknown);
 }
 
+/// `SQR(2)`: one letter off a function, and no function itself.
+bool isMisspelt(llvm::StringRef upper) {
+  // Functions that look like another one.
+  for (const char *other : {"ASIN", "ACOS", "ATAN2", "MINVAL", "MAXVAL", "AC", "IC", "DC", "ACP",
+                            "ACN", "CROT", "CROTS", "SPI", "POSM"})
+    if (upper == other)
+      return false;
+  for (const char *function : {"SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN2", "SQRT", "ABS", "POT",
+                               "TRUNC", "ROUND", "ROUNDUP", "EXP", "MINVAL", "MAXVAL"})
+    if (upper.size() > 2 && upper.edit_distance(function, true, 1) == 1)
+      return true;
+  return false;
+}
+
 } // namespace
 
 llvm::StringRef SinumerikExpression::identifier() const {
@@ -437,8 +451,12 @@ bool SinumerikExpression::function(unsigned depth, llvm::StringRef name, const c
     emit(Op::Maximum, begin);
   else if (unary != Op::Unknown)
     return false; // a number of arguments that the function does not take
-  else
+  else {
+    if (isMisspelt(upper))
+      block_.issues.push_back({SyntaxIssueKind::UnknownWord, uint32_t(begin - base_),
+                               uint32_t(begin + name.size() - base_)});
     emit(Op::Opaque, begin, count);
+  }
   return true;
 }
 

@@ -1,4 +1,5 @@
 // The two blocks of a two-block cycle can be skipped separately.
+#include "analyzer/repeated_sections.h"
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -7,12 +8,28 @@ namespace {
 class FlowBlockSkipChangesFlow final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.handleNotices();
+    statements_ = to.option("statements", 0) != 0;
     to.onCode([&](const CodeInfo &code) {
-      return to.dialect().codes[code.base].twoBlock || code.twoBlock;
+      return to.dialect().codes[code.base].twoBlock || code.twoBlock ||
+             (statements_ && ends(code.action)) ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
+    if (statements_)
+      to.on(EventKind::Statement);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement)
+      return statement(ctx.block().items[size_t(event.number)], ctx);
+    ctx.reportNotices(id, event);
+    if (statements_ && ends(ctx.code(event).action)) {
+      if (ctx.block().skip >= 0)
+        optional(ctx.range(*event.word), ctx);
+      return;
+    }
+    if (!ctx.dialect().codes[ctx.code(event).base].twoBlock && !ctx.code(event).twoBlock)
+      return;
     Block next;
     ctx.index().reader().read(ctx.block().begin, next);
     do {
@@ -37,6 +54,50 @@ public:
       return;
     }
   }
+
+private:
+  static constexpr llvm::StringLiteral id{"flow-block-skip-changes-flow"};
+
+  static bool ends(Action action) {
+    return action == Action::Return || action == Action::ProgramEnd ||
+           action == Action::ProgramEndRewind;
+  }
+
+  static void optional(SourceRange range, RuleContext &ctx) {
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message(
+              "`{0}` stands in an optional block: a key of the panel decides where the program "
+              "goes on",
+              ctx.text(range));
+  }
+
+  /// A jump, call or repeat that may be left out, or whose target may be.
+  static void statement(const Item &item, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (item.kind != ItemKind::Jump && item.kind != ItemKind::Repeat && item.kind != ItemKind::Call)
+      return;
+    if (block.skip >= 0)
+      return optional({ctx.source().id(), item.begin, item.end}, ctx);
+    if (item.kind == ItemKind::Call)
+      return;
+    Block named;
+    for (const Argument &target : block.argumentsOf(item)) {
+      const auto at = blockNamed(ctx.index(), block, target, block.begin);
+      if (!at)
+        continue;
+      ctx.index().reader().read(*at, named);
+      if (named.skip < 0)
+        continue;
+      const SourceRange where{ctx.source().id(), target.begin, target.end};
+      if (auto finding = ctx.report(where))
+        finding.severity(Severity::Warning)
+            .message("`{0}` leads to an optional block: a key of the panel takes it away",
+                     ctx.text(where));
+    }
+  }
+
+  bool statements_ = false; ///< statements of an optional block are reported
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 // The variable of a counting loop is written inside the loop.
+#include "analyzer/repeated_sections.h"
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -11,9 +12,12 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const Item &item = ctx.block().items[size_t(event.number)];
     counts_ |= item.kind == ItemKind::Structure && item.structure == Structure::For;
+    repeats_ |= item.kind == ItemKind::Repeat;
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (repeats_)
+      setAgain(file, ctx);
     if (!counts_)
       return;
     struct Loop {
@@ -42,6 +46,71 @@ public:
   }
 
 private:
+  /// A block of a repeated section gives a variable its first value, and a later one counts on.
+  static void setAgain(const FileSummary &file, RuleContext &ctx) {
+    const std::vector<RepeatedSection> sections = repeatedSections(file.index);
+    Block block;
+    for (const RepeatedSection &section : sections) {
+      struct First {
+        uint32_t at;
+        uint64_t key;
+        SourceRange where;
+      };
+      std::vector<First> firsts;
+      for (uint32_t at = section.first; at < section.behind; at = block.next) {
+        file.reader.read(at, block);
+        for (const Item &item : block.items) {
+          if (item.kind == ItemKind::Jump) // another loop may count in here
+            firsts.clear();
+          if (item.kind != ItemKind::Assignment)
+            continue;
+          const uint64_t key = block.keyOf(item.target);
+          if (isConstant(block, item.value)) {
+            llvm::erase_if(firsts, [&](const First &f) { return f.key == key; });
+            firsts.push_back({block.begin, key, {file.source.id(), item.begin, item.end}});
+            continue;
+          }
+          const auto first = llvm::find_if(firsts, [&](const First &f) { return f.key == key; });
+          // An inner repeat that counts on by itself begins behind the first value.
+          if (first == firsts.end() || !reads(block, item.value, key) ||
+              llvm::any_of(sections, [&](const RepeatedSection &inner) {
+                return inner.holds(block.begin) && first->at < inner.first;
+              }))
+            continue;
+          if (auto finding = ctx.report(first->where))
+            finding
+                .message("`{0}` stands in the section that is repeated: every pass counts from "
+                         "this value again",
+                         ctx.text(first->where))
+                .note(SourceRange{file.source.id(), item.begin, item.end}, "here it counts on")
+                .note(SourceRange{file.source.id(), section.begin, section.end}, "repeated here");
+          firsts.erase(first);
+        }
+        if (block.next <= at)
+          break;
+      }
+    }
+  }
+
+  static bool isConstant(const Block &block, uint16_t index) {
+    if (index >= block.expressions.size())
+      return false;
+    const Expression &e = block.expressions[index];
+    return !e.bad && e.count == 1 && block.operations[e.first].op == Op::Number;
+  }
+
+  static bool reads(const Block &block, uint16_t index, uint64_t key) {
+    if (index >= block.expressions.size())
+      return false;
+    const Expression &e = block.expressions[index];
+    for (uint32_t i = 0; i < e.count; ++i) {
+      const ExpressionOp &op = block.operations[e.first + i];
+      if (op.op == Op::Variable && uint64_t(op.value) == key)
+        return true;
+    }
+    return false;
+  }
+
   static void report(SourceRange range, SourceRange loop, RuleContext &ctx) {
     if (auto finding = ctx.report(range))
       finding
@@ -52,6 +121,7 @@ private:
   }
 
   bool counts_ = false;
+  bool repeats_ = false;
 };
 
 } // namespace

@@ -50,6 +50,13 @@ public:
     auto finding = ctx.report(ctx.flowRange(), event.certain);
     if (!finding)
       return;
+    const Flow &flow = ctx.outcome().flow;
+    if (flow.kind == FlowKind::Repeat) {
+      const unsigned most = ctx.dialect().limits.repeatDepth;
+      finding.message("`{0}` is repeat {1} in another, the control follows {2}: it stops here",
+                      ctx.text(ctx.flowRange()), most + 1, most);
+      return;
+    }
     finding.message("`{0}` is call level {1}, the control follows {2}: it stops here",
                     ctx.text(ctx.flowRange()), ctx.callDepth() + 1, ctx.dialect().limits.callDepth);
   }

@@ -1,27 +1,45 @@
 // A program end code stands in a called program.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
 
 class FlowProgramEndInSubprogram final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::FlowIssue);
+    if (to.dialect().endReturns)
+      to.onAction({Action::ProgramEnd, Action::ProgramEndRewind});
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (FlowIssue(event.number) != FlowIssue::EndInSubprogram)
-      return;
-    if (ctx.dialect().endReturns) {
-      if (auto finding = ctx.report(ctx.flowRange(), event.certain))
-        finding.message("`{0}` in a called program only returns here: M17 says so",
-                        ctx.text(ctx.flowRange()));
+    if (event.kind == EventKind::Code) {
+      // A file that says itself to be a subprogram is one without a caller too.
+      if (ctx.callDepth() == 0 &&
+          ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
+        returns(ctx.range(*event.word), event, ctx);
       return;
     }
+    if (FlowIssue(event.number) != FlowIssue::EndInSubprogram)
+      return;
+    if (ctx.dialect().endReturns)
+      return returns(ctx.flowRange(), event, ctx);
+    const std::string back = returnOf(ctx.dialect());
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding
           .message("`{0}` in a called program ends the whole job, not only this program",
                    ctx.text(ctx.flowRange()))
-          .fix(FixSafety::Unsafe, "write `M99`", ctx.replace(ctx.flowRange(), "M99"));
+          .fix(FixSafety::Unsafe, "write `" + back + "`", ctx.replace(ctx.flowRange(), back));
+  }
+
+private:
+  static void returns(SourceRange range, const Event &event, RuleContext &ctx) {
+    const std::string back = returnOf(ctx.dialect());
+    if (auto finding = ctx.report(range, event.certain))
+      finding
+          .message("`{0}` in a called program only returns here: {1} says so", ctx.text(range),
+                   back)
+          .fix(FixSafety::Unsafe, "write `" + back + "`", ctx.replace(range, back));
   }
 };
 

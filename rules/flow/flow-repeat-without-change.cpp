@@ -12,8 +12,10 @@ public:
     if (FlowIssue(event.number) != FlowIssue::RepeatSame || !ctx.after().must(Fact::Cut))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
-      finding.message("`{0}` is called several times, and every pass cuts the same path: nothing "
-                      "in it moves on",
+      finding.message(ctx.outcome().flow.kind == FlowKind::Repeat
+                          ? "`{0}` cuts the same path again: nothing in the section moves on"
+                          : "`{0}` is called several times, and every pass cuts the same path: "
+                            "nothing in it moves on",
                       ctx.text(ctx.flowRange()));
   }
 };

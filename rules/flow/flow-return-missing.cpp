@@ -1,5 +1,5 @@
 // A called program does not come to its return.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -14,18 +14,23 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const auto issue = FlowIssue(event.number);
     const bool endCode = issue == FlowIssue::EndInSubprogram && endCounts_;
-    if (issue != FlowIssue::SubprogramRunsOut && !endCode)
+    // A file that says itself to be a subprogram needs its return without a caller too.
+    const bool alone = issue == FlowIssue::MainRunsOut &&
+                       ctx.index().programAt(ctx.flowRange().begin).kind == ProgramKind::Subprogram;
+    if (issue != FlowIssue::SubprogramRunsOut && !endCode && !alone)
       return;
     auto finding = ctx.report(ctx.flowRange(), event.certain);
     if (!finding)
       return;
+    const std::string back = returnOf(ctx.dialect());
     if (endCode)
-      finding.message("`{0}` ends the job inside a called program: the way back is `M99`",
-                      ctx.text(ctx.flowRange()));
+      finding.message("`{0}` ends the job inside a called program: the way back is `{1}`",
+                      ctx.text(ctx.flowRange()), back);
     else
-      finding.message("the called program ends without `M99`: the control does not find back")
-          .fix(FixSafety::Unsafe, "insert `M99` behind this block",
-               TextEdit{{ctx.flowRange().file, ctx.flowRange().end, ctx.flowRange().end}, "\nM99"});
+      finding.message("the called program ends without `{0}`: the control does not find back", back)
+          .fix(FixSafety::Unsafe, "insert `" + back + "` behind this block",
+               TextEdit{{ctx.flowRange().file, ctx.flowRange().end, ctx.flowRange().end},
+                        "\n" + back});
   }
 
 private:

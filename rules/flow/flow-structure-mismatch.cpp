@@ -1,4 +1,5 @@
 // WHILE, DO and END do not belong together.
+#include "analyzer/repeated_sections.h"
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -6,9 +7,13 @@ namespace {
 
 class FlowStructureMismatch final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+  void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement) {
+      repeats_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Repeat;
+      return;
+    }
     if (FlowIssue(event.number) == FlowIssue::RepeatOverlap) {
       if (auto finding = ctx.report(ctx.flowRange(), event.certain))
         finding
@@ -35,6 +40,58 @@ public:
     finding.message("`{0}` has no partner: the control stops with an alarm",
                     ctx.text(ctx.flowRange()));
   }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!repeats_)
+      return;
+    const std::vector<RepeatedSection> sections = repeatedSections(file.index);
+    for (const RepeatedSection &section : sections) {
+      for (const RepeatedSection &inner : sections)
+        if (section.holds(inner.at) && inner.first < section.first)
+          crossed(section, inner, file, ctx);
+      left(section, file, ctx);
+    }
+  }
+
+private:
+  /// The section holds a repeat that leads back to in front of it.
+  static void crossed(const RepeatedSection &section, const RepeatedSection &inner,
+                      const FileSummary &file, RuleContext &ctx) {
+    const SourceRange where{file.source.id(), section.begin, section.end};
+    const SourceRange other{file.source.id(), inner.begin, inner.end};
+    if (auto finding = ctx.report(where))
+      finding
+          .message("the section of `{0}` holds `{1}`, whose own section begins in front of it",
+                   ctx.text(where), ctx.text(other))
+          .note(other, "the other repeat");
+  }
+
+  /// A jump out of the section: the control goes on to count the pass.
+  static void left(const RepeatedSection &section, const FileSummary &file, RuleContext &ctx) {
+    Block block;
+    for (uint32_t at = section.first; at < section.behind; at = block.next) {
+      file.reader.read(at, block);
+      if (block.next <= at)
+        break;
+      for (const Item &item : block.items) {
+        if (item.kind != ItemKind::Jump)
+          continue;
+        for (const Argument &target : block.argumentsOf(item)) {
+          const auto to = blockNamed(file.index, block, target, block.begin);
+          if (!to || section.holds(*to) || *to == section.behind || *to == section.at)
+            continue;
+          const SourceRange where{file.source.id(), target.begin, target.end};
+          if (auto finding = ctx.report(where))
+            finding.severity(Severity::Warning)
+                .message("`{0}` leads out of a section that is repeated: the repeat stays open",
+                         ctx.text(where))
+                .note(SourceRange{file.source.id(), section.begin, section.end}, "repeated here");
+        }
+      }
+    }
+  }
+
+  bool repeats_ = false;
 };
 
 } // namespace

@@ -8,14 +8,13 @@ class ProgramEndMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
+    to.onAction({Action::ProgramHead, Action::Reset});
     for (const CodeInfo &code : to.dialect().codes) {
       if (code.action == Action::ProgramEndRewind)
         end_ = code.name;
       else if (code.action == Action::ProgramEnd && end_.empty())
         end_ = code.name;
-      if (code.action == Action::ProgramHead)
-        to.onAction({Action::ProgramHead});
-      hasHead_ |= code.action == Action::ProgramHead;
+      hasHead_ |= code.action == Action::ProgramHead || code.action == Action::Reset;
     }
   }
 
@@ -28,6 +27,8 @@ public:
     if (FlowIssue(event.number) != FlowIssue::MainRunsOut || (hasHead_ && !headSeen_))
       return;
     const SourceRange where = ctx.flowRange();
+    if (ctx.index().programAt(where.begin).kind == ProgramKind::Subprogram)
+      return; // flow-return-missing speaks
     auto finding = ctx.report(where, event.certain);
     if (!finding)
       return;

@@ -13,6 +13,8 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const Block &block = ctx.block();
     const Item &item = block.items[size_t(event.number)];
+    if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
+      return choice(item, ctx);
     if (item.condition == noExpression || item.kind == ItemKind::Jump)
       return;
     const Expression &condition = block.expressions[item.condition];
@@ -35,6 +37,36 @@ public:
             ctx.text(range));
       return;
     }
+  }
+
+private:
+  /// The middle way of a choice by sign is one for equality.
+  static void choice(const Item &item, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const auto targets = block.argumentsOf(item);
+    if (item.condition >= block.expressions.size() || targets.size() != 3)
+      return;
+    const auto textOf = [&](const Argument &target) {
+      return ctx.text(SourceRange{ctx.source().id(), target.begin, target.end});
+    };
+    if (textOf(targets[1]) == textOf(targets[0]) || textOf(targets[1]) == textOf(targets[2]))
+      return;
+    const Expression &condition = block.expressions[item.condition];
+    bool variable = false, fraction = false;
+    for (uint32_t i = 0; i < condition.count; ++i) {
+      const ExpressionOp &op = block.operations[condition.first + i];
+      if (op.op == Op::Round || op.op == Op::Truncate)
+        return;
+      variable |= op.op == Op::Variable || op.op == Op::ElementAt;
+      fraction |= op.op == Op::Number && op.value != std::floor(op.value);
+    }
+    if (!variable || !fraction)
+      return;
+    const SourceRange range{ctx.source().id(), condition.begin, condition.end};
+    if (auto finding = ctx.report(range))
+      finding.message(
+          "`{0}` may miss zero by its last digit: the way for zero, `{1}`, is not taken then",
+          ctx.text(range), textOf(targets[1]));
   }
 };
 

@@ -8,6 +8,8 @@ class VariableIndexOutOfRange final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     greatest_ = int64_t(to.option("greatest", 0));
+    reservedFrom_ = int64_t(to.option("reservedFrom", 0));
+    reservedTo_ = int64_t(to.option("reservedTo", -1));
     to.on(EventKind::Statement);
   }
 
@@ -19,9 +21,17 @@ public:
         ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}).rtrim();
     if (greatest_ && (name.startswith("R") || name.startswith("r"))) {
       int64_t index = 0;
-      if (!name.drop_front().getAsInteger(10, index) && index > greatest_)
-        if (auto finding = ctx.report(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}))
-          finding.message("`{0}`: the control has the parameters R0 to R{1}", name, greatest_);
+      if (name.drop_front().getAsInteger(10, index))
+        return;
+      const bool reserved = reservedFrom_ <= index && index <= reservedTo_;
+      if (index <= greatest_ && !reserved)
+        return;
+      auto finding = ctx.report(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd});
+      if (finding && reserved)
+        finding.message("`{0}`: the control keeps R{1} to R{2} for itself", name, reservedFrom_,
+                        reservedTo_);
+      else if (finding)
+        finding.message("`{0}`: the control has the parameters R0 to R{1}", name, greatest_);
       return;
     }
     element(item, name, ctx);
@@ -60,6 +70,7 @@ private:
   }
 
   int64_t greatest_ = 0;
+  int64_t reservedFrom_ = 0, reservedTo_ = -1; ///< of the control itself
 };
 
 } // namespace

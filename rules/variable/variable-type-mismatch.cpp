@@ -1,14 +1,19 @@
 // A text where a number is due, or a number where a text is.
 #include "analyzer/rule.h"
+#include "interp/expression.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
 
 class VariableTypeMismatch final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
+  void listen(Subscriptions &to) override { to.on({EventKind::Statement, EventKind::ToolWord}); }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::ToolWord)
+      return cutOff(*event.word, ctx);
     const Block &block = ctx.block();
     const Item &item = block.items[size_t(event.number)];
     if ((item.kind != ItemKind::Assignment && item.kind != ItemKind::Definition) ||
@@ -36,6 +41,24 @@ public:
   }
 
 private:
+  /// `T<FTL(R12)>` with 14.6 in R12 is another tool.
+  static void cutOff(const Word &word, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (!word.has(wordExpression) || size_t(word.mantissa) >= block.expressions.size())
+      return;
+    const Expression &e = block.expressions[size_t(word.mantissa)];
+    if (e.bad || e.count != 2 || block.operations[e.first].op != Op::Variable ||
+        block.operations[e.first + 1].op != Op::Truncate)
+      return;
+    const Value value = readVariable(ctx.after(), int64_t(block.operations[e.first].value));
+    if (!value.isConstant() || value.number.value() == std::floor(value.number.value()))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` cuts a fraction off: the value is {1}", ctx.text(word),
+                   llvm::formatv("{0}", llvm::format("%g", value.number.value())).str());
+  }
+
   static VariableType typeOf(llvm::StringRef name, RuleContext &ctx) {
     name = name.split('[').first.trim();
     int64_t index = 0;

@@ -1,6 +1,7 @@
 // A variable that is defined and never read.
 #include "analyzer/rule.h"
 
+#include <map>
 #include <set>
 
 namespace ncvet {
@@ -8,13 +9,20 @@ namespace {
 
 class VariableUnused final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Statement);
+    overwritten_ = to.option("overwritten", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
-    defines_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Definition;
+    const ItemKind kind = ctx.block().items[size_t(event.number)].kind;
+    defines_ |= kind == ItemKind::Definition;
+    assigns_ |= kind == ItemKind::Assignment;
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (overwritten_ && assigns_)
+      overwritten(file, ctx);
     if (!defines_)
       return;
     for (const ProgramInfo &program : file.index.programs())
@@ -22,6 +30,50 @@ public:
   }
 
 private:
+  /// `R1=5` and further down `R1=6`, with nothing in between that reads R1 or may come from
+  /// elsewhere.
+  static void overwritten(const FileSummary &file, RuleContext &ctx) {
+    std::map<uint64_t, SourceRange> written;
+    Block block;
+    for (uint32_t at = file.reader.first(); at < file.source.text().size(); at = block.next) {
+      file.reader.read(at, block);
+      const bool flows =
+          block.skip >= 0 || block.hasLabel() ||
+          (block.number >= 0 &&
+           std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number)) ||
+          llvm::any_of(block.items, [](const Item &item) {
+            return item.kind != ItemKind::Assignment && item.kind != ItemKind::Instruction;
+          });
+      if (flows)
+        written.clear();
+      for (const ExpressionOp &op : block.operations) {
+        if (op.op == Op::Variable)
+          written.erase(uint64_t(op.value));
+        else if (op.op == Op::VariableAt || op.op == Op::ElementAt || op.op == Op::Unknown)
+          written.clear();
+      }
+      for (const Item &item : block.items) {
+        const SourceRange name{file.source.id(), item.nameBegin, item.nameEnd};
+        const llvm::StringRef text = ctx.text(name).trim();
+        if (flows || item.kind != ItemKind::Assignment || text.size() < 2 ||
+            (text[0] | 32) != 'r' || !llvm::all_of(text.drop_front(), llvm::isDigit))
+          continue;
+        const SourceRange range{file.source.id(), item.begin, item.end};
+        const auto [entry, fresh] = written.try_emplace(block.keyOf(item.target), range);
+        if (fresh)
+          continue;
+        if (auto finding = ctx.report(entry->second))
+          finding
+              .message("nothing reads `{0}` before `{1}` replaces it", ctx.text(entry->second),
+                       ctx.text(range))
+              .note(range, "replaced here");
+        entry->second = range;
+      }
+      if (block.next <= at)
+        break;
+    }
+  }
+
   static void check(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
     std::set<uint64_t> read;
     std::vector<std::pair<uint64_t, SourceRange>> defined;
@@ -48,7 +100,8 @@ private:
           finding.message("nothing reads `{0}`", ctx.text(range));
   }
 
-  bool defines_ = false;
+  bool overwritten_ = false; ///< values that are replaced unread are reported
+  bool defines_ = false, assigns_ = false;
 };
 
 } // namespace

@@ -31,9 +31,10 @@ struct Seen {
   std::string rule;
   std::string certainty;
   std::string message;
+  std::string file; ///< of the files beside the first one; empty: the first one
 
   std::string describe() const {
-    return std::to_string(line) + ":" + std::to_string(column) +
+    return (file.empty() ? "" : file + ":") + std::to_string(line) + ":" + std::to_string(column) +
            (endColumn ? "-" + std::to_string(endColumn) : "") + " " + rule + " " + certainty +
            (message.empty() ? "" : ": " + message);
   }
@@ -92,11 +93,13 @@ private:
 };
 
 /// Analyses the first file; what it calls is looked for in the others. `machine` is the text of a
-/// machine profile, or empty. Findings of other files than the first are left out.
+/// machine profile, or empty. Findings of other files than the first are left out, unless
+/// `allFiles`.
 inline std::vector<Seen> analyseProgram(const std::string &dialectId,
                                         const std::vector<ProgramFile> &files,
                                         const std::string &machine,
-                                        llvm::function_ref<RuleSelection(const Dialect &)> select) {
+                                        llvm::function_ref<RuleSelection(const Dialect &)> select,
+                                        bool allFiles = false) {
   std::vector<Seen> seen;
   std::shared_ptr<const Dialect> dialect = dialectNamed(dialectId);
   if (!dialect)
@@ -131,10 +134,11 @@ inline std::vector<Seen> analyseProgram(const std::string &dialectId,
   Project project(sources, dialect, profile);
   const AnalysisResult result = analyze(project, project.unit(*main), select(*dialect));
   for (const Finding &finding : result.findings) {
-    if (finding.range.file != main->id())
+    if (finding.range.file != main->id() && !allFiles)
       continue;
-    const LineColumn begin = main->position(finding.range.begin);
-    const LineColumn end = main->position(finding.range.end);
+    const SourceFile &file = sources.get(finding.range.file);
+    const LineColumn begin = file.position(finding.range.begin);
+    const LineColumn end = file.position(finding.range.end);
     Seen &entry = seen.emplace_back();
     entry.line = begin.line;
     entry.column = begin.column;
@@ -142,6 +146,8 @@ inline std::vector<Seen> analyseProgram(const std::string &dialectId,
     entry.rule = allRules()[finding.rule].info.id.str();
     entry.certainty = toString(finding.certainty).str();
     entry.message = finding.message;
+    if (&file != main)
+      entry.file = std::filesystem::path(file.path()).filename().string();
   }
   return seen;
 }
@@ -198,7 +204,7 @@ inline std::vector<Seen> marksOf(const std::string &text, const std::string &onl
 inline void expectSame(std::vector<Seen> due, std::vector<Seen> found, const std::string &where) {
   for (const Seen &finding : found) {
     const auto match = std::find_if(due.begin(), due.end(), [&](const Seen &mark) {
-      return mark.line == finding.line && mark.rule == finding.rule &&
+      return mark.file == finding.file && mark.line == finding.line && mark.rule == finding.rule &&
              mark.certainty == finding.certainty && mark.column == finding.column &&
              (!mark.endColumn || mark.endColumn == finding.endColumn);
     });
