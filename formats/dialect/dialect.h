@@ -344,8 +344,9 @@ struct Lexical {
   bool incrementOperator = false; ///< `XI-4`
   AddressMask commaAddresses = 0; ///< which of `,A ,C ,R` exist
   Semicolon semicolon = Semicolon::Comment;
-  bool percentHeader = false;      ///< `%O1234` is a program's first line
-  bool macro = true;               ///< variables, expressions, IF, WHILE, GOTO are known
+  bool percentHeader = false; ///< `%O1234` is a program's first line
+  bool macro = true;          ///< variables, expressions, IF, WHILE, GOTO are known
+  bool structures = true; ///< FOR, WHILE, DEF and the like are known where the reader knows them
   bool blocksSpanLines = false;    ///< a block ends where the next one begins, not with its line
   bool commaSeparates = false;     ///< commas separate arguments
   std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
@@ -424,7 +425,6 @@ struct Dialect {
   AddressMask orientWords = 0;              ///< stop the spindle at an angle
   AddressMask switchWords = 0;              ///< turn a switch on or off
   AddressMask cornerWords = 0;              ///< ask for a chamfer or rounding
-  std::vector<std::string> flatControls;    ///< values of option `control` without structured flow
   AddressMask known = 0;                    ///< all addresses of this control
   AddressMask repeatable = 0;               ///< may stand more than once in a block
   AddressMask whole = 0;                    ///< take whole numbers

@@ -46,7 +46,7 @@ void DialectBuilder::build() {
                         "emptyBlocksRun",
                         "endReturns",
                         "variables",
-                        "flatControls",
+                        "controls",
                         "mainExtensions",
                         "subprogramExtensions",
                         "lexical",
@@ -88,8 +88,6 @@ void DialectBuilder::readHead() {
   in_.read(root_, "cycleSurvivesMotion", dialect_.cycleSurvivesMotion);
   in_.read(root_, "emptyBlocksRun", dialect_.emptyBlocksRun);
   in_.read(root_, "endReturns", dialect_.endReturns);
-  if (const Json *list = in_.member(root_, "flatControls"))
-    dialect_.flatControls = in_.texts(*list);
   if (const Json *list = in_.member(root_, "mainExtensions"))
     dialect_.mainExtensions = in_.texts(*list);
   if (const Json *list = in_.member(root_, "subprogramExtensions"))
@@ -142,9 +140,9 @@ void DialectBuilder::readLexical() {
   const Json *lexical = in_.member(root_, "lexical");
   if (!lexical)
     return;
-  in_.allowKeys(*lexical,
-                {"incrementOperator", "commaAddresses", "semicolon", "percentHeader", "macro",
-                 "skipLevels", "headerMarks", "endLabel", "commaSeparates", "blocksSpanLines"});
+  in_.allowKeys(*lexical, {"incrementOperator", "commaAddresses", "semicolon", "percentHeader",
+                           "macro", "skipLevels", "headerMarks", "endLabel", "commaSeparates",
+                           "blocksSpanLines", "structures"});
   Lexical &target = dialect_.lexical;
   in_.read(*lexical, "incrementOperator", target.incrementOperator);
   readSet(*lexical, "commaAddresses", target.commaAddresses);
@@ -153,6 +151,7 @@ void DialectBuilder::readLexical() {
   in_.read(*lexical, "macro", target.macro);
   in_.read(*lexical, "headerMarks", target.headerMarks);
   in_.read(*lexical, "commaSeparates", target.commaSeparates);
+  in_.read(*lexical, "structures", target.structures);
   in_.read(*lexical, "blocksSpanLines", target.blocksSpanLines);
   in_.read(*lexical, "endLabel", target.endLabel);
   in_.readWhole(*lexical, "skipLevels", target.skipLevels, 0, 9);

@@ -133,6 +133,34 @@ void dropRedefined(Json &merged, const Json &fragment) {
   }
 }
 
+/// Lays over the table what its layers say of the control that the profile names. `controls` are
+/// those of each layer, base first.
+llvm::Error selectControl(Json &merged, llvm::ArrayRef<Json> controls, const Json &profile,
+                          const JsonLayer &file) {
+  JsonReader reader(file, profile);
+  const Json *options = reader.member(profile, "options");
+  const Json *control =
+      options && options->is_object() ? reader.member(*options, "control") : nullptr;
+  if (controls.empty() || !control || !control->is_string())
+    return reader.takeError();
+  const auto &name = control->get_ref<const std::string &>();
+  std::vector<llvm::StringRef> known;
+  bool found = false;
+  for (const Json &layer : controls)
+    for (auto entry = layer.begin(); entry != layer.end(); ++entry) {
+      known.push_back(entry.key());
+      if (entry.key() != name)
+        continue;
+      found = true;
+      Json own = *entry;
+      prepareLayer(own);
+      layOver(merged, std::move(own));
+    }
+  if (!found)
+    reader.fail(*control, "unknown control" + suggest(name, known));
+  return reader.takeError();
+}
+
 /// Options of the profile over the dialect's defaults; the dialect's table names all that there
 /// are.
 llvm::Error layOptions(Dialect &dialect, const Json &profile, const JsonLayer &file) {
@@ -187,16 +215,21 @@ llvm::Expected<std::shared_ptr<const Dialect>> overlay(std::shared_ptr<const Dia
   if (!profile)
     return profile.takeError();
   std::vector<JsonLayer> files;
-  std::vector<Json> values;
+  std::vector<Json> values, controls;
   for (const auto &[layerName, layerText] : dialect->layers) {
     llvm::Expected<Json> value = parseJson(layerName, layerText);
     if (!value)
       return value.takeError();
     files.push_back({layerName, layerText});
     prepareLayer(*value);
+    // What is taken away there must still be said when it is laid over the whole.
+    if (const auto own = value->find("controls"); own != value->end() && own->is_object())
+      controls.push_back(*own);
     values.push_back(std::move(*value));
   }
   Json merged = merge(std::move(values));
+  if (llvm::Error error = selectControl(merged, controls, *profile, {name.str(), text}))
+    return error;
   Json fragment = profileCodes(*profile);
   dropRedefined(merged, fragment);
   layOver(merged, std::move(fragment));

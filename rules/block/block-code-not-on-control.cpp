@@ -8,9 +8,7 @@ class BlockCodeNotOnControl final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
-    const auto control = to.machine().option("control");
-    flat_ = control && llvm::is_contained(to.dialect().flatControls, control->str());
-    if (flat_)
+    if (!to.dialect().lexical.structures)
       to.on(EventKind::Statement);
     if (!to.dialect().lexical.incrementOperator)
       to.on(EventKind::Syntax);
@@ -44,7 +42,6 @@ public:
   }
 
 private:
-  bool flat_ = false; ///< the machine's control lacks what the larger ones of its family have
   static constexpr llvm::StringLiteral id{"block-code-not-on-control"};
 };
 

@@ -327,6 +327,29 @@ TEST(Overlay, LaysCodesAndOptionsOfTheProfileOverTheDialect) {
   EXPECT_EQ(dialect->find("M77"), noCode) << "the dialect itself does not change";
 }
 
+TEST(Overlay, LaysOverWhatTheTableSaysOfTheControlThatTheProfileNames) {
+  const auto dialect = builtin("sinumerik");
+  const auto of = [&](llvm::StringRef control) {
+    const std::string text = ("{ \"options\": { \"control\": \"" + control + "\" } }").str();
+    auto changed = overlay(dialect, "machine.json", text);
+    EXPECT_TRUE(bool(changed)) << llvm::toString(changed.takeError());
+    return changed ? *changed : dialect;
+  };
+  EXPECT_TRUE(dialect->lexical.structures);
+  EXPECT_EQ(dialect->codes[dialect->find("G58")].action, Action::FrameAdd);
+  const auto small = of("802D");
+  EXPECT_FALSE(small->lexical.structures);
+  EXPECT_EQ(small->limits.callDepth, 7) << "eight levels with the main program";
+  EXPECT_EQ(small->codes[small->find("G58")].action, Action::WorkOffset);
+  EXPECT_EQ(small->find("G505"), noCode);
+  EXPECT_EQ(of("810D")->limits.blockLength, 242);
+  EXPECT_NE(of("840D")->find("G505"), noCode);
+  EXPECT_NE(of("840D")->find("G599"), noCode);
+  auto unknown = overlay(dialect, "machine.json", R"({ "options": { "control": "802" } })");
+  ASSERT_FALSE(bool(unknown));
+  EXPECT_THAT(llvm::toString(unknown.takeError()), HasSubstr("did you mean \"802D\"?"));
+}
+
 TEST(Overlay, NamesThePlaceOfAnErrorInTheProfile) {
   auto dialect = load({{"t", table(plain + R"(, "M08": { "does": "coolant-on" })")}}, "t");
   ASSERT_TRUE(dialect);
