@@ -164,6 +164,8 @@ void Execution::run(bool guardHolds) {
           (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole) ||
       block_.skip > int8_t(dialect_.lexical.skipLevels))
     wordIssues();
+  if (!block_.operations.empty())
+    wordDomains();
   if (block_.items.empty()) {
     if (runPlainMove())
       return;
@@ -232,6 +234,37 @@ void Execution::wordIssues() {
     outcome_.emit(EventKind::WordIssue).number = int64_t(WordIssue::SkipLevel);
   emit(WordIssue::NumberInside, block_.addresses & maskOf('N'));
   emit(WordIssue::Special, block_.addresses & dialect_.known & ~dialect_.plain);
+}
+
+/// What the expressions in words cannot compute; those of assignments are looked at where they are
+/// made.
+void Execution::wordDomains() {
+  const auto mayFail = [](const ExpressionOp &op) {
+    switch (op.op) {
+    case Op::Divide:
+    case Op::IntegerDivide:
+    case Op::Modulo:
+    case Op::Power:
+    case Op::Tan:
+    case Op::Asin:
+    case Op::Acos:
+    case Op::Atan2:
+    case Op::Sqrt:
+    case Op::Ln:
+      return true;
+    default:
+      return false;
+    }
+  };
+  if (llvm::none_of(block_.operations, mayFail))
+    return;
+  Outcome computed;
+  for (const Word &word : block_.words)
+    if (word.has(wordExpression) && word.address != variableAddress)
+      evaluate(block_, uint16_t(word.mantissa), state_, &computed);
+  for (const Event &event : computed.events)
+    if (event.kind == EventKind::DomainError)
+      outcome_.emit(EventKind::DomainError).number = event.number;
 }
 
 void Execution::resolveCodes() {

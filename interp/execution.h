@@ -25,6 +25,7 @@ private:
   // execute.cpp: the order of things
   bool runPlainMove();
   void wordIssues();
+  void wordDomains();
   bool runsEmpty() const;
   void resolveCodes();
   void technologyWords();

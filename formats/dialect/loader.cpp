@@ -4,6 +4,7 @@
 #include "formats/dialect/code_name.h"
 #include "formats/dialect/dialect_builder.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include <nlohmann/json.hpp>
 
 namespace ncvet {
@@ -161,6 +162,19 @@ llvm::Error selectControl(Json &merged, llvm::ArrayRef<Json> controls, const Jso
   return reader.takeError();
 }
 
+/// The block that the control runs before every program says which modes are in force.
+void startState(Dialect &dialect, JsonReader &reader, const Json &block) {
+  llvm::SmallVector<llvm::StringRef, 8> words;
+  llvm::SplitString(block.get_ref<const std::string &>(), words);
+  for (const llvm::StringRef word : words) {
+    const CodeIndex code = dialect.find(word);
+    const GroupIndex group = code == noCode ? noGroup : dialect.codes[code].group;
+    if (group == noGroup)
+      return reader.fail(block, llvm::Twine("\"") + word + "\" is no code of a modal group");
+    dialect.groups[group].initial = dialect.codes[code].bit;
+  }
+}
+
 /// Options of the profile over the dialect's defaults; the dialect's table names all that there
 /// are.
 llvm::Error layOptions(Dialect &dialect, const Json &profile, const JsonLayer &file) {
@@ -178,6 +192,8 @@ llvm::Error layOptions(Dialect &dialect, const Json &profile, const JsonLayer &f
     else
       dialect.options[entry.key()] = optionText(*entry);
   }
+  if (const Json *block = reader.member(*options, "priorityBlock"); block && block->is_string())
+    startState(dialect, reader, *block);
   if (reader.member(*options, "mCodesPerBlock"))
     reader.readWhole(*options, "mCodesPerBlock", dialect.limits.mCodesPerBlock, 0, 100);
   return reader.takeError();

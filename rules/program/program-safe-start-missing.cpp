@@ -65,7 +65,10 @@ private:
     std::string missing;
     for (const StandardGroup which : asked) {
       const GroupIndex group = ctx.dialect().group(which);
-      if (group != noGroup && !(ctx.after().statedMay >> group & 1))
+      // What the machine profile says that the control sets before every program is stated.
+      const bool set = ctx.machine().option("priorityBlock") && group != noGroup &&
+                       ctx.dialect().groups[group].initial != 0xFF;
+      if (group != noGroup && !set && !(ctx.after().statedMay >> group & 1))
         missing += (missing.empty() ? "" : "; ") + modes(ctx.dialect(), group);
     }
     if (missing.empty())

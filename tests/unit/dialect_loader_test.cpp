@@ -350,6 +350,21 @@ TEST(Overlay, LaysOverWhatTheTableSaysOfTheControlThatTheProfileNames) {
   EXPECT_THAT(llvm::toString(unknown.takeError()), HasSubstr("did you mean \"802D\"?"));
 }
 
+TEST(Overlay, ThePriorityBlockSetsTheModesOfTheStart) {
+  const auto with = [](const char *block) {
+    return overlay(builtin("mefi"), "machine.json",
+                   std::string(R"({ "options": { "priorityBlock": ")") + block + "\" } }");
+  };
+  auto set = with("G17 G90 G94");
+  ASSERT_TRUE(bool(set)) << llvm::toString(set.takeError());
+  const Dialect &dialect = **set;
+  const CodeInfo &absolute = dialect.codes[dialect.find("G90")];
+  EXPECT_EQ(dialect.groups[absolute.group].initial, absolute.bit);
+  auto wrong = with("G17 X5");
+  ASSERT_FALSE(bool(wrong));
+  EXPECT_THAT(llvm::toString(wrong.takeError()), HasSubstr("\"X5\" is no code of a modal group"));
+}
+
 TEST(Overlay, NamesThePlaceOfAnErrorInTheProfile) {
   auto dialect = load({{"t", table(plain + R"(, "M08": { "does": "coolant-on" })")}}, "t");
   ASSERT_TRUE(dialect);
