@@ -23,7 +23,7 @@ public:
          (event.motion == MotionKind::Reference || event.motion == MotionKind::Rapid)))
       return;
     if (event.kind == EventKind::CycleRun && hasOwnFeed(code, ctx)) {
-      if (!ctx.after().may(Fact::FeedSet) && once_.speaks(ctx.before().origin.cycle, ctx))
+      if (!ctx.after().may(Fact::FeedSet) && once_.speaks(ctx.after().origin.cycle, ctx))
         if (auto finding = ctx.report(event, event.certain))
           finding.severity(Severity::Style)
               .message("`{0}` lives on the feed of another call's parameters: the program has no F",

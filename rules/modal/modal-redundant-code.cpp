@@ -43,7 +43,7 @@ private:
   /// Advice: a block that holds a number and nothing else.
   static void emptyBlock(RuleContext &ctx) {
     const Block &block = ctx.block();
-    if (!ctx.asked() || !block.isEmpty() || block.number < 0 ||
+    if (!ctx.asked() || !block.isEmpty() || block.numberEnd <= block.begin ||
         ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
       return;
     if (auto finding =

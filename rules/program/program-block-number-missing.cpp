@@ -6,10 +6,16 @@ namespace {
 
 class ProgramBlockNumberMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::ToolChange); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::ToolChange);
+    if (to.option("everyBlock", 0) != 0)
+      to.on(EventKind::Block);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     const Block &block = ctx.block();
+    if (event.kind == EventKind::Block)
+      return bareNumber(ctx);
     if (block.number >= 0 || !event.word || ctx.callDepth() > 0)
       return;
     auto finding = ctx.report(event, event.certain);
@@ -30,6 +36,19 @@ public:
     finding.fix(FixSafety::Unsafe, "number the block",
                 bare ? ctx.insertBefore(words.begin + 1, std::to_string(number))
                      : ctx.insertBefore(words.begin, llvm::formatv("N{0} ", number).str()));
+  }
+
+private:
+  /// An `N` that opens a block and says no number.
+  static void bareNumber(RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (block.number >= 0 || block.isEmpty() || ctx.outcome().kinds & bitOf(EventKind::ToolChange))
+      return;
+    const llvm::StringRef text = ctx.source().text().substr(block.begin, 2);
+    if (text.empty() || (text[0] | 32) != 'n' || (text.size() > 1 && llvm::isAlnum(text[1])))
+      return;
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), block.begin, block.begin + 1}))
+      finding.severity(Severity::Style).message("the block has no number: a search cannot find it");
   }
 };
 
