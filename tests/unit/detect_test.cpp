@@ -58,7 +58,7 @@ TEST(Detection, TakesLittleTimeForAnyText) {
     detector().detect("a.nc", text);
   const auto each = (std::chrono::steady_clock::now() - begin) / 10;
   // The aim is a millisecond; a loaded machine and sanitizers get room.
-  EXPECT_LT(each, std::chrono::milliseconds(50));
+  EXPECT_LT(each, std::chrono::milliseconds(500));
 }
 
 TEST(Detection, AnyBytesGiveAnAnswer) {
