@@ -361,6 +361,25 @@ llvm::StringRef verbOf(CycleKind kind) {
   }
 }
 
+const Word *undefinedElement(const RuleContext &ctx) {
+  const Block &block = ctx.block();
+  // What a called program uses its caller may have defined; main programs open with a mark.
+  if (block.words.size() != 1 || !block.items.empty() || ctx.callDepth() > 0 ||
+      ctx.index().tapeMarks().empty())
+    return nullptr;
+  const Word &word = block.words.front();
+  const AddressInfo &address = ctx.dialect().addresses[word.address];
+  if (address.kind != AddressKind::Polar || address.unit != AddressUnit::Whole)
+    return nullptr;
+  const llvm::StringRef name = ctx.text(word), text = ctx.source().text();
+  for (size_t at = text.find_insensitive(name); at != llvm::StringRef::npos;
+       at = text.find_insensitive(name, at + 1))
+    if (text.substr(at + name.size()).ltrim(" \t").startswith("=") &&
+        (at == 0 || !llvm::isAlnum(text[at - 1])))
+      return nullptr;
+  return &word;
+}
+
 std::string returnOf(const Dialect &dialect) {
   for (const CodeInfo &code : dialect.codes)
     if (code.action == Action::Return && code.letter)

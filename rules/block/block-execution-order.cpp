@@ -10,11 +10,15 @@ public:
     to.onNotices(id);
     to.onAction({Action::CycleCancel});
     to.on(EventKind::CycleRun);
+    if (to.option("statements", 0) != 0)
+      to.on(EventKind::Statement);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::CycleRun)
       return repeated(event, ctx);
+    if (event.kind == EventKind::Statement)
+      return jump(ctx.block().items[size_t(event.number)], ctx);
     ctx.reportNotices(id, event);
     if (ctx.code(event).action == Action::CycleCancel)
       cancelWithAxes(event, ctx);
@@ -22,6 +26,19 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-execution-order"};
+
+  /// A jump, call or repeat beside a move.
+  static void jump(const Item &item, RuleContext &ctx) {
+    if (item.kind != ItemKind::Jump && item.kind != ItemKind::Repeat)
+      return;
+    if (!ctx.block().hasAny(ctx.dialect().axisWords))
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Style)
+          .message("`{0}` in a block with a move: which of the two comes first is not stated",
+                   ctx.text(range));
+  }
 
   /// An M code beside a repeated cycle acts once, behind the first positioning.
   static void repeated(const Event &event, RuleContext &ctx) {

@@ -4,6 +4,7 @@
 #include "llvm/ADT/StringExtras.h"
 
 #include <cmath>
+#include <map>
 
 namespace ncvet {
 namespace {
@@ -44,8 +45,10 @@ public:
     });
     if (code.action != Action::Cycle)
       reportExcludedWords(ctx, event);
-    if (code.action == Action::ZoneOn)
+    if (code.action == Action::ZoneOn) {
       zone(ctx);
+      side(event, ctx);
+    }
   }
 
 private:
@@ -72,6 +75,41 @@ private:
                       int(block.skip), int(ctx.dialect().lexical.skipLevels));
   }
 
+  /// Where two codes of a group give the lower and the upper limits: the last lower ones.
+  void side(const Event &event, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const CodeInfo &code = ctx.code(event);
+    if (code.group == noGroup)
+      return;
+    llvm::SmallVector<CodeIndex, 2> sides;
+    for (const CodeIndex member : dialect.groups[code.group].members)
+      if (dialect.codes[member].action == Action::ZoneOn)
+        sides.push_back(member);
+    if (sides.size() != 2)
+      return;
+    const bool upper = code.base == sides[1];
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = dialect.addresses[word.address];
+      const Interval value = ctx.value(word);
+      if (address.kind != AddressKind::Axis || !value.isConstant() || word.has(wordNoValue))
+        continue;
+      const uint32_t key = uint32_t(code.group) << 8 | uint32_t(address.axis);
+      if (!upper) {
+        lower_[key] = {value.value(), ctx.range(word)};
+        continue;
+      }
+      const auto low = lower_.find(key);
+      if (low == lower_.end() || value.value() >= low->second.first)
+        continue;
+      if (auto finding = ctx.report(word))
+        finding
+            .message("`{0}` of `{1}` lies below the lower limit: nothing is left to move in",
+                     ctx.text(word), code.name)
+            .note(low->second.second, "the lower limit");
+    }
+  }
+
+  std::map<uint32_t, std::pair<double, SourceRange>> lower_; ///< by group and axis
   bool ranged_ = false;
   static constexpr llvm::StringLiteral id{"block-value-out-of-range"};
 

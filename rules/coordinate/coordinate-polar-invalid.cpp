@@ -69,6 +69,9 @@ private:
   void byWords(const Event &event, RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     const Word *const polar = ctx.block().findAny(dialect.polarWords);
+    // A name of an element that a contour is made of, not an angle or radius.
+    if (dialect.addresses[polar->address].unit == AddressUnit::Whole)
+      return;
     for (const Word &word : ctx.block().words) {
       if (!(dialect.polarWords & maskOf(word.address)))
         continue;

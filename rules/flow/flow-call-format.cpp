@@ -1,5 +1,5 @@
 // A local call gives its target as a block number word.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -10,12 +10,17 @@ public:
     to.onAction({Action::CallLocal});
     to.onNotices("flow-call-format");
     if (to.option("statements", 0) != 0)
-      to.on(EventKind::Statement);
+      to.on({EventKind::Statement, EventKind::WordIssue});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Statement)
       return atStatement(ctx.block().items[size_t(event.number)], ctx);
+    if (event.kind == EventKind::WordIssue) {
+      if (WordIssue(event.number) == WordIssue::Special)
+        number(ctx);
+      return;
+    }
     ctx.reportNotices("flow-call-format", event);
     if (ctx.code(event).action != Action::CallLocal)
       return;
@@ -33,6 +38,19 @@ public:
   }
 
 private:
+  /// `L100` where L names an element of a contour, and a call has its name in brackets.
+  static void number(RuleContext &ctx) {
+    const Word *word = undefinedElement(ctx);
+    if (!word || word->address != letterAddress('L'))
+      return;
+    const std::string call = ("L<" + ctx.text(*word).drop_front() + ">").str();
+    if (auto finding = ctx.report(*word))
+      finding
+          .message("`{0}` is a {1} here, and none of this name is defined: a call is `{2}`",
+                   ctx.text(*word), ctx.dialect().addresses[word->address].title, call)
+          .fix(FixSafety::Unsafe, "write `" + call + "`", ctx.replace(ctx.range(*word), call));
+  }
+
   /// How calls and choices name their targets.
   static void atStatement(const Item &item, RuleContext &ctx) {
     const SourceRange whole{ctx.source().id(), item.begin, item.end};

@@ -86,6 +86,7 @@ private:
                 .message("`{0}` leads out of a section that is repeated: the repeat stays open",
                          ctx.text(where))
                 .note(SourceRange{file.source.id(), section.begin, section.end}, "repeated here");
+          break;
         }
       }
     }

@@ -98,7 +98,10 @@ private:
       const SourceRange range{file.source.id(), block.labelBegin, block.labelEnd};
       const llvm::StringRef name = ctx.text(range).split(':').first;
       const size_t letters = name.size() - name.count(' ');
-      if (letters <= labels_ && !name.trim().contains(' '))
+      if (letters == 0)
+        if (auto finding = ctx.report(range))
+          finding.message("a label without a name: what stands behind `:` is a remark");
+      if (letters == 0 || (letters <= labels_ && !name.trim().contains(' ')))
         continue;
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Style)

@@ -14,9 +14,15 @@ bool isRepeated(const Block &block, size_t index) {
 
 class SyntaxError final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Syntax);
+    if (to.option("oneSeparator", 0) != 0)
+      to.on(EventKind::Statement);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement)
+      return separators(ctx.block().items[size_t(event.number)], ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (isRepeated(ctx.block(), size_t(event.number)))
       return;
@@ -56,6 +62,25 @@ public:
   }
 
 private:
+  /// Arguments of one instruction that are separated by `;` and by `,`.
+  static void separators(const Item &item, RuleContext &ctx) {
+    char first = 0;
+    for (const Argument &argument : ctx.block().argumentsOf(item)) {
+      if (!argument.separator || argument.separator == first)
+        continue;
+      if (!first) {
+        first = argument.separator;
+        continue;
+      }
+      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Style)
+            .message("`{0}` separates its arguments by `;` and by `,`: one of them reads better",
+                     ctx.text(range));
+      return;
+    }
+  }
+
   uint32_t behindText_ = ~0u; ///< behind the last line of prose
 };
 

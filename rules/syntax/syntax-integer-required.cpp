@@ -15,6 +15,8 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::WordIssue, EventKind::Syntax});
     codes_ = to.option("codes", 0) != 0;
+    if (to.option("converted", 0) != 0)
+      to.on(EventKind::ToolWord);
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words, [](const WordSpec &w) { return namesSomething(w.role); });
     });
@@ -34,6 +36,8 @@ public:
       }
       return;
     }
+    if (event.kind == EventKind::ToolWord)
+      return computed(*event.word, ctx);
     if (event.kind == EventKind::WordIssue) {
       if (WordIssue(event.number) != WordIssue::PointInWhole ||
           ctx.find({Action::MacroCall, Action::MacroModal}))
@@ -54,6 +58,20 @@ public:
   }
 
 private:
+  /// `T=R5`: R5 is a real, and only a conversion makes a whole number of it.
+  static void computed(const Word &word, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (!word.has(wordExpression) || size_t(word.mantissa) >= block.expressions.size())
+      return;
+    const Expression &e = block.expressions[size_t(word.mantissa)];
+    if (e.bad || e.count == 0 || block.operations[e.first + e.count - 1].op == Op::Truncate ||
+        (e.count == 1 && block.operations[e.first].op == Op::Number))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}` takes a whole number: a real value has to be converted",
+                      ctx.text(word));
+  }
+
   bool codes_ = false; ///< codes are whole numbers too
 
   /// `G84.2` is a code with its digit behind the point; an unknown code has its own rule.
