@@ -49,4 +49,29 @@ RulePage readRulePage(const RuleInfo &info) {
   return page;
 }
 
+std::string withProgramsOf(llvm::StringRef dialect, llvm::StringRef body) {
+  const std::string fence = ("```nc " + dialect + " ").str();
+  if (!body.contains(fence))
+    return body.str();
+  std::string kept;
+  bool inside = false, drop = false; // a fenced program; of another control
+  while (!body.empty()) {
+    const size_t end = body.find('\n');
+    const llvm::StringRef line = body.take_front(end == llvm::StringRef::npos ? end : end + 1);
+    body = body.drop_front(line.size());
+    const bool closes = inside && line.startswith("```");
+    if (!inside && line.startswith("```nc ")) {
+      inside = true;
+      drop = !line.startswith(fence);
+    }
+    if (!drop)
+      kept += line;
+    else if (closes)
+      body.consume_front("\n"); // the empty line behind the program goes with it
+    if (closes)
+      inside = drop = false;
+  }
+  return kept;
+}
+
 } // namespace ncvet

@@ -15,6 +15,7 @@ private:
   llvm::cl::SubCommand command_;
   llvm::cl::OptionCategory category_;
   llvm::cl::opt<std::string> rule_;
+  llvm::cl::opt<std::string> dialect_;
 };
 
 class RulesCommand final : public Command {

@@ -19,6 +19,21 @@ TEST(ExplainCommand, ShowsThePageWithoutItsMetadataBlock) {
   EXPECT_THAT(result.out, Not(HasSubstr("\"summary\"")));
 }
 
+TEST(ExplainCommand, ShowsTheProgramsOfTheControlThatIsAskedFor) {
+  Shop shop;
+  const ProcessResult one = shop.run({"explain", "cycle-peck-invalid", "--dialect", "nct-104m"});
+  EXPECT_THAT(one.out, HasSubstr("```nc nct-104m wrong"));
+  EXPECT_THAT(one.out, HasSubstr("```nc nct-104m right"));
+  EXPECT_THAT(one.out, Not(HasSubstr("```nc haas-lathe")));
+  EXPECT_THAT(one.out, HasSubstr("## Wrong"));
+  const ProcessResult unknown = shop.run({"explain", "feed-missing", "--dialect", "haas"});
+  EXPECT_EQ(2, unknown.exitCode);
+  EXPECT_THAT(unknown.err, HasSubstr("unknown dialect \"haas\""));
+  // The shop's own control, where its configuration names one.
+  shop.file(".ncvet.json", R"({ "dialect": "nct-104m" })");
+  EXPECT_EQ(one.out, shop.run({"explain", "cycle-peck-invalid"}).out);
+}
+
 TEST(ExplainCommand, EveryRuleHasAPage) {
   Shop shop;
   for (const RuleEntry &entry : allRules())
