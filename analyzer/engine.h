@@ -125,6 +125,7 @@ private:
   /// Handles the flow of one executed block for one state; false when the state goes on with the
   /// next block, and stays where it is.
   bool leave(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  SourceRange loopAt(const Activation &activation, uint32_t target) const;
   void backTo(Activation &activation, uint32_t target, Live live, bool certain);
   void goTo(Activation &activation, uint32_t from, uint32_t target, Live live, bool certain);
   void jump(Activation &activation, Live &live, uint32_t at, const MachineState &before);

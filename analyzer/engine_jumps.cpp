@@ -97,6 +97,17 @@ void Engine::goTo(Activation &activation, uint32_t from, uint32_t target, Live l
     backTo(activation, target, std::move(live), certain);
 }
 
+/// Where a loop that begins at `target` is seen: at the head of a structure, else at the jump.
+SourceRange Engine::loopAt(const Activation &activation, uint32_t target) const {
+  const FileUnit &unit = activation.region.unit;
+  Block head;
+  unit.reader->read(target, head);
+  for (const Item &item : head.items)
+    if (item.kind == ItemKind::Structure)
+      return {unit.source.id(), item.begin, item.end};
+  return {unit.source.id(), activation.lastBegin, activation.lastEnd};
+}
+
 void Engine::backTo(Activation &activation, uint32_t target, Live live, bool certain) {
   Head &head = activation.heads[target];
   ++head.visits;
@@ -112,8 +123,7 @@ void Engine::backTo(Activation &activation, uint32_t target, Live live, bool cer
     } else if (head.visits <= head.windowEnd && hash(live.state) == head.snapshot) {
       // A way out that depends on something unknown was taken beside this one.
       if (head.snapshotForks == activation.forks)
-        issue(FlowIssue::EndlessLoop, activation, live, live.state,
-              {activation.region.unit.source.id(), activation.lastBegin, activation.lastEnd});
+        issue(FlowIssue::EndlessLoop, activation, live, live.state, loopAt(activation, target));
       return;
     }
     add(activation, target, std::move(live));

@@ -11,6 +11,7 @@ public:
       if (to.dialect().groups[i].id == "language") {
         group_ = GroupIndex(i);
         to.on(EventKind::ProgramEnd);
+        to.onCode([&](const CodeInfo &code) { return !code.letter && code.group != group_; });
       }
   }
 
@@ -18,6 +19,8 @@ public:
     const GroupInfo &group = ctx.dialect().groups[group_];
     const uint64_t own = group.initial == 0xFF ? 0 : uint64_t(1) << group.initial;
     const uint64_t now = ctx.after().group[group_];
+    if (event.kind == EventKind::Code)
+      return ownWord(event, own, ctx);
     if (now == groupUnset || (now & own))
       return;
     if (auto finding = ctx.report(event))
@@ -28,6 +31,18 @@ public:
   }
 
 private:
+  /// A word of the control's own language while the other one is certainly read.
+  void ownWord(const Event &event, uint64_t own, RuleContext &ctx) {
+    const uint64_t before = ctx.before().group[group_];
+    if (before == groupUnset || (before & own) || !before || ctx.find({Action::ProgramEnd}))
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` is a word of the control's own language, and another one is switched on",
+                   ctx.text(*event.word))
+          .note(ctx.before().origin.group[group_], "it is switched on here");
+  }
+
   GroupIndex group_ = noGroup;
 };
 

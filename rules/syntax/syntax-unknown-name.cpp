@@ -20,11 +20,12 @@ public:
     for (const std::string &name : to.dialect().variableNames)
       known_.insert(variableKey(name));
     to.on({EventKind::Syntax, EventKind::Assignment});
+    defined_ = to.option("definedNames", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Assignment)
-      return parameter(event, ctx);
+      return defined_ ? undefined(event, ctx) : parameter(event, ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::UnknownWord)
       return;
@@ -53,6 +54,45 @@ public:
   }
 
 private:
+  /// A value for a name that a main program does not define. What it is called by may have defined
+  /// it, and so may the machine's own definitions.
+  void undefined(const Event &event, RuleContext &ctx) {
+    const auto key = uint64_t(event.number);
+    if (event.number < int64_t(firstNamedVariable) || ctx.callDepth() > 0 || isSubprogram(ctx))
+      return;
+    const FileId file = ctx.source().id();
+    if (!spoken_.insert(key).second)
+      return;
+    for (const Item &item : ctx.block().items) {
+      if (item.kind != ItemKind::Assignment || ctx.block().keyOf(item.target) != key)
+        continue;
+      const SourceRange range{file, item.nameBegin, item.nameEnd};
+      const llvm::StringRef name = ctx.text(range);
+      const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+      const bool parameter =
+          name.startswith_insensitive("R") && llvm::all_of(name.drop_front(), llvm::isDigit);
+      if (name.empty() || parameter || !(llvm::isAlpha(name[0]) || name[0] == '_') ||
+          name.contains('[') || ctx.index().definition(program, name))
+        return;
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("the program defines no `{0}`: unless the machine's own definitions have it, "
+                     "the control stops here",
+                     name);
+      return;
+    }
+  }
+
+  static bool isSubprogram(const RuleContext &ctx) {
+    const std::string shown = ctx.source().display();
+    const llvm::StringRef ending = llvm::StringRef(shown).rsplit('.').second;
+    return llvm::none_of(ctx.dialect().mainExtensions,
+                         [&](const std::string &main) { return ending.equals_insensitive(main); });
+  }
+
+  bool defined_ = false;      ///< programs define their names themselves
+  std::set<uint64_t> spoken_; ///< names that were looked at
+
   /// A value for a name that no cycle reads, where only cycles read names.
   void parameter(const Event &event, RuleContext &ctx) {
     if (known_.empty() || !ctx.block().has(variableAddress) ||
