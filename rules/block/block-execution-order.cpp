@@ -61,7 +61,7 @@ private:
   /// Axis words beside the code that ends a cycle move by the motion code from before the cycle.
   static void cancelWithAxes(const Event &event, RuleContext &ctx) {
     const Word *axis = ctx.block().findAny(ctx.dialect().axisWords);
-    if (!axis)
+    if (!axis || ctx.dialect().cycleSurvivesMotion) // the motion code has never been out of force
       return;
     for (const CodeUse &use : ctx.codes()) {
       const CodeInfo &code = ctx.code(use);

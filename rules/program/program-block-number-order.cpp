@@ -23,6 +23,15 @@ public:
     // A local call may name its target so.
     if (ctx.find({Action::CallLocal, Action::MacroCall, Action::MacroModal}))
       return;
+    // The number of an origin or a target is a word of its code.
+    for (const CodeUse &use : ctx.codes()) {
+      const CodeInfo &code = ctx.code(use);
+      AddressMask taken = code.takes;
+      for (const WordSpec &spec : code.words)
+        taken |= spec.any;
+      if (taken & maskOf(event.word->address))
+        return;
+    }
     if (auto finding = ctx.report(*event.word))
       finding.message(
           "`{0}` does not stand first in its block: searching for the number does not find it",
