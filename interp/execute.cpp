@@ -288,6 +288,8 @@ void Execution::resolveCodes() {
           outcome_.codes.push_back({code, &word});
           continue;
         }
+        if (word.address == letterAddress('G')) // it is known, and it is none
+          outcome_.emit(EventKind::UnknownCode).word = &word;
       }
       state_.set(Fact::UnknownCode);
       continue;
