@@ -57,13 +57,10 @@ private:
     if (ending.empty() || endings.empty() ||
         llvm::any_of(endings, [&](const auto &one) { return ending.equals_insensitive(one); }))
       return;
-    Block block;
-    uint32_t at = file.reader.first();
-    do {
-      file.reader.read(at, block);
-      at = block.next;
-    } while (block.isEmpty() && block.number < 0 && at < file.source.text().size());
-    if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, block.end}))
+    const llvm::StringRef text = file.source.text();
+    const size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    const size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    if (auto finding = ctx.report(SourceRange{file.source.id(), uint32_t(begin), uint32_t(end)}))
       finding.severity(Severity::Style)
           .message("the file's ending is `.{0}`: programs of this control have `.{1}`", ending,
                    llvm::StringRef(endings.front()).upper());
