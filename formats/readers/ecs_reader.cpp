@@ -1,6 +1,7 @@
 // Reader of ECS programs: words, instructions and variables in angle brackets, labels, expressions.
 #include "formats/readers/ecs_reader.h"
 
+#include "formats/readers/block_scanner.h"
 #include "formats/readers/ecs_expression.h"
 #include "formats/readers/plain_number.h"
 
@@ -13,8 +14,6 @@ namespace ncvet {
 
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f'; }
-bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
 bool isNameCharacter(char c) { return isLetter(c) || isNumberDigit(c); }
 
@@ -28,37 +27,16 @@ unsigned typographicQuote(const char *at, const char *end, bool &comment) {
   return third >= 0x98 && third <= 0x9E ? 3 : 0;
 }
 
-class Scanner {
+class Scanner : BlockScanner<> {
 public:
   Scanner(const Dialect &dialect, const llvm::StringMap<AddressId> &addresses, llvm::StringRef text,
           uint32_t offset, Block &block)
-      : dialect_(dialect), addresses_(addresses), base_(text.begin()), at_(text.begin() + offset),
-        end_(text.end()), block_(block) {}
+      : BlockScanner(text, offset, block), dialect_(dialect), addresses_(addresses) {}
 
   void scan();
 
 private:
-  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
-  void issue(SyntaxIssueKind kind, const char *begin, const char *end) {
-    block_.issues.push_back({kind, offset(begin), offset(end)});
-  }
-  void skipBlanks() {
-    while (at_ < end_ && isBlank(*at_))
-      ++at_;
-  }
-  const char *behindBlanks(const char *p) const {
-    while (p < end_ && isBlank(*p))
-      ++p;
-    return p;
-  }
-  bool atLineEnd() const { return at_ == end_ || isLineEnd(*at_); }
   bool startsBlock() const { return block_.words.empty() && block_.items.empty(); }
-  const char *lineEnd() const {
-    const char *p = at_;
-    while (p < end_ && !isLineEnd(*p))
-      ++p;
-    return p;
-  }
   llvm::StringRef name() const {
     const char *p = at_;
     while (p < end_ && *p == '%' && p - at_ < 2)
@@ -100,13 +78,6 @@ private:
   void keyword(CodeIndex code, const char *begin, const char *end);
   void argumentWord(const Argument &argument);
 
-  void addWord(Word &word, const char *begin);
-  uint16_t constant(const char *begin, const char *end, double value);
-  uint16_t opaque(const char *begin, const char *end) {
-    const uint16_t index = constant(begin, end, 0);
-    block_.operations.back().op = Op::Opaque;
-    return index;
-  }
   uint16_t expression() {
     EcsExpression parser(base_, at_, end_, block_);
     const uint16_t index = parser.parse();
@@ -120,33 +91,20 @@ private:
     closeAngle(begin);
     return index;
   }
-  Item itemAt(ItemKind kind, const char *begin) const {
-    Item item;
-    item.kind = kind;
-    item.wordsBefore = uint16_t(block_.words.size());
-    item.begin = offset(begin);
-    item.firstArgument = uint16_t(block_.arguments.size());
-    return item;
-  }
   void add(Item &item) {
     item.arguments = uint16_t(block_.arguments.size() - item.firstArgument);
-    item.end = offset(at_);
-    block_.items.push_back(item);
+    BlockScanner::add(item);
   }
 
   const Dialect &dialect_;
   const llvm::StringMap<AddressId> &addresses_;
-  const char *base_;
-  const char *at_;
-  const char *end_;
-  Block &block_;
 };
 
 void Scanner::scan() {
   block_.begin = offset(at_);
   const char *content = at_;
   while (at_ < end_ && !isLineEnd(*at_)) {
-    if (isBlank(*at_)) {
+    if (isLineBlank(*at_)) {
       ++at_;
       continue;
     }
@@ -154,12 +112,7 @@ void Scanner::scan() {
     content = at_;
   }
   block_.end = offset(content);
-  if (at_ < end_) {
-    const char c = *at_++;
-    if (c == '\r' && at_ < end_ && *at_ == '\n')
-      ++at_;
-  }
-  block_.next = offset(at_);
+  takeLineEnd();
   if (block_.isEmpty() && block_.issues.empty() && block_.number < 0 && block_.skip < 0 &&
       !block_.hasLabel())
     block_.kind = BlockKind::Empty;
@@ -291,32 +244,6 @@ void Scanner::keyword(CodeIndex code, const char *begin, const char *end) {
   at_ = at;
 }
 
-void Scanner::addWord(Word &word, const char *begin) {
-  word.offset = offset(begin);
-  word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
-  const AddressMask mask = maskOf(word.address);
-  block_.words.push_back(word);
-  block_.repeated |= block_.addresses & mask;
-  block_.addresses |= mask;
-  if (word.flags & wordPoint)
-    block_.pointed |= mask;
-  else if (!(word.flags & (wordExpression | wordNoValue)) && word.mantissa)
-    block_.pointless |= mask;
-}
-
-uint16_t Scanner::constant(const char *begin, const char *end, double value) {
-  Expression expression;
-  expression.first = uint32_t(block_.operations.size());
-  expression.count = 1;
-  expression.begin = offset(begin);
-  expression.end = offset(end);
-  block_.operations.push_back({Op::Number, offset(begin), value});
-  if (block_.expressions.size() >= noExpression - 1)
-    return uint16_t(block_.expressions.size() - 1);
-  block_.expressions.push_back(expression);
-  return uint16_t(block_.expressions.size() - 1);
-}
-
 void Scanner::scanLetter() {
   const char *const begin = at_;
   const char letter = char(*at_ & ~32);
@@ -417,7 +344,7 @@ void Scanner::scanPlane(const char *begin) {
   const bool sign = at_ < end_ && (*at_ == '+' || *at_ == '-');
   at_ += sign;
   if (code == noCode || !sign) {
-    while (!atLineEnd() && !isBlank(*at_) && *at_ != '<')
+    while (!atLineEnd() && !isLineBlank(*at_) && *at_ != '<')
       ++at_;
     Word word; // a plane all the same, which one is not known
     word.address = letterAddress('G');
@@ -1062,7 +989,7 @@ std::string EcsReader::labelKey(llvm::StringRef label) const {
   constexpr size_t significant = 8;
   std::string key;
   for (const char c : label.split(':').first)
-    if (!isBlank(c) && key.size() < significant)
+    if (!isLineBlank(c) && key.size() < significant)
       key += llvm::toUpper(c);
   return key;
 }

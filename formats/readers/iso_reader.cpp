@@ -1,6 +1,7 @@
 // Reader of word-address programs (ISO 6983, DIN 66025): FANUC, Haas, NCT and their kin.
 #include "formats/readers/iso_reader.h"
 
+#include "formats/readers/block_scanner.h"
 #include "formats/readers/macro_expression.h"
 #include "formats/readers/plain_number.h"
 
@@ -31,32 +32,14 @@ CharClass classOf(char c) { return classes[uint8_t(c)]; }
 bool isDigit(char c) { return isNumberDigit(c); }
 bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
 
-/// The state of reading one block.
-class Scanner {
+class Scanner : BlockScanner<> {
 public:
   Scanner(const Lexical &lexical, llvm::StringRef text, uint32_t offset, Block &block)
-      : lexical_(lexical), base_(text.data()), at_(base_ + offset), end_(text.end()),
-        block_(block) {}
+      : BlockScanner(text, offset, block), lexical_(lexical) {}
 
   void scan();
 
 private:
-  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
-  void issue(SyntaxIssueKind kind, const char *begin, const char *end) {
-    block_.issues.push_back({kind, offset(begin), offset(end)});
-  }
-  void skipBlanks() {
-    while (at_ < end_ && classOf(*at_) == Blank)
-      ++at_;
-  }
-  bool atLineEnd() const { return at_ >= end_ || classOf(*at_) == LineEnd; }
-  const char *lineEnd() const {
-    const char *p = at_;
-    while (p < end_ && classOf(*p) != LineEnd)
-      ++p;
-    return p;
-  }
-
   void scanTape();
   void scanHeader(const char *begin);
   void scanComment();
@@ -70,22 +53,7 @@ private:
   bool scanStatement();
   void scanAssignment();
   uint16_t expression(MacroExpression::Form form);
-  void addWord(const Word &word) {
-    const AddressMask mask = maskOf(word.address);
-    block_.words.push_back(word);
-    block_.repeated |= block_.addresses & mask;
-    block_.addresses |= mask;
-    if (word.flags & wordPoint)
-      block_.pointed |= mask;
-    else if (!(word.flags & (wordExpression | wordNoValue)) && word.mantissa)
-      block_.pointless |= mask;
-  }
-
   const Lexical &lexical_;
-  const char *base_;
-  const char *at_;
-  const char *end_;
-  Block &block_;
 };
 
 void Scanner::scan() {
@@ -118,12 +86,7 @@ void Scanner::scan() {
     }
   }
   block_.end = offset(at_);
-  if (at_ < end_) {
-    const char c = *at_++;
-    if (c == '\r' && at_ < end_ && *at_ == '\n')
-      ++at_;
-  }
-  block_.next = offset(at_);
+  takeLineEnd();
   if (block_.kind == BlockKind::Normal && block_.isEmpty() && block_.issues.empty() &&
       block_.number < 0 && block_.skip < 0)
     block_.kind = BlockKind::Empty;
@@ -251,7 +214,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   if (p < end_ && (isDigit(*p) || *p == '-') && address != letterAddress('N') &&
       scanPlainNumber(word)) {
     word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
-    addWord(word);
+    append(word);
     return;
   }
   while (p < end_ && classOf(*p) == Blank)
@@ -285,7 +248,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
           return;
         }
       }
-      addWord(word);
+      append(word);
       return;
     }
   }
@@ -293,7 +256,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
     const uint16_t index = expression(MacroExpression::Form::Operand);
     word.flags |= wordExpression;
     word.mantissa = index;
-    addWord(word);
+    append(word);
     return;
   }
   // Nothing readable behind the address.
@@ -301,7 +264,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   word.flags |= wordNoValue;
   word.length = uint8_t(at_ - begin);
   issue(SyntaxIssueKind::MissingValue, begin, at_);
-  addWord(word);
+  append(word);
 }
 
 /// The usual number; false, with nothing read, for every other one.

@@ -1,6 +1,8 @@
 // Reader of MEFI programs: a block runs from one `N` to the next, over any number of lines.
 #include "formats/readers/mefi_reader.h"
 
+#include "formats/readers/block_scanner.h"
+
 #include "llvm/ADT/StringExtras.h"
 
 #include <algorithm>
@@ -21,14 +23,14 @@ constexpr llvm::StringLiteral dashes[] = {"\xE2\x80\x90", "\xE2\x80\x91", "\xE2\
                                           "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x80\x95",
                                           "\xE2\x88\x92"};
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\0'; }
+/// Between words: a block goes on over the ends of lines.
+bool isGap(char c) { return isLineBlank(c) || isLineEnd(c); }
 bool isNameLetter(char c) { return llvm::isAlpha(c) || c == '_'; }
 
-class Scanner {
+class Scanner : BlockScanner<isGap> {
 public:
   Scanner(const Dialect &dialect, llvm::StringRef text, uint32_t offset, Block &block)
-      : dialect_(dialect), base_(text.begin()), at_(text.begin() + offset), end_(text.end()),
-        block_(block) {}
+      : BlockScanner(text, offset, block), dialect_(dialect) {}
 
   void scan() {
     block_.begin = offset(at_);
@@ -42,11 +44,7 @@ public:
   }
 
 private:
-  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
   llvm::StringRef rest() const { return {at_, size_t(end_ - at_)}; }
-  void issue(SyntaxIssueKind kind, const char *begin, const char *end) {
-    block_.issues.push_back({kind, offset(begin), offset(end)});
-  }
   /// A letter N that no name holds and no name begins with.
   bool startsBlock() const {
     return at_ < end_ && (*at_ == 'N' || *at_ == 'n') && (at_ + 1 == end_ || !isNameLetter(at_[1]));
@@ -60,69 +58,24 @@ private:
   void scanWord();
   void scanOther();
   bool scanNumber(Word &word, const char *begin, bool commaIsPoint = true);
-  void addWord(const Word &word);
   uint16_t key(const char *begin, const char *end);
-  uint16_t constant(const Word &word);
-  uint16_t constantName(const char *begin);
+  uint16_t valueOf(const Word &word);
   void finish();
-  void skipBlanks() {
-    while (at_ < end_ && isBlank(*at_))
-      ++at_;
-  }
 
   const Dialect &dialect_;
-  const char *base_;
-  const char *at_;
-  const char *end_;
   const char *content_ = nullptr; ///< behind the last byte that is no blank
   bool leading_ = false;          ///< stands in front of the first N
-  Block &block_;
 };
 
-void Scanner::addWord(const Word &word) {
-  const AddressMask mask = maskOf(word.address);
-  block_.words.push_back(word);
-  block_.repeated |= block_.addresses & mask;
-  block_.addresses |= mask;
-  if (word.has(wordPoint))
-    block_.pointed |= mask;
-  else if (word.isNumber() && word.mantissa)
-    block_.pointless |= mask;
-}
-
-/// An expression of one operation.
+/// The key of the variable with this name, as an expression.
 uint16_t Scanner::key(const char *begin, const char *end) {
-  Expression expression;
-  expression.first = uint32_t(block_.operations.size());
-  expression.count = 1;
-  expression.begin = offset(begin);
-  expression.end = offset(end);
-  block_.operations.push_back(
-      {Op::Number, offset(begin), double(variableKey({begin, size_t(end - begin)}))});
-  block_.expressions.push_back(expression);
-  return uint16_t(block_.expressions.size() - 1);
+  return constant(begin, end, double(variableKey({begin, size_t(end - begin)})));
 }
 
-uint16_t Scanner::constant(const Word &word) {
-  Expression expression;
-  expression.first = uint32_t(block_.operations.size());
-  expression.count = 1;
-  expression.begin = word.offset;
-  expression.end = offset(at_);
-  if (word.isNumber())
-    block_.operations.push_back({Op::Number, word.offset, word.value()});
-  else
-    block_.operations.push_back({Op::Opaque, word.offset, 0});
-  block_.expressions.push_back(expression);
-  return uint16_t(block_.expressions.size() - 1);
-}
-
-/// The name that ends here: it stands for what it names; as a number it is its key.
-uint16_t Scanner::constantName(const char *begin) {
-  Word name;
-  name.offset = offset(begin);
-  name.mantissa = int64_t(variableKey({begin, size_t(at_ - begin)}));
-  return constant(name);
+/// The number of `word`, which ends here.
+uint16_t Scanner::valueOf(const Word &word) {
+  const char *const begin = base_ + word.offset;
+  return word.isNumber() ? constant(begin, at_, word.value()) : opaque(begin, at_);
 }
 
 void Scanner::scanNumberOfBlock() {
@@ -161,7 +114,7 @@ void Scanner::scanNumberOfBlock() {
 
 void Scanner::scanItem() {
   const char c = *at_;
-  if (isBlank(c)) {
+  if (isGap(c)) {
     ++at_;
     return;
   }
@@ -224,7 +177,7 @@ void Scanner::scanName() {
   word.offset = offset(begin);
   word.length = uint8_t(std::min<ptrdiff_t>(end - begin, 255));
   word.mantissa = code;
-  addWord(word);
+  append(word);
   if (behind < end_ && *behind == '(') {
     at_ = behind;
     scanCall(begin, end);
@@ -255,13 +208,13 @@ void Scanner::scanCall(const char *begin, const char *end) {
       scanNumber(word, from, /*commaIsPoint=*/false);
       word.length = uint8_t(std::min<ptrdiff_t>(at_ - from, 255));
       argument.kind = ArgumentKind::Expression;
-      argument.expression = constant(word);
+      argument.expression = valueOf(word);
     } else if (at_ < end_ && isNameLetter(*at_)) {
       while (at_ < end_ && (llvm::isAlnum(*at_) || *at_ == '_'))
         ++at_;
       argument.kind = ArgumentKind::Name;
       word.length = uint8_t(std::min<ptrdiff_t>(at_ - from, 255));
-      word.mantissa = constantName(from);
+      word.mantissa = key(from, at_);
       word.flags |= wordExpression;
     } else {
       word.flags |= wordNoValue;
@@ -274,7 +227,7 @@ void Scanner::scanCall(const char *begin, const char *end) {
     if (argument.kind != ArgumentKind::Empty || comma || separator) {
       block_.arguments.push_back(argument);
       ++item.arguments;
-      addWord(word);
+      append(word);
     }
     if (!comma && !closed)
       break;
@@ -300,7 +253,7 @@ void Scanner::scanAssignment(const char *begin, const char *end) {
       isNameLetter(at_[1])) {
     while (at_ < end_ && (llvm::isAlnum(*at_) || *at_ == '_'))
       ++at_;
-    word.mantissa = constantName(value);
+    word.mantissa = key(value, at_);
     word.flags |= wordExpression;
   } else {
     known = scanNumber(word, begin);
@@ -318,9 +271,9 @@ void Scanner::scanAssignment(const char *begin, const char *end) {
   item.nameBegin = item.begin;
   item.nameEnd = offset(end);
   item.target = key(begin, end);
-  item.value = word.has(wordExpression) ? uint16_t(word.mantissa) : constant(word);
+  item.value = word.has(wordExpression) ? uint16_t(word.mantissa) : valueOf(word);
   block_.items.push_back(item);
-  addWord(word);
+  append(word);
 }
 
 /// A letter and its number; `R30 = 2` is an assignment.
@@ -351,7 +304,7 @@ void Scanner::scanWord() {
     issue(SyntaxIssueKind::MissingValue, begin, at_);
   }
   word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
-  addWord(word);
+  append(word);
 }
 
 /// `[sign] digits [. digits]`; false, with nothing read, when there is no digit.
@@ -446,7 +399,7 @@ void Scanner::scanOther() {
     issue(SyntaxIssueKind::MissingAddress, begin, at_);
     return;
   }
-  while (at_ < end_ && !isBlank(*at_) && !llvm::isAlnum(*at_) && *at_ != '"' && *at_ != '(' &&
+  while (at_ < end_ && !isGap(*at_) && !llvm::isAlnum(*at_) && *at_ != '"' && *at_ != '(' &&
          *at_ != ';' && (at_ == begin || (*at_ != '-' && *at_ != '+' && *at_ != '.')))
     ++at_;
   issue(SyntaxIssueKind::InvalidCharacter, begin, at_);

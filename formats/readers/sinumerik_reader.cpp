@@ -1,6 +1,7 @@
 // Reader of Sinumerik programs: word addresses, words with `=`, statements, calls by name.
 #include "formats/readers/sinumerik_reader.h"
 
+#include "formats/readers/block_scanner.h"
 #include "formats/readers/plain_number.h"
 #include "formats/readers/sinumerik_expression.h"
 
@@ -13,11 +14,8 @@ namespace ncvet {
 
 namespace {
 
-bool isBlank(char c) {
-  // Other characters that do not print count as blanks; `&` does too.
-  return c == ' ' || c == '\t' || c == '\0' || c == '&' || c == '\v' || c == '\f';
-}
-bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+/// Other characters that do not print count as blanks; `&` does too.
+bool isBlank(char c) { return isLineBlank(c) || c == '&'; }
 bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
 bool isNameLetter(char c) { return isLetter(c) || c == '_'; }
 bool isNameCharacter(char c) { return isNameLetter(c) || isNumberDigit(c); }
@@ -101,30 +99,15 @@ VariableType typeOf(llvm::StringRef name) {
       .Default(VariableType::None);
 }
 
-class Scanner {
+class Scanner : BlockScanner<isBlank> {
 public:
   Scanner(const Dialect &dialect, const llvm::StringMap<AddressId> &addresses, llvm::StringRef text,
           uint32_t offset, Block &block)
-      : dialect_(dialect), addresses_(addresses), base_(text.begin()), at_(text.begin() + offset),
-        end_(text.end()), block_(block) {}
+      : BlockScanner(text, offset, block), dialect_(dialect), addresses_(addresses) {}
 
   void scan();
 
 private:
-  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
-  void issue(SyntaxIssueKind kind, const char *begin, const char *end) {
-    block_.issues.push_back({kind, offset(begin), offset(end)});
-  }
-  void skipBlanks() {
-    while (at_ < end_ && isBlank(*at_))
-      ++at_;
-  }
-  const char *behindBlanks(const char *p) const {
-    while (p < end_ && isBlank(*p))
-      ++p;
-    return p;
-  }
-  bool atLineEnd() const { return at_ == end_ || isLineEnd(*at_); }
   /// Nothing but a comment is left of the block.
   bool atBlockEnd() const { return atLineEnd() || *at_ == ';'; }
   bool startsBlock() const { return block_.words.empty() && block_.items.empty(); }
@@ -155,10 +138,8 @@ private:
   void scanValue(AddressId address, const char *begin);
   bool scanNumber(Word &word, const char *begin);
   void scanIndexed(const char *begin, AddressId address);
-  void addWord(Word &word, const char *begin);
   void addExpression(AddressId address, const char *begin, uint16_t expression,
                      WordReading reading = WordReading::Modal);
-  uint16_t opaque(const char *begin, const char *end);
 
   void scanName();
   void scanStatement(Keyword keyword, const char *begin);
@@ -179,18 +160,6 @@ private:
   void scanArgument(Item &item, char separator, bool words);
   void scanAssignment(const char *begin);
   void structure(Structure structure, const char *begin, uint16_t condition = noExpression);
-  void add(Item &item) {
-    item.end = offset(at_);
-    block_.items.push_back(item);
-  }
-  Item itemAt(ItemKind kind, const char *begin) const {
-    Item item;
-    item.kind = kind;
-    item.wordsBefore = uint16_t(block_.words.size());
-    item.begin = offset(begin);
-    item.firstArgument = uint16_t(block_.arguments.size());
-    return item;
-  }
   SinumerikExpression parser() { return {base_, at_, end_, block_}; }
   uint16_t expression() {
     SinumerikExpression parser = this->parser();
@@ -207,10 +176,6 @@ private:
 
   const Dialect &dialect_;
   const llvm::StringMap<AddressId> &addresses_;
-  const char *base_;
-  const char *at_;
-  const char *end_;
-  Block &block_;
 };
 
 void Scanner::scan() {
@@ -232,12 +197,7 @@ void Scanner::scan() {
     }
   }
   block_.end = offset(std::max(content, base_ + block_.begin));
-  if (at_ < end_) {
-    const char c = *at_++;
-    if (c == '\r' && at_ < end_ && *at_ == '\n')
-      ++at_;
-  }
-  block_.next = offset(at_);
+  takeLineEnd();
   if (block_.kind == BlockKind::Normal && block_.isEmpty() && block_.issues.empty() &&
       block_.number < 0 && block_.skip < 0 && !block_.hasLabel())
     block_.kind = BlockKind::Empty;
@@ -394,19 +354,6 @@ void Scanner::scanNumberOfBlock(const char *begin) {
   }
 }
 
-void Scanner::addWord(Word &word, const char *begin) {
-  word.offset = offset(begin);
-  word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
-  const AddressMask mask = maskOf(word.address);
-  block_.words.push_back(word);
-  block_.repeated |= block_.addresses & mask;
-  block_.addresses |= mask;
-  if (word.flags & wordPoint)
-    block_.pointed |= mask;
-  else if (!(word.flags & (wordExpression | wordNoValue)) && word.mantissa)
-    block_.pointless |= mask;
-}
-
 void Scanner::addExpression(AddressId address, const char *begin, uint16_t expression,
                             WordReading reading) {
   Word word;
@@ -418,19 +365,6 @@ void Scanner::addExpression(AddressId address, const char *begin, uint16_t expre
 }
 
 /// An expression whose value no program decides.
-uint16_t Scanner::opaque(const char *begin, const char *end) {
-  Expression expression;
-  expression.first = uint32_t(block_.operations.size());
-  expression.count = 1;
-  expression.begin = offset(begin);
-  expression.end = offset(end);
-  block_.operations.push_back({Op::Opaque, offset(begin), 0});
-  if (block_.expressions.size() >= noExpression - 1)
-    return uint16_t(block_.expressions.size() - 1);
-  block_.expressions.push_back(expression);
-  return uint16_t(block_.expressions.size() - 1);
-}
-
 /// A letter and its number, or what else begins with a letter.
 void Scanner::scanLetter() {
   const char *const begin = at_;
