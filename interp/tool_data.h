@@ -15,7 +15,14 @@ inline int32_t radiusOffsetNumber(const Dialect &dialect, const MachineState &st
 /// list.
 inline const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
                                         const MachineState &state) {
-  const auto found = machine.tools.find(radiusOffsetNumber(dialect, state));
+  int32_t number = radiusOffsetNumber(dialect, state);
+  if (dialect.offsetsOfTool) {
+    // The list knows a tool's first edge.
+    if (number != notSet && number != 1)
+      return nullptr;
+    number = state.tool;
+  }
+  const auto found = machine.tools.find(number);
   return found == machine.tools.end() ? nullptr : &found->second;
 }
 

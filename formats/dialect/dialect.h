@@ -393,6 +393,7 @@ struct Dialect {
   bool cycleSurvivesMotion = false; ///< a motion code does not end a drilling cycle
   bool emptyBlocksRun = false;      ///< an active cycle runs in blocks without words too
   bool endReturns = false;          ///< a program end inside a called program leads back
+  bool offsetsOfTool = false;       ///< length and radius belong to the tool, not to numbers
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   Lexical lexical;
   Limits limits;

@@ -45,6 +45,7 @@ void DialectBuilder::build() {
                         "cycleSurvivesMotion",
                         "emptyBlocksRun",
                         "endReturns",
+                        "offsetsOfTool",
                         "variables",
                         "controls",
                         "mainExtensions",
@@ -88,6 +89,7 @@ void DialectBuilder::readHead() {
   in_.read(root_, "cycleSurvivesMotion", dialect_.cycleSurvivesMotion);
   in_.read(root_, "emptyBlocksRun", dialect_.emptyBlocksRun);
   in_.read(root_, "endReturns", dialect_.endReturns);
+  in_.read(root_, "offsetsOfTool", dialect_.offsetsOfTool);
   if (const Json *list = in_.member(root_, "mainExtensions"))
     dialect_.mainExtensions = in_.texts(*list);
   if (const Json *list = in_.member(root_, "subprogramExtensions"))

@@ -1,5 +1,5 @@
 // Codes that must not be used while radius compensation is on.
-#include "analyzer/rule.h"
+#include "analyzer/compensation_code.h"
 
 namespace ncvet {
 namespace {
@@ -27,11 +27,13 @@ public:
       return;
     if (auto finding = ctx.report(event, active == Truth::Yes)) {
       const CodeInfo *on = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
+      const std::string off = compensationOffCode(ctx.dialect(), ctx.after());
       finding
           .message("`{0}` while {1} is on: the control stops, or shifts the contour under the tool",
                    code.name, on ? "`" + on->name + "`" : std::string("compensation"))
           .note(ctx.after().origin.compensation, "compensation is switched on here")
-          .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
+          .fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
+               ctx.insertBlockBefore(off));
     }
   }
 

@@ -1,5 +1,5 @@
 // Radius compensation that is still on at a tool change, a return or the program's end.
-#include "analyzer/rule.h"
+#include "analyzer/compensation_code.h"
 
 #include <map>
 
@@ -55,22 +55,15 @@ private:
     if (auto finding = ctx.report(event, active == Truth::Yes && event.certain)) {
       finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);
       describe(finding, ctx);
+      const std::string off = compensationOffCode(ctx.dialect(), ctx.after());
       if (event.kind != EventKind::ToolChange)
-        finding.fix(FixSafety::Unsafe, "insert `G40` before this block",
-                    ctx.insertBlockBefore(offCode(ctx)));
+        finding.fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
+                    ctx.insertBlockBefore(off));
     }
   }
 
   static void describe(FindingBuilder &finding, RuleContext &ctx) {
     finding.note(ctx.after().origin.compensation, nameOf(ctx) + " is switched on here");
-  }
-
-  static std::string offCode(RuleContext &ctx) {
-    const GroupIndex group = ctx.dialect().group(StandardGroup::Compensation);
-    for (const CodeIndex member : ctx.dialect().groups[group].members)
-      if (ctx.dialect().codes[member].action == Action::CompensationOff)
-        return ctx.dialect().codes[member].name;
-    return "G40";
   }
 
   /// A cycle that reads a profile: its last block is where compensation has to be off again.

@@ -1,5 +1,5 @@
 // The side of compensation changed without switching it off in between.
-#include "analyzer/rule.h"
+#include "analyzer/compensation_code.h"
 #include "interp/tool_data.h"
 
 namespace ncvet {
@@ -8,6 +8,7 @@ namespace {
 class CompensationSideFlip final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    again_ = to.option("again", 0) != 0;
     to.on(EventKind::OffsetWord);
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
@@ -20,7 +21,9 @@ public:
   }
 
 private:
-  static void atCode(const Event &event, RuleContext &ctx) {
+  bool again_ = false; ///< a second code of the same side is reported as well
+
+  void atCode(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const Action other = code.action == Action::CompensationLeft ? Action::CompensationRight
                                                                  : Action::CompensationLeft;
@@ -29,16 +32,32 @@ private:
       return;
     const Truth flips = ctx.before().isActive(ctx.dialect(), StandardGroup::Compensation, {other});
     const CodeInfo *was = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
-    if (flips == Truth::No || !ctx.before().origin.compensation.known())
+    if (!ctx.before().origin.compensation.known())
       return;
-    if (auto finding = ctx.report(event, flips == Truth::Yes)) {
-      finding
-          .message("`{0}` while {1} is on: the tool changes the side without `G40` and crosses "
-                   "the contour",
-                   code.name, was ? "`" + was->name + "`" : std::string("the other side"))
-          .note(ctx.before().origin.compensation, "the other side is selected here")
-          .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
+    if (flips == Truth::No) {
+      if (again_ && was && was->action == code.action && ctx.before().compensation == phaseOn)
+        again(event, code, ctx);
+      return;
     }
+    if (auto finding = ctx.report(event, flips == Truth::Yes)) {
+      const std::string off = compensationOffCode(ctx.dialect(), ctx.before());
+      finding
+          .message("`{0}` while {1} is on: the tool changes the side without `{2}` and crosses "
+                   "the contour",
+                   code.name, was ? "`" + was->name + "`" : std::string("the other side"), off)
+          .note(ctx.before().origin.compensation, "the other side is selected here")
+          .fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
+               ctx.insertBlockBefore(off));
+    }
+  }
+
+  static void again(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` while compensation is on already: it starts anew in the middle of the "
+                   "contour",
+                   code.name)
+          .note(ctx.before().origin.compensation, "compensation is switched on here");
   }
 
   /// An offset of the other sign swaps the sides as well.

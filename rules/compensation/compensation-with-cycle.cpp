@@ -1,5 +1,7 @@
 // A drilling or threading cycle, or a thread, while radius compensation is on.
-#include "analyzer/rule.h"
+#include "analyzer/compensation_code.h"
+
+#include <set>
 
 namespace ncvet {
 namespace {
@@ -20,6 +22,14 @@ public:
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     if (active == Truth::No || !ctx.after().origin.compensation.known())
       return;
+    // Told where the cycle begins, not at each of its holes again.
+    const Origin &origin = ctx.after().origin.cycle;
+    if (code.action == Action::Cycle && origin.known()) {
+      if (event.kind == EventKind::CycleStart)
+        begun_.insert({origin.file, origin.begin});
+      else if (begun_.count({origin.file, origin.begin}) && !writes(origin, ctx))
+        return;
+    }
     const CodeUse *use = nullptr;
     for (const CodeUse &each : ctx.codes())
       if (each.code == event.code)
@@ -27,19 +37,43 @@ public:
     const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();
     if (auto finding = ctx.report(where, active == Truth::Yes && event.certain)) {
       const CodeInfo *on = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
+      const std::string off = compensationOffCode(ctx.dialect(), ctx.after());
       const bool thread = code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
                           code.cycle == CycleKind::ThreadMulti;
       finding
           .message(thread ? "`{0}` cuts a thread while {1} is on: the control stops, or the thread "
                             "is displaced"
-                          : "`{0}` while {1} is on: the hole is not made, or in another place",
+                 : mills(code.cycle)
+                     ? "`{0}` while {1} is on: the control stops, or the cycle runs on another path"
+                     : "`{0}` while {1} is on: the hole is not made, or in another place",
                    code.name, on ? "`" + on->name + "`" : std::string("compensation"))
           .note(ctx.after().origin.compensation, "compensation is switched on here")
-          .fix(FixSafety::Unsafe, "insert `G40` before this block", ctx.insertBlockBefore("G40"));
+          .fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
+               ctx.insertBlockBefore(off));
     }
   }
 
 private:
+  /// Whether the block at hand is the one that makes the cycle active.
+  static bool writes(const Origin &origin, const RuleContext &ctx) {
+    return origin.file == ctx.source().id() && origin.begin >= ctx.block().begin &&
+           origin.begin < ctx.block().end;
+  }
+
+  static bool mills(CycleKind cycle) {
+    switch (cycle) {
+    case CycleKind::Face:
+    case CycleKind::Contour:
+    case CycleKind::Pocket:
+    case CycleKind::Slot:
+    case CycleKind::ThreadMill:
+    case CycleKind::Measure:
+      return true;
+    default:
+      return false;
+    }
+  }
+
   static bool forbidden(CycleKind cycle) {
     switch (cycle) {
     case CycleKind::None:
@@ -54,6 +88,8 @@ private:
       return true;
     }
   }
+
+  std::set<std::pair<FileId, uint32_t>> begun_; ///< where cycles under compensation begin
 };
 
 } // namespace

@@ -10,7 +10,6 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CompensationMove);
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
-    byTool_ = to.option("byTool", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -28,24 +27,16 @@ public:
   }
 
 private:
-  bool byTool_ = false; ///< the radius comes with the tool, not with a word
-
   void check(const CodeInfo &code, const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
     const bool lathe = ctx.dialect().isLathe();
-    if (byTool_) {
-      if (state.tool != notSet || state.may(Fact::ToolCalled) || state.may(Fact::UnknownCode))
-        return;
-      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
-        finding.message(
-            "`{0}` before any tool was changed in: the radius is zero, the tool runs on "
-            "the contour line",
-            code.name);
-      return;
-    }
     const int32_t number = radiusOffsetNumber(ctx.dialect(), state);
     const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
     const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();
+    if (ctx.dialect().offsetsOfTool && number != 0) {
+      ofTool(code, where, event, ctx);
+      return;
+    }
     if (number == notSet || number == 0) {
       // Some older controls keep radii in the H table.
       if (state.must(Fact::UnknownCode) || (!lathe && ctx.block().has(letterAddress('H'))))
@@ -80,6 +71,23 @@ private:
                    code.name, lathe ? "offset" : "D", number, lathe ? "nose radius" : "radius")
           .note(lathe ? state.origin.tool : state.origin.radiusOffset,
                 lathe ? "the tool is called here" : "D is set here");
+  }
+
+  /// The radius comes with the tool, without a number of its own.
+  static void ofTool(const CodeInfo &code, SourceRange where, const Event &event,
+                     RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), state);
+    const bool none =
+        state.tool == notSet && !state.may(Fact::ToolCalled) && !state.may(Fact::UnknownCode);
+    if (!none && !(tool && tool->radius && *tool->radius == 0))
+      return;
+    if (auto finding = ctx.report(where, event.certain))
+      finding
+          .message("`{0}` {1}: the tool runs on the contour line", code.name,
+                   none ? "before any tool was changed in: the radius is zero"
+                        : llvm::formatv("with tool {0}, whose radius is 0", state.tool).str())
+          .note(state.origin.tool, "the tool is called here");
   }
 };
 

@@ -59,9 +59,9 @@ public:
       if (startKnown && from.value() <= level + tolerance && dialect.isLathe())
         return;
       if (auto finding = ctx.report(word, event.certain && (startKnown || !dialect.isLathe())))
-        finding.message("R ({0}) of `{1}` lies below the depth {2}: there is nothing to drill "
+        finding.message("{0} ({1}) of `{2}` lies below the depth {3}: there is nothing to drill "
                         "between them",
-                        text(*r), code.name, text(*z));
+                        retractOf(code), text(*r), code.name, text(*z));
       return;
     }
     // Where the planes are parameters the way to the hole is made before the tool rises to them:
@@ -71,8 +71,8 @@ public:
       const bool inside = from.value() < depth - tolerance;
       if (auto finding = ctx.report(word, event.certain && inside))
         finding
-            .message("`{0}` begins at {1}, below its R ({2}): the tool rises to R at rapid first",
-                     code.name, text(from.value() / *unit), text(*r))
+            .message("`{0}` begins at {1}, below its {3} ({2}): the tool rises to {3} at rapid first",
+                     code.name, text(from.value() / *unit), text(*r), retractOf(code))
             .severity(inside ? Severity::Warning : Severity::Style);
     }
   }
@@ -103,6 +103,14 @@ private:
         finding.severity(Severity::Warning)
             .message("the depth {0} of `{1}` is not below the surface, which is Z0", text(depth),
                      code.name);
+  }
+
+  /// What the control calls the level from which it drills.
+  static std::string retractOf(const CodeInfo &code) {
+    for (const WordSpec &word : code.words)
+      if (word.role == Role::Retract && !word.name.empty())
+        return word.name;
+    return "R";
   }
 
   static std::string text(double value) {

@@ -32,7 +32,8 @@ public:
     if (event.kind == EventKind::CycleRun)
       return running(*cycle, ctx);
     const CodeInfo &code = ctx.code(event);
-    if (&code == cycle)
+    // A pattern runs the active cycle at each of its places.
+    if (&code == cycle || code.cycle == CycleKind::Pattern)
       return;
     auto finding = ctx.report(event);
     if (!finding)

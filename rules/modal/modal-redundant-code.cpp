@@ -1,4 +1,5 @@
-// A code that switches off what is off already.
+// Codes and words that change nothing: a code that switches off what is off already, a feed in a
+// rapid block, an increment under incremental dimensions, a block that holds nothing.
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -7,23 +8,44 @@ namespace {
 class ModalRedundantCode final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("wanted", 0) != 0)
+    wanted_ = to.option("wanted", 0) != 0;
+    neverCalled_ = to.option("cycleOff", 0) != 0;
+    if (wanted_)
       to.onAction({Action::CompensationOff});
+    if (wanted_ || neverCalled_)
+      to.onAction({Action::CycleCancel});
     if (to.option("emptyBlocks", 0) != 0)
       to.on(EventKind::Block);
-    if (to.option("cycleOff", 0) != 0)
-      to.onAction({Action::CycleCancel});
+    // Controls with words that are distances by themselves.
+    if (wanted_ && to.dialect().incrementWords)
+      to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
     to.onNotices(id);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Block)
       return emptyBlock(ctx);
+    if (event.kind == EventKind::Motion)
+      return increment(ctx);
     ctx.reportNotices(id, event);
-    if (ctx.code(event).action == Action::CycleCancel)
-      return cycleOff(event, ctx);
-    if (ctx.code(event).action != Action::CompensationOff)
-      return;
+    const Action action = ctx.code(event).action;
+    if (action == Action::CycleCancel) {
+      if (wanted_)
+        cycleOffAgain(event, ctx);
+      if (neverCalled_)
+        cycleOff(event, ctx);
+    } else if (action == Action::CompensationOff && wanted_) {
+      compensationOff(event, ctx);
+    }
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"modal-redundant-code"};
+
+  /// A line of several modes, which states them all whatever they are.
+  static bool isSafeLine(const RuleContext &ctx) { return ctx.codes().size() > 2; }
+
+  static void compensationOff(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before();
     const CodeInfo &code = ctx.code(event);
     // The first one, and one at the head of a tool's section, makes the state certain.
@@ -37,8 +59,18 @@ public:
           .note(before.origin.group[code.group], "since here");
   }
 
-private:
-  static constexpr llvm::StringLiteral id{"modal-redundant-code"};
+  /// As for compensation: only behind a cycle that has ended.
+  static void cycleOffAgain(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const CodeInfo &code = ctx.code(event);
+    if (code.group == noGroup || before.group[code.group] != (uint64_t(1) << code.bit) ||
+        !(before.statedMust >> code.group & 1) || !before.must(Fact::MovedSinceTool) ||
+        before.may(Fact::UnknownCode) || isSafeLine(ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}`: no cycle is active", code.name)
+          .note(before.origin.group[code.group], "since here");
+  }
 
   /// Advice: a block that holds a number and nothing else.
   static void emptyBlock(RuleContext &ctx) {
@@ -63,8 +95,22 @@ private:
           .message("`{0}`: no cycle was called before", ctx.code(event).name);
   }
 
-  /// A line of several modes, which states them all whatever they are.
-  static bool isSafeLine(const RuleContext &ctx) { return ctx.codes().size() > 2; }
+  static void increment(RuleContext &ctx) {
+    if (ctx.before().activeAction(ctx.dialect(), StandardGroup::Distance) != Action::Incremental ||
+        ctx.find({Action::Absolute}))
+      return;
+    for (const Word &word : ctx.block().words)
+      if (ctx.dialect().incrementWords & maskOf(word.address))
+        if (auto finding = ctx.report(word))
+          finding
+              .message("`{0}` is a distance by itself: under `{1}` the plain word says the same",
+                       ctx.text(word),
+                       ctx.before().activeCode(ctx.dialect(), StandardGroup::Distance)->name)
+              .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Distance), "since here");
+  }
+
+  bool wanted_ = false;
+  bool neverCalled_ = false; ///< a cancel in front of every cycle is advised against
 };
 
 } // namespace

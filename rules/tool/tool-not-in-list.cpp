@@ -6,7 +6,11 @@ namespace {
 
 class ToolNotInList final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::ToolWord, EventKind::OffsetWord}); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::ToolWord);
+    if (!to.dialect().offsetsOfTool)
+      to.on(EventKind::OffsetWord);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (!ctx.machine().hasTools || !event.value.isConstant() || event.value.value() < 0 ||
