@@ -146,6 +146,13 @@ void Execution::setSpindle(uint8_t direction, const CodeUse &use) {
   state_.origin.spindle = originOf(*use.word);
 }
 
+/// Whether a code of the block sets the spindle going, in front of another one or behind it.
+bool Execution::startsSpindle() const {
+  return llvm::any_of(outcome_.codes, [&](const CodeUse &use) {
+    return info(use).action == Action::SpindleCw || info(use).action == Action::SpindleCcw;
+  });
+}
+
 void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
   const unsigned index = code.effect.index;
   if (index >= maxSwitches)
@@ -159,6 +166,12 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
     for (const Word &word : block_.words)
       if ((dialect_.axisWords & maskOf(word.address)) || word.address == argumentAddress) {
         const Interval v = value(word);
+        known &= v.isConstant();
+        zero &= v.isConstant() && v.value() == 0;
+      }
+    for (const WordSpec &spec : code.words)
+      if (const Word *word = spec.position ? block_.argument(spec.position) : nullptr) {
+        const Interval v = value(*word);
         known &= v.isConstant();
         zero &= v.isConstant() && v.value() == 0;
       }
@@ -216,6 +229,12 @@ void Execution::applyEarly(const CodeUse &use) {
       changeTool(tool, notSet, *use.word, use.code);
     } else {
       changeTool(state_.tool == notSet ? notKnown : state_.tool, notSet, *use.word, use.code);
+    }
+    if (code.stopsSpindle && !startsSpindle()) {
+      if (state_.spindle & (spindleCw | spindleCcw))
+        state_.set(Fact::SpindleStoppedByTap);
+      state_.spindle = spindleOff;
+      state_.origin.spindle = originOf(*use.word);
     }
     break;
   case Action::Reset:
@@ -345,6 +364,8 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
   event.code = by;
   event.number = tool;
   state_.tool = tool;
+  if (dialect_.offsetsOfTool)
+    state_.lengthOffset = notSet;
   state_.preselected = notSet;
   state_.origin.tool = originOf(word);
   state_.set(Fact::ToolCalled);

@@ -398,7 +398,9 @@ void Execution::technologyWords() {
       break;
     case letterAddress('H'):
     case letterAddress('D'): {
-      const bool isD = word.address == letterAddress('D');
+      // A D that is a length says something of the tool's length only: D0 takes it away.
+      const bool isD = word.address == letterAddress('D') &&
+                       dialect_.addresses[word.address].unit != AddressUnit::Length;
       if (isD && cycleTakesD)
         break;
       if (dialect_.addresses[word.address].kind == AddressKind::Increment ||

@@ -45,6 +45,7 @@ private:
   void applyLate(const CodeUse &use);
   void applySwitch(const CodeInfo &info, const CodeUse &use);
   void activate(const CodeInfo &info, const Word *word);
+  bool startsSpindle() const;
   void setSpindle(uint8_t direction, const CodeUse &use);
   void changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by);
   void toolWord(const Word &word);

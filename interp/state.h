@@ -39,7 +39,7 @@ enum class Fact : uint8_t {
   MovedSincePreset,    ///< an axis has moved since G92 shifted the system
   SkipMoveDone,        ///< a skip move (G31) was the last measuring move
   SpindleStated,       ///< M03, M04 or M05 was executed
-  SpindleStoppedByTap, ///< a rigid tapping cycle left the spindle standing
+  SpindleStoppedByTap, ///< rigid tapping, or a code that is for something else, left it standing
   CycleRan,            ///< the active cycle has run at least once
   InContour,           ///< in a program that a milling cycle reads as a contour
   ContourBegun,        ///< … behind its first position

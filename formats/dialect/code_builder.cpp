@@ -16,7 +16,7 @@ llvm::ArrayRef<llvm::StringRef> codeKeys() {
       "title",     "group",    "does",         "cycle",    "cancelsCycle", "takes",   "needs",
       "fires",     "opposite", "spindle",      "words",    "excludes",     "notices", "variants",
       "switch",    "alone",    "exclusive",    "twoBlock", "source",       "waits",   "ownMove",
-      "arguments", "foreign",  "cancelsCalls", "family"};
+      "arguments", "foreign",  "cancelsCalls", "family",   "stopsSpindle"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -111,6 +111,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "twoBlock", info.twoBlock);
   in_.read(value, "waits", info.waits);
   in_.read(value, "ownMove", info.ownMove);
+  in_.read(value, "stopsSpindle", info.stopsSpindle);
   in_.read(value, "family", info.family);
   in_.read(value, "cancelsCalls", info.cancelsCalls);
   in_.read(value, "foreign", info.foreign);

@@ -242,6 +242,7 @@ struct CodeInfo {
   bool exclusive = false;         ///< one-shot action: only one such code per block
   std::string family;             ///< of cycles and what cancels them; empty: all are one
   bool firesInPlane = false;      ///< runs with every move in the plane, in its own block too
+  bool stopsSpindle = false;      ///< the spindle stands behind it, unless its block starts it
   bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
   bool waits = false;        ///< a modal cycle that does not run in its own block
   bool cancelsCalls = false; ///< ends a modal call of a program too

@@ -38,7 +38,10 @@ public:
     const Dialect &dialect = ctx.dialect();
     for (const Word &word : ctx.block().words) {
       const AddressMask mask = maskOf(word.address);
-      if ((mask & dialect.plain) || !(mask & dialect.known) || (mask & *taken) ||
+      // Words that limit or position the spindle, and switches, act by themselves.
+      const AddressMask alone =
+          dialect.plain | dialect.speedLimitWords | dialect.orientWords | dialect.switchWords;
+      if ((mask & alone) || !(mask & dialect.known) || (mask & *taken) ||
           word.address == letterAddress('N') || word.address == letterAddress('O'))
         continue;
       if (auto finding = ctx.report(word))

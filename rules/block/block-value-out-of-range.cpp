@@ -57,10 +57,15 @@ private:
     const AddressInfo &address = ctx.dialect().addresses[event.word->address];
     if (!(event.value.hi < address.least) && !(event.value.lo > address.most))
       return;
+    const auto number = [](double bound) {
+      return llvm::formatv("{0}", llvm::format("%g", bound)).str();
+    };
+    const std::string range = !std::isfinite(address.least) ? "at most " + number(address.most)
+                              : !std::isfinite(address.most)
+                                  ? "at least " + number(address.least)
+                                  : "from " + number(address.least) + " to " + number(address.most);
     if (auto finding = ctx.report(*event.word))
-      finding.message("`{0}` ({1}) is not from {2} to {3}", ctx.text(*event.word), address.title,
-                      llvm::formatv("{0}", llvm::format("%g", address.least)),
-                      llvm::formatv("{0}", llvm::format("%g", address.most)));
+      finding.message("`{0}` ({1}) is not {2}", ctx.text(*event.word), address.title, range);
   }
 
   static void skipLevel(const Event &event, RuleContext &ctx) {

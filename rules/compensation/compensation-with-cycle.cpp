@@ -41,12 +41,13 @@ public:
       const bool thread = code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
                           code.cycle == CycleKind::ThreadMulti;
       finding
-          .message(thread ? "`{0}` cuts a thread while {1} is on: the control stops, or the thread "
-                            "is displaced"
-                 : mills(code.cycle)
-                     ? "`{0}` while {1} is on: the control stops, or the cycle runs on another path"
-                     : "`{0}` while {1} is on: the hole is not made, or in another place",
-                   code.name, on ? "`" + on->name + "`" : std::string("compensation"))
+          .message(
+              thread ? "`{0}` cuts a thread while {1} is on: the control stops, or the thread "
+                       "is displaced"
+              : mills(code.cycle)
+                  ? "`{0}` while {1} is on: the control stops, or the cycle runs on another path"
+                  : "`{0}` while {1} is on: the hole is not made, or in another place",
+              code.name, on ? "`" + on->name + "`" : std::string("compensation"))
           .note(ctx.after().origin.compensation, "compensation is switched on here")
           .fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                ctx.insertBlockBefore(off));

@@ -71,8 +71,9 @@ public:
       const bool inside = from.value() < depth - tolerance;
       if (auto finding = ctx.report(word, event.certain && inside))
         finding
-            .message("`{0}` begins at {1}, below its {3} ({2}): the tool rises to {3} at rapid first",
-                     code.name, text(from.value() / *unit), text(*r), retractOf(code))
+            .message(
+                "`{0}` begins at {1}, below its {3} ({2}): the tool rises to {3} at rapid first",
+                code.name, text(from.value() / *unit), text(*r), retractOf(code))
             .severity(inside ? Severity::Warning : Severity::Style);
     }
   }

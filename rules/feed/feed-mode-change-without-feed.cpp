@@ -72,7 +72,9 @@ private:
   static bool changed(const Origin &mode, const RuleContext &ctx) {
     Block block;
     const auto &reader = ctx.index().reader();
-    CodeIndex last = noCode;
+    // What holds at the start counts as stated where the table knows it.
+    const GroupInfo &group = ctx.dialect().groups[ctx.dialect().group(StandardGroup::FeedMode)];
+    CodeIndex last = group.initial < group.members.size() ? group.members[group.initial] : noCode;
     for (uint32_t at = ctx.index().programAt(mode.begin).body; at <= mode.begin; at = block.next) {
       reader.read(at, block);
       for (const Word &word : block.words) {

@@ -15,7 +15,8 @@ public:
     always_ = to.option("atToolChange", 0) > 1;
     if (to.option("atEnd", 0) != 0) {
       to.on(EventKind::ProgramEnd);
-      to.onAction({Action::ProgramStop});
+      if (to.option("atStop", 0) != 0)
+        to.onAction({Action::ProgramStop});
       atEnd_ = true;
     }
   }

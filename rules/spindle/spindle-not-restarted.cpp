@@ -1,4 +1,4 @@
-// A cut behind rigid tapping, which has left the spindle standing.
+// A cut behind rigid tapping or a tool change, which has left the spindle standing.
 #include "analyzer/lookahead.h"
 #include "analyzer/once.h"
 
@@ -31,14 +31,22 @@ public:
     const bool certain = event.certain && ctx.before().must(Fact::SpindleStoppedByTap);
     if (!certain && ctx.before().may(Fact::UnknownCode))
       return;
-    if (!once_.speaks(ctx.before().origin.cycle, ctx))
+    if (!once_.speaks(stoppedBy(ctx) ? ctx.before().origin.spindle : ctx.before().origin.cycle,
+                      ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), certain)) {
-      finding
-          .message("`{0}` cuts behind rigid tapping: the tapping cycle has stopped the spindle and "
-                   "nothing starts it again",
-                   code.name)
-          .note(ctx.before().origin.cycle, "the tapping cycle is called here");
+      if (const CodeInfo *stop = stoppedBy(ctx))
+        finding
+            .message(
+                "`{0}` cuts behind `{1}`, which has stopped the spindle: nothing starts it again",
+                code.name, stop->name)
+            .note(ctx.before().origin.spindle, "the spindle is stopped here");
+      else
+        finding
+            .message("`{0}` cuts behind rigid tapping: the tapping cycle has stopped the spindle "
+                     "and nothing starts it again",
+                     code.name)
+            .note(ctx.before().origin.cycle, "the tapping cycle is called here");
       for (const CodeInfo &start : ctx.dialect().codes)
         if (start.action == Action::SpindleCw) {
           finding.fix(FixSafety::Unsafe, "insert `" + start.name + "` before this block",
@@ -49,6 +57,16 @@ public:
   }
 
 private:
+  /// The code that stopped the spindle besides doing its own work; null: a tapping cycle did.
+  static const CodeInfo *stoppedBy(const RuleContext &ctx) {
+    const Origin &origin = ctx.before().origin.spindle;
+    if (!origin.known() || origin.file != ctx.source().id())
+      return nullptr;
+    const CodeIndex code = ctx.dialect().find(ctx.text(origin.range()));
+    return code != noCode && ctx.dialect().codes[code].stopsSpindle ? &ctx.dialect().codes[code]
+                                                                    : nullptr;
+  }
+
   /// A tapping cycle turns the spindle round, and nothing says which way it turns behind it.
   void directionAfterTap(const Event &event, RuleContext &ctx) {
     if (event.code == noCode)

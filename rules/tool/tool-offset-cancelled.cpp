@@ -1,4 +1,4 @@
-// Work with a lathe tool whose offset is cancelled.
+// Work with a tool whose offset is cancelled.
 #include "analyzer/once.h"
 
 namespace ncvet {
@@ -8,7 +8,8 @@ class ToolOffsetCancelled final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     edges_ = to.option("edges", 0) != 0;
-    if (to.dialect().isLathe() || edges_)
+    length_ = to.option("length", 0) != 0;
+    if (to.dialect().isLathe() || edges_ || length_)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
@@ -16,6 +17,10 @@ public:
     const MachineState &state = ctx.after();
     if (edges_) {
       withoutEdge(event, ctx);
+      return;
+    }
+    if (length_) {
+      withoutLength(event, ctx);
       return;
     }
     // A machine position needs no offset, nor does the reference point.
@@ -54,7 +59,33 @@ private:
     }
   }
 
+  /// D0 suspends the tool's length until G43, G44 or the next change.
+  void withoutLength(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Origin &off = state.origin.lengthOffset;
+    if (event.kind != EventKind::Motion || ctx.before().lengthOffset != 0 ||
+        state.lengthOffset != 0 || event.number == 1 || state.may(Fact::UnknownCode) ||
+        !state.must(Fact::ToolCalled) ||
+        !(event.axes >> unsigned(toolAxis(ctx.dialect(), state)) & 1))
+      return;
+    const CodeIndex on = ctx.dialect().find("G43");
+    if (on != noCode && ctx.dialect().codes[on].group != noGroup) {
+      const Origin &restored = state.origin.group[ctx.dialect().codes[on].group];
+      if (restored.known() && (restored.file != off.file || restored.begin > off.begin))
+        return;
+    }
+    if (!once_.speaks(off, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding
+          .message("the tool moves along its axis with its length suspended: every depth is wrong "
+                   "by the length")
+          .severity(Severity::Warning)
+          .note(off, "`D0` suspends it here");
+  }
+
   bool edges_ = false;
+  bool length_ = false;
   OncePerCause once_;
 };
 

@@ -1,4 +1,4 @@
-// A lathe's tool word that does not name station and offset with two digits each.
+// A tool word that does not have the digits of this control: station and offset on lathes.
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -7,7 +7,8 @@ namespace {
 class ToolWordFormat final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().isLathe())
+    digits_ = unsigned(to.option("digits", 0));
+    if (to.dialect().isLathe() || digits_ != 0)
       to.on(EventKind::ToolWord);
   }
 
@@ -18,6 +19,13 @@ public:
       return;
     const llvm::StringRef digits = ctx.text(word).drop_front().ltrim(" +-");
     const size_t count = digits.take_while([](char c) { return c >= '0' && c <= '9'; }).size();
+    if (digits_ != 0) {
+      if (count > digits_)
+        if (auto finding = ctx.report(word))
+          finding.message("`{0}` has {1} digits: a tool's number has at most {2}", ctx.text(word),
+                          count, digits_);
+      return;
+    }
     const bool point = !word.isWhole() || word.has(wordPoint) || word.has(wordMinus);
     if ((count == 3 || count == 4) && !point)
       return;
@@ -35,6 +43,9 @@ public:
       finding.message("`{0}` has {1} digits: the control wants station and offset, two digits each",
                       ctx.text(word), count);
   }
+
+private:
+  unsigned digits_ = 0; ///< a mill's tool number has at most so many
 };
 
 } // namespace
