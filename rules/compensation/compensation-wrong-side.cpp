@@ -1,5 +1,7 @@
-// Nose radius compensation on the side of the material.
+// Radius compensation on the side of the material.
 #include "analyzer/rule.h"
+
+#include <algorithm>
 
 namespace ncvet {
 namespace {
@@ -9,11 +11,23 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
       to.on(EventKind::Motion);
+    else if (to.option("mills", 0) != 0)
+      to.on({EventKind::Motion, EventKind::CompensationMove});
   }
 
+  void on(const Event &event, RuleContext &ctx) override {
+    if (ctx.dialect().isLathe())
+      onLathe(event, ctx);
+    else if (event.kind == EventKind::CompensationMove)
+      enters(event, ctx);
+    else
+      firstElement(event, ctx);
+  }
+
+private:
   /// Looks at the first element behind the entry. Cut towards the chuck, an outside contour grows
   /// and a bore shrinks; only when the entry came from the same side is it taken for certain.
-  void on(const Event &event, RuleContext &ctx) override {
+  static void onLathe(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before(), &after = ctx.after();
     const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                       event.motion == MotionKind::ArcCcw;
@@ -51,13 +65,73 @@ public:
           .note(ctx.blockRange(), outside ? "here the contour grows" : "here the bore shrinks");
   }
 
-private:
   static std::string nameOf(Action action, const Dialect &dialect) {
     for (const CodeInfo &code : dialect.codes)
       if (code.action == action)
         return code.name;
     return "the other side";
   }
+
+  using Point = std::array<Interval, 2>;
+
+  /// The position in the plane.
+  static Point pointOf(const MachineState &state, const Dialect &dialect) {
+    switch (state.activeAction(dialect, StandardGroup::Plane)) {
+    case Action::PlaneZX:
+      return {state.at(Axis::Z), state.at(Axis::X)};
+    case Action::PlaneYZ:
+      return {state.at(Axis::Y), state.at(Axis::Z)};
+    default:
+      return {state.at(Axis::X), state.at(Axis::Y)};
+    }
+  }
+
+  void enters(const Event &event, RuleContext &ctx) {
+    known_ = event.code != noCode && ctx.code(event).action != Action::CompensationOff;
+    from_ = pointOf(ctx.before(), ctx.dialect());
+    to_ = pointOf(ctx.after(), ctx.dialect());
+    entry_ = ctx.blockRange();
+  }
+
+  /// A mill that comes from beside the first element has to come from the side on which it stays.
+  void firstElement(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    if (!known_ || before.compensation != phaseOn || !event.axes)
+      return;
+    const Point end = pointOf(after, ctx.dialect());
+    const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
+    const bool whole = std::all_of(from_.begin(), from_.end(),
+                                   [](const Interval &each) { return each.isConstant(); }) &&
+                       to_[0].isConstant() && to_[1].isConstant() && end[0].isConstant() &&
+                       end[1].isConstant();
+    if (!whole || !code || before.may(Fact::UnknownCode)) {
+      known_ = false;
+      return;
+    }
+    const double dx = end[0].value() - to_[0].value(), dy = end[1].value() - to_[1].value();
+    if (dx == 0 && dy == 0)
+      return; // a move along the tool axis
+    known_ = false;
+    const double ex = from_[0].value() - to_[0].value(), ey = from_[1].value() - to_[1].value();
+    const double left = dx * ey - dy * ex, along = dx * ex + dy * ey;
+    constexpr double tolerance = 1e-3;
+    const bool right = code->action == Action::CompensationRight;
+    if (event.motion != MotionKind::Feed || along < -tolerance ||
+        (right ? left <= tolerance : left >= -tolerance))
+      return;
+    const Origin &origin = after.origin.compensation;
+    const bool here = origin.known() && origin.file == ctx.source().id();
+    if (auto finding = ctx.report(here ? origin.range() : entry_, event.certain))
+      finding
+          .message("`{0}` keeps the tool {1} of the contour, and it comes from the other side: it "
+                   "crosses the first element",
+                   code->name, right ? "right" : "left")
+          .note(ctx.blockRange(), "the first element");
+  }
+
+  bool known_ = false; ///< of the last entry: from where to where
+  Point from_{}, to_{};
+  SourceRange entry_{};
 };
 
 } // namespace
