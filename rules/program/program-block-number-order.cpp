@@ -20,11 +20,8 @@ public:
       return beginsInside(ctx);
     if (WordIssue(event.number) != WordIssue::NumberInside)
       return;
-    // A local call may name its target so, and a code may take the letter for something of its own.
-    if (ctx.find({Action::CallLocal, Action::MacroCall, Action::MacroModal}) ||
-        llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
-          return ctx.code(use).takes & maskOf(event.word->address);
-        }))
+    // A local call may name its target so.
+    if (ctx.find({Action::CallLocal, Action::MacroCall, Action::MacroModal}))
       return;
     // The number of an origin or a target is a word of its code.
     for (const CodeUse &use : ctx.codes()) {
