@@ -87,7 +87,9 @@ private:
   }
 
   void enters(const Event &event, RuleContext &ctx) {
-    known_ = event.code != noCode && ctx.code(event).action != Action::CompensationOff;
+    // With AGAP=N the block of the code is the first element itself.
+    known_ = event.code != noCode && ctx.code(event).action != Action::CompensationOff &&
+             ctx.machine().option("agap").value_or("") != "N";
     from_ = pointOf(ctx.before(), ctx.dialect());
     to_ = pointOf(ctx.after(), ctx.dialect());
     entry_ = ctx.blockRange();
