@@ -1,5 +1,5 @@
-// Compensation with a negative radius, which swaps its sides.
-#include "analyzer/rule.h"
+// Compensation with a negative radius, which swaps its sides, and a stock that is left set.
+#include "analyzer/left_on.h"
 #include "interp/tool_data.h"
 
 namespace ncvet {
@@ -9,9 +9,12 @@ class CompensationRadiusAllowance final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::CompensationMove, EventKind::OffsetWord});
+    listenForLeftOn(id, to);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::ProgramEnd || event.kind == EventKind::ToolChange)
+      return reportLeftOn(id, event, ctx);
     const Dialect &dialect = ctx.dialect();
     const CodeInfo *code = ctx.after().activeCode(dialect, StandardGroup::Compensation);
     if (!code ||
@@ -39,6 +42,9 @@ public:
                 dialect.isLathe() ? "the offset is called here" : "the offset is selected here");
     }
   }
+
+private:
+  static constexpr llvm::StringLiteral id{"compensation-radius-allowance"};
 };
 
 } // namespace
