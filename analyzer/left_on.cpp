@@ -13,8 +13,13 @@ namespace {
 std::string offBlock(const SwitchInfo &info, uint16_t axes, const Dialect &dialect) {
   const llvm::StringRef name = llvm::StringRef(info.off).split(' ').first;
   const CodeIndex index = dialect.find(name);
-  if (index == noCode)
-    return "";
+  if (index == noCode) {
+    // A call, an instruction or a word with its values: `TRANSLATE(0,0,0)`, `<DRA:0>`, `RNDM=0`.
+    const bool call = dialect.find(name.split('(').first) != noCode;
+    const bool instruction =
+        name.contains(':') && dialect.find(name.split(':').first.str() + ">") != noCode;
+    return call || instruction || name.contains('=') ? info.off : "";
+  }
   std::string block = name.str();
   const bool perAxis = dialect.codes[index].action == Action::MirrorOff;
   if (!perAxis && !llvm::StringRef(info.off).contains("zero"))
