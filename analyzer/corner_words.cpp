@@ -17,9 +17,12 @@ CornerAddresses cornerAddresses(const Dialect &dialect) {
       result.angle |= takes & maskOf('A');
   }
   result.plain = result.chamfer | result.rounding | result.angle;
-  result.chamfer |= (takes & maskOf(commaC)) | dialect.cornerWords;
+  result.chamfer |= takes & maskOf(commaC);
   result.rounding |= takes & maskOf(commaR);
-  result.angle |= takes & maskOf(commaA);
+  for (unsigned address = 0; address < addressCount; ++address)
+    if (const AddressInfo &info = dialect.addresses[address]; info.corner)
+      (info.rounding ? result.rounding : result.chamfer) |= maskOf(AddressId(address));
+  result.angle |= (takes & maskOf(commaA)) | dialect.lineAngleWords;
   return result;
 }
 

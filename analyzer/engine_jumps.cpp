@@ -246,6 +246,9 @@ std::optional<uint32_t> Engine::resolve(Activation &activation, const Live &live
     usedLabels_.insert(unit.reader->labelKey(text));
     offset = unit.index.label(program, text, at, searchOf(kind));
   } else {
+    if (target.kind ==
+        ArgumentKind::Name) // no place at all: how it is written is a rule's business
+      return std::nullopt;
     const Value number = target.kind == ArgumentKind::Empty
                              ? Value::vacant()
                              : evaluate(block_, target.expression, live.state, nullptr);

@@ -369,7 +369,7 @@ const Word *undefinedElement(const RuleContext &ctx) {
     return nullptr;
   const Word &word = block.words.front();
   const AddressInfo &address = ctx.dialect().addresses[word.address];
-  if (address.kind != AddressKind::Polar || address.unit != AddressUnit::Whole)
+  if (address.kind != AddressKind::Element)
     return nullptr;
   const llvm::StringRef name = ctx.text(word), text = ctx.source().text();
   for (size_t at = text.find_insensitive(name); at != llvm::StringRef::npos;

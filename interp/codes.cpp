@@ -1,5 +1,6 @@
 // The effect of single G and M codes: modal groups, spindle, coolant, tools, switches.
 #include "interp/execution.h"
+#include "interp/formula.h"
 
 #include <cmath>
 
@@ -201,11 +202,28 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
   }
 }
 
+/// What the code leaves behind for the formulas of later ones.
+void Execution::applyStores(const CodeInfo &code) {
+  for (const Store &store : code.stores) {
+    if (!store.when.empty() && truthOf(store.when, code, context_) == Truth::No)
+      continue;
+    if (store.forgets)
+      state_.commons.erase(store.variable);
+    else if (store.value.empty() ||
+             (!store.when.empty() && truthOf(store.when, code, context_) == Truth::Unknown))
+      state_.commons.set(store.variable, Value::unknown());
+    else if (const auto value = valueOf(store.value, code, context_))
+      state_.commons.set(store.variable, Value::of(*value));
+  }
+}
+
 /// What takes effect before the block's motion.
 void Execution::applyEarly(const CodeUse &use) {
   const CodeInfo &code = info(use);
   if (code.effect.index != 0xFF)
     applySwitch(code, use);
+  if (!code.stores.empty())
+    applyStores(code);
   switch (code.action) {
   case Action::SpindleCw:
     setSpindle(spindleCw, use);
@@ -374,6 +392,8 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
   state_.clear(Fact::LengthSinceTool);
   state_.clear(Fact::OrientedSinceTool);
   state_.clear(Fact::PlungedUncompensated);
+  if (dialect_.lengthByTool != noGroup)
+    state_.group[dialect_.lengthByTool] = groupUnset;
   state_.fedFrom = Interval::unknown();
   state_.cutArea.fill(emptyInterval);
   if (dialect_.isLathe()) {

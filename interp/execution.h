@@ -44,6 +44,7 @@ private:
   void applyEarly(const CodeUse &use);
   void applyLate(const CodeUse &use);
   void applySwitch(const CodeInfo &info, const CodeUse &use);
+  void applyStores(const CodeInfo &info);
   void activate(const CodeInfo &info, const Word *word);
   bool startsSpindle() const;
   void setSpindle(uint8_t direction, const CodeUse &use);

@@ -44,10 +44,21 @@ public:
   Evaluator(const CodeInfo &code, const ConditionContext &context)
       : code_(code), context_(context) {}
 
-  Truth run(const Formula &formula) {
+  Interval run(const Formula &formula) {
     for (const FormulaStep &step : formula.steps)
       this->step(step);
-    return stack_.size() == 1 ? toTruth(stack_.back()) : Truth::Unknown;
+    return stack_.size() == 1 ? stack_.back() : Interval::unknown();
+  }
+  /// Whether all words that the formula names are there.
+  bool complete(const Formula &formula) const {
+    return llvm::all_of(formula.steps, [&](const FormulaStep &step) {
+      return step.op == FormulaOp::Word      ? given(code_.words[step.index])
+             : step.op == FormulaOp::Address ? context_.block.has(AddressId(step.index))
+             : step.op == FormulaOp::Variable
+                 ? assigned(uint64_t(step.number)) ||
+                       context_.before.commons.has(uint64_t(step.number))
+                 : true;
+    });
   }
 
 private:
@@ -74,6 +85,15 @@ private:
     if (!tool || !tool->radius)
       tool = compensatingTool(context_.dialect, context_.machine, context_.before);
     return tool && tool->radius ? Interval::exactly(*tool->radius) : Interval::unknown();
+  }
+
+  /// Number of the work offset in force, when its code has it behind the point.
+  Interval origin() const {
+    const CodeInfo *code = context_.before.activeCode(context_.dialect, StandardGroup::WorkOffset);
+    int number = 0;
+    if (!code || llvm::StringRef(code->name).rsplit('.').second.getAsInteger(10, number))
+      return Interval::unknown();
+    return Interval::exactly(number);
   }
 
   /// The block's own assignment to a variable, or null.
@@ -125,6 +145,32 @@ private:
       return push(context_.before.feed);
     case FormulaOp::Speed:
       return push(context_.before.speed);
+    case FormulaOp::Here:
+      return push(Interval::exactly(wordFor(context_.block, code_.words[step.index]) != nullptr));
+    case FormulaOp::Bare: {
+      const Word *word = context_.block.find(AddressId(step.index));
+      return push(Interval::exactly(word && word->has(wordNoValue)));
+    }
+    case FormulaOp::Note: {
+      const auto note =
+          llvm::find_if(context_.block.comments, [](const Comment &c) { return c.shown; });
+      constexpr unsigned brackets = 2;
+      return push(Interval::exactly(
+          note == context_.block.comments.end() ? 0 : note->end - note->begin - brackets));
+    }
+    case FormulaOp::Place: {
+      const Axis axis = context_.dialect.addresses[step.index].axis;
+      return push(axis == Axis::Count || context_.before.inMachineCoordinates(axis)
+                      ? Interval::unknown()
+                      : context_.before.at(axis));
+    }
+    case FormulaOp::Origin:
+      return push(origin());
+    case FormulaOp::Length: {
+      const Word *word = wordFor(context_.block, code_.words[step.index]);
+      return push(word ? Interval::exactly(context_.block.endOf(*word) - word->offset)
+                       : Interval::unknown());
+    }
     case FormulaOp::Floor: {
       const Interval x = pop(); // of a number that is whole but for its rounding, the number
       return push({std::floor(x.lo + tolerance), std::floor(x.hi + tolerance)});
@@ -188,7 +234,15 @@ private:
 } // namespace
 
 Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
-  return Evaluator(code, context).run(formula);
+  return toTruth(Evaluator(code, context).run(formula));
+}
+
+std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
+                                const ConditionContext &context) {
+  Evaluator evaluator(code, context);
+  if (!evaluator.complete(formula))
+    return std::nullopt;
+  return evaluator.run(formula);
 }
 
 } // namespace ncvet

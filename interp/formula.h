@@ -8,5 +8,8 @@ namespace ncvet {
 /// Whether `formula` holds; unknown as soon as a value that decides it is not known. `code` is the
 /// code whose words the formula names.
 Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context);
+/// Value of `formula`; none when a word that it names is not given.
+std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
+                                const ConditionContext &context);
 
 } // namespace ncvet

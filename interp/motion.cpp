@@ -393,8 +393,13 @@ void Execution::workOffset(const CodeUse &use) {
 
 void Execution::moveAxes() {
   uint16_t axes = axesOf(dialect_, block_);
-  if (block_.hasAny(dialect_.polarWords))
+  if (block_.hasAny(dialect_.polarWords)) {
+    if (block_.hasAny(dialect_.elementWords) && llvm::any_of(outcome_.codes, [&](const CodeUse &u) {
+          return info(u).action == Action::DefineElement;
+        }))
+      return; // the element is named, not run
     axes |= planeAxes(dialect_, state_);
+  }
   if (actionCode_.word) {
     const CodeInfo &action = info(actionCode_);
     switch (action.action) {

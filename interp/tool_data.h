@@ -11,7 +11,8 @@ inline int32_t radiusOffsetNumber(const Dialect &dialect, const MachineState &st
   return dialect.isLathe() ? state.toolOffset : state.radiusOffset;
 }
 
-/// Data of the tool whose radius compensation uses; null when the number is not known or not in the
+/// Data of the tool whose radius compensation uses, by the offset's number or, where the tool
+/// brings its data along, by its own; null when the number is not known or not in the
 /// list.
 inline const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
                                         const MachineState &state) {

@@ -39,6 +39,14 @@ void Variables::set(uint64_t number, const Value &value) {
     entries.insert(at, {number, value});
 }
 
+void Variables::erase(uint64_t number) {
+  if (!has(number))
+    return;
+  if (data_->users > 1)
+    data_ = new Data(*data_);
+  llvm::erase_if(data_->entries, [&](const Entry &e) { return e.number == number; });
+}
+
 void Variables::forget() {
   data_ = nullptr;
   fallback_ = Value::unknown();
@@ -68,8 +76,7 @@ Variables Variables::merge(const Variables &a, const Variables &b, Combine combi
       ++i;
       ++j;
     }
-    if (!(entry.value == result.fallback_))
-      data->entries.push_back(entry);
+    data->entries.push_back(entry); // one that is not known any more has been given a value too
   }
   if (!data->entries.empty())
     result.data_ = data;

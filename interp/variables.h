@@ -18,9 +18,11 @@ public:
   explicit Variables(Value fallback = Value::unknown()) : fallback_(fallback) {}
 
   Value get(uint64_t key) const;
-  /// Whether the program has given it a value.
+  /// Whether the program has given it a value, on some way at least.
   bool has(uint64_t key) const;
   void set(uint64_t key, const Value &value);
+  /// From here on the program has given it no value.
+  void erase(uint64_t key);
   /// Forgets everything: all variables unknown.
   void forget();
   bool empty() const { return !data_ || data_->entries.empty(); }

@@ -109,6 +109,7 @@ namespace ncvet {
   X(ProgramHead, "program-head")                                                                   \
   X(Sleep, "sleep")                                                                                \
   X(SkipCheck, "skip-check")                                                                       \
+  X(DefineElement, "define-element")                                                               \
   X(MachineSpecific, "machine-specific")
 
 enum class Action : uint8_t {

@@ -13,10 +13,11 @@ namespace {
 
 llvm::ArrayRef<llvm::StringRef> codeKeys() {
   static constexpr llvm::StringLiteral keys[] = {
-      "title",     "group",    "does",         "cycle",    "cancelsCycle", "takes",   "needs",
-      "fires",     "opposite", "spindle",      "words",    "excludes",     "notices", "variants",
-      "switch",    "alone",    "exclusive",    "twoBlock", "source",       "waits",   "ownMove",
-      "arguments", "foreign",  "cancelsCalls", "family",   "stopsSpindle"};
+      "title",   "group",    "does",        "cycle",     "cancelsCycle", "takes",
+      "needs",   "fires",    "opposite",    "spindle",   "words",        "excludes",
+      "notices", "variants", "switch",      "alone",     "exclusive",    "twoBlock",
+      "source",  "waits",    "ownMove",     "arguments", "foreign",      "cancelsCalls",
+      "family",  "stores",   "stopsSpindle"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -135,6 +136,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   readWords(value, info);
   readExcludes(value, info);
   readNotices(value, info);
+  readStores(value, info);
   return info;
 }
 
@@ -188,10 +190,15 @@ void DialectBuilder::readWords(const Json &value, CodeInfo &info) {
 
 /// What the words of the code at hand must keep.
 void DialectBuilder::readFormula(const Json &value, Condition &when) {
-  const Json *member = in_.member(value, "formula");
-  const std::optional<std::string> text = member ? in_.text(*member) : std::nullopt;
+  if (const Json *member = in_.member(value, "formula"))
+    when.formula = formula(*member);
+}
+
+/// A formula over the words of the code at hand.
+Formula DialectBuilder::formula(const Json &value) {
+  const std::optional<std::string> text = in_.text(value);
   if (!text)
-    return;
+    return {};
   std::string error;
   const auto known = [&](llvm::StringRef name) -> std::optional<FormulaName> {
     for (size_t i = 0; i < code_->words.size(); ++i)
@@ -204,15 +211,42 @@ void DialectBuilder::readFormula(const Json &value, Condition &when) {
     return std::nullopt;
   };
   if (const auto formula = parseFormula(*text, known, error))
-    when.formula = *formula;
-  else
-    in_.fail(*member, "the formula " + error);
+    return *formula;
+  in_.fail(value, "the formula " + error);
+  return {};
+}
+
+/// `{"LOW": "X", "HIGH": {"value": "Y", "when": "Y > 0"}, "SEEN": "1", "ANY": true, "OLD": false}`
+void DialectBuilder::readStores(const Json &value, CodeInfo &info) {
+  const Json *stores = in_.member(value, "stores");
+  if (!stores || !in_.isObject(*stores))
+    return;
+  for (auto entry = stores->begin(); entry != stores->end(); ++entry) {
+    Store store;
+    store.variable = variableKey(entry.key());
+    // `V1025`: a variable with a number.
+    const llvm::StringRef name = entry.key();
+    if (int64_t index = 0; name.size() > 1 && !name.drop_front().getAsInteger(10, index))
+      store.variable = elementKey(variableKey(name.take_front()), index);
+    if (entry->is_boolean())
+      store.forgets = !entry->get<bool>();
+    else if (!entry->is_object())
+      store.value = formula(*entry);
+    else {
+      in_.allowKeys(*entry, {"value", "when"});
+      if (const Json *member = in_.member(*entry, "value"))
+        store.value = formula(*member);
+      if (const Json *member = in_.member(*entry, "when"))
+        store.when = formula(*member);
+    }
+    info.stores.push_back(std::move(store));
+  }
 }
 
 WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {
   in_.allowKeys(value, {"need", "role", "text", "absent", "severity", "when", "min", "max",
                         "minExclusive", "maxExclusive", "integer", "oneOf", "point",
-                        "rangeSeverity", "pointAdvised", "note"});
+                        "rangeSeverity", "pointAdvised", "note", "characters", "naming"});
   WordSpec word;
   llvm::SmallVector<llvm::StringRef, 4> names;
   llvm::StringRef spelling = name;
@@ -237,6 +271,8 @@ WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {
   in_.read(value, "rangeSeverity", word.rangeSeverity);
   in_.read(value, "note", word.note);
   in_.read(value, "text", word.text);
+  in_.read(value, "characters", word.characters);
+  in_.readName(value, "naming", "naming", namingNames(), word.naming);
   if (const Json *absent = in_.member(value, "absent"))
     word.absent = in_.number(*absent);
   if (in_.member(value, "pointAdvised")) {

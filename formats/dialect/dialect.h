@@ -174,6 +174,9 @@ enum class Role : uint8_t {
 llvm::StringRef toString(Role role); ///< as in the tables: "peck-first"
 std::optional<Role> parseRole(llvm::StringRef text);
 
+/// What a code does with the thing of the control that a word names.
+enum class Naming : uint8_t { None, Define, Use, Drop };
+
 enum class Need : uint8_t {
   Optional,
   Required, ///< in every block with the code
@@ -188,6 +191,8 @@ struct WordSpec {
   uint64_t orVariable = 0; ///< one that may stand for it; 0: none
   std::string name;        ///< of that argument or variable: "RTP", "ENT"
   bool text = false;       ///< the argument is a string
+  std::string characters;  ///< that the string may have, with ranges: "A-Z0-9"; empty: all
+  Naming naming = Naming::None;
   std::optional<double> absent; ///< the value that counts when it is not given
   Need need = Need::Optional;
   Role role = Role::None;
@@ -210,6 +215,14 @@ struct SwitchEffect {
   /// The switch has one state per axis named in the block (mirror, local shift): a zero value of
   /// every named axis switches it off when `offByZero`.
   bool offByZero = false;
+};
+
+/// What a code leaves in a variable of the control, for the formulas of later codes.
+struct Store {
+  uint64_t variable = 0; ///< its key
+  bool forgets = false;  ///< from here on it has no value
+  Formula value;         ///< stored when all words that it names are given; empty: not known
+  Formula when;          ///< empty: always
 };
 
 struct Variant {
@@ -252,6 +265,7 @@ struct CodeInfo {
   /// Sets of words that exclude each other, each pair of masks.
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
   std::vector<Notice> notices;
+  std::vector<Store> stores;
   std::vector<Variant> variants; ///< first match wins; none: this entry
   CodeIndex base = noCode; ///< of a variant: the code that it belongs to; else the code itself
   SwitchEffect effect;
@@ -301,6 +315,7 @@ enum class AddressKind : uint8_t {
   Axis,      ///< absolute (or by the distance mode) coordinate
   Increment, ///< incremental coordinate of another axis (U of X)
   Polar,     ///< angle or radius of an end point in the plane
+  Element,   ///< name of a contour's element that another block defines
   Code,      ///< G or M
   Parameter, ///< everything else
   Number     ///< whole number by nature: N, O, L
@@ -318,6 +333,9 @@ struct AddressInfo {
   bool diameter = false;   ///< value is a diameter (X of a lathe)
   bool repeatable = false; ///< may stand more than once in a block
   bool corner = false;     ///< asks for a chamfer or rounding to the next move
+  bool rounding = false;   ///< … a rounding
+  bool linesOnly = false;  ///< … between two straight lines only
+  bool lineAngle = false;  ///< direction of a straight line
   uint8_t switches = 0xFF; ///< index of the switch that a value other than zero turns on
   double least = -std::numeric_limits<double>::infinity(); ///< of its values
   double most = std::numeric_limits<double>::infinity();
@@ -410,6 +428,7 @@ struct Dialect {
   std::vector<SwitchInfo> switches;
   std::vector<DetectMark> detect;
   std::vector<std::string> variableNames; ///< variables of the control with names of their own
+  std::vector<std::string> axisVariables; ///< those that hold the name of an axis
   std::vector<std::string> readOnly;    ///< beginnings of names of variables that cannot be written
   std::vector<std::string> machineData; ///< … that hold for every later program
   std::vector<std::string> readAhead;   ///< … whose value the control reads too early
@@ -417,10 +436,14 @@ struct Dialect {
   std::vector<std::string> subprogramExtensions; ///< … and of subprograms
   std::vector<std::string> extensions; ///< file name endings that speak for it, without the dot
   llvm::StringMap<RuleOverride> rules;
-  llvm::StringMap<std::string> options;     ///< options of the machine profile with their defaults
-  AddressMask axisWords = 0;                ///< all addresses of kind Axis and Increment
-  AddressMask incrementWords = 0;           ///< those of kind Increment
-  AddressMask polarWords = 0;               ///< those of kind Polar
+  llvm::StringMap<std::string> options; ///< options of the machine profile with their defaults
+  AddressMask axisWords = 0;            ///< all addresses of kind Axis and Increment
+  AddressMask incrementWords = 0;       ///< those of kind Increment
+  AddressMask polarWords = 0;           ///< end points without coordinates: Polar, Element
+  /// The tool change puts the tool's length in force: no code of this group is any more.
+  GroupIndex lengthByTool = noGroup;
+  AddressMask lineAngleWords = 0;           ///< give the direction of a line
+  AddressMask elementWords = 0;             ///< those of kind Element
   AddressId arcRadius = letterAddress('R'); ///< the radius of an arc
   AddressId arcAngle = noAddress;           ///< its opening angle
   AddressMask speedLimitWords = 0;          ///< set the greatest speed of the spindle

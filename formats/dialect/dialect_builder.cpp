@@ -43,6 +43,7 @@ void DialectBuilder::build() {
                         "profileRunsThrough",
                         "dwellInMilliseconds",
                         "cycleSurvivesMotion",
+                        "toolChangeGivesLength",
                         "emptyBlocksRun",
                         "endReturns",
                         "offsetsOfTool",
@@ -73,6 +74,12 @@ void DialectBuilder::build() {
   for (const CodeInfo &code : dialect_.codes)
     for (const WordSpec &word : code.words)
       dialect_.pointAdvised |= word.pointAdvised.value_or(false) ? word.any : 0;
+  bool lengthByTool = false;
+  in_.read(root_, "toolChangeGivesLength", lengthByTool);
+  if (lengthByTool)
+    for (const CodeInfo &code : dialect_.codes)
+      if (code.action == Action::LengthOff)
+        dialect_.lengthByTool = code.group;
   if (!in_.failed())
     readInitialStates();
   readRules();
@@ -95,12 +102,13 @@ void DialectBuilder::readHead() {
   if (const Json *list = in_.member(root_, "subprogramExtensions"))
     dialect_.subprogramExtensions = in_.texts(*list);
   if (const Json *variables = in_.member(root_, "variables")) {
-    in_.allowKeys(*variables, {"names", "readOnly", "machineData", "readAhead"});
+    in_.allowKeys(*variables, {"names", "axes", "readOnly", "machineData", "readAhead"});
     const auto list = [&](const char *key, std::vector<std::string> &target) {
       if (const Json *names = in_.member(*variables, key))
         target = in_.texts(*names);
     };
     list("names", dialect_.variableNames);
+    list("axes", dialect_.axisVariables);
     list("readOnly", dialect_.readOnly);
     list("machineData", dialect_.machineData);
     list("readAhead", dialect_.readAhead);
@@ -249,7 +257,8 @@ void DialectBuilder::readAddresses() {
     AddressKind kind = dialect_.addresses[address].kind;
     dialect_.known |= kind == AddressKind::Unknown ? 0 : mask;
     dialect_.incrementWords |= kind == AddressKind::Increment ? mask : 0;
-    dialect_.polarWords |= kind == AddressKind::Polar ? mask : 0;
+    dialect_.elementWords |= kind == AddressKind::Element ? mask : 0;
+    dialect_.polarWords |= kind == AddressKind::Polar || kind == AddressKind::Element ? mask : 0;
     dialect_.axisWords |= kind == AddressKind::Axis || kind == AddressKind::Increment ? mask : 0;
     dialect_.whole |= dialect_.addresses[address].unit == AddressUnit::Whole ? mask : 0;
     dialect_.repeatable |= dialect_.addresses[address].repeatable ? mask : 0;
@@ -263,8 +272,9 @@ void DialectBuilder::readAddresses() {
 }
 
 void DialectBuilder::readAddress(const std::string &name, const Json &value) {
-  in_.allowKeys(value, {"kind", "axis", "unit", "diameter", "repeatable", "pointAdvised", "arc",
-                        "corner", "does", "switch", "min", "max", "title"});
+  in_.allowKeys(value,
+                {"kind", "axis", "unit", "diameter", "repeatable", "pointAdvised", "arc", "corner",
+                 "rounding", "linesOnly", "lineAngle", "does", "switch", "min", "max", "title"});
   if (name.size() > 1 && name[0] != ',') {
     if (!llvm::all_of(name, llvm::isAlnum))
       return in_.fail(value,
@@ -285,6 +295,10 @@ void DialectBuilder::readAddress(const std::string &name, const Json &value) {
   in_.read(value, "pointAdvised", info.pointAdvised);
   in_.read(value, "title", info.title);
   in_.read(value, "corner", info.corner);
+  in_.read(value, "rounding", info.rounding);
+  in_.read(value, "linesOnly", info.linesOnly);
+  in_.read(value, "lineAngle", info.lineAngle);
+  dialect_.lineAngleWords |= info.lineAngle ? maskOf(*address) : 0;
   in_.read(value, "min", info.least);
   in_.read(value, "max", info.most);
   std::string does;

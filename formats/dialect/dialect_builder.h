@@ -47,6 +47,8 @@ private:
   void readVariants(const std::string &name, const Json &value, CodeIndex base);
   Condition readCondition(const Json &value);
   void readFormula(const Json &value, Condition &when);
+  Formula formula(const Json &value);
+  void readStores(const Json &value, CodeInfo &info);
   uint32_t switchSet(const Json &value, const char *key);
   void readConditionOptions(const Json &value, Condition &when);
   void readConditionCodes(const Json &value, Condition &when);

@@ -132,6 +132,12 @@ private:
     case FormulaOp::Level:
     case FormulaOp::Feed:
     case FormulaOp::Speed:
+    case FormulaOp::Length:
+    case FormulaOp::Here:
+    case FormulaOp::Bare:
+    case FormulaOp::Note:
+    case FormulaOp::Place:
+    case FormulaOp::Origin:
       return 0;
     case FormulaOp::Negate:
     case FormulaOp::Absolute:
@@ -206,11 +212,10 @@ private:
   }
   bool function(llvm::StringRef name, unsigned depth) {
     constexpr std::pair<llvm::StringLiteral, FormulaOp> ofState[] = {
-        {"toolRadius", FormulaOp::ToolRadius},
-        {"tool", FormulaOp::Tool},
-        {"level", FormulaOp::Level},
-        {"feed", FormulaOp::Feed},
-        {"speed", FormulaOp::Speed}};
+        {"toolRadius", FormulaOp::ToolRadius}, {"tool", FormulaOp::Tool},
+        {"level", FormulaOp::Level},           {"feed", FormulaOp::Feed},
+        {"speed", FormulaOp::Speed},           {"note", FormulaOp::Note},
+        {"origin", FormulaOp::Origin}};
     for (const auto &[known, op] : ofState)
       if (name == known) {
         emit(op);
@@ -235,6 +240,8 @@ private:
            known->index);
       return take(")") || fail("lacks a \")\"");
     }
+    if (name == "length" || name == "here" || name == "bare" || name == "place")
+      return aboutWord(name);
     const bool two = name == "min" || name == "max";
     if (!two && name != "abs" && name != "floor")
       return fail("has the unknown function \"" + name.str() + "\"");
@@ -244,6 +251,22 @@ private:
          : name == "floor" ? FormulaOp::Floor
          : name == "min"   ? FormulaOp::Minimum
                            : FormulaOp::Maximum);
+    return take(")") || fail("lacks a \")\"");
+  }
+
+  /// Functions of a word, not of its value.
+  bool aboutWord(llvm::StringRef function) {
+    const llvm::StringRef word = takeName();
+    const std::optional<FormulaName> known = names_(word);
+    const bool address = function == "bare" || function == "place";
+    if (!known || known->word != (address ? FormulaOp::Address : FormulaOp::Word))
+      return fail("names \"" + word.str() + "\", which is no " + (address ? "address" : "word") +
+                  " of this code");
+    emit(function == "length" ? FormulaOp::Length
+         : function == "here" ? FormulaOp::Here
+         : function == "bare" ? FormulaOp::Bare
+                              : FormulaOp::Place,
+         known->index);
     return take(")") || fail("lacks a \")\"");
   }
 

@@ -27,6 +27,12 @@ enum class FormulaOp : uint8_t {
   Level,         ///< place along the tool axis before the block
   Feed,          ///< F in force before the block
   Speed,         ///< S in force before the block
+  Length,        ///< characters of word `index` of the code's format
+  Here,          ///< whether that word stands in the block itself
+  Bare,          ///< whether the block's word with address `index` has no value
+  Note,          ///< characters of the block's comment for the operator; 0: there is none
+  Place,         ///< of axis `index` before the block
+  Origin,        ///< number of the work offset in force: 3 of G54.03
   Add,
   Subtract,
   Multiply,
@@ -66,7 +72,9 @@ struct FormulaName {
 
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
 /// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) floor(x) given(NAME)
-/// toolRadius() tool() level() feed() speed() key(SYMBOL)`. None, with `error` set, when it cannot.
+/// toolRadius() tool() level() feed() speed() note() origin()
+/// key(SYMBOL) length(NAME) here(NAME) bare(ADDRESS) place(AXIS)`. None, with `error` set, when it
+/// cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

@@ -38,8 +38,9 @@ constexpr llvm::StringLiteral points[] = {"any", "required", "forbidden"};
 constexpr llvm::StringLiteral spindles[] = {"any", "running", "clockwise", "counter-clockwise",
                                             "starts-itself"};
 // "unknown" is what an absent entry means; a table does not write it.
-constexpr llvm::StringLiteral kinds[] = {"unknown", "axis",      "increment", "polar",
-                                         "code",    "parameter", "number"};
+constexpr llvm::StringLiteral kinds[] = {"unknown", "axis", "increment", "polar",
+                                         "element", "code", "parameter", "number"};
+constexpr llvm::StringLiteral namings[] = {"none", "define", "use", "drop"};
 constexpr llvm::StringLiteral units[] = {"none",  "length", "angle", "feed",
                                          "speed", "time",   "whole"};
 constexpr llvm::StringLiteral axes[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
@@ -58,6 +59,7 @@ static_assert(std::size(groups) == size_t(StandardGroup::Count));
 llvm::ArrayRef<llvm::StringLiteral> roleNames() { return roles; }
 llvm::ArrayRef<llvm::StringLiteral> cycleNames() { return cycles; }
 llvm::ArrayRef<llvm::StringLiteral> needNames() { return needs; }
+llvm::ArrayRef<llvm::StringLiteral> namingNames() { return namings; }
 llvm::ArrayRef<llvm::StringLiteral> pointNames() { return points; }
 llvm::ArrayRef<llvm::StringLiteral> spindleNames() { return spindles; }
 llvm::ArrayRef<llvm::StringLiteral> addressKindNames() { return kinds; }

@@ -9,6 +9,7 @@ namespace ncvet {
 llvm::ArrayRef<llvm::StringLiteral> roleNames();
 llvm::ArrayRef<llvm::StringLiteral> cycleNames();
 llvm::ArrayRef<llvm::StringLiteral> needNames();
+llvm::ArrayRef<llvm::StringLiteral> namingNames();
 llvm::ArrayRef<llvm::StringLiteral> pointNames();
 llvm::ArrayRef<llvm::StringLiteral> spindleNames();
 llvm::ArrayRef<llvm::StringLiteral> addressKindNames();

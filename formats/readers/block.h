@@ -193,6 +193,7 @@ struct Argument {
   bool byReference = false;               ///< a parameter that gives its value back
   uint16_t expression = noExpression;
   uint32_t begin = 0, end = 0;
+  uint32_t nameBegin = 0, nameEnd = 0; ///< `AX` of `AX=XY`; equal: it has none
 };
 
 /// A statement of the block that is not a word. An assignment that is also a word
@@ -222,6 +223,7 @@ struct Item {
 struct Comment {
   uint32_t begin = 0; ///< with its opening mark
   uint32_t end = 0;
+  bool shown = false; ///< to the operator, where the control knows others as well
 };
 
 enum class SyntaxIssueKind : uint8_t {
@@ -251,6 +253,7 @@ enum class SyntaxIssueKind : uint8_t {
   MissingEquals,       ///< an address of several letters, or a calculation, without its `=`
   AssignmentInTest,    ///< `=` where two values are compared
   AmbiguousExpression, ///< operators whose order is another than it looks
+  RealForInteger,      ///< `T=R5`: a real value where a whole number is to be made of it
   NotABlock            ///< text of which no part is code: prose, or another language
 };
 

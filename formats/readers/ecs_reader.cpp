@@ -53,6 +53,7 @@ private:
   void scanReset();
   void scanPhase();
   void scanLetter();
+  bool scanSignedNumber(const char *begin);
   void scanPlane(const char *begin);
   void scanValue(AddressId address, const char *begin);
   bool scanNumber(Word &word, const char *begin);
@@ -71,12 +72,13 @@ private:
   void scanRepeat(const char *begin);
   void scanInput(const char *begin);
   Argument scanTarget(char separator);
-  Argument scanArgument(char separator);
+  Argument scanArgument(char separator, bool named = false);
   char scanSeparator();
   llvm::StringRef scanProgramName();
   void scanString(Argument &argument);
   void keyword(CodeIndex code, const char *begin, const char *end);
   void argumentWord(const Argument &argument);
+  llvm::SmallVector<Argument, 8> inOrder(llvm::ArrayRef<Argument> written, const CodeInfo &code);
 
   uint16_t expression() {
     EcsExpression parser(base_, at_, end_, block_);
@@ -179,7 +181,7 @@ void Scanner::scanComment(char close) {
   else if (const llvm::StringRef inside(begin + 1, size_t(at_++ - begin - 1));
            inside.contains(*begin))
     issue(SyntaxIssueKind::NestedComment, begin + 1 + inside.find(*begin), at_);
-  block_.comments.push_back({offset(begin), offset(at_)});
+  block_.comments.push_back({offset(begin), offset(at_), close == ')'});
 }
 
 void Scanner::scanLabel() {
@@ -295,6 +297,8 @@ void Scanner::scanLetter() {
       }
       return;
     }
+    if (startsBlock() && block_.number < 0 && scanSignedNumber(begin))
+      return;
     break;
   case 'R':
   case 'V': {
@@ -333,6 +337,22 @@ void Scanner::scanLetter() {
   scanValue(address, begin);
 }
 
+/// `N-5`: a block number that is none; the digits are taken all the same.
+bool Scanner::scanSignedNumber(const char *begin) {
+  const char *p = begin + 1;
+  if (p >= end_ || (*p != '-' && *p != '+') || p + 1 >= end_ || !isNumberDigit(p[1]))
+    return false;
+  int64_t number = 0;
+  for (++p; p < end_ && isNumberDigit(*p); ++p)
+    number = std::min<int64_t>(1'000'000'000'000, number * 10 + (*p - '0'));
+  at_ = p;
+  block_.number = number;
+  block_.numberBegin = offset(begin);
+  block_.numberEnd = offset(at_);
+  issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+  return true;
+}
+
 /// `G16XYZ+`: a free plane, its axis and direction.
 void Scanner::scanPlane(const char *begin) {
   at_ = behindBlanks(begin + 3);
@@ -367,6 +387,10 @@ void Scanner::scanValue(AddressId address, const char *begin) {
       if (address == letterAddress('G') && word.decimals == 2)
         if (const CodeIndex code = dialect_.keyword({begin, size_t(at_ - begin)}); code != noCode)
           return keyword(code, begin, at_);
+      // `D0`: no segment, and no number of a correction.
+      if (address == letterAddress('D') && word.mantissa == 0)
+        if (const CodeIndex code = dialect_.keyword({begin, size_t(at_ - begin)}); code != noCode)
+          return keyword(code, begin, at_);
       return addWord(word, begin);
     }
   }
@@ -389,6 +413,9 @@ void Scanner::scanValue(AddressId address, const char *begin) {
           return addWord(word, begin);
         }
         index = expression();
+        if (address == letterAddress('G') || address == letterAddress('M') ||
+            address == letterAddress('T') || address == letterAddress('N'))
+          issue(SyntaxIssueKind::RealForInteger, begin, at_);
       }
       word.flags = wordExpression;
       word.mantissa = index;
@@ -703,7 +730,8 @@ Argument Scanner::scanTarget(char separator) {
   return scanArgument(separator);
 }
 
-Argument Scanner::scanArgument(char separator) {
+/// `named`: the name of the argument has been read.
+Argument Scanner::scanArgument(char separator, bool named) {
   skipBlanks();
   Argument argument;
   argument.separator = separator;
@@ -734,9 +762,22 @@ Argument Scanner::scanArgument(char separator) {
     argument.end = offset(at_);
     return argument;
   }
-  if (!symbol.empty() && isLetter(symbol[0]) && behind < end_ && *behind == '=') {
-    at_ = behind + 1; // `AX=X`
+  // `ON/X`: the switch is a symbol, what stands behind it is no separator.
+  if ((symbol.equals_insensitive("ON") || symbol.equals_insensitive("OFF")) && !ends) {
+    argument.kind = ArgumentKind::Name;
+    at_ = symbol.end();
+    argument.end = offset(at_);
+    return argument;
+  }
+  if (!named && !symbol.empty() && isLetter(symbol[0]) && behind < end_ && *behind == '=') {
+    argument.nameBegin = argument.begin; // `AX=X`
+    argument.nameEnd = offset(symbol.end());
+    at_ = behind + 1;
     skipBlanks();
+    Argument value = scanArgument(separator, true);
+    value.nameBegin = argument.nameBegin;
+    value.nameEnd = argument.nameEnd;
+    return value;
   }
   const char *const before = at_;
   argument.kind = ArgumentKind::Expression;
@@ -758,7 +799,8 @@ llvm::StringRef Scanner::scanProgramName() {
   return slash == llvm::StringRef::npos ? whole : whole.drop_front(slash + 1);
 }
 
-/// An argument of an instruction as a word, so that the table can say what it takes.
+/// An argument of an instruction as a word, so that the table can say what it takes. A name stands
+/// for itself; as a number it is its key.
 void Scanner::argumentWord(const Argument &argument) {
   Word word;
   word.address = argumentAddress;
@@ -766,9 +808,11 @@ void Scanner::argumentWord(const Argument &argument) {
     word.flags = wordNoValue;
   } else {
     word.flags = wordExpression;
-    word.mantissa = argument.expression != noExpression
-                        ? argument.expression
-                        : opaque(base_ + argument.begin, base_ + argument.end);
+    const char *const begin = base_ + argument.begin, *const end = base_ + argument.end;
+    word.mantissa = argument.expression != noExpression ? argument.expression
+                    : argument.kind == ArgumentKind::Name
+                        ? constant(begin, end, double(variableKey({begin, size_t(end - begin)})))
+                        : opaque(begin, end);
   }
   const char *const at = at_;
   at_ = base_ + argument.end;
@@ -809,8 +853,39 @@ void Scanner::scanInstruction(const char *begin, llvm::StringRef word) {
   keyword(code, begin, at_);
   const llvm::SmallVector<Argument, 8> arguments(block_.argumentsOf(item).begin(),
                                                  block_.argumentsOf(item).end());
-  for (const Argument &argument : arguments)
+  for (const Argument &argument : inOrder(arguments, dialect_.codes[code]))
     argumentWord(argument);
+}
+
+/// Arguments with names (`AX=XY`, `P5`) at the places that the table gives these names; the others
+/// as written.
+llvm::SmallVector<Argument, 8> Scanner::inOrder(llvm::ArrayRef<Argument> written,
+                                                const CodeInfo &code) {
+  llvm::SmallVector<Argument, 8> placed;
+  for (Argument argument : written) {
+    size_t place = placed.size();
+    llvm::StringRef name(base_ + argument.nameBegin, argument.nameEnd - argument.nameBegin);
+    const llvm::StringRef text(base_ + argument.begin, argument.end - argument.begin);
+    double number = 0;
+    const bool numbered = argument.kind == ArgumentKind::Name && name.empty() && text.size() > 1 &&
+                          !text.drop_front().getAsDouble(number);
+    if (numbered)
+      name = text.take_front();
+    if (!name.empty())
+      for (const WordSpec &spec : code.words)
+        if (spec.position && name.equals_insensitive(spec.name)) {
+          place = spec.position - 1;
+          if (numbered)
+            argument.expression = constant(text.begin(), text.end(), number);
+        }
+    if (place >= placed.size()) {
+      Argument empty;
+      empty.begin = empty.end = argument.begin;
+      placed.resize(place + 1, empty);
+    }
+    placed[place] = argument;
+  }
+  return placed;
 }
 
 /// `<JMP:N50>`, `<JMP:[A]>`, `<JMC: PROG; N50>`

@@ -32,9 +32,10 @@ public:
     const ArcGeometry arc =
         arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
     const auto centre = arc.centre();
-    if (!centre || !arc.start || !arc.end || arc.centreAbsolute ||
-        offCircle(*arc.start, *arc.end, *centre) <= tolerance_)
+    if (!centre || !arc.start || !arc.end || offCircle(*arc.start, *arc.end, *centre) <= tolerance_)
       return;
+    if (arc.centreAbsolute)
+      return distance(event, words, arc, ctx);
     const Point &given = *arc.centreWords;
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     // A diameter given for a radius.
@@ -69,6 +70,22 @@ public:
   }
 
 private:
+  /// The distance of the centre given where the control reads its coordinates.
+  void distance(const Event &event, const ArcWords &words, const ArcGeometry &arc,
+                RuleContext &ctx) {
+    const Point &given = *arc.centreWords;
+    if (!words.centre[0] || !words.centre[1] ||
+        !fits(arc, {(*arc.start)[0] + given[0], (*arc.start)[1] + given[1]}) ||
+        !once_.speaks(Origin(), ctx))
+      return;
+    if (auto finding =
+            ctx.report(*words.centre[0], event.certain && !ctx.before().may(Fact::UnknownCode)))
+      finding.severity(Severity::Warning)
+          .message("the arc closes only when `{0}` and `{1}` are the distance of the centre from "
+                   "the start point: the control reads them as the centre itself",
+                   ctx.text(*words.centre[0]), ctx.text(*words.centre[1]));
+  }
+
   static bool isDiameter(const Dialect &dialect, Axis axis) {
     return llvm::any_of(dialect.addresses, [&](const AddressInfo &info) {
       return info.kind == AddressKind::Axis && info.axis == axis && info.diameter;

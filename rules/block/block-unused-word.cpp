@@ -39,8 +39,8 @@ public:
     for (const Word &word : ctx.block().words) {
       const AddressMask mask = maskOf(word.address);
       // Words that limit or position the spindle, and switches, act by themselves.
-      const AddressMask alone =
-          dialect.plain | dialect.speedLimitWords | dialect.orientWords | dialect.switchWords;
+      const AddressMask alone = dialect.plain | dialect.speedLimitWords | dialect.orientWords |
+                                dialect.switchWords | dialect.elementWords;
       if ((mask & alone) || !(mask & dialect.known) || (mask & *taken) ||
           word.address == letterAddress('N') || word.address == letterAddress('O'))
         continue;

@@ -1,5 +1,5 @@
 // Corner and vector codes of compensation (G38, G39) where they cannot work.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -9,11 +9,17 @@ public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CompensationKeep, Action::CompensationCorner});
     to.onNotices(id);
+    elements_ = to.option("elements", 0) != 0;
+    if (elements_)
+      to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const CodeInfo &code = ctx.code(event);
     ctx.reportNotices(id, event);
+    if (elements_ &&
+        (code.action == Action::CompensationLeft || code.action == Action::CompensationRight))
+      return normal(event, ctx);
     if (code.action != Action::CompensationKeep && code.action != Action::CompensationCorner)
       return;
     const Truth active = ctx.after().compensationActive(ctx.dialect());
@@ -31,6 +37,29 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"compensation-approach-invalid"};
+
+  /// `G41 K`: the approach is normal to the element that the next block gives.
+  static void normal(const Event &event, RuleContext &ctx) {
+    const Word *flag = nullptr;
+    for (const Word &word : ctx.block().words)
+      if (word.has(wordNoValue) && word.offset > event.word->offset &&
+          ctx.dialect().addresses[word.address].kind == AddressKind::Parameter)
+        flag = &word;
+    if (!flag || axesOf(ctx.dialect(), ctx.block()) ||
+        ctx.block().hasAny(ctx.dialect().elementWords))
+      return;
+    Block next;
+    const bool more = readNext(ctx, next);
+    if (more && (next.hasAny(ctx.dialect().axisWords | ctx.dialect().elementWords |
+                             ctx.dialect().lineAngleWords | lettersMask("IJR")) ||
+                 !next.items.empty()))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0} {1}` approaches an element, and the next block gives none",
+                      ctx.code(event).name, ctx.text(*flag));
+  }
+
+  bool elements_ = false; ///< a bare word asks for an element behind it
   static void keep(const CodeInfo &code, const Event &event, RuleContext &ctx) {
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (!motion || !isArc(motion->action))

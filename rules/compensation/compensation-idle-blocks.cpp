@@ -10,6 +10,7 @@ public:
     to.onChange({EventKind::Block, EventKind::Motion});
     allowed_ = unsigned(to.option("allowed", 1));
     infeeds_ = unsigned(to.option("infeeds", 0));
+    severity_ = to.option("advice", 0) != 0 ? std::optional(Severity::Warning) : std::nullopt;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -51,9 +52,12 @@ private:
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
-          .message("{0} blocks in a row without a move in the plane under {1}: the control cannot "
-                   "compute the next corner and cuts into it",
+          .message(allowed_ == 0 ? "a block without a move in the plane under {1}: whether the "
+                                   "control looks past it for the next corner is not stated"
+                                 : "{0} blocks in a row without a move in the plane under {1}: the "
+                                   "control cannot compute the next corner and cuts into it",
                    allowed_ + 1, name(ctx))
+          .severity(severity_)
           .note(state.origin.compensation, "compensation is switched on here");
   }
 
@@ -124,6 +128,7 @@ private:
     return code ? "`" + code->name + "`" : "compensation";
   }
 
+  std::optional<Severity> severity_; ///< of blocks that the control perhaps looks past
   unsigned allowed_ = 1;
   unsigned infeeds_ = 0;        ///< moves of the infeed axis alone that may follow each other
   uint32_t behindInfeed_ = ~0u; ///< behind the last block that was one

@@ -1,5 +1,6 @@
 // Compensation with a negative radius, which swaps its sides, and a stock that is left set.
 #include "analyzer/left_on.h"
+#include "analyzer/lookahead.h"
 #include "interp/tool_data.h"
 
 namespace ncvet {
@@ -10,11 +11,18 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::CompensationMove, EventKind::OffsetWord});
     listenForLeftOn(id, to);
+    to.onCode([](const CodeInfo &code) {
+      return llvm::any_of(code.words,
+                          [](const WordSpec &w) { return w.role == Role::AllowanceX; }) &&
+             code.action != Action::Cycle && !code.letter;
+    });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::ProgramEnd || event.kind == EventKind::ToolChange)
       return reportLeftOn(id, event, ctx);
+    if (event.kind == EventKind::Code)
+      return stock(event, ctx);
     const Dialect &dialect = ctx.dialect();
     const CodeInfo *code = ctx.after().activeCode(dialect, StandardGroup::Compensation);
     if (!code ||
@@ -45,6 +53,49 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"compensation-radius-allowance"};
+
+  /// A stock on the contour, and no compensated contour up to the next one or the end.
+  static void stock(const Event &event, RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    const auto value = valueOf(ctx, code, Role::AllowanceX);
+    if (!value || *value == 0 || ctx.callDepth() > 0 || ctx.codes().size() > 1 ||
+        ctx.before().compensation != phaseOff)
+      return;
+    constexpr unsigned readable = 500;
+    Block next;
+    bool more = readNext(ctx, next), cuts = false;
+    for (unsigned i = 0; more && i < readable; ++i, more = readOn(ctx, next)) {
+      for (const Item &item : next.items)
+        if (item.kind != ItemKind::Assignment && item.kind != ItemKind::Instruction)
+          return; // what runs next the text does not tell
+      for (const CodeIndex index : codesOf(ctx.dialect(), next)) {
+        const CodeInfo &other = ctx.dialect().codes[index];
+        cuts |= other.action == Action::Linear || isArc(other.action);
+        switch (other.action) {
+        case Action::CompensationLeft:
+        case Action::CompensationRight:
+        case Action::ProfileBegin:
+        case Action::ProfileRun:
+        case Action::Return:
+          return;
+        case Action::ProgramEnd:
+        case Action::ProgramEndRewind:
+          more = false;
+          break;
+        default:
+          more &= other.base != code.base;
+        }
+      }
+      if (!more)
+        break;
+    }
+    if (more || !cuts)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` sets a stock, and no compensated contour follows that leaves it",
+                   ctx.text(*event.word));
+  }
 };
 
 } // namespace

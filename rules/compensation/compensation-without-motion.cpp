@@ -1,5 +1,5 @@
 // A compensation code without a move in the plane, and a subprogram that begins without one.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -9,18 +9,77 @@ public:
   void listen(Subscriptions &to) override {
     cancelAlone_ = to.option("cancelAlone", 0) != 0;
     anyPlane_ = to.option("anyPlane", 0) != 0;
+    feeds_ = to.option("feeds", 0) != 0;
+    if (feeds_)
+      to.onChange({EventKind::Motion});
     to.onChange({EventKind::Block});
     to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind == EventKind::Block)
+    if (event.kind == EventKind::Motion)
+      firstMove(event, ctx);
+    else if (event.kind == EventKind::Block)
       atSubprogramStart(ctx);
     else
       atCode(event, ctx);
   }
 
 private:
+  /// The first piece of the contour is made at feed.
+  void firstMove(const Event &event, RuleContext &ctx) const {
+    const MachineState &before = ctx.before();
+    if (event.motion != MotionKind::Rapid || before.compensation != phaseOn ||
+        ctx.after().compensation != phaseOn || before.may(Fact::CompensatedCut) ||
+        !(event.axes & planeAxes(ctx.dialect(), ctx.after())) || before.may(Fact::UnknownCode))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("the first piece of the contour under {0} is a rapid move: it is made at feed",
+                   nameOf(ctx))
+          .note(before.origin.compensation, "compensation is switched on here");
+  }
+
+  static std::string nameOf(RuleContext &ctx) {
+    const CodeInfo *code = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
+    return code ? "`" + code->name + "`" : "compensation";
+  }
+
+  /// The code that ends it goes on along the last piece: only a block of its own leaves the
+  /// contour.
+  void onLastPiece(const Event &event, RuleContext &ctx) const {
+    if (!feeds_ || ctx.before().compensation != phaseOn || !ctx.before().must(Fact::CompensatedCut))
+      return;
+    Block last;
+    if (!readPrevious(ctx, last))
+      return;
+    // The piece before and this one run along the same axis, the same way.
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
+    const uint16_t axes = axesOf(ctx.dialect(), last) & plane;
+    if (!motion || motion->action != Action::Linear || (axes & (axes - 1)) || !axes ||
+        findCode(ctx.dialect(), last, {Action::ArcCw, Action::ArcCcw, Action::Rapid}))
+      return;
+    uint16_t moved = 0;
+    for (unsigned i = 0; i < axisCount; ++i) {
+      const Interval &from = ctx.before().position[i], &to = ctx.after().position[i];
+      if (!(plane >> i & 1))
+        continue;
+      if (!from.isConstant() || !to.isConstant())
+        return;
+      if (from.value() != to.value())
+        moved |= uint16_t(1u << i);
+    }
+    if (moved != axes)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` stands in a block that goes on along the contour: the last piece is cut "
+                   "while compensation is taken away",
+                   ctx.code(event).name);
+  }
+
+  bool feeds_ = false;       ///< the contour begins at feed, and ends in front of the way out
   bool cancelAlone_ = false; ///< the control wants its G40 without a move
   bool anyPlane_ = false;    ///< the machine's builder decides which plane holds at power-on
 
@@ -39,6 +98,8 @@ private:
   void atCode(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
+    if (off)
+      onLastPiece(event, ctx);
     if (off && cancelAlone_)
       return;
     const uint8_t before = ctx.before().compensation, after = ctx.after().compensation;

@@ -10,6 +10,8 @@ class ContourAngleWords final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
+    // A control that solves lines by their direction has rules of its own for them.
+    corners_.angle &= ~to.dialect().lineAngleWords;
     if (corners_.angle)
       to.onChange({EventKind::Motion, EventKind::Block});
   }

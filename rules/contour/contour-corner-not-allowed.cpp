@@ -95,6 +95,14 @@ private:
     Block next;
     if (!readNext(ctx, next) || !next.items.empty())
       return;
+    const CodeInfo *arc = findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw});
+    if (ctx.dialect().addresses[word.address].linesOnly &&
+        (arc || event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)) {
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` asks for a chamfer beside an arc: it lies between two lines",
+                        ctx.text(word));
+      return;
+    }
     const CodeInfo *rapid = findCode(ctx.dialect(), next, {Action::Rapid});
     const CodeInfo *cycle = findCode(ctx.dialect(), next, {Action::Cycle});
     const uint16_t then = axesOf(ctx, next);

@@ -33,8 +33,13 @@ public:
     for (unsigned i = 0; more; ++i, more = readOn(ctx, next)) {
       if (!next.items.empty() || next.skip >= 0)
         return;
-      if (axesOf(ctx, next) || next.hasAny(corners_.angle))
+      const uint16_t then = axesOf(ctx, next);
+      const bool leaves = i > 0 && then && !(then & planeAxes(ctx.dialect(), ctx.after()));
+      if ((then && !leaves) ||
+          next.hasAny(corners_.angle | ctx.dialect().elementWords | lettersMask("IJ")))
         return;
+      if (leaves)
+        break;
       if (findCode(ctx.dialect(), next,
                    {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
         return;

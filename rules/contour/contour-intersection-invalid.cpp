@@ -11,14 +11,28 @@ namespace {
 class ContourIntersectionInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    open_ = to.dialect().lineAngleWords != 0;
+    elements_ = to.dialect().elementWords;
+    if (open_ || elements_)
+      to.onChange({EventKind::Motion});
     // The block behind names an over-determined element; only controls with an `I` operator do it.
     if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) && to.option("intersects", 0) != 0)
       to.onChange({EventKind::Motion, EventKind::Block});
+    else
+      ownOnly_ = true;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const Block &block = ctx.block();
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (event.kind == EventKind::Motion) {
+      if (open_)
+        openLine(event, ctx);
+      if (elements_)
+        outside(event, ctx);
+    }
+    if (ownOnly_)
+      return;
     if (event.kind == EventKind::Block) {
       // A line of which only the angle is given, in front of a circle.
       if (block.has(commaA) && !(axesOf(ctx, block) & plane))
@@ -42,6 +56,39 @@ public:
   }
 
 private:
+  /// A line of which only the direction is given ends where the next element begins.
+  void openLine(const Event &event, RuleContext &ctx) const {
+    const Word *angle = ctx.block().findAny(ctx.dialect().lineAngleWords);
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (!angle || event.motion != MotionKind::Feed || (axesOf(ctx, ctx.block()) & plane) ||
+        ctx.block().hasAny(maskOf('D') | elements_ | ctx.dialect().cornerWords))
+      return;
+    Block next;
+    if (readNext(ctx, next) &&
+        ((axesOf(ctx, next) & plane) || !next.items.empty() ||
+         next.hasAny(ctx.dialect().lineAngleWords | elements_ | lettersMask("IJKR"))))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.message("this line has a direction and no end, and no element follows that gives it "
+                      "one");
+  }
+
+  /// An element by its name where no contour is made.
+  void outside(const Event &, RuleContext &ctx) const {
+    const Word *word = ctx.block().findAny(elements_);
+    if (!word || ctx.before().compensation != phaseOff || ctx.after().compensation != phaseOff ||
+        ctx.before().profile || ctx.after().profile || ctx.before().may(Fact::UnknownCode) ||
+        ctx.callDepth() > 0 || ctx.block().words.size() > 1)
+      return;
+    if (auto finding = ctx.report(*word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is an element of a contour, and none is made here: compensation is off",
+                   ctx.text(*word));
+  }
+
+  bool open_ = false;        ///< lines may be given by their direction
+  bool ownOnly_ = false;     ///< no lines that are intersected by a comma word
+  AddressMask elements_ = 0; ///< names of elements
   /// What stands in front: the last block with a move.
   static void previous(const Event &event, uint16_t plane, RuleContext &ctx) {
     Block last;

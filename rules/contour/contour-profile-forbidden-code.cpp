@@ -9,9 +9,13 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::Code, EventKind::Motion, EventKind::ToolWord, EventKind::SpeedWord});
     to.onCode([](const CodeInfo &) { return true; });
+    for (const CodeInfo &code : to.dialect().codes)
+      records_ |= code.action == Action::ProfileBegin;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (records_ && ctx.before().profile == 1)
+      return recorded(event, ctx);
     if (!ctx.before().must(Fact::InContour))
       return;
     switch (event.kind) {
@@ -25,6 +29,40 @@ public:
   }
 
 private:
+  /// A profile that the control records and runs later: elements of one plane, and nothing else.
+  static void recorded(const Event &event, RuleContext &ctx) {
+    if (ctx.callDepth() == 0) // what is recorded lies in a program of its own
+      return;
+    if (event.kind == EventKind::Motion) {
+      const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+      const bool contour =
+          ctx.before().compensation == phaseOn && ctx.after().compensation == phaseOn;
+      if (!(event.axes & ~plane & 7u) && !(contour && event.motion == MotionKind::Rapid))
+        return;
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Warning)
+            .message(event.axes & ~plane & 7u
+                         ? "this block of a recorded profile moves the infeed axis"
+                         : "this piece of a recorded profile is a rapid move");
+      return;
+    }
+    if (event.kind == EventKind::Code) {
+      const CodeInfo &code = ctx.code(event);
+      const bool own = code.letter == 'M' && code.action != Action::Return;
+      const bool sets = code.action == Action::WorkOffset || code.action == Action::Cycle ||
+                        code.action == Action::Reset || code.action == Action::PlaneXY ||
+                        code.action == Action::PlaneZX || code.action == Action::PlaneYZ;
+      if (!own && !sets)
+        return;
+    }
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` has no place in a recorded profile: the control reads the path alone",
+                   ctx.text(*event.word));
+  }
+
+  bool records_ = false; ///< the control records profiles
+
   static void atCode(const Event &event, RuleContext &ctx) {
     switch (ctx.code(event).action) {
     case Action::CompensationLeft:

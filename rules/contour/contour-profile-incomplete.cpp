@@ -11,17 +11,87 @@ public:
   void listen(Subscriptions &to) override {
     LeftOnRule::listen(to);
     to.on(EventKind::Return);
+    to.onCode([this](const CodeInfo &code) {
+      records_ |= code.action == Action::ProfileBegin;
+      return code.action == Action::ProfileBegin || code.action == Action::ProfileRun;
+    });
+    feeds_ = to.option("withoutPiece", 0) != 0;
+    if (feeds_)
+      to.onAction({Action::CompensationOff});
+    if (records_)
+      to.on(EventKind::Motion);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Motion) {
+      record(event, ctx);
+      return;
+    }
+    if (event.kind == EventKind::Code) {
+      atCode(event, ctx);
+      return LeftOnRule::on(event, ctx);
+    }
     if (event.kind != EventKind::Return)
       return LeftOnRule::on(event, ctx);
+    if (records_ && ctx.before().profile == 1 && pieces_ && !attached_ &&
+        !ctx.before().may(Fact::UnknownCode)) {
+      attached_ = true; // said once
+      if (auto finding = ctx.report(event))
+        finding.message("this recorded profile has no attach: it begins with a compensation code, "
+                        "and ends with the one that takes it off");
+    }
     if (!ctx.before().must(Fact::InContour) || ctx.before().may(Fact::Cut))
       return;
     if (auto finding = ctx.report(event))
       finding.message("the contour ends here without an element behind its start: there is nothing "
                       "to mill along");
   }
+
+private:
+  /// A piece of a profile that is recorded.
+  void record(const Event &event, RuleContext &ctx) {
+    if (ctx.before().profile != 1 || !event.axes)
+      return;
+    ++pieces_;
+    attached_ |= ctx.before().compensation != phaseOff || ctx.after().compensation != phaseOff;
+  }
+
+  void atCode(const Event &event, RuleContext &ctx) {
+    const Action action = ctx.code(event).action;
+    if (action == Action::CompensationOff)
+      return withoutPiece(event, ctx);
+    if (begun_ && ctx.before().profile == 1 && !pieces_ && ctx.callDepth() == 0 &&
+        !ctx.before().may(Fact::UnknownCode))
+      if (auto finding = ctx.report(event))
+        finding
+            .message("no profile stands between `{0}` and `{1}`", ctx.text(begin_),
+                     ctx.text(*event.word))
+            .note(begin_, "the profile would begin here");
+    begun_ = action == Action::ProfileBegin;
+    begin_ = ctx.range(*event.word);
+    pieces_ = 0;
+    attached_ = false;
+  }
+
+  /// Switched on and off again without a piece of a contour in between.
+  static void withoutPiece(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (before.compensation != phaseOn || before.may(Fact::CompensatedCut) ||
+        before.may(Fact::UnknownCode))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` takes compensation off before a piece of a contour was made",
+                   ctx.code(event).name)
+          .note(before.origin.compensation, "it is switched on here");
+  }
+
+  bool records_ = false;  ///< the control records profiles that a later code runs
+  bool feeds_ = false;    ///< compensation without a contour is looked at
+  bool begun_ = false;    ///< a profile is being recorded
+  bool attached_ = false; ///< one of its moves is compensated
+  unsigned pieces_ = 0;
+  SourceRange begin_;
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // An active scaling or mirror image changes more than it seems to.
-#include "analyzer/rule.h"
+#include "analyzer/defined_elements.h"
 
 #include <set>
 
@@ -12,11 +12,17 @@ public:
     const Dialect &dialect = to.dialect();
     if (dialect.group(StandardGroup::Scaling) != noGroup)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
+    if (dialect.elementWords) {
+      to.onAction({Action::DefineElement});
+      to.onChange({EventKind::Motion});
+    }
     if (dialect.group(StandardGroup::Mirror) != noGroup)
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (ctx.block().hasAny(ctx.dialect().elementWords))
+      element(ctx);
     if (event.kind == EventKind::Code)
       return mirror(event, ctx);
     const MachineState &state = ctx.after();
@@ -35,6 +41,32 @@ public:
   }
 
 private:
+  /// An element keeps the shift and rotation that were on when it was defined.
+  void element(RuleContext &ctx) {
+    if (const Word *word = DefinedElements::definedBy(ctx)) {
+      elements_.define(*word, ctx);
+      return;
+    }
+    uint32_t frames = 0;
+    for (size_t i = 0; i < ctx.dialect().switches.size(); ++i)
+      if (ctx.dialect().switches[i].leftOn == "coordinate-frame-left-on")
+        frames |= 1u << i;
+    for (const Word &word : ctx.block().words) {
+      if (!(ctx.dialect().elementWords & maskOf(word.address)))
+        continue;
+      const DefinedElements::Element *element = elements_.find(word);
+      if (!element || !(ctx.before().switchMust & frames & ~element->switches))
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.severity(Severity::Warning)
+            .message("`{0}` was defined in another frame than is on now: it stays where it was",
+                     ctx.text(word))
+            .note(element->where, "it is defined here");
+    }
+  }
+
+  DefinedElements elements_;
+
   static void mirror(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
     if (state.isActive(ctx.dialect(), StandardGroup::Mirror, {Action::MirrorOn}) != Truth::Yes)

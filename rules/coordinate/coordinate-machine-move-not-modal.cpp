@@ -1,5 +1,5 @@
 // A block looks as if the machine coordinates of the block before were still in force.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -9,10 +9,13 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion});
     least_ = to.option("least", 100);
+    next_ = to.option("next", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &before = ctx.before(), &after = ctx.after();
+    if (next_)
+      return behind(event, ctx);
     if (event.number || event.motion == MotionKind::Reference || event.motion == MotionKind::Skip ||
         !event.axes || !before.must(Fact::AtMachinePosition) || (event.axes & before.machineAxes) ||
         !before.machineAxes || before.must(Fact::ReferenceReturned))
@@ -33,6 +36,26 @@ public:
   }
 
 private:
+  /// The very next block goes on with another axis, as far as no work goes.
+  void behind(const Event &event, RuleContext &ctx) const {
+    Block previous;
+    if (event.number || event.motion == MotionKind::Reference || !ctx.codes().empty() ||
+        !readPrevious(ctx, previous) || !findCode(ctx.dialect(), previous, {Action::MachineMove}) ||
+        (axesOf(ctx.dialect(), previous) & event.axes))
+      return;
+    for (unsigned axis = 0; axis < axisCount; ++axis)
+      if ((event.axes >> axis & 1) && !(ctx.after().position[axis].lo >= least_) &&
+          !(ctx.after().position[axis].hi <= -least_))
+        return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("machine coordinates held for the block before only: `{0}` is driven in work "
+                   "coordinates",
+                   ctx.text(ctx.blockRange()))
+          .note(SourceRange{ctx.source().id(), previous.begin, previous.end}, "the block before");
+  }
+
+  bool next_ = false;
   double least_ = 100;
 };
 

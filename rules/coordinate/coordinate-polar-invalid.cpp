@@ -7,14 +7,21 @@ namespace {
 class CoordinatePolarInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::Polar) != noGroup || to.dialect().polarWords)
+    words_ = to.dialect().polarWords & ~to.dialect().elementWords;
+    for (const CodeInfo &code : to.dialect().codes)
+      modal_ |= isPolar(code, to.dialect());
+    if (modal_)
+      to.onChange({EventKind::Motion});
+    if (to.dialect().group(StandardGroup::Polar) != noGroup || words_)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     const Dialect &dialect = ctx.dialect();
-    if (ctx.block().hasAny(dialect.polarWords))
+    if (modal_ && event.kind == EventKind::Motion)
+      goesOn(event, ctx);
+    if (ctx.block().hasAny(words_))
       return byWords(event, ctx);
     if (event.number || event.motion == MotionKind::Reference ||
         after.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
@@ -65,15 +72,41 @@ public:
   }
 
 private:
+  /// A motion code that takes a pole: letters of axes are its angle and radius.
+  static bool isPolar(const CodeInfo &code, const Dialect &dialect) {
+    return isMotion(code.action) && llvm::any_of(code.words, [&](const WordSpec &w) {
+             return (w.any & dialect.axisWords) && w.role == Role::Angle;
+           });
+  }
+
+  /// A polar motion code goes on in the next blocks: their coordinates would be poles.
+  static void goesOn(const Event &event, RuleContext &ctx) {
+    const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (!motion || !isPolar(*motion, ctx.dialect()) || (event.axes & plane) != plane ||
+        event.number || ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion) != motion)
+      return;
+    for (const CodeUse &use : ctx.codes())
+      if (isMotion(ctx.code(use).action) || ctx.code(use).action == Action::MachineMove)
+        return;
+    for (const WordSpec &spec : motion->words)
+      if (spec.role == Role::Angle && ctx.block().hasAny(spec.any))
+        return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is still in force: these coordinates are a pole, not an end point",
+                   motion->name)
+          .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
+                "it is programmed here");
+  }
+
+  bool modal_ = false; ///< polar points have motion codes of their own
   /// An end point by words for angle and radius.
   void byWords(const Event &event, RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
-    const Word *const polar = ctx.block().findAny(dialect.polarWords);
-    // A name of an element that a contour is made of, not an angle or radius.
-    if (dialect.addresses[polar->address].unit == AddressUnit::Whole)
-      return;
+    const Word *const polar = ctx.block().findAny(words_);
     for (const Word &word : ctx.block().words) {
-      if (!(dialect.polarWords & maskOf(word.address)))
+      if (!(words_ & maskOf(word.address)))
         continue;
       const Interval value = ctx.value(word);
       if (dialect.addresses[word.address].unit == AddressUnit::Length && value.hi < 0)
@@ -98,7 +131,8 @@ private:
                    ctx.text(*polar));
   }
 
-  bool noPole_ = false; ///< said once
+  AddressMask words_ = 0; ///< angle and radius
+  bool noPole_ = false;   ///< said once
 };
 
 } // namespace

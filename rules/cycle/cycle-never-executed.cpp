@@ -2,6 +2,7 @@
 // are lost.
 #include "analyzer/lookahead.h"
 
+#include <set>
 #include <unordered_map>
 
 namespace ncvet {
@@ -24,6 +25,14 @@ public:
     if (dialect.lexical.blocksSpanLines)
       callParameters(dialect);
     to.onNotices(id);
+    if (to.option("orphans", 0) != 0)
+      for (const CodeInfo &code : dialect.codes)
+        for (const WordSpec &spec : code.words)
+          if (spec.variable && code.action == Action::Cycle)
+            parameters_.insert({spec.variable, spec.orVariable});
+    if (!parameters_.empty())
+      to.on(EventKind::Statement);
+    to.onCode([](const CodeInfo &code) { return countsFrames(code); });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -33,8 +42,14 @@ public:
       checkLooseParameters(ctx);
       return;
     }
+    if (event.kind == EventKind::Statement) {
+      assigns_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Assignment;
+      return;
+    }
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
+      if (countsFrames(ctx.code(event)))
+        return counts(event, ctx);
       storedIn_ = ctx.block().numberEnd > ctx.block().begin
                       ? SourceRange{ctx.source().id(), ctx.block().begin, ctx.block().numberEnd}
                       : ctx.range(*event.word);
@@ -57,7 +72,86 @@ public:
           .note(ctx.blockRange(), "the cycle ends here");
   }
 
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (assigns_ && file.complete)
+      for (const ProgramInfo &program : file.index.programs())
+        orphans(file, program, ctx);
+  }
+
 private:
+  /// A frame that is set once per pass.
+  static bool countsFrames(const CodeInfo &code) {
+    return code.action == Action::FrameAdd &&
+           llvm::any_of(code.words, [](const WordSpec &w) { return w.role == Role::Repeat; });
+  }
+
+  /// A frame that is to be set several times, and nothing repeats it.
+  static void counts(const Event &event, RuleContext &ctx) {
+    for (const WordSpec &spec : ctx.code(event).words) {
+      const Word *word = spec.role == Role::Repeat ? wordFor(ctx.block(), spec) : nullptr;
+      if (!word || !(ctx.value(*word).lo > 1) || ctx.callDepth() > 0)
+        continue;
+      const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+      Block block;
+      for (uint32_t at = program.body; at < program.end; at = block.next) {
+        ctx.index().reader().read(at, block);
+        if (block.next <= at || llvm::any_of(block.items, [](const Item &i) {
+              return i.kind == ItemKind::Repeat || i.kind == ItemKind::Jump ||
+                     i.kind == ItemKind::Call;
+            }))
+          return;
+      }
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Warning)
+            .message("`{0}` counts {1} passes, and nothing in the program repeats them",
+                     ctx.code(event).name, spec.name);
+    }
+  }
+
+  /// Parameters of cycles in a program that has none that reads them.
+  void orphans(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) const {
+    constexpr size_t readable = 4u << 20; // a program that long was made by a machine
+    if (program.end - program.begin > readable)
+      return;
+    std::vector<std::pair<uint64_t, SourceRange>> given;
+    std::set<uint64_t> read;
+    Block block;
+    for (uint32_t at = program.body; at < program.end; at = block.next) {
+      file.reader.read(at, block);
+      for (const Word &word : block.words) {
+        const CodeIndex code = codeOf(ctx.dialect(), word);
+        if (code == noCode)
+          continue;
+        for (const WordSpec &spec : ctx.dialect().codes[code].words)
+          read.insert({spec.variable, spec.orVariable});
+        if (ctx.dialect().codes[code].action == Action::Return)
+          return; // the caller may run what reads them
+      }
+      for (const ExpressionOp &op : block.operations)
+        if (op.op == Op::Variable)
+          read.insert(uint64_t(op.value));
+      for (const Item &item : block.items) {
+        if (item.kind == ItemKind::Call ||
+            (item.kind == ItemKind::Jump && item.nameEnd > item.nameBegin))
+          return; // so may a called program
+        if (item.kind == ItemKind::Assignment && parameters_.count(block.keyOf(item.target)))
+          given.emplace_back(block.keyOf(item.target),
+                             SourceRange{file.source.id(), item.begin, item.end});
+      }
+      if (block.next <= at)
+        break;
+    }
+    for (const auto &[key, range] : given)
+      if (!read.count(key))
+        if (auto finding = ctx.report(range))
+          finding.severity(Severity::Style)
+              .message("`{0}` is a parameter of cycles, and no cycle of the program reads it",
+                       ctx.text(range));
+  }
+
+  std::set<uint64_t> parameters_; ///< keys of variables that cycles read
+  bool assigns_ = false;
+
   static constexpr llvm::StringLiteral id{"cycle-never-executed"};
 
   /// Parameters that were stored for a cycle that the program does not call.

@@ -14,6 +14,7 @@ public:
     to.on(EventKind::CycleRun);
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Cycle ||
+             llvm::any_of(code.words, [](const WordSpec &w) { return !w.characters.empty(); }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -31,10 +32,37 @@ public:
     if (event.kind != EventKind::Code)
       return;
     packedThread(event, ctx);
+    for (const WordSpec &spec : ctx.code(event).words)
+      if (!spec.characters.empty())
+        characters(spec, ctx);
     ctx.reportNotices(id, event);
   }
 
 private:
+  /// A text of other characters than the control can make.
+  static void characters(const WordSpec &spec, RuleContext &ctx) {
+    const Word *word = wordFor(ctx.block(), spec);
+    if (!word)
+      return;
+    const llvm::StringRef allowed = spec.characters;
+    const auto known = [&](char c) {
+      for (size_t i = 0; i < allowed.size(); ++i) {
+        const bool range = i + 2 < allowed.size() && allowed[i + 1] == '-';
+        if (range ? c >= allowed[i] && c <= allowed[i + 2] : c == allowed[i])
+          return true;
+        i += range ? 2 : 0;
+      }
+      return false;
+    };
+    const llvm::StringRef text = ctx.text(*word);
+    const auto *const bad = llvm::find_if(text, [&](char c) { return !known(c); });
+    if (bad == text.end())
+      return;
+    if (auto finding = ctx.report(*word))
+      finding.message("`{0}` has a character that the control cannot make here: {1} are known",
+                      ctx.source().displayText(text), spec.characters);
+  }
+
   /// The data block of a thread packs three fields of two digits: finishing passes, run-out, angle.
   static void packedThread(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);

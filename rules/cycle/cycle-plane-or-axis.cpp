@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <map>
+#include <set>
 
 namespace ncvet {
 namespace {
@@ -23,6 +24,13 @@ public:
       to.on(EventKind::CycleStart);
     if (setup_)
       to.on(EventKind::CycleRun);
+    stated_ = to.option("stated", 0) != 0;
+    if (stated_)
+      to.on(EventKind::CycleStart);
+    for (const std::string &name : to.dialect().axisVariables)
+      axes_.insert(variableKey(name));
+    if (!axes_.empty())
+      to.on(EventKind::Statement);
     to.handleNotices();
     const std::map<std::string, std::string> planes = arcPlanes(to.machine());
     for (const auto &[name, selects] : planes)
@@ -41,8 +49,12 @@ public:
       arcInPlane(event, ctx);
       return;
     }
+    if (event.kind == EventKind::Statement)
+      return axis(ctx.block().items[size_t(event.number)], ctx);
     if (setup_)
       prepared(event, ctx);
+    if (stated_)
+      plane(event, ctx);
     if (!wanted_)
       return;
     const CodeInfo &code = ctx.code(event);
@@ -87,6 +99,34 @@ private:
 
   std::map<CodeIndex, CodeIndex> planeOf_; ///< arcs of one plane, and the code that selects it
 
+  /// A variable that holds the name of an axis, and gets something else.
+  void axis(const Item &item, RuleContext &ctx) const {
+    if (item.kind != ItemKind::Assignment || item.value == noExpression ||
+        !axes_.count(ctx.block().keyOf(item.target)))
+      return;
+    const Expression &value = ctx.block().expressions[item.value];
+    const ExpressionOp &first = ctx.block().operations[value.first];
+    if (value.bad ||
+        (value.count == 1 && first.op == Op::Number && first.value >= double(firstNamedVariable)))
+      return; // an axis stands for itself
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` names no axis: CFX, CFY, CFZ and their like do", ctx.text(range));
+  }
+
+  /// The plane that holds is the control's own choice.
+  void plane(const Event &event, RuleContext &ctx) {
+    const GroupIndex group = ctx.dialect().group(StandardGroup::Plane);
+    if (event.kind != EventKind::CycleStart || group == noGroup || said_ || ctx.callDepth() > 0 ||
+        event.code == noCode || !ctx.code(event).firesInPlane ||
+        ctx.before().may(Fact::UnknownCode) || (ctx.after().statedMay >> group & 1))
+      return;
+    said_ = true;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` runs before the program has stated a plane", ctx.code(event).name);
+  }
+
   /// Work offset, plane and dimensions are programmed in front of the first cycle.
   void prepared(const Event &event, RuleContext &ctx) {
     if (event.code == noCode || said_ || ctx.callDepth() > 0 ||
@@ -110,6 +150,8 @@ private:
           .severity(Severity::Warning);
   }
 
+  std::set<uint64_t> axes_; ///< keys of variables that hold an axis
+  bool stated_ = false;     ///< the program states the plane in front of its first cycle
   bool setup_ = false, said_ = false;
   bool wanted_ = false;
 };

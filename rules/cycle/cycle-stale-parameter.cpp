@@ -10,6 +10,9 @@ class CycleStaleParameter final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
+    kept_ = to.option("kept", 0) != 0;
+    if (kept_)
+      to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words, [](const WordSpec &w) { return w.variable; }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
@@ -17,6 +20,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement)
+      return assigned(ctx.block().items[size_t(event.number)], ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     for (const WordSpec &spec : code.words) {
@@ -27,9 +32,13 @@ public:
         meant_[spec.variable] = code.base;
         continue;
       }
-      if (last == meant_.end() || last->second == code.base ||
-          !ctx.before().commons.has(spec.variable) || shared(spec))
+      if (last == meant_.end() || !ctx.before().commons.has(spec.variable))
         continue;
+      if (last->second == code.base || shared(spec)) {
+        if (kept_ && code.action == Action::Cycle)
+          keeps(event, spec, code, ctx);
+        continue;
+      }
       const CodeInfo &other = ctx.dialect().codes[last->second];
       if (auto finding = ctx.report(event))
         finding.severity(Severity::Warning)
@@ -41,6 +50,33 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-stale-parameter"};
+  /// A value that a block of its own gives is meant for whatever comes.
+  void assigned(const Item &item, RuleContext &ctx) {
+    if (item.kind != ItemKind::Assignment)
+      return;
+    const bool inCycle = llvm::any_of(ctx.block().words, [&](const Word &word) {
+      const CodeIndex code = codeOf(ctx.dialect(), word);
+      return code != noCode && llvm::any_of(ctx.dialect().codes[code].words,
+                                            [](const WordSpec &w) { return w.variable; });
+    });
+    if (!inCycle)
+      meant_.erase(ctx.block().keyOf(item.target));
+  }
+
+  /// The value of the run before: what a form is told by, or advice.
+  static void keeps(const Event &event, const WordSpec &spec, const CodeInfo &code,
+                    RuleContext &ctx) {
+    const bool form = spec.need == Need::Optional;
+    if (auto finding = ctx.report(event))
+      finding.severity(form ? Severity::Warning : Severity::Style)
+          .message(form ? "`{0}` has no {1} in its block, and the value of the block before still "
+                          "acts"
+                        : "`{0}` has no {1} in its block and keeps the value of the block before",
+                   code.name, spec.name);
+  }
+
+  bool kept_ = false; ///< values that stay the same are reported too
+
   /// Depth, heights and feed mean the same to every cycle.
   static bool shared(const WordSpec &spec) {
     return spec.role == Role::Depth || spec.role == Role::Retract || spec.role == Role::Height ||

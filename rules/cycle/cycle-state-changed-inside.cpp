@@ -21,6 +21,8 @@ public:
     });
     if (goesOn_)
       to.on(EventKind::CycleRun);
+    if (to.option("parameters", 0) != 0)
+      to.on(EventKind::Statement);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -31,6 +33,8 @@ public:
       return;
     if (event.kind == EventKind::CycleRun)
       return running(*cycle, ctx);
+    if (event.kind == EventKind::Statement)
+      return parameter(ctx.block().items[size_t(event.number)], *cycle, ctx);
     const CodeInfo &code = ctx.code(event);
     // A pattern runs the active cycle at each of its places.
     if (&code == cycle || code.cycle == CycleKind::Pattern)
@@ -59,6 +63,24 @@ public:
   }
 
 private:
+  /// A parameter of the active cycle gets another value between its holes.
+  static void parameter(const Item &item, const CodeInfo &cycle, RuleContext &ctx) {
+    if (item.kind != ItemKind::Assignment || ctx.find({Action::Cycle}))
+      return;
+    const uint64_t key = ctx.block().keyOf(item.target);
+    for (const WordSpec &spec : cycle.words) {
+      if (!spec.variable || spec.variable != key)
+        continue;
+      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("`{0}` changes `{1}` of line {2} between its holes", ctx.text(range),
+                     cycle.name, lineOf(ctx, ctx.before().origin.cycle))
+            .note(ctx.before().origin.cycle, cycle.name + " becomes active here");
+      return;
+    }
+  }
+
   /// What turns or moves the system in which a cycle's planes are given, and arcs.
   static bool changes(Action action) {
     switch (action) {

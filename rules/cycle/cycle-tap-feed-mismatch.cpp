@@ -35,9 +35,9 @@ public:
     const Word *word = ctx.block().find('F');
     if (!word)
       word = ctx.block().find('S');
-    const bool stated = word || llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
-                          return use.code == event.code;
-                        });
+    const bool stated =
+        word || !ctx.before().may(Fact::CycleRan) ||
+        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
     if (!stated)
       return;
     const Word *code_ = nullptr;

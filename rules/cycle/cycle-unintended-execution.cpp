@@ -20,9 +20,14 @@ public:
     if (waits_)
       to.on(EventKind::ToolChange);
     farFactor_ = to.option("farFactor", 1.5);
+    calls_ = to.option("calls", 0) != 0;
+    if (calls_)
+      to.on(EventKind::Call);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Call)
+      return call(ctx);
     if (event.kind == EventKind::ToolChange) {
       if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
         if (auto finding = ctx.report(event))
@@ -47,6 +52,23 @@ public:
   }
 
 private:
+  /// A program is called between the holes: where it moves at feed it is no list of places.
+  static void call(RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
+    if (!cycle || !makesHole(cycle->cycle) || before.cycleActive(ctx.dialect()) != Truth::Yes ||
+        !before.must(Fact::CycleRan) || ctx.outcome().flow.kind != FlowKind::CallNamed)
+      return;
+    if (auto finding = ctx.report(ctx.flowRange().end ? ctx.flowRange() : ctx.blockRange()))
+      finding
+          .message("a program is called while `{0}` of line {1} is active: every place that it "
+                   "goes to is drilled",
+                   cycle->name, lineOf(ctx, before.origin.cycle))
+          .note(before.origin.cycle, cycle->name + " becomes active here");
+  }
+
+  bool calls_ = false; ///< calls under a cycle are looked at
+
   void checkHole(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     const Axis tool = toolAxis(ctx.dialect(), ctx.after());

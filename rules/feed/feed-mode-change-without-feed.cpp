@@ -79,6 +79,10 @@ private:
       reader.read(at, block);
       for (const Word &word : block.words) {
         const CodeIndex code = codeOf(ctx.dialect(), word);
+        const GroupInfo &modes = ctx.dialect().groups[ctx.dialect().group(StandardGroup::FeedMode)];
+        if (code != noCode && ctx.dialect().codes[code].action == Action::Reset &&
+            modes.initial < modes.members.size())
+          last = modes.members[modes.initial];
         if (code == noCode ||
             ctx.dialect().codes[code].group != ctx.dialect().group(StandardGroup::FeedMode))
           continue;

@@ -1,4 +1,5 @@
 // An answer of the operator that nothing checks.
+#include "analyzer/repeated_sections.h"
 #include "analyzer/rule.h"
 #include "interp/expression.h"
 
@@ -26,6 +27,8 @@ public:
     }
     // Behind the target and the prompt stand the bounds.
     const auto arguments = block.argumentsOf(item);
+    if (!arguments.empty())
+      escape(item, arguments[0], range, ctx);
     std::optional<double> bound[2];
     for (size_t i = 0; i < 2 && i + 2 < arguments.size(); ++i)
       if (arguments[i + 2].expression != noExpression) {
@@ -46,6 +49,38 @@ public:
             .message(
                 "`{0}` takes any answer: bounds keep a slip of the operator out of the program",
                 ctx.text(range));
+    }
+  }
+
+private:
+  /// Who leaves the question gives no answer: the blocks behind the target do without it.
+  static void escape(const Item &item, const Argument &target, SourceRange range,
+                     RuleContext &ctx) {
+    const uint64_t key = ctx.block().keyOf(item.target);
+    const auto to = blockNamed(ctx.index(), ctx.block(), target, ctx.block().begin);
+    if (!key || !to || ctx.before().commons.has(key))
+      return;
+    constexpr unsigned readable = 20;
+    Block next;
+    uint32_t at = *to;
+    for (unsigned i = 0; i < readable && at < ctx.source().text().size(); ++i, at = next.next) {
+      ctx.index().reader().read(at, next);
+      for (const ExpressionOp &op : next.operations)
+        if (op.op == Op::Variable && uint64_t(op.value) == key) {
+          if (auto finding = ctx.report(range))
+            finding
+                .message(
+                    "`{0}`: who leaves with ESC gives no value, and the target's blocks use it",
+                    ctx.text(range))
+                .note(SourceRange{ctx.source().id(), next.begin, next.end}, "it is used here");
+          return;
+        }
+      const bool leaves = llvm::any_of(next.items, [&](const Item &other) {
+        return other.kind != ItemKind::Instruction &&
+               (other.kind != ItemKind::Assignment || next.keyOf(other.target) == key);
+      });
+      if (leaves || next.next <= at)
+        return;
     }
   }
 };

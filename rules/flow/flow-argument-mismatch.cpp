@@ -8,6 +8,7 @@ namespace {
 class FlowArgumentMismatch final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    words_ = to.option("words", 0) != 0;
     to.on({EventKind::FlowIssue, EventKind::Syntax, EventKind::Statement});
     to.onCode([](const CodeInfo &code) {
       return code.arguments || llvm::any_of(code.words, [](const WordSpec &w) { return w.text; });
@@ -19,6 +20,7 @@ public:
     case EventKind::Code:
       return atCode(event, ctx);
     case EventKind::Statement:
+      wordsBeside(ctx.block().items[size_t(event.number)], ctx);
       return atDefinition(ctx.block().items[size_t(event.number)], ctx);
     case EventKind::Syntax: {
       const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
@@ -44,6 +46,20 @@ public:
   }
 
 private:
+  /// Axis words in the block of a call that takes none.
+  void wordsBeside(const Item &item, RuleContext &ctx) const {
+    const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
+    if (!words_ || item.kind != ItemKind::Call || !word)
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(*word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` beside `{1}` is a move of this block: the called program takes no words",
+                   ctx.text(*word), ctx.text(range));
+  }
+
+  bool words_ = false; ///< a call takes no words of its block
+
   static void atCode(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const Block &block = ctx.block();

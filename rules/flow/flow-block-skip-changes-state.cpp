@@ -9,11 +9,14 @@ class FlowBlockSkipChangesState final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Block});
+    atCause_ = to.option("atCause", 0) != 0;
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Motion, StandardGroup::Distance, StandardGroup::Plane,
                           StandardGroup::Units, StandardGroup::Compensation,
                           StandardGroup::LengthOffset, StandardGroup::WorkOffset,
                           StandardGroup::FeedMode, StandardGroup::SpeedMode, StandardGroup::Cycle});
+    if (atCause_) // the next motion code stands in most blocks
+      watched_ &= ~groupMask(to.dialect(), {StandardGroup::Motion});
   }
 
   void on(const Event &, RuleContext &ctx) override {
@@ -27,6 +30,13 @@ public:
     changes.tool = before.tool != after.tool && before.tool != notSet;
     if (!changes.any())
       return;
+    if (atCause_) {
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding.message("this change of {0} stands in a block that can be skipped: a key at the "
+                        "panel decides what holds behind it",
+                        titleOf(changes, ctx.dialect()));
+      return;
+    }
     SourceRange user;
     const ModeChanges relied = firstReliance(ctx, changes, user);
     if (!relied.any())
@@ -40,6 +50,7 @@ public:
 
 private:
   uint64_t watched_ = 0;
+  bool atCause_ = false; ///< whether or not a later block relies on it
 };
 
 } // namespace

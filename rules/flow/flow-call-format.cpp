@@ -73,9 +73,14 @@ private:
     if (item.kind != ItemKind::Jump)
       return;
     for (const Argument &target : ctx.block().argumentsOf(item)) {
+      const SourceRange range{ctx.source().id(), target.begin, target.end};
+      if (target.kind == ArgumentKind::Name && item.nameEnd == item.nameBegin)
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` is no block of this program: a jump into another program names "
+                          "the program and a block",
+                          ctx.text(range));
       if (target.kind != ArgumentKind::Label)
         continue;
-      const SourceRange range{ctx.source().id(), target.begin, target.end};
       const llvm::StringRef name = ctx.text(range);
       const bool number =
           name.size() > 1 && name[0] == 'N' &&

@@ -2,6 +2,8 @@
 #include "analyzer/rule.h"
 #include "interp/expression.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
@@ -22,9 +24,45 @@ public:
         check(block.expressions[item.condition], item, ctx);
   }
 
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (!file.complete)
+      return;
+    for (const auto &[place, choice] : choices_) {
+      if (place.first != file.source.id() || !choice.known ||
+          (choice.ways != 1 && choice.ways != 2 && choice.ways != 4))
+        continue;
+      if (auto finding = ctx.report(choice.range))
+        finding.severity(Severity::Style)
+            .message("`{0}` goes one way only: what it looks at is {1} whenever it is reached",
+                     ctx.text(choice.range),
+                     choice.ways == 1   ? "below zero"
+                     : choice.ways == 2 ? "zero"
+                                        : "above zero");
+    }
+  }
+
 private:
+  struct Choice {
+    SourceRange range;
+    unsigned ways = 0; ///< bit per way that was possible: below zero, zero, above zero
+    bool known = true; ///< the value was one number every time
+  };
+
+  /// Remembers where a choice by sign can go.
+  void remember(const Item &item, SourceRange range, RuleContext &ctx) {
+    Choice &choice = choices_[{ctx.source().id(), item.begin}];
+    choice.range = range;
+    const Value value = evaluate(ctx.block(), item.condition, ctx.before(), nullptr);
+    choice.known &= value.isConstant() && ctx.callDepth() == 0;
+    const Interval number = value.asNumber();
+    choice.ways |=
+        (number.lo < 0 ? 1u : 0u) | (number.contains(0) ? 2u : 0u) | (number.hi > 0 ? 4u : 0u);
+  }
+
+  std::map<std::pair<FileId, uint32_t>, Choice> choices_;
+
   /// A choice by sign that always goes one way.
-  static void choice(const Item &item, RuleContext &ctx) {
+  void choice(const Item &item, RuleContext &ctx) {
     const Block &block = ctx.block();
     const auto targets = block.argumentsOf(item);
     const SourceRange range{ctx.source().id(), item.begin, item.end};
@@ -37,7 +75,8 @@ private:
         finding.message("all three ways of `{0}` lead to the same block", ctx.text(range));
       return;
     }
-    check(block.expressions[item.condition], item, ctx);
+    if (item.condition < block.expressions.size() && !block.expressions[item.condition].bad)
+      remember(item, range, ctx);
   }
 
   /// FOR counts upwards only.

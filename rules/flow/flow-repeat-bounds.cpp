@@ -1,14 +1,24 @@
-// A section that is repeated ends before it begins, or holds the block that repeats it.
+// A section that is repeated ends before it begins, or holds the block that repeats it or an end.
+#include "analyzer/repeated_sections.h"
 #include "analyzer/rule.h"
+
+#include <map>
 
 namespace ncvet {
 namespace {
 
 class FlowRepeatBounds final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::FlowIssue, EventKind::Statement});
+    // A return that ends the program in front of its repeat: nothing follows the repeat then.
+    if (to.option("ends", 0) != 0)
+      to.onAction({Action::Return, Action::ProgramEnd, Action::ProgramEndRewind, Action::Reset});
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code)
+      return atEnd(event, ctx);
     if (event.kind == EventKind::FlowIssue) {
       if (FlowIssue(event.number) == FlowIssue::RepeatBounds)
         if (auto finding = ctx.report(ctx.flowRange(), event.certain))
@@ -25,6 +35,29 @@ public:
       finding.message("`{0}` repeats the one block of its label: it takes no second one",
                       ctx.text(range));
   }
+
+private:
+  void atEnd(const Event &event, RuleContext &ctx) {
+    const uint32_t at = ctx.block().begin;
+    if (ctx.block().skip >= 0)
+      return;
+    const auto [found, fresh] = sections_.try_emplace(ctx.source().id());
+    if (fresh)
+      found->second = repeatedSections(ctx.index());
+    for (const RepeatedSection &section : found->second) {
+      if (!section.holds(at))
+        continue;
+      if (auto finding = ctx.report(event))
+        finding
+            .message("`{0}` stands inside a section that is repeated: no pass comes to its end",
+                     ctx.text(*event.word))
+            .note(SourceRange{ctx.source().id(), section.begin, section.end},
+                  "the section is repeated here");
+      return;
+    }
+  }
+
+  std::map<FileId, std::vector<RepeatedSection>> sections_;
 };
 
 } // namespace

@@ -10,10 +10,14 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CallReturned);
     atCause_ = to.option("atCause", 0) != 0;
+    atCall_ = to.option("atCall", 0) != 0;
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Distance, StandardGroup::Plane, StandardGroup::Units,
                           StandardGroup::WorkOffset, StandardGroup::FeedMode, StandardGroup::Polar,
                           StandardGroup::Rotation, StandardGroup::Scaling});
+    // A program that begins with a reset has stated the dimensions.
+    if (atCause_ || atCall_)
+      initial_ = groupMask(to.dialect(), {StandardGroup::Distance});
   }
 
   void on(const Event &, RuleContext &ctx) override {
@@ -23,11 +27,13 @@ public:
     ModeChanges changes;
     // A mode that the caller had not stated yet may well be set up by the call.
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i)
-      if ((watched_ >> i & 1) && (before.statedMust >> i & 1) &&
-          !(before.group[i] & after.group[i]))
+      if ((watched_ >> i & 1) && ((before.statedMust >> i & 1) || (initial_ >> i & 1)) &&
+          !(before.group[i] & (after.group[i] | groupUnset)))
         changes.groups |= uint64_t(1) << i;
     if (!changes.any())
       return;
+    if (atCall_)
+      return atCall(changes, ctx);
     if (atCause_)
       return atCause(changes, ctx);
     SourceRange user;
@@ -46,6 +52,22 @@ public:
   }
 
 private:
+  /// Reported at the call that brings the change, whether or not the caller notices.
+  static void atCall(const ModeChanges &changes, RuleContext &ctx) {
+    for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i) {
+      if (!(changes.groups >> i & 1))
+        continue;
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding
+            .message("the called program comes back with another state of {0}: the caller goes on "
+                     "with it",
+                     ctx.dialect().groups[i].title)
+            .note(ctx.after().origin.group[i], "it is set here and not set back");
+      return;
+    }
+  }
+
+  bool atCall_ = false;
   /// Reported where the called program changes the mode, whether or not the caller notices.
   static void atCause(const ModeChanges &changes, RuleContext &ctx) {
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i) {
@@ -61,7 +83,7 @@ private:
   }
 
   bool atCause_ = false;
-  uint64_t watched_ = 0;
+  uint64_t watched_ = 0, initial_ = 0;
 };
 
 } // namespace

@@ -6,15 +6,19 @@ namespace {
 
 class LimitSpeedOrFeed final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::SpeedWord); }
+  void listen(Subscriptions &to) override {
+    always_ = to.option("always", 0) != 0;
+    to.on(EventKind::SpeedWord);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
     // `event.certain` false: the word is the clamp itself.
-    if (!event.certain || !state.must(Fact::SpeedLimitSet) || !state.speedLimit.isConstant() ||
-        ctx.dialect().group(StandardGroup::SpeedMode) == noGroup ||
-        state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::ConstantSpeed}) !=
-            Truth::Yes)
+    if (!event.certain || !state.must(Fact::SpeedLimitSet) || !state.speedLimit.isConstant())
+      return;
+    if (!always_ && (ctx.dialect().group(StandardGroup::SpeedMode) == noGroup ||
+                     state.isActive(ctx.dialect(), StandardGroup::SpeedMode,
+                                    {Action::ConstantSpeed}) != Truth::Yes))
       return;
     if (!(event.value.lo > state.speedLimit.value()))
       return;
@@ -23,6 +27,9 @@ public:
           "`{0}` lies above the speed limit of {1} 1/min: the spindle turns no faster than that",
           ctx.text(*event.word), state.speedLimit.value());
   }
+
+private:
+  bool always_ = false; ///< every S is a speed in revolutions
 };
 
 } // namespace

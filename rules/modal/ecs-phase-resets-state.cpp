@@ -25,6 +25,8 @@ public:
                         ctx.text(*event.word), inside);
       return;
     }
+    if (motion(event, ctx))
+      return;
     // Modes that the program has chosen, and that are no more.
     for (size_t i = 0; i < ctx.dialect().groups.size(); ++i) {
       const GroupInfo &group = ctx.dialect().groups[i];
@@ -43,6 +45,33 @@ public:
   }
 
 private:
+  /// A move behind the mark without a motion code, where another one than the initial was in force.
+  static bool motion(const Event &event, RuleContext &ctx) {
+    const GroupIndex index = ctx.dialect().group(StandardGroup::Motion);
+    if (index == noGroup)
+      return false;
+    const GroupInfo &group = ctx.dialect().groups[index];
+    if (group.initial == 0xFF || (ctx.before().group[index] & (uint64_t(1) << group.initial)))
+      return false;
+    Block next;
+    bool more = readNext(ctx, next);
+    for (unsigned i = 0; more && i < 8; ++i, more = readOn(ctx, next)) {
+      if (hasMotionCode(ctx.dialect(), next) || !next.items.empty())
+        return false;
+      if (!next.hasAny(ctx.dialect().axisWords))
+        continue;
+      const SourceRange move{ctx.source().id(), next.words.front().offset,
+                             next.endOf(next.words.back())};
+      if (auto finding = ctx.report(move))
+        finding
+            .message("`{0}` has no motion code behind a mark that resets: it is driven with `{1}`",
+                     ctx.text(move), ctx.dialect().codes[group.members[group.initial]].name)
+            .note(ctx.range(*event.word), "the mark");
+      return true;
+    }
+    return false;
+  }
+
   /// A code of the group stands in the next blocks, in front of a move.
   static bool restated(GroupIndex group, RuleContext &ctx) {
     Block next;

@@ -1,4 +1,5 @@
-// The spindle is started while clamped or open, or the chuck opens while it turns.
+// The spindle is started while clamped or open, the chuck opens while it turns, or a clamped axis
+// moves.
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -8,9 +9,21 @@ class MotionClampConflict final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::SpindleCw, Action::SpindleCcw, Action::ChuckOpen});
+    // Which axes the clamping codes hold is the machine's business.
+    if (const auto axes = to.machine().option("clampedAxes"))
+      for (unsigned i = 0; i < axisCount; ++i)
+        if (axes->contains("XYZABCUVW"[i]))
+          clamped_ |= uint16_t(1u << i);
+    for (size_t i = 0; i < to.dialect().switches.size(); ++i)
+      if (to.dialect().switches[i].leftOn == "motion-clamp-conflict")
+        switches_ |= 1u << i;
+    if (clamped_ && switches_)
+      to.on(EventKind::Motion);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Motion)
+      return clamped(event, ctx);
     const CodeInfo &code = ctx.code(event);
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (code.action == Action::ChuckOpen) {
@@ -41,6 +54,24 @@ public:
       return;
     }
   }
+
+private:
+  void clamped(const Event &event, RuleContext &ctx) const {
+    if (!(event.axes & clamped_) || !(ctx.before().switchMust & ctx.after().switchMust & switches_))
+      return;
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if ((address.kind != AddressKind::Axis && address.kind != AddressKind::Increment) ||
+          !(clamped_ >> unsigned(address.axis) & 1))
+        continue;
+      if (auto finding = ctx.report(word, event.certain))
+        finding.message("`{0}` moves an axis that is clamped", ctx.text(word));
+      return;
+    }
+  }
+
+  uint32_t switches_ = 0; ///< that say that axes are clamped
+  uint16_t clamped_ = 0;  ///< axes that the clamping codes hold
 };
 
 } // namespace

@@ -19,7 +19,9 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
-    if (event.axes != tool || event.number || !from.isConstant() || !to.isConstant() ||
+    // With a stock it is the end that counts, wherever the tool comes from.
+    const bool down = top_ ? (event.axes & tool) != 0 : event.axes == tool;
+    if (!down || event.number || !from.isConstant() || !to.isConstant() ||
         ctx.before().inMachineCoordinates(Axis::Z) || ctx.after().inMachineCoordinates(Axis::Z) ||
         to.value() >= from.value() || ctx.before().may(Fact::UnknownCode))
       return;

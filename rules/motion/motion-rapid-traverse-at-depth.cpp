@@ -9,6 +9,7 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
+    turns_ = to.option("turns", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -17,6 +18,15 @@ public:
     const MachineState &before = ctx.before(), &after = ctx.after();
     constexpr Axis tool = Axis::Z; // arcs in G18 and G19 do not turn the spindle
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    constexpr uint16_t rotary =
+        1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C);
+    // In a plane of a rotary axis the turn is a move along the developed work.
+    if (turns_ && (event.axes & rotary & ~planeAxes(ctx.dialect(), after)) &&
+        before.must(Fact::CutSinceTool) && !before.may(Fact::AwayFromPart) &&
+        !before.may(Fact::UnknownCode))
+      if (auto finding = ctx.report(event))
+        finding.message("a rotary axis turns at rapid behind a cut: the tool was not taken away "
+                        "in between");
     if (!(event.axes & plane) || !before.fedFrom.isConstant() || before.compensation != phaseOff)
       return;
     const Interval &from = before.at(tool), &to = after.at(tool);
@@ -29,6 +39,9 @@ public:
       finding.message("rapid in the plane at depth {0:f3}: the tool was fed in from {1:f3}",
                       from.value(), level);
   }
+
+private:
+  bool turns_ = false; ///< turns of rotary axes are looked at
 };
 
 } // namespace

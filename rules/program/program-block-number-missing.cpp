@@ -8,14 +8,15 @@ class ProgramBlockNumberMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ToolChange);
-    if (to.option("everyBlock", 0) != 0)
+    every_ = to.option("every", 0) != 0;
+    if (every_ || to.option("everyBlock", 0) != 0)
       to.on(EventKind::Block);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const Block &block = ctx.block();
     if (event.kind == EventKind::Block)
-      return bareNumber(ctx);
+      return every_ ? anyBlock(ctx) : bareNumber(ctx);
     if (block.number >= 0 || !event.word || ctx.callDepth() > 0)
       return;
     auto finding = ctx.report(event, event.certain);
@@ -50,6 +51,22 @@ private:
     if (auto finding = ctx.report(SourceRange{ctx.source().id(), block.begin, block.begin + 1}))
       finding.severity(Severity::Style).message("the block has no number: a search cannot find it");
   }
+
+  /// Where every block has a number. What only resets, and data for the control's files, has none.
+  static void anyBlock(RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (block.number >= 0 || block.isEmpty() || !block.hasAny(~maskOf(variableAddress)) ||
+        ctx.outcome().kinds & bitOf(EventKind::ToolChange))
+      return;
+    for (const CodeUse &use : ctx.codes())
+      if (const Action action = ctx.code(use).action;
+          action == Action::Reset || action == Action::DataInput)
+        return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.message("this block has no number, and every block of this control has one");
+  }
+
+  bool every_ = false; ///< every block has a number, not only those of tools
 };
 
 } // namespace

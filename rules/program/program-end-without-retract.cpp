@@ -8,12 +8,30 @@ class ProgramEndWithoutRetract final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
-      to.on(EventKind::ProgramEnd);
+      to.on({EventKind::ProgramEnd, EventKind::Motion});
+    if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
+      to.onAction({Action::ProfileRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
+    if (event.kind == EventKind::Code) {
+      job_ = ctx.range(*event.word);
+      return;
+    }
+    if (event.kind == EventKind::Motion) {
+      if (event.axes >> unsigned(tool) & 1)
+        job_ = {};
+      return;
+    }
+    if (job_.end && ctx.callDepth() == 0 && !state.may(Fact::UnknownCode)) {
+      if (auto finding = ctx.report(event))
+        finding.message("the program ends behind `{0}` without a move of the tool axis: where the "
+                        "tool stands is not stated",
+                        ctx.text(job_));
+      return;
+    }
     // Fed down since, and not above that level again.
     if (ctx.callDepth() > 0 || !state.must(Fact::Cut) || state.may(Fact::UnknownCode) ||
         !state.fedFrom.isConstant() || !state.at(tool).isConstant() ||
@@ -23,6 +41,9 @@ public:
       finding.message(
           "the program ends with the tool at depth: the next one begins inside the work");
   }
+
+private:
+  SourceRange job_; ///< what has left the tool somewhere, until its axis moves
 };
 
 } // namespace

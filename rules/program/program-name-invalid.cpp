@@ -94,6 +94,11 @@ private:
         continue;
       const SourceRange range{file.source.id(), block.labelBegin, block.labelEnd};
       const llvm::StringRef name = ctx.text(range).split(':').first;
+      if (name.trim().empty() && !ctx.text(range).empty()) {
+        if (auto finding = ctx.report(range))
+          finding.message("a label without a name: what stands behind the colon is a remark");
+        continue;
+      }
       const size_t letters = name.size() - name.count(' ');
       if (letters == 0)
         if (auto finding = ctx.report(range))

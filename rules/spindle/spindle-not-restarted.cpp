@@ -1,4 +1,5 @@
-// A cut behind rigid tapping or a tool change, which has left the spindle standing.
+// A cut behind rigid tapping, a tool change or an oriented stop, which have left the spindle
+// standing.
 #include "analyzer/lookahead.h"
 #include "analyzer/once.h"
 
@@ -10,11 +11,13 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun});
     afterTap_ = to.option("afterTap", 0) != 0;
+    wanted_ = to.option("codes", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (afterTap_)
       directionAfterTap(event, ctx);
+    stopped(event, ctx);
     if (event.code == noCode || !ctx.before().may(Fact::SpindleStoppedByTap) ||
         !ctx.after().may(Fact::SpindleStoppedByTap) || ctx.before().profile == 1)
       return;
@@ -94,6 +97,32 @@ private:
     tap_ = {};
   }
 
+  /// The code that stopped it along with its own work is where the start is missing.
+  void stopped(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Origin &cause = state.origin.spindle;
+    if (!wanted_ || event.code == noCode || event.number == 1 || !cause.known() ||
+        cause.file != ctx.source().id() || state.spindle != spindleOriented ||
+        state.may(Fact::UnknownCode))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    const bool cuts =
+        event.kind == EventKind::Motion
+            ? event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference &&
+                  event.motion != MotionKind::Skip
+            : code.spindle == SpindleNeed::Running || code.spindle == SpindleNeed::Clockwise ||
+                  code.spindle == SpindleNeed::CounterClockwise;
+    if (!cuts || !once_.speaks(cause, ctx))
+      return;
+    if (auto finding = ctx.report(cause.range(), event.certain))
+      finding
+          .message("`{0}` stops the spindle as well, and nothing starts it again in front of the "
+                   "next cut",
+                   ctx.text(cause.range()))
+          .note(ctx.blockRange(), "the cut");
+  }
+
+  bool wanted_ = false; ///< other codes than tapping stop it as well
   bool afterTap_ = false;
   SourceRange tap_{}; ///< block of the last tapped hole
   OncePerCause once_;

@@ -1,4 +1,4 @@
-// A program number without a comment that names the program.
+// A program number without a comment that names the program, or a comment of the wrong kind.
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -6,7 +6,24 @@ namespace {
 
 class StyleCommentMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override { named_ = to.dialect().limits.nameLength != 0; }
+  void listen(Subscriptions &to) override {
+    named_ = to.dialect().limits.nameLength != 0;
+    if (to.option("kinds", 0) != 0)
+      to.onChange({EventKind::Block});
+  }
+
+  /// A comment that the operator sees, in a block that works.
+  void on(const Event &, RuleContext &ctx) override {
+    const Block &block = ctx.block();
+    const auto shown = llvm::find_if(block.comments, [](const Comment &c) { return c.shown; });
+    if (shown == block.comments.end() || !block.hasAny(ctx.dialect().axisWords))
+      return;
+    const SourceRange range{ctx.source().id(), shown->begin, shown->end};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is shown to the operator while the block runs: a remark for the "
+                      "programmer stands in braces",
+                      ctx.source().displayText(ctx.text(range)));
+  }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     if (named_) // the control's list shows the name

@@ -1,5 +1,8 @@
 // A word that takes a whole number has a fraction or a decimal point.
 #include "analyzer/rule.h"
+#include "interp/expression.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
@@ -13,7 +16,7 @@ bool namesSomething(Role role) {
 class SyntaxIntegerRequired final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::WordIssue, EventKind::Syntax});
+    to.on({EventKind::WordIssue, EventKind::Syntax, EventKind::Statement});
     codes_ = to.option("codes", 0) != 0;
     if (to.option("converted", 0) != 0)
       to.on(EventKind::ToolWord);
@@ -24,8 +27,18 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     const Block &block = ctx.block();
+    if (event.kind == EventKind::Statement)
+      return variable(block.items[size_t(event.number)], ctx);
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = block.issues[size_t(event.number)];
+      if (issue.kind == SyntaxIssueKind::RealForInteger) {
+        const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` takes a whole number, and this value is a real one: a function "
+                          "that cuts the fraction off makes it whole",
+                          ctx.text(range));
+        return;
+      }
       if (issue.kind == SyntaxIssueKind::MalformedNumber && block.number >= 0 &&
           issue.begin == block.numberBegin && issue.end == block.numberEnd) {
         const SourceRange range{ctx.source().id(), issue.begin, issue.end};
@@ -70,6 +83,22 @@ private:
     if (auto finding = ctx.report(word))
       finding.message("`{0}` takes a whole number: a real value has to be converted",
                       ctx.text(word));
+  }
+
+  /// `<%NHL=2.5>`: the mark in front of the name says that it holds whole numbers.
+  static void variable(const Item &item, RuleContext &ctx) {
+    const SourceRange name{ctx.source().id(), item.nameBegin, item.nameEnd};
+    if (item.kind != ItemKind::Assignment || item.value == noExpression ||
+        !ctx.text(name).startswith("%"))
+      return;
+    const Value value = evaluate(ctx.block(), item.value, ctx.before(), nullptr);
+    if (!value.isConstant() || value.number.value() == std::floor(value.number.value()))
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` holds whole numbers, and gets {1}", ctx.text(name),
+                   llvm::formatv("{0}", llvm::format("%g", value.number.value())));
   }
 
   bool codes_ = false; ///< codes are whole numbers too

@@ -43,13 +43,21 @@ public:
     if (ctx.find({Action::MacroCall, Action::MacroModal}))
       return;
     for (const Word &word : ctx.block().words)
-      if (!(ctx.dialect().known & maskOf(word.address)))
+      if (!(ctx.dialect().known & maskOf(word.address)) && !explained(word, ctx))
         if (auto finding = ctx.report(word))
           finding.message("`{0}`: this control has no address {1}, the block is refused",
                           ctx.text(word), ctx.dialect().addressName(word.address));
   }
 
 private:
+  /// A code of the block has something to say of just this address.
+  static bool explained(const Word &word, const RuleContext &ctx) {
+    return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      return llvm::any_of(ctx.code(use).notices,
+                          [&](const Notice &notice) { return notice.at == word.address; });
+    });
+  }
+
   uint16_t axes_ = 0; ///< that the machine profile has; 0: it does not say
 };
 

@@ -1,5 +1,5 @@
 // A name that the control does not know and the program does not define.
-#include "analyzer/rule.h"
+#include "analyzer/defined_elements.h"
 
 #include <set>
 
@@ -9,6 +9,10 @@ namespace {
 class SyntaxUnknownName final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    if (to.dialect().elementWords) {
+      to.onAction({Action::DefineElement});
+      to.onChange({EventKind::Motion});
+    }
     if (to.dialect().keywords.empty())
       return;
     for (const CodeInfo &code : to.dialect().codes)
@@ -26,6 +30,8 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
+    if (event.kind == EventKind::Motion || event.kind == EventKind::Code)
+      return element(ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::UnknownWord)
       return;
@@ -93,6 +99,25 @@ private:
   bool defined_ = false;      ///< programs define their names themselves
   std::set<uint64_t> spoken_; ///< names that were looked at
 
+  /// An element of a contour that nothing has defined.
+  void element(RuleContext &ctx) {
+    if (!ctx.block().hasAny(ctx.dialect().elementWords))
+      return;
+    if (const Word *word = DefinedElements::definedBy(ctx)) {
+      elements_.define(*word, ctx);
+      return;
+    }
+    // A program that nothing here calls: its caller may have defined it.
+    if (ctx.before().may(Fact::UnknownCode) || DefinedElements::alone(ctx))
+      return;
+    for (const Word &word : ctx.block().words)
+      if ((ctx.dialect().elementWords & maskOf(word.address)) && !elements_.find(word))
+        if (auto finding = ctx.report(word))
+          finding.message("nothing has defined the element `{0}`", ctx.text(word));
+  }
+
+  DefinedElements elements_;
+
   /// A value for a name that no cycle reads, where only cycles read names.
   void parameter(const Event &event, RuleContext &ctx) {
     if (known_.empty() || !ctx.block().has(variableAddress) ||
@@ -100,11 +125,19 @@ private:
       return;
     for (const Item &item : ctx.block().items)
       if (item.kind == ItemKind::Assignment &&
-          ctx.block().keyOf(item.target) == uint64_t(event.number))
+          ctx.block().keyOf(item.target) == uint64_t(event.number) &&
+          !knownWithout(ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd})))
         if (auto finding = ctx.report(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}))
           finding.severity(Severity::Warning)
               .message("no cycle reads `{0}`: the value goes nowhere",
                        ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}));
+  }
+
+  /// Another mark of the type: variable-type-mismatch speaks.
+  bool knownWithout(llvm::StringRef name) const {
+    const std::string bare = name.ltrim('%').str();
+    return known_.count(variableKey(bare)) || known_.count(variableKey("%" + bare)) ||
+           known_.count(variableKey("%%" + bare));
   }
 
   std::set<uint64_t> known_; ///< keys of the variables that codes read

@@ -8,19 +8,17 @@ class ToolOffsetCancelled final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     edges_ = to.option("edges", 0) != 0;
-    length_ = to.option("length", 0) != 0;
+    length_ = to.dialect().lengthByTool != noGroup;
     if (to.dialect().isLathe() || edges_ || length_)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
+    if (length_)
+      return withoutLength(event, ctx);
     if (edges_) {
       withoutEdge(event, ctx);
-      return;
-    }
-    if (length_) {
-      withoutLength(event, ctx);
       return;
     }
     // A machine position needs no offset, nor does the reference point.
@@ -42,6 +40,28 @@ public:
   }
 
 private:
+  /// The length of the tool is switched off, and its axis moves.
+  void withoutLength(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const GroupIndex group = ctx.dialect().lengthByTool;
+    const auto tool = uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state)));
+    if (!(event.axes & tool) || event.kind != EventKind::Motion || event.number == 1 ||
+        state.may(Fact::UnknownCode))
+      return;
+    for (const CodeIndex member : ctx.dialect().groups[group].members) {
+      const CodeInfo &code = ctx.dialect().codes[member];
+      if (code.action != Action::LengthOff || state.group[group] != uint64_t(1) << code.bit ||
+          !once_.speaks(state.origin.group[group], ctx))
+        continue;
+      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+        finding
+            .message("`{0}` has switched the length of the tool off: this height is that of the "
+                     "spindle",
+                     code.name)
+            .note(state.origin.group[group], "it is switched off here");
+    }
+  }
+
   /// D is length and radius: with D0 the tool has none.
   void withoutEdge(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.before();
@@ -59,33 +79,8 @@ private:
     }
   }
 
-  /// D0 suspends the tool's length until G43, G44 or the next change.
-  void withoutLength(const Event &event, RuleContext &ctx) {
-    const MachineState &state = ctx.after();
-    const Origin &off = state.origin.lengthOffset;
-    if (event.kind != EventKind::Motion || ctx.before().lengthOffset != 0 ||
-        state.lengthOffset != 0 || event.number == 1 || state.may(Fact::UnknownCode) ||
-        !state.must(Fact::ToolCalled) ||
-        !(event.axes >> unsigned(toolAxis(ctx.dialect(), state)) & 1))
-      return;
-    const CodeIndex on = ctx.dialect().find("G43");
-    if (on != noCode && ctx.dialect().codes[on].group != noGroup) {
-      const Origin &restored = state.origin.group[ctx.dialect().codes[on].group];
-      if (restored.known() && (restored.file != off.file || restored.begin > off.begin))
-        return;
-    }
-    if (!once_.speaks(off, ctx))
-      return;
-    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
-      finding
-          .message("the tool moves along its axis with its length suspended: every depth is wrong "
-                   "by the length")
-          .severity(Severity::Warning)
-          .note(off, "`D0` suspends it here");
-  }
-
   bool edges_ = false;
-  bool length_ = false;
+  bool length_ = false; ///< a code switches the length off alone
   OncePerCause once_;
 };
 

@@ -59,6 +59,7 @@ private:
         return;
       variable |= op.op == Op::Variable || op.op == Op::ElementAt;
       fraction |= op.op == Op::Number && op.value != std::floor(op.value);
+      fraction |= op.op == Op::Variable && comesFromFraction(uint64_t(op.value), ctx);
     }
     if (!variable || !fraction)
       return;
@@ -67,6 +68,36 @@ private:
       finding.message(
           "`{0}` may miss zero by its last digit: the way for zero, `{1}`, is not taken then",
           ctx.text(range), textOf(targets[1]));
+  }
+
+  /// Computed with a fraction or a quotient, and not rounded.
+  static bool isFraction(const Block &block, const Expression &e) {
+    if (e.bad || e.count < 2)
+      return false;
+    const auto operations = llvm::makeArrayRef(block.operations).slice(e.first, e.count);
+    const Op last = operations.back().op;
+    return last != Op::Round && last != Op::Truncate &&
+           llvm::any_of(operations, [](const ExpressionOp &op) {
+             return op.op == Op::Divide ||
+                    (op.op == Op::Number && op.value != std::floor(op.value));
+           });
+  }
+
+  /// Whether the last assignment in front of the block computes the variable so.
+  static bool comesFromFraction(uint64_t variable, RuleContext &ctx) {
+    bool fraction = false;
+    Block block;
+    for (uint32_t at = ctx.index().programAt(ctx.block().begin).body; at < ctx.block().begin;
+         at = block.next) {
+      ctx.index().reader().read(at, block);
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == variable &&
+            item.value != noExpression)
+          fraction = isFraction(block, block.expressions[item.value]);
+      if (block.next <= at)
+        break;
+    }
+    return fraction;
   }
 };
 

@@ -13,6 +13,9 @@ public:
   void listen(Subscriptions &to) override {
     if (to.option("wanted", 0) != 0)
       to.on(EventKind::UnsetRead);
+    for (const CodeInfo &code : to.dialect().codes)
+      for (const Store &store : code.stores)
+        stored_.insert(store.variable);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -23,6 +26,15 @@ public:
     const llvm::StringRef name =
         text.take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
     int64_t index = 0;
+    // What a code of the control gives its value: without the code it has that of another program.
+    if (stored_.count(variableKey(name)) || stored_.count(keyOf(name))) {
+      const SourceRange range{ctx.source().id(), uint32_t(event.number),
+                              uint32_t(event.number + int64_t(name.size()))};
+      if (reported_.insert(-1).second)
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` is read, and nothing in the program has given it a value", name);
+      return;
+    }
     // Other names may be defined outside of the program.
     if (!(name.startswith("R") || name.startswith("r")) ||
         name.drop_front().getAsInteger(10, index) || !reported_.insert(index).second)
@@ -36,6 +48,14 @@ public:
   }
 
 private:
+  /// Key of a variable with a number behind its letter.
+  static uint64_t keyOf(llvm::StringRef name) {
+    int64_t index = 0;
+    return name.size() > 1 && !name.drop_front().getAsInteger(10, index)
+               ? elementKey(variableKey(name.take_front()), index)
+               : 0;
+  }
+
   /// A program that ends as a main program does, and in a file of its own name.
   bool isMain(RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
@@ -60,6 +80,7 @@ private:
   uint32_t known_ = ~0u;
   bool main_ = false;
   std::set<int64_t> reported_;
+  std::set<uint64_t> stored_; ///< keys of variables that codes give a value
 };
 
 } // namespace

@@ -2,6 +2,8 @@
 #include "analyzer/rule.h"
 #include "interp/expression.h"
 
+#include "llvm/ADT/StringMap.h"
+
 #include <cmath>
 
 namespace ncvet {
@@ -9,11 +11,20 @@ namespace {
 
 class VariableTypeMismatch final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::Statement, EventKind::ToolWord}); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Statement);
+    to.onChange({EventKind::Block});
+    for (const std::string &name : to.dialect().variableNames) {
+      marked_ |= llvm::StringRef(name).startswith("%");
+      types_[llvm::StringRef(name).ltrim('%')] = name;
+    }
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind == EventKind::ToolWord)
-      return cutOff(*event.word, ctx);
+    if (event.kind == EventKind::Block)
+      return truncated(ctx);
+    if (marked_)
+      mark(ctx.block().items[size_t(event.number)], ctx);
     const Block &block = ctx.block();
     const Item &item = block.items[size_t(event.number)];
     if ((item.kind != ItemKind::Assignment && item.kind != ItemKind::Definition) ||
@@ -41,23 +52,49 @@ public:
   }
 
 private:
-  /// `T<FTL(R12)>` with 14.6 in R12 is another tool.
-  static void cutOff(const Word &word, RuleContext &ctx) {
-    const Block &block = ctx.block();
-    if (!word.has(wordExpression) || size_t(word.mantissa) >= block.expressions.size())
+  /// The mark of the type is a part of the name: `%` whole numbers, `%%` long ones.
+  void mark(const Item &item, RuleContext &ctx) const {
+    if (item.kind != ItemKind::Assignment)
       return;
-    const Expression &e = block.expressions[size_t(word.mantissa)];
-    if (e.bad || e.count != 2 || block.operations[e.first].op != Op::Variable ||
-        block.operations[e.first + 1].op != Op::Truncate)
+    const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
+    const llvm::StringRef name = ctx.text(range);
+    const auto known = types_.find(name.ltrim('%'));
+    if (known == types_.end() || name == known->second)
       return;
-    const Value value = readVariable(ctx.after(), int64_t(block.operations[e.first].value));
-    if (!value.isConstant() || value.number.value() == std::floor(value.number.value()))
-      return;
-    if (auto finding = ctx.report(word))
+    if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
-          .message("`{0}` cuts a fraction off: the value is {1}", ctx.text(word),
-                   llvm::formatv("{0}", llvm::format("%g", value.number.value())).str());
+          .message("`{0}` is written `{1}`: the mark says what numbers it holds", name,
+                   known->second)
+          .fix(FixSafety::Unsafe, "write `" + known->second + "`",
+               ctx.replace(range, known->second));
   }
+
+  /// `T<FTL(R1)>`: what a fraction is cut off from names another tool or code.
+  static void truncated(RuleContext &ctx) {
+    constexpr AddressMask whole = lettersMask("GMT");
+    if (ctx.block().expressions.empty() || !(ctx.block().addresses & whole))
+      return;
+    for (const Word &word : ctx.block().words) {
+      if (!(whole & maskOf(word.address)) || !word.has(wordExpression))
+        continue;
+      const Expression &e = ctx.block().expressions[size_t(word.mantissa)];
+      if (e.bad || e.count < 2 || ctx.block().operations[e.first + e.count - 1].op != Op::Truncate)
+        continue;
+      Block inner = ctx.block(); // the expression without its function
+      --inner.expressions[size_t(word.mantissa)].count;
+      // The assignments of the block itself come first.
+      const Interval value = wordValue(word, inner, ctx.after());
+      if (!value.isConstant() || value.value() == std::floor(value.value()))
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.severity(Severity::Warning)
+            .message("`{0}` cuts the fraction of {1} off", ctx.text(word),
+                     llvm::formatv("{0}", llvm::format("%g", value.value())));
+    }
+  }
+
+  bool marked_ = false;                ///< names of variables have marks of their type
+  llvm::StringMap<std::string> types_; ///< by name without its mark: with it
 
   static VariableType typeOf(llvm::StringRef name, RuleContext &ctx) {
     name = name.split('[').first.trim();

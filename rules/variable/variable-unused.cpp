@@ -1,5 +1,5 @@
-// A variable that is defined and never read.
-#include "analyzer/rule.h"
+// A variable or an element of a contour that is defined and never read.
+#include "analyzer/defined_elements.h"
 
 #include <map>
 #include <set>
@@ -12,15 +12,25 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Statement);
     overwritten_ = to.option("overwritten", 0) != 0;
+    if (to.dialect().elementWords) {
+      to.onAction({Action::DefineElement});
+      to.onChange({EventKind::Motion});
+    }
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind != EventKind::Statement)
+      return element(ctx);
     const ItemKind kind = ctx.block().items[size_t(event.number)].kind;
     defines_ |= kind == ItemKind::Definition;
     assigns_ |= kind == ItemKind::Assignment;
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (file.complete)
+      for (const auto &[key, element] : elements_.all())
+        if (!element.used)
+          report(element.where, ctx);
     if (overwritten_ && assigns_)
       overwritten(file, ctx);
     if (!defines_)
@@ -30,6 +40,31 @@ public:
   }
 
 private:
+  void element(RuleContext &ctx) {
+    if (!ctx.block().hasAny(ctx.dialect().elementWords))
+      return;
+    if (const Word *word = DefinedElements::definedBy(ctx)) {
+      const SourceRange here = ctx.range(*word);
+      const auto old = elements_.define(*word, ctx);
+      // In a program that is called again the same definition comes round.
+      if (old && !old->used && old->where.begin != here.begin)
+        if (auto finding = ctx.report(here))
+          finding.severity(Severity::Warning)
+              .message("`{0}` is defined again before anything has used it", ctx.text(here))
+              .note(old->where, "the definition before");
+      return;
+    }
+    for (const Word &word : ctx.block().words)
+      if (ctx.dialect().elementWords & maskOf(word.address))
+        if (DefinedElements::Element *element = elements_.find(word))
+          element->used = true;
+  }
+
+  static void report(SourceRange range, RuleContext &ctx) {
+    if (auto finding = ctx.report(range))
+      finding.text("this element is defined, and nothing uses it");
+  }
+
   /// `R1=5` and further down `R1=6`, with nothing in between that reads R1 or may come from
   /// elsewhere.
   static void overwritten(const FileSummary &file, RuleContext &ctx) {
@@ -100,6 +135,7 @@ private:
           finding.message("nothing reads `{0}`", ctx.text(range));
   }
 
+  DefinedElements elements_;
   bool overwritten_ = false; ///< values that are replaced unread are reported
   bool defines_ = false, assigns_ = false;
 };

@@ -61,5 +61,40 @@ TEST(EcsPrograms, RepeatsMayNestUpToTheControlsLevels) {
               testing::Not(testing::Contains(testing::HasSubstr("flow-recursion"))));
 }
 
+/// What `<TIM:ON>` has started may be read; before it nothing has set it.
+TEST(EcsPrograms, TheStopwatchIsReadBehindItsStart) {
+  const auto unset = testing::Contains(testing::HasSubstr("variable-read-before-write"));
+  const std::string head = "%\nN10 G16XYZ+\nN20 T1 M6\n";
+  EXPECT_THAT(findings(head + "N30 R0=V1025\nN40 M30\n"), unset);
+  EXPECT_THAT(findings(head + "N25 <TIM:ON>\nN28 <TIM:OFF>\nN30 R0=V1025\nN40 M30\n"),
+              testing::Not(unset));
+}
+
+/// On one way only the axes are named: that they are missing is not certain.
+TEST(EcsPrograms, WhatOneWayHasSetIsNotMissing) {
+  const std::string program = "%\n"
+                              "N10 G16XYZ+\n"
+                              "N20 T1 M6\n"
+                              "N30 <INP:\"n\";R1;N60;1;9>\n"
+                              "N40 <IFF<R1-5>:N50;N60;N60>\n"
+                              "N50 <G69:AX=XYZ;E=0.02>\n"
+                              "N60 G69\n"
+                              "N70 G68\n"
+                              "N80 M30\n";
+  EXPECT_THAT(findings(program),
+              testing::Not(testing::Contains(testing::HasSubstr("block-missing-word"))));
+}
+
+/// An element that a block defines is named, not driven to.
+TEST(EcsPrograms, ADefinitionMovesNothing) {
+  EXPECT_THAT(findings("%\n"
+                       "N10 G16XYZ+\n"
+                       "N20 T1 M6\n"
+                       "N30 P2 = X-50 Y0\n"
+                       "N40 O5 = G2 I0 J0 R50\n"
+                       "N50 M30\n"),
+              testing::Not(testing::Contains(testing::HasSubstr("spindle-off-while-cutting"))));
+}
+
 } // namespace
 } // namespace ncvet

@@ -120,6 +120,24 @@ TEST_F(EcsReading, AChoiceOfTwoTargetsLacksOne) {
             (std::vector<SyntaxIssueKind>{SyntaxIssueKind::MissingArgument}));
 }
 
+TEST_F(EcsReading, ArgumentsWithNamesTakeThePlacesOfTheTable) {
+  const Block block = blockOf("N10 <G69: FIL=2; AX=XY>\n");
+  const Word *axes = block.argument(1), *filter = block.argument(6);
+  ASSERT_TRUE(axes && filter);
+  EXPECT_EQ(block.endOf(*axes) - axes->offset, 2u);
+  EXPECT_EQ(valueOf(block, uint16_t(filter->mantissa)), 2);
+  EXPECT_TRUE(block.argument(2)->has(wordNoValue));
+  const Block spline = blockOf("N20 <SPL:ON;P21;X>\n");
+  ASSERT_TRUE(spline.argument(9));
+  EXPECT_EQ(valueOf(spline, uint16_t(spline.argument(9)->mantissa)), 21);
+}
+
+TEST_F(EcsReading, ABlockNumberWithASignIsOneAllTheSame) {
+  const Block block = blockOf("N-5 G0 X1\n");
+  EXPECT_GE(block.number, 0);
+  EXPECT_EQ(issuesOf(block), (std::vector<SyntaxIssueKind>{SyntaxIssueKind::MalformedNumber}));
+}
+
 TEST_F(EcsReading, ARepeatNamesItsBlocksAndItsCount) {
   const Block block = blockOf("N40 <RPT:N10;N30;<%NRP>>\n");
   ASSERT_EQ(block.items.size(), 1u);

@@ -1,0 +1,60 @@
+// A called program writes a variable that the caller has set and still needs.
+#include "analyzer/rule.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+#include <set>
+
+namespace ncvet {
+namespace {
+
+class VariableClobberedBySubprogram final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (to.option("wanted", 0) != 0)
+      to.on(EventKind::CallReturned);
+  }
+
+  void on(const Event &, RuleContext &ctx) override {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    if (ctx.outcome().flow.kind != FlowKind::CallNamed || after.may(Fact::UnknownCode))
+      return;
+    constexpr unsigned readable = 60;
+    std::set<uint64_t> seen;
+    Block next;
+    uint32_t at = ctx.block().next;
+    for (unsigned i = 0; i < readable && at < ctx.source().text().size(); ++i, at = next.next) {
+      ctx.index().reader().read(at, next);
+      for (const ExpressionOp &op : next.operations) {
+        const auto key = uint64_t(op.value);
+        if (op.op != Op::Variable || !seen.insert(key).second || !isNumbered(op, ctx) ||
+            !before.commons.has(key) || before.commons.get(key) == after.commons.get(key))
+          continue;
+        if (auto finding = ctx.report(ctx.blockRange()))
+          finding
+              .message("the called program writes a variable that this program has set and reads "
+                       "again: all programs share them")
+              .note(SourceRange{ctx.source().id(), next.begin, next.end}, "it is read here");
+        return;
+      }
+      for (const Item &item : next.items) {
+        if (item.kind != ItemKind::Assignment)
+          return; // what runs next the text does not tell
+        seen.insert(next.keyOf(item.target));
+      }
+      if (next.next <= at)
+        return;
+    }
+  }
+
+private:
+  /// A variable without a meaning of its own: a letter and a number.
+  static bool isNumbered(const ExpressionOp &op, const RuleContext &ctx) {
+    const llvm::StringRef text = ctx.source().text(op.offset, op.offset + 2);
+    return text.size() == 2 && (text[0] == 'R' || text[0] == 'r') && llvm::isDigit(text[1]);
+  }
+};
+
+} // namespace
+NCVET_RULE(VariableClobberedBySubprogram, variable_clobbered_by_subprogram)
+} // namespace ncvet
