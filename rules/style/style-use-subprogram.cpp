@@ -1,34 +1,111 @@
-// A profile that a cycle reads stands in the middle of the main program.
+// What should be a program of its own: equal sequences of blocks, and a profile in the middle of the
+// main program.
 #include "analyzer/rule.h"
+
+#include "llvm/Support/xxhash.h"
+
+#include <unordered_map>
 
 namespace ncvet {
 namespace {
 
 class StyleUseSubprogram final : public Rule {
 public:
-  void listen(Subscriptions &to) override {
-    for (const CodeInfo &code : to.dialect().codes)
-      records_ |= code.action == Action::ProfileBegin;
-    if (records_)
-      to.on(EventKind::Motion);
-  }
+  void listen(Subscriptions &to) override { run_ = size_t(std::max(2.0, to.option("blocks", 5))); }
 
-  void on(const Event &event, RuleContext &ctx) override {
-    const Origin &begin = ctx.before().origin.rough;
-    if (ctx.before().profile != 1 || ctx.callDepth() > 0 || !event.axes || !begin.known() ||
-        begin.begin == said_)
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    constexpr size_t readable = 1u << 20; // a program that long was made by a machine
+    if (file.source.text().size() > readable)
       return;
-    said_ = begin.begin;
-    if (auto finding = ctx.report(ctx.blockRange()))
-      finding
-          .message("this profile is recorded in the middle of the main program: in a program of "
-                   "its own it can be used again")
-          .note(begin, "it is recorded from here on");
+    for (const ProgramInfo &program : file.index.programs())
+      look(program, file, ctx);
   }
 
 private:
-  bool records_ = false; ///< the control records profiles
-  uint32_t said_ = ~0u;  ///< the recording that was reported last
+  struct Line {
+    uint64_t text = 0; ///< hash of what the block does, without number, comments and blanks
+    uint32_t begin = 0, end = 0;
+    bool moves = false;
+  };
+
+  void look(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    read(program, file, ctx.dialect());
+    std::unordered_map<uint64_t, size_t> first; // sequence, and where it began first
+    for (size_t at = 0; at + run_ <= lines_.size(); ++at) {
+      const std::optional<uint64_t> key = sequenceAt(at);
+      if (!key)
+        continue;
+      const auto [known, fresh] = first.try_emplace(*key, at);
+      const size_t before = known->second;
+      if (fresh || before + run_ > at)
+        continue;
+      size_t length = run_;
+      while (before + length < at && at + length < lines_.size() &&
+             lines_[before + length].text == lines_[at + length].text)
+        ++length;
+      if (auto finding = ctx.report(range(before, file)))
+        finding
+            .message(
+                "the {0} blocks from here on stand in the program again: a subprogram keeps them "
+                "in one place",
+                length)
+            .note(range(at, file), "here");
+      return; // one example says it
+    }
+  }
+
+  SourceRange range(size_t at, const FileSummary &file) const {
+    return {file.source.id(), lines_[at].begin, lines_[at].end};
+  }
+
+  void read(const ProgramInfo &program, const FileSummary &file, const Dialect &dialect) {
+    lines_.clear();
+    Block block;
+    std::string text;
+    for (uint32_t at = program.begin; at < program.end; at = block.next) {
+      file.reader.read(at, block);
+      if (block.isEmpty())
+        continue;
+      Line line;
+      line.begin = block.begin;
+      line.end = block.end;
+      text.clear();
+      const auto add = [&](uint32_t begin, uint32_t end) {
+        text += file.source.text(begin, end);
+        text += ' ';
+      };
+      for (const Word &word : block.words) {
+        if (word.address != letterAddress('N'))
+          add(word.offset, block.endOf(word));
+        line.moves |= (dialect.axisWords & maskOf(word.address)) != 0;
+      }
+      for (const Item &item : block.items)
+        add(item.begin, item.end);
+      line.text = llvm::xxHash64(text);
+      lines_.push_back(line);
+    }
+  }
+
+  /// Key of the sequence that begins at `at`; none when it is one block over and over, or hardly
+  /// moves: what begins and ends the work of a tool is alike everywhere.
+  std::optional<uint64_t> sequenceAt(size_t at) const {
+    uint64_t key = 0;
+    size_t moves = 0;
+    bool differ = false;
+    for (size_t i = 0; i < run_; ++i) {
+      const Line &line = lines_[at + i];
+      key = key * 0x9E3779B97F4A7C15u + line.text;
+      moves += line.moves;
+      differ |= line.text != lines_[at].text;
+    }
+    if (!differ || moves + 1 < run_)
+      return std::nullopt;
+    return key;
+  }
+
+  uint32_t said_ = ~0u; ///< the recording that was reported last
+  size_t run_ = 5;      ///< blocks of the shortest sequence
+  std::vector<Line> lines_;
 };
 
 } // namespace
