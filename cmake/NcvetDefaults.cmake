@@ -12,10 +12,10 @@ endif()
 find_program(NCVET_CCACHE ccache)
 if(NCVET_CCACHE)
   # Without these ccache passes every file that uses a precompiled header on to the compiler: the
-  # header's times must not count, and g++ has to say which header it took. The cache then serves
-  # every checkout of the project, wherever it lies.
+  # header's times must not count, and g++ has to say which header it took. A cached precompiled
+  # header belongs to the checkout that made it: its guards compare paths.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true
+      ${CMAKE_COMMAND} -E env
       CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${NCVET_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
