@@ -11,18 +11,8 @@ endif()
 
 find_program(NCVET_CCACHE ccache)
 if(NCVET_CCACHE)
-  # Without these ccache passes every file that uses a precompiled header on to the compiler: the
-  # header's times must not count, and g++ has to say which header it took. A cached precompiled
-  # header belongs to the checkout that made it: its guards compare paths.
-  set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${NCVET_CCACHE})
-  set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    add_compile_options(-fpch-preprocess)
-  elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
-  endif()
+  set(CMAKE_C_COMPILER_LAUNCHER ${NCVET_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${NCVET_CCACHE})
 endif()
 
 option(NCVET_SANITIZE "Build with address and undefined-behaviour sanitizer" OFF)
