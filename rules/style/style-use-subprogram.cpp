@@ -1,5 +1,5 @@
-// What should be a program of its own: equal sequences of blocks, and a profile in the middle of the
-// main program.
+// What should be a program of its own: equal sequences of blocks, and a profile inside the main
+// program.
 #include "analyzer/rule.h"
 
 #include "llvm/Support/xxhash.h"
@@ -11,7 +11,26 @@ namespace {
 
 class StyleUseSubprogram final : public Rule {
 public:
-  void listen(Subscriptions &to) override { run_ = size_t(std::max(2.0, to.option("blocks", 5))); }
+  void listen(Subscriptions &to) override {
+    run_ = size_t(std::max(2.0, to.option("blocks", 5)));
+    if (llvm::any_of(to.dialect().codes,
+                     [](const CodeInfo &code) { return code.action == Action::ProfileBegin; }))
+      to.on(EventKind::Motion);
+  }
+
+  /// A move of a profile that is recorded where it is used.
+  void on(const Event &event, RuleContext &ctx) override {
+    const Origin &begin = ctx.before().origin.rough;
+    if (ctx.before().profile != 1 || ctx.callDepth() > 0 || !event.axes || !begin.known() ||
+        begin.begin == said_)
+      return;
+    said_ = begin.begin;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("this profile is recorded in the middle of the main program: in a program of "
+                   "its own it can be used again")
+          .note(begin, "it is recorded from here on");
+  }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     constexpr size_t readable = 1u << 20; // a program that long was made by a machine
