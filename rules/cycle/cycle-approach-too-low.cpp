@@ -8,7 +8,14 @@ namespace {
 
 class CycleApproachTooLow final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::CycleRun); }
+  void listen(Subscriptions &to) override {
+    const bool planes = to.dialect().cycleSurvivesMotion;
+    if (llvm::any_of(to.dialect().codes, [&](const CodeInfo &code) {
+          return code.cycle == CycleKind::Pocket || code.cycle == CycleKind::Contour ||
+                 (planes && makesHole(code.cycle) && hasPlaneVariable(code));
+        }))
+      to.on(EventKind::CycleRun);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode)
@@ -51,18 +58,22 @@ public:
   }
 
 private:
+  static bool hasPlaneVariable(const CodeInfo &code) {
+    return llvm::any_of(code.words, [](const WordSpec &spec) {
+      return spec.role == Role::Retract && spec.variable;
+    });
+  }
+
   /// A drilling cycle whose planes are parameters goes to its hole at the level where it stands,
   /// and only then to its start plane.
   static void wayToHole(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
     const Interval &from = ctx.before().at(tool);
-    const bool parameters = llvm::any_of(code.words, [](const WordSpec &spec) {
-      return spec.role == Role::Retract && spec.variable;
-    });
+    if (!ctx.dialect().cycleSurvivesMotion || !from.isConstant() || !hasPlaneVariable(code))
+      return;
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const auto start = kept(ctx.after(), code, Role::Retract);
-    if (!parameters || !ctx.dialect().cycleSurvivesMotion || !unit || !start ||
-        !from.isConstant() || ctx.before().inMachineCoordinates(tool) ||
+    if (!unit || !start || ctx.before().inMachineCoordinates(tool) ||
         (axesOf(ctx.dialect(), ctx.block()) >> unsigned(tool) & 1) ||
         !(event.axes & ~(1u << unsigned(tool))) || from.value() >= *start * *unit - 1e-6)
       return;

@@ -10,13 +10,19 @@ namespace {
 
 class CycleHoleDrilledTwice final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::CycleStart, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::CycleStart, EventKind::CycleRun});
+    calls_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
+      return code.group == noGroup && makesHole(code.cycle);
+    });
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
       return;
     if (event.kind == EventKind::CycleRun) {
-      behindCall(event, ctx);
+      if (calls_)
+        behindCall(event, ctx);
       samePlace(event, ctx);
       repeatedHere(event, ctx);
     }
@@ -74,6 +80,7 @@ private:
             .note(call_, "the hole is made here");
     call_ = {};
   }
+  bool calls_ = false; ///< the control has cycles of one hole
   SourceRange call_{}; ///< block of the last cycle of one hole; no end: none
   std::array<double, axisCount> calledAt_{};
 
