@@ -1,11 +1,10 @@
 // What the scanners of all readers share: the place in the text, and the block that grows.
 #pragma once
 
-#include "formats/readers/block.h"
-
-#include "llvm/ADT/StringRef.h"
+#include "formats/readers/block_cursor.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ncvet {
 
@@ -13,20 +12,13 @@ namespace ncvet {
 inline bool isLineBlank(char c) {
   return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f';
 }
-inline bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
 /// The state of reading one block. A reader's scanner derives from it and adds its grammar; `Blank`
 /// says which characters stand between words.
 template <bool (*Blank)(char) = isLineBlank>
-class BlockScanner {
+class BlockScanner : protected BlockCursor {
 protected:
-  BlockScanner(llvm::StringRef text, uint32_t offset, Block &block)
-      : base_(text.begin()), at_(text.begin() + offset), end_(text.end()), block_(block) {}
-
-  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
-  void issue(SyntaxIssueKind kind, const char *begin, const char *end) {
-    block_.issues.push_back({kind, offset(begin), offset(end)});
-  }
+  using BlockCursor::BlockCursor;
 
   void skipBlanks() {
     while (at_ < end_ && Blank(*at_))
@@ -111,10 +103,14 @@ protected:
     block_.items.push_back(item);
   }
 
-  const char *const base_;
-  const char *at_;
-  const char *const end_;
-  Block &block_;
+  /// Index of the expression that `parse`, a member of its parser, reads from here on.
+  template <typename Parser, typename... Parameters, typename... Arguments>
+  uint16_t parsed(uint16_t (Parser::*parse)(Parameters...), Arguments &&...arguments) {
+    Parser parser(*this);
+    const uint16_t index = (parser.*parse)(std::forward<Arguments>(arguments)...);
+    at_ = parser.position();
+    return index;
+  }
 };
 
 } // namespace ncvet

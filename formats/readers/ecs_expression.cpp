@@ -1,8 +1,6 @@
 // Parser of ECS expressions: text to operations in postfix order.
 #include "formats/readers/ecs_expression.h"
 
-#include "formats/readers/plain_number.h"
-
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringSwitch.h"
 
@@ -11,7 +9,10 @@
 namespace ncvet {
 
 namespace {
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
 bool isNameCharacter(char c) { return llvm::isAlnum(c); }
+
+constexpr unsigned sumStrength = 1, productStrength = 2;
 
 Op functionOf(llvm::StringRef upper) {
   return llvm::StringSwitch<Op>(upper)
@@ -29,43 +30,31 @@ Op functionOf(llvm::StringRef upper) {
 }
 } // namespace
 
+/// Behind what belongs to a bad expression: at a separator or bracket outside of its own.
+ExpressionParser::Rest EcsExpression::behindBad(const char *begin) const {
+  int depth = 0;
+  const char *p = begin;
+  for (; p < end_ && !isLineEnd(*p) && *p != '{'; ++p) {
+    if (*p == '(')
+      ++depth;
+    else if (*p == ')' && --depth < 0)
+      break;
+    else if (depth <= 0 && (*p == '>' || *p == ';' || *p == ',' || *p == ':' || *p == ' ') &&
+             p > begin)
+      break;
+    else if (*p == '<' && p > begin)
+      break;
+  }
+  return {p, depth > 0};
+}
+
 template <typename Parse>
 uint16_t EcsExpression::read(Parse parse) {
-  skipBlanks();
+  Expression result = open();
   const char *const begin = at_;
-  Expression result;
-  result.first = uint32_t(block_.operations.size());
-  result.begin = uint32_t(begin - base_);
-  if (!parse()) {
-    block_.operations.resize(result.first);
-    emit(Op::Unknown, begin);
-    result.bad = true;
-    // Go on behind what belongs to the expression: at a separator or bracket outside of its own.
-    int depth = 0;
-    const char *p = begin;
-    for (; p < end_ && *p != '\n' && *p != '\r' && *p != '{'; ++p) {
-      if (*p == '(')
-        ++depth;
-      else if (*p == ')' && --depth < 0)
-        break;
-      else if (depth <= 0 && (*p == '>' || *p == ';' || *p == ',' || *p == ':' || *p == ' ') &&
-               p > begin)
-        break;
-      else if (*p == '<' && p > begin)
-        break;
-    }
-    if (p > at_)
-      at_ = p;
-    block_.issues.push_back(
-        {depth > 0 ? SyntaxIssueKind::UnbalancedBracket : SyntaxIssueKind::BadExpression,
-         uint32_t(begin - base_), uint32_t(at_ - base_)});
-  }
-  result.count = uint32_t(block_.operations.size()) - result.first;
-  result.end = uint32_t(at_ - base_);
-  if (block_.expressions.size() >= noExpression - 1)
-    return uint16_t(block_.expressions.size() - 1);
-  block_.expressions.push_back(result);
-  return uint16_t(block_.expressions.size() - 1);
+  if (!parse())
+    fail(result, behindBad(begin));
+  return close(result);
 }
 
 uint16_t EcsExpression::parse() {
@@ -84,59 +73,65 @@ uint16_t EcsExpression::parseTarget() {
 }
 
 void EcsExpression::ambiguous(const char *begin) {
-  block_.issues.push_back(
-      {SyntaxIssueKind::AmbiguousExpression, uint32_t(begin - base_), uint32_t(at_ - base_)});
+  issue(SyntaxIssueKind::AmbiguousExpression, begin, at_);
+}
+
+BinaryOperator EcsExpression::binaryAtHand() const {
+  if (at_ == end_)
+    return {};
+  switch (*at_) {
+  case '+':
+    return {Op::Add, sumStrength, 1};
+  case '-':
+    return {Op::Subtract, sumStrength, 1};
+  case '*':
+    return {Op::Multiply, productStrength, 1};
+  case '/':
+    if (at_ + 1 < end_ && at_[1] == '/')
+      return {Op::Modulo, productStrength, 2};
+    return {Op::Divide, productStrength, 1};
+  default:
+    break;
+  }
+  if (const unsigned dash = typographicMinus(at_, end_))
+    return {Op::Subtract, sumStrength, dash};
+  return {};
 }
 
 bool EcsExpression::sum(unsigned depth) {
-  if (!product(depth))
-    return false;
-  for (;;) {
-    const char *const before = at_;
-    skipBlanks();
-    unsigned length = 0;
-    const bool minus = at_ < end_ && (*at_ == '-' || (length = typographicMinus(at_, end_)) > 0);
-    if (at_ == end_ || (*at_ != '+' && !minus)) {
-      at_ = before;
-      return true;
-    }
-    const char *const at = at_;
-    at_ += length ? length : 1;
-    const bool continues = minus && depth == 0 && at > before && at_ < end_ && *at_ != ' ';
+  const auto apply = [&](const BinaryOperator &binary, const char *at) {
+    // `X=R1 -5` looks like a value and something else.
+    const bool continues =
+        binary.op == Op::Subtract && depth == 0 && isBlank(at[-1]) && at_ < end_ && *at_ != ' ';
     if (!product(depth))
       return false;
-    if (continues) // `X=R1 -5` looks like a value and something else
+    if (continues)
       ambiguous(at);
-    emit(minus ? Op::Subtract : Op::Add, at);
-  }
+    emit(binary.op, at);
+    return true;
+  };
+  return product(depth) && operators(
+                               sumStrength, [this] { return binaryAtHand(); }, apply);
 }
 
 bool EcsExpression::product(unsigned depth) {
   skipBlanks();
   const char *const begin = at_;
-  if (!factor(depth))
-    return false;
-  unsigned operators = 0;
+  unsigned count = 0;
   bool remainders = false, told = false;
-  for (;;) {
-    const char *const before = at_;
-    skipBlanks();
-    if (at_ == end_ || (*at_ != '*' && *at_ != '/')) {
-      at_ = before;
-      return true;
-    }
-    const char *const at = at_;
-    const bool remainder = *at_ == '/' && at_ + 1 < end_ && at_[1] == '/';
-    at_ += remainder ? 2 : 1;
+  const auto apply = [&](const BinaryOperator &binary, const char *at) {
     if (!factor(depth))
       return false;
-    remainders |= remainder;
-    if (++operators > 1 && remainders && !told) { // no manual says which of them goes first
+    remainders |= binary.op == Op::Modulo;
+    if (++count > 1 && remainders && !told) { // no manual says which of them goes first
       ambiguous(begin);
       told = true;
     }
-    emit(remainder ? Op::Modulo : *at == '*' ? Op::Multiply : Op::Divide, at);
-  }
+    emit(binary.op, at);
+    return true;
+  };
+  return factor(depth) && operators(
+                              productStrength, [this] { return binaryAtHand(); }, apply);
 }
 
 /// The sign stands above the power: -2**2 is -4.
@@ -179,14 +174,7 @@ bool EcsExpression::factor(unsigned depth) {
 bool EcsExpression::atom(unsigned depth) {
   const char *const begin = at_;
   if (isNumberDigit(*at_) || *at_ == '.') {
-    while (at_ < end_ && isNumberDigit(*at_))
-      ++at_;
-    if (at_ < end_ && *at_ == '.') {
-      ++at_;
-      while (at_ < end_ && isNumberDigit(*at_))
-        ++at_;
-    }
-    if (at_ - begin == 1 && *begin == '.')
+    if (!takeDigits())
       return false;
     const std::string digits(begin, size_t(std::min<ptrdiff_t>(at_ - begin, 40)));
     emit(Op::Number, begin, std::strtod(digits.c_str(), nullptr));
@@ -194,13 +182,7 @@ bool EcsExpression::atom(unsigned depth) {
   }
   if (*at_ == '(') {
     ++at_;
-    if (!sum(depth + 1))
-      return false;
-    skipBlanks();
-    if (at_ == end_ || *at_ != ')')
-      return false;
-    ++at_;
-    return true;
+    return sum(depth + 1) && take(')');
   }
   return name(depth);
 }
@@ -234,21 +216,14 @@ uint64_t EcsExpression::variable() {
 bool EcsExpression::name(unsigned depth) {
   const char *const begin = at_;
   const llvm::StringRef word = llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNameCharacter);
-  const char *behind = word.end();
-  while (behind < end_ && *behind == ' ')
-    ++behind;
+  const char *const behind = behindSpaces(word.end());
   if (!word.empty() && behind < end_ && *behind == '(') {
     const Op function = functionOf(word.upper());
     at_ = behind + 1;
-    if (!sum(depth + 1))
+    if (!sum(depth + 1) || !take(')'))
       return false;
-    skipBlanks();
-    if (at_ == end_ || *at_ != ')')
-      return false;
-    ++at_;
     if (function == Op::Unknown) {
-      block_.issues.push_back(
-          {SyntaxIssueKind::UnknownWord, uint32_t(begin - base_), uint32_t(word.end() - base_)});
+      issue(SyntaxIssueKind::UnknownWord, begin, word.end());
       emit(Op::Opaque, begin, 1);
     } else {
       emit(function, begin);

@@ -80,12 +80,7 @@ private:
   void argumentWord(const Argument &argument);
   llvm::SmallVector<Argument, 8> inOrder(llvm::ArrayRef<Argument> written, const CodeInfo &code);
 
-  uint16_t expression() {
-    EcsExpression parser(base_, at_, end_, block_);
-    const uint16_t index = parser.parse();
-    at_ = parser.position();
-    return index;
-  }
+  uint16_t expression() { return parsed(&EcsExpression::parse); }
   /// `<expr>`; the bracket is at hand.
   uint16_t bracketed() {
     const char *const begin = at_++;
@@ -497,9 +492,7 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
 /// `R1 = R2 + 10`, `#271=5`
 void Scanner::scanAssignment(const char *begin) {
   Item item = itemAt(ItemKind::Assignment, begin);
-  EcsExpression parser(base_, at_, end_, block_);
-  item.target = parser.parseTarget();
-  at_ = parser.position();
+  item.target = parsed(&EcsExpression::parseTarget);
   item.nameBegin = item.begin;
   item.nameEnd = offset(at_);
   skipBlanks();
@@ -990,10 +983,8 @@ void Scanner::scanInput(const char *begin) {
   bool complete = prompt.kind == ArgumentKind::Text;
   if (scanSeparator()) {
     skipBlanks();
-    EcsExpression parser(base_, at_, end_, block_);
     item.nameBegin = offset(at_);
-    item.target = parser.parseTarget();
-    at_ = parser.position();
+    item.target = parsed(&EcsExpression::parseTarget);
     item.nameEnd = offset(at_);
   } else {
     complete = false;

@@ -52,7 +52,7 @@ private:
   void scanOther();
   bool scanStatement();
   void scanAssignment();
-  uint16_t expression(MacroExpression::Form form);
+  uint16_t expression(MacroExpression::Form form) { return parsed(&MacroExpression::parse, form); }
   const Lexical &lexical_;
 };
 
@@ -473,13 +473,6 @@ void Scanner::scanOther() {
   while (at_ < end_ && (uint8_t(*at_) >= 128 || (*at_ == *begin && *at_ != '#')))
     ++at_;
   issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
-}
-
-uint16_t Scanner::expression(MacroExpression::Form form) {
-  MacroExpression parser(base_, at_, end_, block_);
-  const uint16_t index = parser.parse(form);
-  at_ = parser.position();
-  return index;
 }
 
 /// `#1 = …`, `#[#2 + 1] = …`

@@ -1,17 +1,14 @@
 // Parser of Macro B expressions: text to operations in postfix order.
 #include "formats/readers/macro_expression.h"
 
-#include <cstdlib>
-#include <cstring>
+#include "llvm/ADT/StringExtras.h"
 
 namespace ncvet {
 
 namespace {
 
-bool isDigit(char c) { return uint8_t(c - '0') < 10; }
-
 struct FunctionName {
-  const char *name;
+  llvm::StringLiteral name;
   Op op;
 };
 constexpr FunctionName functions[] = {{"SIN", Op::Sin},   {"COS", Op::Cos},   {"TAN", Op::Tan},
@@ -21,37 +18,84 @@ constexpr FunctionName functions[] = {{"SIN", Op::Sin},   {"COS", Op::Cos},   {"
                                       {"RND", Op::Round}, {"FIX", Op::Fix},   {"FUP", Op::Fup},
                                       {"LN", Op::Ln},     {"EXP", Op::Exp},   {"ADP", Op::Adp}};
 
-} // namespace
+constexpr unsigned comparisonStrength = 1, sumStrength = 2, productStrength = 3;
 
-void MacroExpression::skipBlanks() {
-  while (at_ < end_ && (*at_ == ' ' || *at_ == '\t'))
-    ++at_;
-}
+/// An operator that is spelled with letters.
+struct OperatorName {
+  llvm::StringLiteral name;
+  Op op;
+  unsigned strength;
+};
+constexpr OperatorName operatorNames[] = {{"EQ", Op::Equal, comparisonStrength},
+                                          {"NE", Op::NotEqual, comparisonStrength},
+                                          {"GT", Op::Greater, comparisonStrength},
+                                          {"GE", Op::GreaterEqual, comparisonStrength},
+                                          {"LT", Op::Less, comparisonStrength},
+                                          {"LE", Op::LessEqual, comparisonStrength},
+                                          {"OR", Op::Or, sumStrength},
+                                          {"XOR", Op::Xor, sumStrength},
+                                          {"AND", Op::And, productStrength},
+                                          {"MOD", Op::Modulo, productStrength}};
 
-bool MacroExpression::letters(const char *word) const {
-  const size_t length = strlen(word);
-  if (size_t(end_ - at_) < length)
+/// Whether `text` begins with this word of capitals, written in any case.
+bool beginsWith(llvm::StringRef text, llvm::StringRef word) {
+  if (text.size() < word.size())
     return false;
-  for (size_t i = 0; i < length; ++i)
-    if ((at_[i] & ~32) != word[i])
+  for (size_t i = 0; i < word.size(); ++i)
+    if ((text[i] & ~32) != word[i])
       return false;
   return true;
 }
 
-void MacroExpression::emit(Op op, const char *at, double value) {
-  block_.operations.push_back({op, uint32_t(at - base_), value});
+/// The operator at the head of `text`; strength 0: there is none. `+ - OR XOR` bind alike, and
+/// looser than `* / AND MOD`; comparisons bind weakest.
+BinaryOperator binaryAt(llvm::StringRef text) {
+  switch (text.empty() ? '\0' : text[0]) {
+  case '+':
+    return {Op::Add, sumStrength, 1};
+  case '-':
+    return {Op::Subtract, sumStrength, 1};
+  case '*':
+    return {Op::Multiply, productStrength, 1};
+  case '/':
+    return {Op::Divide, productStrength, 1};
+  default:
+    break;
+  }
+  if (text.empty() || !llvm::isAlpha(text[0])) // most expressions end here
+    return {};
+  for (const OperatorName &entry : operatorNames)
+    if (beginsWith(text, entry.name))
+      return {entry.op, entry.strength, unsigned(entry.name.size())};
+  return {};
+}
+
+} // namespace
+
+/// Behind what belongs to a bad expression: at the next blank outside brackets.
+ExpressionParser::Rest MacroExpression::behindBad(const char *begin) const {
+  int depth = 0;
+  const char *p = begin;
+  for (; p < end_ && !isLineEnd(*p) && *p != '(' && *p != ';'; ++p) {
+    if (*p == '[')
+      ++depth;
+    else if (*p == ']')
+      --depth;
+    else if (depth <= 0 && *p == ' ' && p > begin)
+      break;
+  }
+  return {p, depth != 0};
 }
 
 uint16_t MacroExpression::parse(Form form) {
-  skipBlanks();
-  const char *begin = at_;
-  Expression result;
-  result.first = uint32_t(block_.operations.size());
-  result.begin = uint32_t(begin - base_);
+  Expression result = open();
+  const char *const begin = at_;
   bool good = false;
   switch (form) {
   case Form::Full:
-    good = comparison(0);
+    good = group(0);
+    if (good)
+      skipBlanks(); // the right side of an assignment ends where the next thing begins
     break;
   case Form::Operand:
     good = operand(0);
@@ -70,117 +114,24 @@ uint16_t MacroExpression::parse(Form form) {
     }
     break;
   }
-  if (!good) {
-    result.bad = true;
-    block_.operations.resize(result.first);
-    emit(Op::Unknown, begin);
-    // Go on behind what belongs to the expression: at the next blank outside brackets.
-    int depth = 0;
-    const char *p = begin;
-    while (p < end_ && *p != '\n' && *p != '\r' && *p != '(' && *p != ';') {
-      if (*p == '[')
-        ++depth;
-      else if (*p == ']')
-        --depth;
-      else if (depth <= 0 && *p == ' ' && p > begin)
-        break;
-      ++p;
-    }
-    if (p > at_)
-      at_ = p;
-    block_.issues.push_back(
-        {depth ? SyntaxIssueKind::UnbalancedBracket : SyntaxIssueKind::BadExpression,
-         uint32_t(begin - base_), uint32_t(at_ - base_)});
-  }
-  result.count = uint32_t(block_.operations.size()) - result.first;
-  result.end = uint32_t(at_ - base_);
-  if (block_.expressions.size() >= noExpression - 1)
-    return uint16_t(block_.expressions.size() - 1);
-  block_.expressions.push_back(result);
-  return uint16_t(block_.expressions.size() - 1);
+  if (!good)
+    fail(result, behindBad(begin));
+  return close(result);
 }
 
-bool MacroExpression::comparison(unsigned depth) {
-  if (!sum(depth))
-    return false;
-  for (;;) {
-    skipBlanks();
-    const char *at = at_;
-    Op op;
-    if (letters("EQ"))
-      op = Op::Equal;
-    else if (letters("NE"))
-      op = Op::NotEqual;
-    else if (letters("GT"))
-      op = Op::Greater;
-    else if (letters("GE"))
-      op = Op::GreaterEqual;
-    else if (letters("LT"))
-      op = Op::Less;
-    else if (letters("LE"))
-      op = Op::LessEqual;
-    else
-      return true;
-    at_ += 2;
-    if (!sum(depth))
-      return false;
-    emit(op, at);
-  }
-}
+bool MacroExpression::group(unsigned depth) { return level(depth, comparisonStrength); }
 
-// `+ - OR XOR` bind alike, and looser than `* / AND MOD`.
-bool MacroExpression::sum(unsigned depth) {
-  if (!product(depth))
-    return false;
-  for (;;) {
-    skipBlanks();
-    const char *at = at_;
-    Op op;
-    unsigned length = 1;
-    if (at_ < end_ && *at_ == '+')
-      op = Op::Add;
-    else if (at_ < end_ && *at_ == '-')
-      op = Op::Subtract;
-    else if (letters("OR")) {
-      op = Op::Or;
-      length = 2;
-    } else if (letters("XOR")) {
-      op = Op::Xor;
-      length = 3;
-    } else
-      return true;
-    at_ += length;
-    if (!product(depth))
+/// Operands and operators at least as strong as `strength`, grouped from the left.
+bool MacroExpression::level(unsigned depth, unsigned strength) {
+  const auto find = [this] { return binaryAt({at_, size_t(end_ - at_)}); };
+  const auto apply = [&](const BinaryOperator &binary, const char *at) {
+    const bool strongest = binary.strength == productStrength;
+    if (!(strongest ? operand(depth) : level(depth, binary.strength + 1)))
       return false;
-    emit(op, at);
-  }
-}
-
-bool MacroExpression::product(unsigned depth) {
-  if (!operand(depth))
-    return false;
-  for (;;) {
-    skipBlanks();
-    const char *at = at_;
-    Op op;
-    unsigned length = 1;
-    if (at_ < end_ && *at_ == '*')
-      op = Op::Multiply;
-    else if (at_ < end_ && *at_ == '/')
-      op = Op::Divide;
-    else if (letters("AND")) {
-      op = Op::And;
-      length = 3;
-    } else if (letters("MOD")) {
-      op = Op::Modulo;
-      length = 3;
-    } else
-      return true;
-    at_ += length;
-    if (!operand(depth))
-      return false;
-    emit(op, at);
-  }
+    emit(binary.op, at);
+    return true;
+  };
+  return operand(depth) && operators(strength, find, apply);
 }
 
 bool MacroExpression::operand(unsigned depth) {
@@ -201,16 +152,9 @@ bool MacroExpression::operand(unsigned depth) {
     return variable(depth);
   if (*at_ == '[') {
     ++at_;
-    if (!comparison(depth + 1))
-      return false;
-    skipBlanks();
-    // `[[#1 EQ 1] AND [#2 EQ 2]]`: logic between comparisons.
-    if (at_ >= end_ || *at_ != ']')
-      return false;
-    ++at_;
-    return true;
+    return group(depth + 1) && take(']');
   }
-  if (isDigit(*at_) || *at_ == '.')
+  if (isNumberDigit(*at_) || *at_ == '.')
     return number();
   return function(depth);
 }
@@ -223,9 +167,9 @@ bool MacroExpression::variable(unsigned depth) {
   skipBlanks();
   if (at_ >= end_)
     return false;
-  if (isDigit(*at_)) {
+  if (isNumberDigit(*at_)) {
     double value = 0;
-    while (at_ < end_ && isDigit(*at_))
+    while (at_ < end_ && isNumberDigit(*at_))
       value = value * 10 + (*at_++ - '0');
     if (value == 0)
       emit(Op::Vacant, at);
@@ -256,7 +200,7 @@ bool MacroExpression::variable(unsigned depth) {
     return true;
   }
   if (*at_ == '_') {
-    while (at_ < end_ && (*at_ == '_' || isDigit(*at_) || uint8_t((*at_ | 32) - 'a') < 26))
+    while (at_ < end_ && (*at_ == '_' || isNumberDigit(*at_) || uint8_t((*at_ | 32) - 'a') < 26))
       ++at_;
     emit(Op::Unknown, at);
     return true;
@@ -269,13 +213,13 @@ bool MacroExpression::number() {
   double mantissa = 0;
   double scale = 1;
   bool any = false;
-  while (at_ < end_ && isDigit(*at_)) {
+  while (at_ < end_ && isNumberDigit(*at_)) {
     mantissa = mantissa * 10 + (*at_++ - '0');
     any = true;
   }
   if (at_ < end_ && *at_ == '.') {
     ++at_;
-    while (at_ < end_ && isDigit(*at_)) {
+    while (at_ < end_ && isNumberDigit(*at_)) {
       if (scale < 1e15) {
         mantissa = mantissa * 10 + (*at_ - '0');
         scale *= 10;
@@ -293,33 +237,20 @@ bool MacroExpression::number() {
 bool MacroExpression::function(unsigned depth) {
   const char *at = at_;
   for (const FunctionName &entry : functions) {
-    if (!letters(entry.name))
+    if (!beginsWith({at_, size_t(end_ - at_)}, entry.name))
       continue;
-    const size_t length = strlen(entry.name);
-    const char *p = at_ + length;
-    while (p < end_ && *p == ' ')
-      ++p;
-    if (p >= end_ || *p != '[')
+    const char *const bracket = behindSpaces(at_ + entry.name.size());
+    if (bracket == end_ || *bracket != '[')
       continue;
-    at_ = p + 1;
-    if (!comparison(depth + 1))
+    at_ = bracket + 1;
+    if (!group(depth + 1))
       return false;
-    skipBlanks();
-    bool two = false;
-    if (at_ < end_ && *at_ == ',') { // ATAN[y,x]
-      ++at_;
-      if (!comparison(depth + 1))
-        return false;
-      skipBlanks();
-      two = true;
-    }
-    if (at_ >= end_ || *at_ != ']')
+    bool two = take(','); // ATAN[y,x]
+    if ((two && !group(depth + 1)) || !take(']'))
       return false;
-    ++at_;
     if (entry.op == Op::Atan) {
       skipBlanks();
-      if (!two && at_ < end_ && *at_ == '/') { // ATAN[y]/[x]
-        ++at_;
+      if (!two && take('/')) { // ATAN[y]/[x]
         if (!operand(depth + 1))
           return false;
         two = true;

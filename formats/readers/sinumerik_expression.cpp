@@ -14,28 +14,22 @@ namespace {
 bool isNameLetter(char c) { return llvm::isAlpha(c) || c == '_'; }
 bool isNameCharacter(char c) { return llvm::isAlnum(c) || c == '_'; }
 
-/// An operator with two operands; the higher its strength, the tighter it binds.
-struct Binary {
-  Op op = Op::Unknown;
-  unsigned strength = 0;
-  unsigned length = 0;
-};
-
 constexpr unsigned comparisonStrength = 1, andStrength = 5, strongest = 10;
 
 /// The operator at the head of `text`; strength 0: there is none.
-Binary binaryAt(llvm::StringRef text) {
+BinaryOperator binaryAt(llvm::StringRef text) {
   switch (text.empty() ? 0 : text[0]) {
   case '=':
-    return text.startswith("==") ? Binary{Op::Equal, comparisonStrength, 2} : Binary();
+    return text.startswith("==") ? BinaryOperator{Op::Equal, comparisonStrength, 2}
+                                 : BinaryOperator();
   case '<':
-    return text.startswith("<<")   ? Binary{Op::Opaque, 2, 2}
-           : text.startswith("<>") ? Binary{Op::NotEqual, comparisonStrength, 2}
-           : text.startswith("<=") ? Binary{Op::LessEqual, comparisonStrength, 2}
-                                   : Binary{Op::Less, comparisonStrength, 1};
+    return text.startswith("<<")   ? BinaryOperator{Op::Opaque, 2, 2}
+           : text.startswith("<>") ? BinaryOperator{Op::NotEqual, comparisonStrength, 2}
+           : text.startswith("<=") ? BinaryOperator{Op::LessEqual, comparisonStrength, 2}
+                                   : BinaryOperator{Op::Less, comparisonStrength, 1};
   case '>':
-    return text.startswith(">=") ? Binary{Op::GreaterEqual, comparisonStrength, 2}
-                                 : Binary{Op::Greater, comparisonStrength, 1};
+    return text.startswith(">=") ? BinaryOperator{Op::GreaterEqual, comparisonStrength, 2}
+                                 : BinaryOperator{Op::Greater, comparisonStrength, 1};
   case ':':
     return {Op::Opaque, 2, 1};
   case '+':
@@ -52,21 +46,23 @@ Binary binaryAt(llvm::StringRef text) {
   const llvm::StringRef name = text.take_while(isNameCharacter);
   if (name.size() < 2 || name.size() > 5)
     return {};
-  Binary found = llvm::StringSwitch<Binary>(name.upper())
-                     .Case("OR", {Op::Or, 3, 0})
-                     .Case("XOR", {Op::Xor, 4, 0})
-                     .Case("AND", {Op::And, andStrength, 0})
-                     .Case("B_OR", {Op::Or, 6, 0})
-                     .Case("B_XOR", {Op::Xor, 7, 0})
-                     .Case("B_AND", {Op::And, 8, 0})
-                     .Case("DIV", {Op::IntegerDivide, strongest, 0})
-                     .Case("MOD", {Op::Modulo, strongest, 0})
-                     .Default({});
+  BinaryOperator found = llvm::StringSwitch<BinaryOperator>(name.upper())
+                             .Case("OR", {Op::Or, 3, 0})
+                             .Case("XOR", {Op::Xor, 4, 0})
+                             .Case("AND", {Op::And, andStrength, 0})
+                             .Case("B_OR", {Op::Or, 6, 0})
+                             .Case("B_XOR", {Op::Xor, 7, 0})
+                             .Case("B_AND", {Op::And, 8, 0})
+                             .Case("DIV", {Op::IntegerDivide, strongest, 0})
+                             .Case("MOD", {Op::Modulo, strongest, 0})
+                             .Default({});
   found.length = unsigned(name.size());
   return found;
 }
 
-bool isLogical(const Binary &binary) { return binary.strength >= 3 && binary.strength <= 5; }
+bool isLogical(const BinaryOperator &binary) {
+  return binary.strength >= 3 && binary.strength <= 5;
+}
 
 /// A function with one number in and one number out.
 Op functionOf(llvm::StringRef upper) {
@@ -101,53 +97,50 @@ bool isMisspelt(llvm::StringRef upper) {
   return false;
 }
 
+/// Key of `R12`; 0: the name is another.
+uint64_t parameterKey(llvm::StringRef name) {
+  int64_t parameter = 0;
+  if ((name[0] | 32) != 'r' || name.size() < 2 || name.size() >= 10 ||
+      name.drop_front().getAsInteger(10, parameter))
+    return 0;
+  return elementKey(variableKey("R"), parameter);
+}
+
 } // namespace
 
 llvm::StringRef SinumerikExpression::identifier() const {
   return llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNameCharacter);
 }
 
+/// Behind what belongs to a bad expression: at the next blank outside brackets.
+ExpressionParser::Rest SinumerikExpression::behindBad(const char *begin) const {
+  int depth = 0;
+  const char *p = begin;
+  for (; p < end_ && !isLineEnd(*p) && *p != ';'; ++p) {
+    if (*p == '(' || *p == '[')
+      ++depth;
+    else if (*p == ')' || *p == ']') {
+      if (--depth < 0)
+        break;
+    } else if (depth <= 0 && (*p == ' ' || *p == ',') && p > begin) {
+      break;
+    }
+  }
+  return {p, depth > 0};
+}
+
 template <typename Parse>
 uint16_t SinumerikExpression::read(Parse parse) {
-  skipBlanks();
-  const char *begin = at_;
-  Expression result;
-  result.first = uint32_t(block_.operations.size());
-  result.begin = uint32_t(begin - base_);
+  Expression result = open();
+  const char *const begin = at_;
   ambiguous_ = false;
-  const bool good = parse();
-  if (!good) {
-    block_.operations.resize(result.first);
-    emit(Op::Unknown, begin);
-    // Go on behind what belongs to the expression: at the next blank outside brackets.
-    int depth = 0;
-    const char *p = begin;
-    for (; p < end_ && *p != '\n' && *p != '\r' && *p != ';'; ++p) {
-      if (*p == '(' || *p == '[')
-        ++depth;
-      else if (*p == ')' || *p == ']') {
-        if (--depth < 0)
-          break;
-      } else if (depth <= 0 && (*p == ' ' || *p == ',') && p > begin) {
-        break;
-      }
-    }
-    if (p > at_)
-      at_ = p;
-    block_.issues.push_back(
-        {depth > 0 ? SyntaxIssueKind::UnbalancedBracket : SyntaxIssueKind::BadExpression,
-         uint32_t(begin - base_), uint32_t(at_ - base_)});
+  if (!parse()) {
+    fail(result, behindBad(begin));
   } else if (ambiguous_) {
-    block_.issues.push_back(
-        {SyntaxIssueKind::AmbiguousExpression, uint32_t(begin - base_), uint32_t(at_ - base_)});
+    issue(SyntaxIssueKind::AmbiguousExpression, begin, at_);
+    result.bad = true;
   }
-  result.bad = !good || ambiguous_;
-  result.count = uint32_t(block_.operations.size()) - result.first;
-  result.end = uint32_t(at_ - base_);
-  if (block_.expressions.size() >= noExpression - 1)
-    return uint16_t(block_.expressions.size() - 1);
-  block_.expressions.push_back(result);
-  return uint16_t(block_.expressions.size() - 1);
+  return close(result);
 }
 
 uint16_t SinumerikExpression::parse() {
@@ -156,13 +149,10 @@ uint16_t SinumerikExpression::parse() {
 
 uint16_t SinumerikExpression::parseCondition() {
   const uint16_t index = parse();
-  const char *sign = at_;
-  while (sign < end_ && (*sign == ' ' || *sign == '\t'))
-    ++sign;
+  const char *const sign = behindBlanks(at_);
   if (sign == end_ || *sign != '=' || index + 1u != block_.expressions.size())
     return index;
-  block_.issues.push_back(
-      {SyntaxIssueKind::AssignmentInTest, uint32_t(sign - base_), uint32_t(sign - base_) + 1});
+  issue(SyntaxIssueKind::AssignmentInTest, sign, sign + 1);
   at_ = sign + 1;
   const uint16_t right = parse();
   // Both sides lie behind each other: they become one comparison.
@@ -174,7 +164,7 @@ uint16_t SinumerikExpression::parseCondition() {
   }
   emit(Op::Equal, sign);
   ++whole.count;
-  whole.end = uint32_t(at_ - base_);
+  whole.end = offset(at_);
   return index;
 }
 
@@ -182,9 +172,7 @@ uint16_t SinumerikExpression::parseValue(WordReading &reading) {
   reading = WordReading::Modal;
   return read([&] {
     const llvm::StringRef head = identifier();
-    const char *behind = head.end();
-    while (behind < end_ && *behind == ' ')
-      ++behind;
+    const char *const behind = behindSpaces(head.end());
     if ((head.size() == 2 || head.size() == 3) && behind < end_ && *behind == '(')
       reading = llvm::StringSwitch<WordReading>(head.upper())
                     .Case("AC", WordReading::Absolute)
@@ -196,36 +184,26 @@ uint16_t SinumerikExpression::parseValue(WordReading &reading) {
     if (reading == WordReading::Modal)
       return group(0);
     at_ = behind + 1;
-    if (!group(1))
-      return false;
-    skipBlanks();
-    if (at_ == end_ || *at_ != ')')
-      return false;
-    ++at_;
-    return true;
+    return group(1) && take(')');
   });
 }
 
 uint16_t SinumerikExpression::parseTarget() {
   return read([this] {
-    const char *begin = at_;
+    const char *const begin = at_;
     if (at_ < end_ && *at_ == '$') {
-      ++at_;
-      const llvm::StringRef system = identifier();
-      at_ = system.end();
-      if (system.empty() || !skipIndices())
+      const llvm::StringRef name = system();
+      if (name.empty())
         return false;
-      emit(Op::Number, begin, double(variableKey({begin, size_t(system.end() - begin)})));
+      emit(Op::Number, begin, double(variableKey(name)));
       return true;
     }
     const llvm::StringRef name = identifier();
     if (name.empty())
       return false;
     at_ = name.end();
-    int64_t parameter = 0;
-    if ((name[0] | 32) == 'r' && name.size() > 1 && name.size() < 10 &&
-        !name.drop_front().getAsInteger(10, parameter)) {
-      emit(Op::Number, begin, double(elementKey(variableKey("R"), parameter)));
+    if (const uint64_t key = parameterKey(name)) {
+      emit(Op::Number, begin, double(key));
       return true;
     }
     const uint64_t key = variableKey(name);
@@ -233,12 +211,7 @@ uint16_t SinumerikExpression::parseTarget() {
       emit(Op::Number, begin, double(key));
       return true;
     }
-    const int count = indices(0);
-    if (count == 1)
-      emit(Op::ElementKey, begin, double(key));
-    else if (count > 1)
-      emit(Op::Opaque, begin, count);
-    return count > 0;
+    return elements(0, Op::ElementKey, key, begin);
   });
 }
 
@@ -253,24 +226,20 @@ bool SinumerikExpression::group(unsigned depth) {
 
 /// Operands and operators at least as strong as `strength`, grouped from the left.
 bool SinumerikExpression::level(unsigned depth, unsigned strength, Seen &seen) {
-  if (!unary(depth, seen))
-    return false;
-  for (;;) {
-    const char *const before = at_;
-    skipBlanks();
-    const Binary binary = binaryAt({at_, size_t(end_ - at_)});
-    if (binary.strength < strength) { // none, or one for an outer level
-      at_ = before;
-      return true;
-    }
-    const char *const at = at_;
-    at_ += binary.length;
+  const auto apply = [&](const BinaryOperator &binary, const char *at) {
     seen.comparison |= binary.strength == comparisonStrength;
     seen.logical |= isLogical(binary);
     if (!level(depth, binary.strength + 1, seen))
       return false;
     emit(binary.op, at, binary.op == Op::Opaque ? 2 : 0);
-  }
+    return true;
+  };
+  return unary(depth, seen) && operators(
+                                   strength,
+                                   [this] {
+                                     return binaryAt({at_, size_t(end_ - at_)});
+                                   },
+                                   apply);
 }
 
 bool SinumerikExpression::unary(unsigned depth, Seen &seen) {
@@ -313,13 +282,7 @@ bool SinumerikExpression::operand(unsigned depth) {
     return text();
   if (c == '(') {
     ++at_;
-    if (!group(depth + 1))
-      return false;
-    skipBlanks();
-    if (at_ == end_ || *at_ != ')')
-      return false;
-    ++at_;
-    return true;
+    return group(depth + 1) && take(')');
   }
   if (c == '$' || isNameLetter(c))
     return name(depth);
@@ -329,14 +292,7 @@ bool SinumerikExpression::operand(unsigned depth) {
 /// `12`, `1.5`, `.5`, `1.5EX-3`.
 bool SinumerikExpression::number() {
   const char *const begin = at_;
-  while (at_ < end_ && llvm::isDigit(*at_))
-    ++at_;
-  if (at_ < end_ && *at_ == '.') {
-    ++at_;
-    while (at_ < end_ && llvm::isDigit(*at_))
-      ++at_;
-  }
-  if (at_ - begin == 1 && *begin == '.')
+  if (!takeDigits())
     return false;
   llvm::SmallString<32> digits(llvm::StringRef(begin, size_t(at_ - begin)).take_front(40));
   const char *p = at_;
@@ -362,7 +318,7 @@ bool SinumerikExpression::number() {
 bool SinumerikExpression::constant() {
   const char *const begin = at_++;
   const char *p = at_;
-  while (p < end_ && *p != '\'' && *p != '\n' && *p != '\r')
+  while (p < end_ && *p != '\'' && !isLineEnd(*p))
     ++p;
   if (p == end_ || *p != '\'')
     return false;
@@ -380,7 +336,7 @@ bool SinumerikExpression::constant() {
 
 bool SinumerikExpression::text() {
   const char *const begin = at_++;
-  while (at_ < end_ && *at_ != '"' && *at_ != '\n' && *at_ != '\r')
+  while (at_ < end_ && *at_ != '"' && !isLineEnd(*at_))
     ++at_;
   if (at_ == end_ || *at_ != '"')
     return false;
@@ -393,33 +349,20 @@ bool SinumerikExpression::text() {
 bool SinumerikExpression::name(unsigned depth) {
   const char *const begin = at_;
   if (*at_ == '$') {
-    ++at_;
-    const llvm::StringRef system = identifier();
-    at_ = system.end();
-    if (system.empty() || !skipIndices())
+    if (system().empty())
       return false;
     emit(Op::Opaque, begin);
     return true;
   }
   const llvm::StringRef name = identifier();
   at_ = name.end();
-  int64_t parameter = 0;
-  if ((name[0] | 32) == 'r' && name.size() > 1 && name.size() < 10 &&
-      !name.drop_front().getAsInteger(10, parameter)) {
-    emit(Op::Variable, begin, double(elementKey(variableKey("R"), parameter)));
+  if (const uint64_t key = parameterKey(name)) {
+    emit(Op::Variable, begin, double(key));
     return true;
   }
-  if (at_ < end_ && *at_ == '[') {
-    const int count = indices(depth + 1);
-    if (count == 1)
-      emit(Op::ElementAt, begin, double(variableKey(name)));
-    else if (count > 1)
-      emit(Op::Opaque, begin, count);
-    return count > 0;
-  }
-  const char *behind = at_;
-  while (behind < end_ && *behind == ' ')
-    ++behind;
+  if (at_ < end_ && *at_ == '[')
+    return elements(depth + 1, Op::ElementAt, variableKey(name), begin);
+  const char *const behind = behindSpaces(at_);
   if (behind < end_ && *behind == '(') {
     at_ = behind;
     return function(depth, name, begin);
@@ -453,8 +396,7 @@ bool SinumerikExpression::function(unsigned depth, llvm::StringRef name, const c
     return false; // a number of arguments that the function does not take
   else {
     if (isMisspelt(upper))
-      block_.issues.push_back({SyntaxIssueKind::UnknownWord, uint32_t(begin - base_),
-                               uint32_t(begin + name.size() - base_)});
+      issue(SyntaxIssueKind::UnknownWord, begin, begin + name.size());
     emit(Op::Opaque, begin, count);
   }
   return true;
@@ -466,24 +408,17 @@ int SinumerikExpression::indices(unsigned depth) {
     if (!group(depth + 1))
       return -1;
     ++count;
-    skipBlanks();
-    if (at_ < end_ && *at_ == ']') {
-      ++at_;
+    if (take(']'))
       return count;
-    }
-    if (at_ == end_ || *at_ != ',')
+    if (!take(','))
       return -1;
-    ++at_;
   }
 }
 
 int SinumerikExpression::arguments(unsigned depth) {
   ++at_; // the parenthesis
-  skipBlanks();
-  if (at_ < end_ && *at_ == ')') {
-    ++at_;
+  if (take(')'))
     return 0;
-  }
   for (int count = 0;;) {
     skipBlanks();
     if (at_ < end_ && (*at_ == ',' || *at_ == ')'))
@@ -491,15 +426,29 @@ int SinumerikExpression::arguments(unsigned depth) {
     else if (!group(depth + 1))
       return -1;
     ++count;
-    skipBlanks();
-    if (at_ < end_ && *at_ == ')') {
-      ++at_;
+    if (take(')'))
       return count;
-    }
-    if (at_ == end_ || *at_ != ',')
+    if (!take(','))
       return -1;
-    ++at_;
   }
+}
+
+bool SinumerikExpression::elements(unsigned depth, Op op, uint64_t array, const char *begin) {
+  const int count = indices(depth);
+  if (count == 1)
+    emit(op, begin, double(array));
+  else if (count > 1)
+    emit(Op::Opaque, begin, count);
+  return count > 0;
+}
+
+llvm::StringRef SinumerikExpression::system() {
+  const char *const begin = at_++;
+  const llvm::StringRef name = identifier();
+  at_ = name.end();
+  if (name.empty() || !skipIndices())
+    return {};
+  return {begin, size_t(name.end() - begin)};
 }
 
 /// `[1,X,TR]` of a system variable: which element it is does not matter.
@@ -507,7 +456,7 @@ bool SinumerikExpression::skipIndices() {
   if (at_ == end_ || *at_ != '[')
     return true;
   int depth = 0;
-  for (const char *p = at_; p < end_ && *p != '\n' && *p != '\r' && *p != ';'; ++p) {
+  for (const char *p = at_; p < end_ && !isLineEnd(*p) && *p != ';'; ++p) {
     depth += *p == '[';
     depth -= *p == ']';
     if (depth == 0) {

@@ -1,17 +1,16 @@
 // Parser of Sinumerik expressions: text to operations in postfix order.
 #pragma once
 
-#include "formats/readers/block.h"
+#include "formats/readers/expression_parser.h"
 
 namespace ncvet {
 
 /// Reads one expression into `block.operations`. Never fails: a bad expression is marked, gets an
 /// issue, and its value is unknown. Operators in the order of the control: comparisons bind weakest
 /// of all, below AND and OR.
-class SinumerikExpression {
+class SinumerikExpression : public ExpressionParser {
 public:
-  SinumerikExpression(const char *base, const char *at, const char *end, Block &block)
-      : base_(base), at_(at), end_(end), block_(block) {}
+  explicit SinumerikExpression(const BlockCursor &from) : ExpressionParser(from) {}
 
   /// Index into `block.expressions` of the expression read.
   uint16_t parse();
@@ -21,11 +20,8 @@ public:
   uint16_t parseValue(WordReading &reading);
   /// What names a variable, as its key: `R1`, `NAME`, `FIELD[R2+1]`, `$TC_DP6[1,1]`.
   uint16_t parseTarget();
-  const char *position() const { return at_; }
 
 private:
-  /// Brackets nest at most this deep: more is no program, and recursion must be bounded.
-  static constexpr unsigned maxDepth = 64;
   /// Which kinds of operators stand side by side in one pair of brackets.
   struct Seen {
     bool comparison = false;
@@ -34,6 +30,7 @@ private:
 
   template <typename Parse>
   uint16_t read(Parse parse);
+  Rest behindBad(const char *begin) const;
   bool group(unsigned depth);
   bool level(unsigned depth, unsigned strength, Seen &seen);
   bool unary(unsigned depth, Seen &seen);
@@ -47,20 +44,14 @@ private:
   int indices(unsigned depth);
   /// Argument list in parentheses; -1: it could not be read.
   int arguments(unsigned depth);
+  /// Index list of the array with this key, and the operation that it stands for.
+  bool elements(unsigned depth, Op op, uint64_t array, const char *begin);
   bool skipIndices();
-  void skipBlanks() {
-    while (at_ < end_ && (*at_ == ' ' || *at_ == '\t'))
-      ++at_;
-  }
+  /// Steps over a system variable, its `$` is at hand; gives its name with the `$`, empty: it
+  /// cannot be read.
+  llvm::StringRef system();
   llvm::StringRef identifier() const;
-  void emit(Op op, const char *at, double value = 0) {
-    block_.operations.push_back({op, uint32_t(at - base_), value});
-  }
 
-  const char *base_;
-  const char *at_;
-  const char *end_;
-  Block &block_;
   bool ambiguous_ = false;
 };
 

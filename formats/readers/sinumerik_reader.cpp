@@ -160,19 +160,8 @@ private:
   void scanArgument(Item &item, char separator, bool words);
   void scanAssignment(const char *begin);
   void structure(Structure structure, const char *begin, uint16_t condition = noExpression);
-  SinumerikExpression parser() { return {base_, at_, end_, block_}; }
-  uint16_t expression() {
-    SinumerikExpression parser = this->parser();
-    const uint16_t index = parser.parse();
-    at_ = parser.position();
-    return index;
-  }
-  uint16_t condition() {
-    SinumerikExpression parser = this->parser();
-    const uint16_t index = parser.parseCondition();
-    at_ = parser.position();
-    return index;
-  }
+  uint16_t expression() { return parsed(&SinumerikExpression::parse); }
+  uint16_t condition() { return parsed(&SinumerikExpression::parseCondition); }
 
   const Dialect &dialect_;
   const llvm::StringMap<AddressId> &addresses_;
@@ -502,10 +491,8 @@ void Scanner::scanValue(AddressId address, const char *begin) {
     issue(SyntaxIssueKind::MissingValue, begin, at_);
     return addWord(word, begin);
   }
-  SinumerikExpression parser = this->parser();
   WordReading reading;
-  const uint16_t index = parser.parseValue(reading);
-  at_ = parser.position();
+  const uint16_t index = parsed(&SinumerikExpression::parseValue, reading);
   addExpression(address, begin, index, reading);
 }
 
@@ -812,9 +799,7 @@ void Scanner::scanArgument(Item &item, char separator, bool words) {
 void Scanner::scanAssignment(const char *begin) {
   Item item = itemAt(ItemKind::Assignment, begin);
   item.nameBegin = item.begin;
-  SinumerikExpression parser = this->parser();
-  item.target = parser.parseTarget();
-  at_ = parser.position();
+  item.target = parsed(&SinumerikExpression::parseTarget);
   item.nameEnd = offset(at_);
   skipBlanks();
   if (!isEquals(at_)) {
@@ -1017,9 +1002,7 @@ void Scanner::scanFor(const char *begin) {
   item.structure = Structure::For;
   skipBlanks();
   item.nameBegin = offset(at_);
-  SinumerikExpression parser = this->parser();
-  item.target = parser.parseTarget();
-  at_ = parser.position();
+  item.target = parsed(&SinumerikExpression::parseTarget);
   item.nameEnd = offset(at_);
   skipBlanks();
   bool good = isEquals(at_);
