@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/readers/block_cursor.h"
+#include "formats/readers/plain_number.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +13,9 @@ namespace ncvet {
 inline bool isLineBlank(char c) {
   return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f';
 }
+
+/// Larger block numbers are cut.
+constexpr int64_t maxBlockNumber = 1'000'000'000'000;
 
 /// The state of reading one block. A reader's scanner derives from it and adds its grammar; `Blank`
 /// says which characters stand between words.
@@ -44,6 +48,92 @@ protected:
         ++at_;
     }
     block_.next = offset(at_);
+  }
+
+  /// Digits as a whole number; larger ones than `most` become it.
+  int64_t takeWhole(int64_t most = maxBlockNumber) {
+    int64_t number = 0;
+    for (; at_ < end_ && isNumberDigit(*at_); ++at_)
+      number = std::min(most, number * 10 + (*at_ - '0'));
+    return number;
+  }
+  /// What was read from `begin` to here is the block's number.
+  void setNumber(const char *begin, int64_t number) {
+    block_.number = number;
+    block_.numberBegin = offset(begin);
+    block_.numberEnd = offset(at_);
+  }
+
+  /// The sign of a number that is not as usual, perhaps a dash of a word processor or with blanks
+  /// behind it; whether it is a minus. `begin` is the word's begin.
+  bool takeSign(Word &word, const char *begin) {
+    bool negative = false;
+    if (const unsigned bytes = typographicMinus(at_, end_)) {
+      issue(SyntaxIssueKind::TypographicMinus, at_, at_ + bytes);
+      negative = true;
+      at_ += bytes;
+    } else if (*at_ == '-' || *at_ == '+') {
+      negative = *at_ == '-';
+      if (!negative)
+        word.flags |= wordPlus;
+      ++at_;
+      const char *const digits = behindBlanks(at_);
+      if (digits > at_ && digits < end_ && (isNumberDigit(*digits) || *digits == '.')) {
+        issue(SyntaxIssueKind::BlankInNumber, begin, digits + 1);
+        at_ = digits;
+      }
+    }
+    if (negative)
+      word.flags |= wordMinus;
+    return negative;
+  }
+  /// Its digits, of which more than a mantissa holds are dropped, and its point, perhaps a comma
+  /// (`leadingComma`: also in front of all digits); false, with an issue, when there is no digit.
+  bool takeDigits(Word &word, const char *begin, bool negative, bool leadingComma) {
+    int64_t mantissa = 0;
+    unsigned digits = 0, whole = 0, decimals = 0, read = 0;
+    const auto take = [&](unsigned &counted) {
+      for (; at_ < end_ && isNumberDigit(*at_); ++at_, ++read)
+        if (digits < maxNumberDigits) {
+          mantissa = mantissa * 10 + (*at_ - '0');
+          digits += mantissa != 0;
+          ++counted;
+        } else {
+          word.flags |= wordMalformed;
+        }
+    };
+    take(whole);
+    const bool comma =
+        at_ + 1 < end_ && *at_ == ',' && isNumberDigit(at_[1]) && (read || leadingComma);
+    if (comma || (at_ < end_ && *at_ == '.')) {
+      ++at_;
+      word.flags |= wordPoint;
+      take(decimals);
+      decimals = std::min(decimals, maxNumberDigits);
+      if (comma)
+        issue(SyntaxIssueKind::DecimalComma, begin, at_);
+    }
+    if (!read) {
+      issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+      return false;
+    }
+    word.mantissa = negative ? -mantissa : mantissa;
+    word.decimals = uint8_t(decimals);
+    return true;
+  }
+  /// A second point or sign behind it, and what follows of the like: an issue; whether there was
+  /// one.
+  bool takeExcess(Word &word, const char *begin) {
+    if (at_ == end_ || (*at_ != '.' && *at_ != '-' && *at_ != '+'))
+      return false;
+    skipNumberCharacters();
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    word.flags |= wordMalformed;
+    return true;
+  }
+  void skipNumberCharacters() {
+    while (at_ < end_ && (*at_ == '.' || *at_ == '-' || *at_ == '+' || isNumberDigit(*at_)))
+      ++at_;
   }
 
   /// Adds a word whose place is set, and what the block's masks say of it.
@@ -96,6 +186,11 @@ protected:
     item.begin = offset(begin);
     item.firstArgument = uint16_t(block_.arguments.size());
     return item;
+  }
+  /// The name that an item gives: of a program, an instruction, a variable.
+  void nameItem(Item &item, llvm::StringRef name) const {
+    item.nameBegin = offset(name.begin());
+    item.nameEnd = offset(name.end());
   }
   /// Adds an item that ends here.
   void add(Item &item) {

@@ -53,7 +53,6 @@ private:
   void scanReset();
   void scanPhase();
   void scanLetter();
-  bool scanSignedNumber(const char *begin);
   void scanPlane(const char *begin);
   void scanValue(AddressId address, const char *begin);
   bool scanNumber(Word &word, const char *begin);
@@ -217,15 +216,11 @@ void Scanner::scanPhase() {
   skipBlanks();
   if (at_ < end_ && (*at_ | 32) == 'n')
     ++at_;
-  int64_t number = 0;
   const char *const digits = at_;
-  while (at_ < end_ && isNumberDigit(*at_))
-    number = std::min<int64_t>(1'000'000'000'000, number * 10 + (*at_++ - '0'));
+  const int64_t number = takeWhole();
   if (at_ == digits)
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
-  block_.number = number;
-  block_.numberBegin = offset(begin);
-  block_.numberEnd = offset(at_);
+  setNumber(begin, number);
   block_.mainBlock = true;
   if (const CodeIndex code = dialect_.keyword(":N"); code != noCode)
     keyword(code, begin, at_);
@@ -272,19 +267,12 @@ void Scanner::scanLetter() {
         startsBlock() && block_.number < 0) {
       for (at_ = next + 1; at_ < end_ && (isNumberDigit(*at_) || *at_ == '.');)
         ++at_;
-      block_.number = 0;
-      block_.numberBegin = offset(begin);
-      block_.numberEnd = offset(at_);
+      setNumber(begin, 0);
       return issue(SyntaxIssueKind::MalformedNumber, begin, at_);
     }
     if (digit && startsBlock() && block_.number < 0) {
       ++at_;
-      int64_t number = 0;
-      while (at_ < end_ && isNumberDigit(*at_))
-        number = std::min<int64_t>(1'000'000'000'000, number * 10 + (*at_++ - '0'));
-      block_.number = number;
-      block_.numberBegin = offset(begin);
-      block_.numberEnd = offset(at_);
+      setNumber(begin, takeWhole());
       if (at_ < end_ && (*at_ == '.' || *at_ == ',')) {
         while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == ','))
           ++at_;
@@ -292,8 +280,6 @@ void Scanner::scanLetter() {
       }
       return;
     }
-    if (startsBlock() && block_.number < 0 && scanSignedNumber(begin))
-      return;
     break;
   case 'R':
   case 'V': {
@@ -330,22 +316,6 @@ void Scanner::scanLetter() {
   }
   ++at_;
   scanValue(address, begin);
-}
-
-/// `N-5`: a block number that is none; the digits are taken all the same.
-bool Scanner::scanSignedNumber(const char *begin) {
-  const char *p = begin + 1;
-  if (p >= end_ || (*p != '-' && *p != '+') || p + 1 >= end_ || !isNumberDigit(p[1]))
-    return false;
-  int64_t number = 0;
-  for (++p; p < end_ && isNumberDigit(*p); ++p)
-    number = std::min<int64_t>(1'000'000'000'000, number * 10 + (*p - '0'));
-  at_ = p;
-  block_.number = number;
-  block_.numberBegin = offset(begin);
-  block_.numberEnd = offset(at_);
-  issue(SyntaxIssueKind::MalformedNumber, begin, at_);
-  return true;
 }
 
 /// `G16XYZ+`: a free plane, its axis and direction.
@@ -434,58 +404,10 @@ void Scanner::scanValue(AddressId address, const char *begin) {
 }
 
 bool Scanner::scanNumber(Word &word, const char *begin) {
-  bool negative = false;
-  if (const unsigned bytes = typographicMinus(at_, end_)) {
-    issue(SyntaxIssueKind::TypographicMinus, at_, at_ + bytes);
-    negative = true;
-    at_ += bytes;
-  } else if (*at_ == '-' || *at_ == '+') {
-    negative = *at_ == '-';
-    if (!negative)
-      word.flags |= wordPlus;
-    ++at_;
-    const char *const digits = behindBlanks(at_);
-    if (digits > at_ && digits < end_ && (isNumberDigit(*digits) || *digits == '.')) {
-      issue(SyntaxIssueKind::BlankInNumber, begin, digits + 1);
-      at_ = digits;
-    }
-  }
-  if (negative)
-    word.flags |= wordMinus;
-  int64_t mantissa = 0;
-  unsigned digits = 0, decimals = 0, read = 0;
-  const auto take = [&](unsigned &counted) {
-    for (; at_ < end_ && isNumberDigit(*at_); ++at_, ++read)
-      if (digits < maxNumberDigits) {
-        mantissa = mantissa * 10 + (*at_ - '0');
-        digits += mantissa != 0;
-        ++counted;
-      } else {
-        word.flags |= wordMalformed;
-      }
-  };
-  unsigned whole = 0;
-  take(whole);
-  if (at_ < end_ && (*at_ == '.' || (*at_ == ',' && at_ + 1 < end_ && isNumberDigit(at_[1])))) {
-    const bool comma = *at_++ == ',';
-    word.flags |= wordPoint;
-    take(decimals);
-    decimals = std::min(decimals, maxNumberDigits);
-    if (comma)
-      issue(SyntaxIssueKind::DecimalComma, begin, at_);
-  }
-  if (!read) {
-    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+  const bool negative = takeSign(word, begin);
+  if (!takeDigits(word, begin, negative, /*leadingComma=*/true))
     return false;
-  }
-  word.mantissa = negative ? -mantissa : mantissa;
-  word.decimals = uint8_t(decimals);
-  if (at_ < end_ && (*at_ == '.' || *at_ == '-' || *at_ == '+')) {
-    while (at_ < end_ && (*at_ == '.' || *at_ == '-' || *at_ == '+' || isNumberDigit(*at_)))
-      ++at_;
-    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
-    word.flags |= wordMalformed;
-  }
+  takeExcess(word, begin);
   return true;
 }
 
@@ -514,10 +436,7 @@ void Scanner::scanElement(const char *begin) {
   Word word;
   word.address = letterAddress(letter);
   ++at_;
-  int64_t number = 0;
-  while (at_ < end_ && isNumberDigit(*at_))
-    number = std::min<int64_t>(1'000'000'000, number * 10 + (*at_++ - '0'));
-  word.mantissa = number;
+  word.mantissa = takeWhole(1'000'000'000);
   addWord(word, begin);
   const char *const sign = behindBlanks(at_);
   if (sign == end_ || *sign != '=')
@@ -551,8 +470,7 @@ void Scanner::scanCall(const char *begin) {
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
   if (const CodeIndex code = dialect_.keyword(("L<" + called).str()); code != noCode)
     return keyword(code, begin, at_);
-  item.nameBegin = offset(called.begin());
-  item.nameEnd = offset(called.end());
+  nameItem(item, called);
   add(item);
 }
 
@@ -609,8 +527,7 @@ void Scanner::scanAngle() {
 /// `<ENT=-10>`, `<CFF=CFZ>`
 void Scanner::scanVariable(const char *begin, llvm::StringRef variable) {
   Item item = itemAt(ItemKind::Assignment, begin);
-  item.nameBegin = offset(variable.begin());
-  item.nameEnd = offset(variable.end());
+  nameItem(item, variable);
   item.target = constant(variable.begin(), variable.end(), double(variableKey(variable)));
   skipBlanks();
   Word word;
@@ -708,9 +625,7 @@ Argument Scanner::scanTarget(char separator) {
       target.expression = bracketed();
     } else {
       const char *const digits = at_;
-      double number = 0;
-      while (at_ < end_ && isNumberDigit(*at_))
-        number = std::min(1e12, number * 10 + (*at_++ - '0'));
+      const auto number = double(takeWhole());
       target.expression = constant(begin, at_, number);
       if (at_ == digits) {
         block_.operations.back().op = Op::Opaque;
@@ -822,8 +737,7 @@ void Scanner::scanInstruction(const char *begin, llvm::StringRef word) {
   if (key == "INP")
     return scanInput(begin);
   Item item = itemAt(ItemKind::Instruction, begin);
-  item.nameBegin = offset(word.begin());
-  item.nameEnd = offset(word.end());
+  nameItem(item, word);
   std::string first;
   for (char separator = 0;;) {
     const Argument argument = scanArgument(separator);
@@ -1012,8 +926,7 @@ void Scanner::scanInput(const char *begin) {
 void Scanner::scanOther() {
   const char *const begin = at_;
   if (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+') {
-    while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+'))
-      ++at_;
+    skipNumberCharacters();
     return issue(SyntaxIssueKind::MissingAddress, begin, at_);
   }
   switch (*at_) {

@@ -303,8 +303,7 @@ void Scanner::scanOther() {
     break;
   }
   if (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+') {
-    while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+'))
-      ++at_;
+    skipNumberCharacters();
     return issue(SyntaxIssueKind::MissingAddress, begin, at_);
   }
   ++at_;
@@ -327,15 +326,7 @@ bool Scanner::scanLabel() {
 }
 
 void Scanner::scanNumberOfBlock(const char *begin) {
-  constexpr int64_t maxNumber = 1'000'000'000'000;
-  int64_t number = 0;
-  while (at_ < end_ && isNumberDigit(*at_)) {
-    number = std::min(maxNumber, number * 10 + (*at_ - '0'));
-    ++at_;
-  }
-  block_.number = number;
-  block_.numberBegin = offset(begin);
-  block_.numberEnd = offset(at_);
+  setNumber(begin, takeWhole());
   if (at_ < end_ && *at_ == '.') {
     while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.'))
       ++at_;
@@ -353,7 +344,6 @@ void Scanner::addExpression(AddressId address, const char *begin, uint16_t expre
   addWord(word, begin);
 }
 
-/// An expression whose value no program decides.
 /// A letter and its number, or what else begins with a letter.
 void Scanner::scanLetter() {
   const char *const begin = at_;
@@ -449,9 +439,7 @@ void Scanner::scanExtended(char letter, const char *begin) {
     Item item = itemAt(ItemKind::Assignment, begin);
     item.nameBegin = item.begin;
     item.nameEnd = offset(digits.end());
-    item.target = opaque(begin, digits.end());
-    block_.operations.back() = {Op::Number, offset(begin),
-                                double(variableKey({begin, digits.size() + 1}))};
+    item.target = constant(begin, digits.end(), double(variableKey({begin, digits.size() + 1})));
     item.value = expression();
     return add(item);
   }
@@ -527,62 +515,14 @@ void Scanner::scanIndexed(const char *begin, AddressId address) {
 
 /// A number that is not as usual; false, with an issue, when there is no digit in it.
 bool Scanner::scanNumber(Word &word, const char *begin) {
-  bool negative = false;
-  if (const unsigned bytes = typographicMinus(at_, end_)) {
-    issue(SyntaxIssueKind::TypographicMinus, at_, at_ + bytes);
-    negative = true;
-    at_ += bytes;
-  } else if (*at_ == '-' || *at_ == '+') {
-    negative = *at_ == '-';
-    if (!negative)
-      word.flags |= wordPlus;
-    ++at_;
-    const char *const digits = behindBlanks(at_);
-    if (digits > at_ && digits < end_ && (isNumberDigit(*digits) || *digits == '.')) {
-      issue(SyntaxIssueKind::BlankInNumber, begin, digits + 1);
-      at_ = digits;
-    }
-  }
-  if (negative)
-    word.flags |= wordMinus;
-  int64_t mantissa = 0;
-  unsigned digits = 0, decimals = 0, read = 0;
+  const bool negative = takeSign(word, begin);
   const char *const first = at_;
-  const auto take = [&](unsigned &counted) {
-    for (; at_ < end_ && isNumberDigit(*at_); ++at_, ++read)
-      if (digits < maxNumberDigits) {
-        mantissa = mantissa * 10 + (*at_ - '0');
-        digits += mantissa != 0;
-        ++counted;
-      } else {
-        word.flags |= wordMalformed;
-      }
-  };
-  unsigned whole = 0;
-  take(whole);
-  if (whole > 1 && *first == '0')
-    word.flags |= wordLeadingZero;
-  const bool comma = at_ < end_ && *at_ == ',' && read && at_ + 1 < end_ && isNumberDigit(at_[1]);
-  if (at_ < end_ && (*at_ == '.' || comma)) {
-    ++at_;
-    word.flags |= wordPoint;
-    take(decimals);
-    decimals = std::min(decimals, maxNumberDigits);
-    if (comma)
-      issue(SyntaxIssueKind::DecimalComma, begin, at_);
-  }
-  if (!read) {
-    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+  if (!takeDigits(word, begin, negative, /*leadingComma=*/false))
     return false;
-  }
-  word.mantissa = negative ? -mantissa : mantissa;
-  word.decimals = uint8_t(decimals);
-  if (at_ < end_ && (*at_ == '.' || *at_ == '-' || *at_ == '+')) {
-    while (at_ < end_ && (*at_ == '.' || *at_ == '-' || *at_ == '+' || isNumberDigit(*at_)))
-      ++at_;
-    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
-    word.flags |= wordMalformed;
-  } else if (at_ + 1 < end_ && (at_[0] | 32) == 'e' && (at_[1] | 32) == 'x') {
+  if (*first == '0' && first + 1 < end_ && isNumberDigit(first[1]))
+    word.flags |= wordLeadingZero;
+  const bool excess = takeExcess(word, begin);
+  if (!excess && at_ + 1 < end_ && (at_[0] | 32) == 'e' && (at_[1] | 32) == 'x') {
     // With an exponent the value is an expression of one number.
     at_ = first;
     const uint16_t index = expression();
@@ -675,8 +615,7 @@ void Scanner::scanCode(CodeIndex code, llvm::StringRef name) {
 
 /// A call of program `name`, which stands in front: arguments and passes.
 void Scanner::scanCall(llvm::StringRef name, Item &item) {
-  item.nameBegin = offset(name.begin());
-  item.nameEnd = offset(name.end());
+  nameItem(item, name);
   const char *behind = behindBlanks(at_);
   if (behind < end_ && *behind == '(') {
     at_ = behind;
@@ -775,8 +714,7 @@ void Scanner::scanArgument(Item &item, char separator, bool words) {
     argument.kind = ArgumentKind::Expression;
     if (next && next < end_ && (*next == ')' || *next == ',')) {
       at_ = behind;
-      argument.expression = opaque(begin, behind);
-      block_.operations.back() = {Op::Number, offset(begin), word.value()};
+      argument.expression = constant(begin, behind, word.value());
     } else {
       const size_t issues = block_.issues.size();
       argument.expression = expression();
@@ -920,14 +858,9 @@ void Scanner::scanTarget(Item &item) {
     ++digits;
   if (digits < end_ && isNumberDigit(*digits)) {
     at_ = digits;
-    int64_t number = 0;
-    while (at_ < end_ && isNumberDigit(*at_)) {
-      number = std::min<int64_t>(1'000'000'000'000, number * 10 + (*at_ - '0'));
-      ++at_;
-    }
+    const auto number = double(takeWhole());
     target.kind = ArgumentKind::BlockNumber;
-    target.expression = opaque(begin, at_);
-    block_.operations.back() = {Op::Number, offset(begin), double(number)};
+    target.expression = constant(begin, at_, number);
   } else if (!name.empty() &&
              !llvm::StringRef(behindBlanks(name.end()), size_t(end_ - behindBlanks(name.end())))
                   .startswith("<<")) {
@@ -1093,10 +1026,8 @@ void Scanner::scanDefinitions() {
     }
     Item item = itemAt(ItemKind::Definition, at_);
     item.type = type;
-    item.nameBegin = offset(name.begin());
-    item.nameEnd = offset(name.end());
-    item.target = opaque(name.begin(), name.end());
-    block_.operations.back() = {Op::Number, item.nameBegin, double(variableKey(name))};
+    nameItem(item, name);
+    item.target = constant(name.begin(), name.end(), double(variableKey(name)));
     at_ = name.end();
     skipBlanks();
     if (at_ < end_ && *at_ == '[') {
@@ -1142,8 +1073,7 @@ void Scanner::scanParameters(ItemKind kind, const char *begin) {
   Item item = itemAt(kind, begin);
   skipBlanks();
   const llvm::StringRef name = identifier();
-  item.nameBegin = offset(name.begin());
-  item.nameEnd = offset(name.end());
+  nameItem(item, name);
   at_ = name.end();
   if (name.empty()) {
     issue(SyntaxIssueKind::BadStatement, begin, at_);
@@ -1217,8 +1147,7 @@ void Scanner::scanMacro(const char *begin) {
   Item item = itemAt(ItemKind::Macro, begin);
   skipBlanks();
   const llvm::StringRef name = identifier();
-  item.nameBegin = offset(name.begin());
-  item.nameEnd = offset(name.end());
+  nameItem(item, name);
   at_ = name.end();
   rest();
   add(item);
