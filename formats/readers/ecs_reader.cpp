@@ -27,6 +27,13 @@ unsigned typographicQuote(const char *at, const char *end, bool &comment) {
   return third >= 0x98 && third <= 0x9E ? 3 : 0;
 }
 
+/// The name of a program, where its folder may stand in front and blanks behind.
+llvm::StringRef withoutFolder(llvm::StringRef path) {
+  path = path.rtrim();
+  const size_t slash = path.find_last_of("\\/");
+  return slash == llvm::StringRef::npos ? path : path.drop_front(slash + 1);
+}
+
 class Scanner : BlockScanner<> {
 public:
   Scanner(const Dialect &dialect, const llvm::StringMap<AddressId> &addresses, llvm::StringRef text,
@@ -63,8 +70,25 @@ private:
 
   void scanAngle();
   void closeAngle(const char *begin);
+  void skipToAngle() {
+    while (!atLineEnd() && *at_ != '>')
+      ++at_;
+  }
+  /// Whether an argument ends at `p`.
+  bool endsArgument(const char *p) const {
+    return p == end_ || isLineEnd(*p) || *p == '>' || *p == ';' || *p == ',';
+  }
+  /// The expression that `word` has goes on to here.
+  void extendExpression(const Word &word) {
+    if (word.has(wordExpression) && size_t(word.mantissa) < block_.expressions.size()) {
+      uint32_t &end = block_.expressions[size_t(word.mantissa)].end;
+      end = std::max(end, offset(at_));
+    }
+  }
   void scanVariable(const char *begin, llvm::StringRef name);
   void scanInstruction(const char *begin, llvm::StringRef name);
+  void scanOtherProgram(Item &item, const char *begin);
+  void tooManyArguments(const char *begin);
   void scanJump(const char *begin, bool other);
   void scanChoice(const char *begin, bool other);
   void missingColon(const char *begin);
@@ -384,8 +408,7 @@ void Scanner::scanValue(AddressId address, const char *begin) {
       }
       word.flags = wordExpression;
       word.mantissa = index;
-      if (index < block_.expressions.size())
-        block_.expressions[index].end = std::max(block_.expressions[index].end, offset(at_));
+      extendExpression(word);
       return addWord(word, begin);
     }
   }
@@ -459,12 +482,8 @@ void Scanner::scanCall(const char *begin) {
     return add(item);
   }
   const char *const from = at_;
-  while (!atLineEnd() && *at_ != '>')
-    ++at_;
-  const llvm::StringRef whole = llvm::StringRef(from, size_t(at_ - from)).rtrim();
-  const size_t slash = whole.find_last_of("\\/");
-  const llvm::StringRef called =
-      slash == llvm::StringRef::npos ? whole : whole.drop_front(slash + 1);
+  skipToAngle();
+  const llvm::StringRef called = withoutFolder({from, size_t(at_ - from)});
   closeAngle(begin);
   if (called.empty())
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
@@ -497,8 +516,7 @@ void Scanner::scanAngle() {
   skipBlanks();
   const llvm::StringRef word = name();
   if (word.empty() || word == "%" || word == "%%") {
-    while (!atLineEnd() && *at_ != '>')
-      ++at_;
+    skipToAngle();
     closeAngle(begin);
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
   }
@@ -563,9 +581,7 @@ void Scanner::scanVariable(const char *begin, llvm::StringRef variable) {
   }
   closeAngle(begin);
   add(item);
-  if (word.has(wordExpression) && size_t(word.mantissa) < block_.expressions.size())
-    block_.expressions[size_t(word.mantissa)].end =
-        std::max(block_.expressions[size_t(word.mantissa)].end, offset(at_));
+  extendExpression(word);
   addWord(word, begin);
 }
 
@@ -603,7 +619,7 @@ Argument Scanner::scanTarget(char separator) {
   Argument target;
   target.separator = separator;
   target.begin = target.end = offset(at_);
-  if (atLineEnd() || *at_ == '>' || *at_ == ';' || *at_ == ',')
+  if (endsArgument(at_))
     return target;
   if (*at_ == '[') {
     const char *const begin = ++at_;
@@ -645,7 +661,7 @@ Argument Scanner::scanArgument(char separator, bool named) {
   argument.separator = separator;
   argument.begin = argument.end = offset(at_);
   bool comment = false;
-  if (atLineEnd() || *at_ == '>' || *at_ == ';' || *at_ == ',')
+  if (endsArgument(at_))
     return argument;
   if (*at_ == '"' || typographicQuote(at_, end_, comment)) {
     scanString(argument);
@@ -659,8 +675,7 @@ Argument Scanner::scanArgument(char separator, bool named) {
   }
   const llvm::StringRef symbol = name();
   const char *const behind = behindBlanks(symbol.end());
-  const bool ends =
-      behind == end_ || isLineEnd(*behind) || *behind == '>' || *behind == ';' || *behind == ',';
+  const bool ends = endsArgument(behind);
   // A symbol: ON, an axis, a name. `R12` is a variable.
   const bool variable = symbol.size() > 1 && (symbol[0] | 32) == 'r' &&
                         llvm::all_of(symbol.drop_front(), isNumberDigit);
@@ -700,11 +715,9 @@ Argument Scanner::scanArgument(char separator, bool named) {
 llvm::StringRef Scanner::scanProgramName() {
   skipBlanks();
   const char *const begin = at_;
-  while (!atLineEnd() && *at_ != ';' && *at_ != ',' && *at_ != '>')
+  while (!endsArgument(at_))
     ++at_;
-  const llvm::StringRef whole = llvm::StringRef(begin, size_t(at_ - begin)).rtrim();
-  const size_t slash = whole.find_last_of("\\/");
-  return slash == llvm::StringRef::npos ? whole : whole.drop_front(slash + 1);
+  return withoutFolder({begin, size_t(at_ - begin)});
 }
 
 /// An argument of an instruction as a word, so that the table can say what it takes. A name stands
@@ -795,22 +808,27 @@ llvm::SmallVector<Argument, 8> Scanner::inOrder(llvm::ArrayRef<Argument> written
   return placed;
 }
 
+/// The program in which a jump's target lies.
+void Scanner::scanOtherProgram(Item &item, const char *begin) {
+  nameItem(item, scanProgramName());
+  if (!scanSeparator())
+    issue(SyntaxIssueKind::MissingArgument, begin, at_);
+}
+
+/// What stands behind the last argument is passed over.
+void Scanner::tooManyArguments(const char *begin) {
+  issue(SyntaxIssueKind::TooManyArguments, begin, at_);
+  skipToAngle();
+}
+
 /// `<JMP:N50>`, `<JMP:[A]>`, `<JMC: PROG; N50>`
 void Scanner::scanJump(const char *begin, bool other) {
   Item item = itemAt(ItemKind::Jump, begin);
-  if (other) {
-    const llvm::StringRef program = scanProgramName();
-    item.nameBegin = offset(program.begin());
-    item.nameEnd = offset(program.end());
-    if (!scanSeparator())
-      issue(SyntaxIssueKind::MissingArgument, begin, at_);
-  }
+  if (other)
+    scanOtherProgram(item, begin);
   block_.arguments.push_back(scanTarget(0));
-  if (scanSeparator()) {
-    issue(SyntaxIssueKind::TooManyArguments, begin, at_);
-    while (!atLineEnd() && *at_ != '>')
-      ++at_;
-  }
+  if (scanSeparator())
+    tooManyArguments(begin);
   closeAngle(begin);
   add(item);
 }
@@ -838,13 +856,8 @@ void Scanner::scanChoice(const char *begin, bool other) {
     ++at_;
   else
     missingColon(begin);
-  if (other) {
-    const llvm::StringRef program = scanProgramName();
-    item.nameBegin = offset(program.begin());
-    item.nameEnd = offset(program.end());
-    if (!scanSeparator())
-      issue(SyntaxIssueKind::MissingArgument, begin, at_);
-  }
+  if (other)
+    scanOtherProgram(item, begin);
   unsigned targets = 0;
   for (char separator = 0;; ++targets) {
     const Argument target = scanTarget(separator);
@@ -876,11 +889,8 @@ void Scanner::scanRepeat(const char *begin) {
       const Argument count = scanArgument(separator);
       if (count.expression != noExpression)
         item.count = count.expression;
-      if (scanSeparator()) {
-        issue(SyntaxIssueKind::TooManyArguments, begin, at_);
-        while (!atLineEnd() && *at_ != '>')
-          ++at_;
-      }
+      if (scanSeparator())
+        tooManyArguments(begin);
     }
   } else {
     issue(SyntaxIssueKind::MissingArgument, begin, at_);
@@ -910,9 +920,7 @@ void Scanner::scanInput(const char *begin) {
   block_.arguments.push_back(prompt);
   for (unsigned bounds = 0; const char separator = scanSeparator(); ++bounds) {
     if (bounds == 2) {
-      issue(SyntaxIssueKind::TooManyArguments, begin, at_);
-      while (!atLineEnd() && *at_ != '>')
-        ++at_;
+      tooManyArguments(begin);
       break;
     }
     block_.arguments.push_back(scanArgument(separator));

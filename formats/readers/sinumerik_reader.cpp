@@ -9,6 +9,7 @@
 #include "llvm/ADT/StringSwitch.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace ncvet {
 
@@ -125,12 +126,19 @@ private:
     while (!atBlockEnd())
       ++at_;
   }
+  /// Steps over the brackets at hand, whatever they hold.
+  void skipIndices() {
+    if (at_ < end_ && *at_ == '[')
+      while (!atBlockEnd() && *at_++ != ']')
+        ;
+  }
 
   void scanItem();
   void scanComment();
   void scanHeader();
   void scanSkip();
   void scanOther();
+  std::optional<llvm::StringRef> scanString();
   bool scanLabel();
   void scanNumberOfBlock(const char *begin);
   void scanLetter();
@@ -219,8 +227,7 @@ void Scanner::scanItem() {
 
 void Scanner::scanComment() {
   const char *const begin = at_;
-  while (!atLineEnd())
-    ++at_;
+  at_ = lineEnd();
   block_.comments.push_back({offset(begin), offset(at_)});
 }
 
@@ -259,16 +266,9 @@ void Scanner::scanOther() {
   case '"':
     if (startsBlock()) {
       Item item = itemAt(ItemKind::Call, begin);
-      const char *close = at_ + 1;
-      while (close < end_ && *close != '"' && !isLineEnd(*close))
-        ++close;
-      const llvm::StringRef name(at_ + 1, size_t(close - at_ - 1));
-      if (close == end_ || *close != '"') {
-        at_ = close;
-        return issue(SyntaxIssueKind::UnclosedString, begin, close);
-      }
-      at_ = close + 1;
-      return scanCall(name, item);
+      if (const auto name = scanString())
+        scanCall(*name, item);
+      return;
     }
     break;
   case '$':
@@ -310,6 +310,21 @@ void Scanner::scanOther() {
   while (at_ < end_ && (uint8_t(*at_) >= 128 || *at_ == *begin))
     ++at_;
   issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+}
+
+/// What stands between two quotes, the first of which is at hand; none, with an issue, without the
+/// second one.
+std::optional<llvm::StringRef> Scanner::scanString() {
+  const char *const begin = at_++;
+  while (!atLineEnd() && *at_ != '"')
+    ++at_;
+  if (atLineEnd()) {
+    issue(SyntaxIssueKind::UnclosedString, begin, at_);
+    return std::nullopt;
+  }
+  const llvm::StringRef inside(begin + 1, size_t(at_ - begin - 1));
+  ++at_;
+  return inside;
 }
 
 /// `NAME:` in front of everything but the number.
@@ -685,20 +700,14 @@ void Scanner::scanArgument(Item &item, char separator, bool words) {
   if (at_ == end_ || isLineEnd(*at_) || *at_ == ',' || *at_ == ')' || *at_ == ';') {
     word.flags = wordNoValue;
   } else if (*at_ == '"') {
-    const char *close = at_ + 1;
-    while (close < end_ && *close != '"' && !isLineEnd(*close))
-      ++close;
-    if (close == end_ || *close != '"') {
-      issue(SyntaxIssueKind::UnclosedString, begin, close);
-      at_ = close;
-    } else {
-      const char *const next = behindBlanks(close + 1);
+    if (const auto text = scanString()) {
+      const char *const next = behindBlanks(at_);
       if (next < end_ && (*next == ',' || *next == ')')) {
         argument.kind = ArgumentKind::Text;
-        argument.begin = offset(begin + 1);
-        argument.end = offset(close);
-        at_ = close + 1;
+        argument.begin = offset(text->begin());
+        argument.end = offset(text->end());
       } else { // a string that is put together
+        at_ = begin;
         argument.kind = ArgumentKind::Expression;
         argument.expression = expression();
         argument.end = offset(at_);
@@ -1008,9 +1017,7 @@ void Scanner::scanDefinitions() {
     type = typeOf(word);
     if (type == VariableType::String) {
       skipBlanks();
-      if (at_ < end_ && *at_ == '[')
-        while (!atBlockEnd() && *at_++ != ']')
-          ;
+      skipIndices();
     }
     skipBlanks();
   }
@@ -1097,18 +1104,14 @@ void Scanner::scanParameters(ItemKind kind, const char *begin) {
       parameter.type = typeOf(identifier());
       at_ = identifier().end();
       skipBlanks();
-      if (at_ < end_ && *at_ == '[') // STRING[20]
-        while (!atBlockEnd() && *at_++ != ']')
-          ;
+      skipIndices(); // STRING[20]
       skipBlanks();
       const llvm::StringRef own = identifier();
       parameter.begin = offset(own.begin());
       parameter.end = offset(own.end());
       at_ = own.end();
       skipBlanks();
-      if (at_ < end_ && *at_ == '[')
-        while (!atBlockEnd() && *at_++ != ']')
-          ;
+      skipIndices();
       skipBlanks();
       if (isEquals(at_)) {
         ++at_;
@@ -1180,23 +1183,18 @@ void Scanner::scanIndirectCall(Keyword keyword, const char *begin) {
   const bool bracket = at_ < end_ && *at_ == '(';
   const char *const open = bracket ? behindBlanks(at_ + 1) : at_;
   if (open < end_ && *open == '"') {
-    const char *close = open + 1;
-    while (close < end_ && *close != '"' && !isLineEnd(*close))
-      ++close;
-    const llvm::StringRef name(open + 1, size_t(close - open - 1));
-    if (close == end_ || *close != '"') {
-      issue(SyntaxIssueKind::UnclosedString, open, close);
-      at_ = close;
+    at_ = open;
+    const auto name = scanString();
+    if (!name)
       return;
-    }
-    at_ = behindBlanks(close + 1);
+    skipBlanks();
     if (bracket && at_ < end_ && *at_ == ')')
       ++at_;
     if (!identifier().equals_insensitive("BLOCK"))
-      return scanCall(name, item);
+      return scanCall(*name, item);
     item.external = true;
     rest();
-    return scanCall(name, item);
+    return scanCall(*name, item);
   }
   if (keyword == Keyword::PathCall) {
     const char *p = at_;
