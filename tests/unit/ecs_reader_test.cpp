@@ -1,44 +1,15 @@
 // Reads blocks of ECS programs: words, items in angle brackets, labels, phases, expressions.
-#include "formats/dialect/loader.h"
-#include "formats/readers/reader.h"
-#include "interp/expression.h"
 #include "tests/fuzz/reader_promises.h"
-#include "tests/support/run_program.h"
+#include "tests/support/read_blocks.h"
 
 #include <gtest/gtest.h>
 
 namespace ncvet {
 namespace {
 
-class EcsReading : public testing::Test {
+class EcsReading : public test::BlockReading {
 protected:
-  std::vector<Block> blocksOf(llvm::StringRef text) {
-    text_ = text.str();
-    reader_ = makeReader(*test::dialectNamed("ecs"), text_);
-    std::vector<Block> blocks;
-    for (uint32_t at = reader_->first(); at < text_.size(); at = blocks.back().next) {
-      reader_->read(at, blocks.emplace_back());
-      EXPECT_GT(blocks.back().next, at);
-    }
-    return blocks;
-  }
-  Block blockOf(llvm::StringRef text) { return blocksOf(text).front(); }
-  llvm::StringRef spelling(uint32_t begin, uint32_t end) const {
-    return llvm::StringRef(text_).slice(begin, end);
-  }
-  /// Value of expression `index` before anything was executed.
-  double valueOf(const Block &block, uint16_t index) const {
-    const Value value = evaluate(block, index, MachineState(), nullptr);
-    return value.isConstant() ? value.number.value() : std::nan("");
-  }
-  std::vector<SyntaxIssueKind> issuesOf(const Block &block) const {
-    std::vector<SyntaxIssueKind> kinds;
-    for (const SyntaxIssue &issue : block.issues)
-      kinds.push_back(issue.kind);
-    return kinds;
-  }
-  std::string text_;
-  std::unique_ptr<Reader> reader_;
+  EcsReading() : BlockReading("ecs") {}
 };
 
 TEST_F(EcsReading, WordsMayFollowEachOtherWithoutBlanks) {

@@ -1,27 +1,14 @@
 // Reads blocks of MEFI programs: from one N to the next, over any number of lines.
-#include "formats/dialect/loader.h"
-#include "formats/readers/reader.h"
-#include "tests/support/run_program.h"
+#include "tests/support/read_blocks.h"
 
 #include <gtest/gtest.h>
 
 namespace ncvet {
 namespace {
 
-class MefiReading : public testing::Test {
+class MefiReading : public test::BlockReading {
 protected:
-  std::vector<Block> blocksOf(llvm::StringRef text) {
-    text_ = text.str();
-    reader_ = makeReader(*test::dialectNamed("mefi"), text_);
-    std::vector<Block> blocks;
-    for (uint32_t at = reader_->first(); at < text_.size(); at = blocks.back().next) {
-      reader_->read(at, blocks.emplace_back());
-      EXPECT_GT(blocks.back().next, at);
-    }
-    return blocks;
-  }
-  std::string text_;
-  std::unique_ptr<Reader> reader_;
+  MefiReading() : BlockReading("mefi") {}
 };
 
 TEST_F(MefiReading, ABlockRunsToTheNextNOverLinesAndComments) {
@@ -67,12 +54,9 @@ TEST_F(MefiReading, NamesHideTheirLettersAndNumbersTheirSlips) {
   const auto blocks = blocksOf("N ENDPROGRAM\nN10 X1O0 R29=2,5 Y\n");
   ASSERT_EQ(blocks.size(), 2u);
   EXPECT_TRUE(blocks[0].has(keywordAddress));
-  std::vector<SyntaxIssueKind> kinds;
-  for (const SyntaxIssue &issue : blocks[1].issues)
-    kinds.push_back(issue.kind);
-  EXPECT_EQ(kinds, (std::vector<SyntaxIssueKind>{SyntaxIssueKind::MalformedNumber,
-                                                 SyntaxIssueKind::DecimalComma,
-                                                 SyntaxIssueKind::MissingValue}));
+  EXPECT_EQ(issuesOf(blocks[1]), (std::vector<SyntaxIssueKind>{SyntaxIssueKind::MalformedNumber,
+                                                               SyntaxIssueKind::DecimalComma,
+                                                               SyntaxIssueKind::MissingValue}));
 }
 
 TEST_F(MefiReading, BeginningAnywhereReadsTheSameBlocks) {
