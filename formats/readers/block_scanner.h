@@ -14,6 +14,9 @@ inline bool isLineBlank(char c) {
   return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f';
 }
 
+/// A letter of an address.
+inline bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
+
 /// Larger block numbers are cut.
 constexpr int64_t maxBlockNumber = 1'000'000'000'000;
 

@@ -30,7 +30,6 @@ constexpr std::array<CharClass, 256> classes = makeClasses();
 
 CharClass classOf(char c) { return classes[uint8_t(c)]; }
 bool isDigit(char c) { return isNumberDigit(c); }
-bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
 
 class Scanner : BlockScanner<> {
 public:

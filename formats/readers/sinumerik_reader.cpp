@@ -17,7 +17,6 @@ namespace {
 
 /// Other characters that do not print count as blanks; `&` does too.
 bool isBlank(char c) { return isLineBlank(c) || c == '&'; }
-bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
 bool isNameLetter(char c) { return isLetter(c) || c == '_'; }
 bool isNameCharacter(char c) { return isNameLetter(c) || isNumberDigit(c); }
 
