@@ -57,8 +57,9 @@ protected:
   int64_t takeWhole(int64_t most = maxBlockNumber) {
     int64_t number = 0;
     for (; at_ < end_ && isNumberDigit(*at_); ++at_)
-      number = std::min(most, number * 10 + (*at_ - '0'));
-    return number;
+      if (number < most)
+        number = number * 10 + (*at_ - '0');
+    return std::min(number, most);
   }
   /// What was read from `begin` to here is the block's number.
   void setNumber(const char *begin, int64_t number) {
