@@ -9,6 +9,11 @@ namespace ncvet {
 /// arithmetic are emitted into `outcome`, which may be null.
 Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome);
 
+/// The operations of an expression of `block`, in the order in which they are computed.
+inline llvm::ArrayRef<ExpressionOp> operationsOf(const Block &block, const Expression &expression) {
+  return llvm::makeArrayRef(block.operations).slice(expression.first, expression.count);
+}
+
 /// Truth of a value as a condition: comparisons give 1 or 0.
 Truth truthOf(const Value &value);
 

@@ -1,5 +1,6 @@
 // A fraction is compared for equality.
 #include "analyzer/rule.h"
+#include "interp/expression.h"
 
 #include <cmath>
 
@@ -18,8 +19,7 @@ public:
     if (item.condition == noExpression || item.kind == ItemKind::Jump)
       return;
     const Expression &condition = block.expressions[item.condition];
-    const auto operations =
-        llvm::makeArrayRef(block.operations).slice(condition.first, condition.count);
+    const auto operations = operationsOf(block, condition);
     bool variable = false;
     for (size_t i = 0; i < operations.size(); ++i) {
       variable |= operations[i].op == Op::Variable || operations[i].op == Op::ElementAt;
@@ -53,8 +53,7 @@ private:
       return;
     const Expression &condition = block.expressions[item.condition];
     bool variable = false, fraction = false;
-    for (uint32_t i = 0; i < condition.count; ++i) {
-      const ExpressionOp &op = block.operations[condition.first + i];
+    for (const ExpressionOp &op : operationsOf(block, condition)) {
       if (op.op == Op::Round || op.op == Op::Truncate)
         return;
       variable |= op.op == Op::Variable || op.op == Op::ElementAt;
@@ -74,7 +73,7 @@ private:
   static bool isFraction(const Block &block, const Expression &e) {
     if (e.bad || e.count < 2)
       return false;
-    const auto operations = llvm::makeArrayRef(block.operations).slice(e.first, e.count);
+    const auto operations = operationsOf(block, e);
     const Op last = operations.back().op;
     return last != Op::Round && last != Op::Truncate &&
            llvm::any_of(operations, [](const ExpressionOp &op) {
