@@ -18,6 +18,8 @@ namespace ncvet {
   X(ArcCcw, "arc-ccw")                                                                             \
   X(Thread, "thread")                                                                              \
   X(CurveFeed, "curve")                                                                            \
+  X(CurveThrough, "curve-through")                                                                 \
+  X(CurveTangent, "curve-tangent")                                                                 \
   X(Dwell, "dwell")                                                                                \
   X(ExactStop, "exact-stop")                                                                       \
   X(PathMode, "path-mode")                                                                         \
@@ -126,7 +128,8 @@ llvm::ArrayRef<llvm::StringLiteral> actionNames();
 /// True for actions that move axes and stay in force: G00, G01, G02, G03, threads.
 constexpr bool isMotion(Action action) {
   return action == Action::Rapid || action == Action::Linear || action == Action::ArcCw ||
-         action == Action::ArcCcw || action == Action::Thread || action == Action::CurveFeed;
+         action == Action::ArcCcw || action == Action::Thread || action == Action::CurveFeed ||
+         action == Action::CurveThrough || action == Action::CurveTangent;
 }
 constexpr bool isArc(Action action) { return action == Action::ArcCw || action == Action::ArcCcw; }
 

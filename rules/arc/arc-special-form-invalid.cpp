@@ -1,0 +1,132 @@
+// An arc through three points that lie on a line, or a tangential one that nothing leads to.
+#include "analyzer/lookahead.h"
+
+#include <array>
+#include <cmath>
+
+namespace ncvet {
+namespace {
+
+class ArcSpecialFormInvalid final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onAction({Action::CurveThrough, Action::CurveTangent});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    // The code alone moves nothing.
+    if (!(ctx.outcome().kinds & bitOf(EventKind::Motion)) ||
+        ctx.block().hasAny(ctx.dialect().polarWords))
+      return;
+    if (ctx.code(event).action == Action::CurveTangent)
+      tangential(event, ctx);
+    else
+      threePoints(event, ctx);
+  }
+
+private:
+  using Point = std::array<double, 3>;
+
+  /// Start, intermediate point and end; an axis that nothing of the block moves may be unknown.
+  static void threePoints(const Event &event, RuleContext &ctx) {
+    Point start{}, middle{}, end{};
+    bool plane = false;
+    for (unsigned i = 0; i < 3; ++i) {
+      const Interval &from = ctx.before().at(Axis(i)), &to = ctx.after().at(Axis(i));
+      const Word *word = intermediate(i, ctx);
+      const bool moves = axesOf(ctx.dialect(), ctx.block()) >> i & 1;
+      if (!word && !moves)
+        continue;
+      // With one coordinate of the intermediate point left out it is not known which point is
+      // meant.
+      if (!word || !from.isConstant() || !to.isConstant() ||
+          ctx.before().inMachineCoordinates(Axis(i)) || ctx.after().inMachineCoordinates(Axis(i)))
+        return;
+      const Interval given =
+          lengthOf(*word, ctx.block(), ctx.dialect(), ctx.machine(), ctx.after());
+      const Truth incremental =
+          word->reading() == WordReading::Incremental ? Truth::Yes
+          : word->reading() != WordReading::Modal
+              ? Truth::No
+              : ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental});
+      if (!given.isConstant() || incremental == Truth::Unknown)
+        return;
+      start[i] = from.value();
+      end[i] = to.value();
+      middle[i] = given.value() + (incremental == Truth::Yes ? from.value() : 0);
+      plane = true;
+    }
+    if (!plane)
+      return;
+    // Where the foot of the intermediate point lies between start (0) and end (1), and how far
+    // away.
+    double along = 0, length = 0, distance = 0;
+    for (unsigned i = 0; i < 3; ++i) {
+      along += (middle[i] - start[i]) * (end[i] - start[i]);
+      length += (end[i] - start[i]) * (end[i] - start[i]);
+    }
+    if (length < tolerance * tolerance) // back where it began: another matter
+      return;
+    along /= length;
+    for (unsigned i = 0; i < 3; ++i) {
+      const double away = middle[i] - start[i] - along * (end[i] - start[i]);
+      distance += away * away;
+    }
+    if (std::sqrt(distance) > tolerance)
+      return;
+    const bool between = along > 0 && along < 1;
+    auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode));
+    if (!finding)
+      return;
+    if (between)
+      finding.severity(Severity::Warning)
+          .message("the intermediate point of `{0}` lies on the line from start to end: the "
+                   "control drives that line, no arc",
+                   ctx.code(event).name);
+    else
+      finding.message("the three points of `{0}` lie on a line, and the intermediate one not "
+                      "between the others: no arc leads through them",
+                      ctx.code(event).name);
+  }
+
+  /// I1 for X, J1 for Y, K1 for Z, as the format of the block's code names them.
+  static const Word *intermediate(unsigned axis, const RuleContext &ctx) {
+    for (const CodeUse &use : ctx.codes())
+      if (ctx.code(use).action == Action::CurveThrough)
+        for (const WordSpec &spec : ctx.code(use).words)
+          if (spec.role == Role::Target)
+            for (const Word &word : ctx.block().words)
+              if (spec.any & maskOf(word.address) &&
+                  unsigned(ctx.dialect().addressName(word.address).front() - 'I') == axis)
+                return &word;
+    return nullptr;
+  }
+
+  /// The direction in which it begins is that of the path before.
+  static void tangential(const Event &event, RuleContext &ctx) {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.before());
+    bool none = !ctx.before().may(Fact::Moved);
+    Block previous;
+    if (!none && !ctx.block().hasLabel() && readPrevious(ctx, previous) && previous.items.empty() &&
+        !previous.hasLabel() && !previous.hasAny(ctx.dialect().polarWords)) {
+      const uint16_t axes = axesOf(ctx.dialect(), previous);
+      const bool elsewhere =
+          findCode(ctx.dialect(), previous,
+                   {Action::FrameSet, Action::FrameAdd, Action::Pole, Action::Dwell, Action::Cycle,
+                    Action::ReferenceReturn, Action::MachineMove});
+      none = axes && !(axes & plane) && !elsewhere;
+    }
+    if (!none)
+      return;
+    if (auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode)))
+      finding.message("`{0}` continues the path before it, and the block before moves nothing in "
+                      "the plane: there is no direction to begin with",
+                      ctx.code(event).name);
+  }
+
+  static constexpr double tolerance = 0.001; // mm: the least that a program can write
+};
+
+} // namespace
+NCVET_RULE(ArcSpecialFormInvalid, arc_special_form_invalid)
+} // namespace ncvet
