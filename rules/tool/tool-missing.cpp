@@ -1,16 +1,22 @@
 // A cut before any tool was called.
-#include "analyzer/rule.h"
+#include "analyzer/nameless_change.h"
 
 namespace ncvet {
 namespace {
 
 class ToolMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::ToolChange});
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::ToolChange)
+      return nameless_.see(event, ctx);
+    // A change that names no tool brings in none of the program's.
+    const bool nameless = nameless_.inForce(ctx.after());
     // Only the first cut: it is the same mistake in all that follow.
-    if (event.code == noCode || ctx.after().must(Fact::ToolCalled) ||
+    if (event.code == noCode || (ctx.after().must(Fact::ToolCalled) && !nameless) ||
         ctx.before().must(Fact::Cut) || ctx.after().preselected != notSet ||
         ctx.after().may(Fact::UnknownCode))
       return;
@@ -20,12 +26,15 @@ public:
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
          event.motion == MotionKind::Skip))
       return;
-    const bool certain = event.certain && !ctx.after().may(Fact::ToolCalled);
+    const bool certain = event.certain && (nameless || !ctx.after().may(Fact::ToolCalled));
     if (auto finding = ctx.report(ctx.blockRange(), certain))
       finding.message("`{0}` cuts before any tool is called: whatever is in the machine cuts, with "
                       "its old data",
                       ctx.code(event).name);
   }
+
+private:
+  NamelessChanges nameless_;
 };
 
 } // namespace

@@ -1,5 +1,5 @@
-// A tool is named, and the program ends without having changed it in.
-#include "analyzer/rule.h"
+// A tool is named, and the program cuts or ends without having changed it in.
+#include "analyzer/nameless_change.h"
 
 namespace ncvet {
 namespace {
@@ -7,26 +7,48 @@ namespace {
 class ToolNotChanged final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().toolChangeByT && to.option("wanted", 0) != 0)
-      to.on({EventKind::ToolWord, EventKind::ToolChange, EventKind::ProgramEnd});
+    if (to.dialect().toolChangeByT || to.option("wanted", 0) == 0)
+      return;
+    to.on({EventKind::ToolWord, EventKind::ToolChange, EventKind::ProgramEnd});
+    to.onChange({EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (ctx.callDepth() > 0)
       return;
-    if (event.kind == EventKind::ToolWord && event.word)
+    if (event.kind == EventKind::ToolWord && event.word) {
       named_ = ctx.range(*event.word);
-    else if (event.kind == EventKind::ToolChange)
+    } else if (event.kind == EventKind::ToolChange) {
       named_ = {};
-    else if (event.kind == EventKind::ProgramEnd && named_.end &&
-             !ctx.after().may(Fact::UnknownCode))
+      nameless_.see(event, ctx);
+    } else if (event.kind == EventKind::Motion) {
+      atCut(event, ctx);
+    } else if (event.kind == EventKind::ProgramEnd && named_.end &&
+               !ctx.after().may(Fact::UnknownCode)) {
       if (auto finding = ctx.report(named_))
         finding.message("`{0}` names a tool that nothing changes in: the program cuts with the one "
                         "before",
                         ctx.text(named_));
+    }
   }
 
 private:
+  /// A tool that is got ready while another one cuts is usual; the program has changed in none yet.
+  void atCut(const Event &event, RuleContext &ctx) {
+    if (!named_.end || event.code == noCode || event.motion == MotionKind::Rapid ||
+        event.motion == MotionKind::Reference || ctx.after().preselected == notSet ||
+        !nameless_.inForce(ctx.after()) || ctx.after().may(Fact::UnknownCode))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding
+          .message("`{0}` cuts while `{1}` still waits for its change: whatever is in the spindle "
+                   "cuts",
+                   ctx.code(event).name, ctx.text(named_))
+          .note(named_, "the tool is named here");
+    named_ = {};
+  }
+
+  NamelessChanges nameless_;
   SourceRange named_;
 };
 
