@@ -17,11 +17,14 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.before();
-    if (state.may(Fact::UnknownCode) || ctx.callDepth() > 0)
+    if (ctx.callDepth() > 0)
       return;
     const Truth cycle = state.cycleActive(ctx.dialect());
     const bool call = state.modalMacro != notSet;
     if (cycle == Truth::No && !call)
+      return;
+    // Behind codes that nobody knows only what the program has begun itself is certain.
+    if (state.may(Fact::UnknownCode) && cycle != Truth::Yes && state.modalMacro < 0)
       return;
     if (auto finding = ctx.report(event, cycle == Truth::Yes || call))
       finding
