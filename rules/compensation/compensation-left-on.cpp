@@ -10,7 +10,7 @@ class CompensationLeftOn final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
-                 EventKind::CycleRun, EventKind::Block});
+                 EventKind::CycleRun, EventKind::Block, EventKind::FlowIssue});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -28,6 +28,9 @@ public:
     case EventKind::ProgramEnd:
       leftOn(event, "the program ends", std::nullopt, ctx);
       return;
+    case EventKind::FlowIssue:
+      runsOut(event, ctx);
+      return;
     default:
       // A subprogram called under compensation may return under it.
       if (switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx))
@@ -39,6 +42,20 @@ private:
   static std::string nameOf(RuleContext &ctx) {
     const CodeInfo *code = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
     return code ? "`" + code->name + "`" : "radius compensation";
+  }
+
+  /// A file that says itself to be a subprogram, and whose text ends without a return.
+  static void runsOut(const Event &event, RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.flowRange().begin);
+    const Truth active = ctx.after().compensationActive(ctx.dialect());
+    if (FlowIssue(event.number) != FlowIssue::MainRunsOut ||
+        program.kind != ProgramKind::Subprogram || active == Truth::No ||
+        !switchedOnIn(program, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.flowRange(), active == Truth::Yes && event.certain)) {
+      finding.message("the program ends with {0} still on", nameOf(ctx));
+      describe(finding, ctx);
+    }
   }
 
   static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {

@@ -2,6 +2,8 @@
 #include "analyzer/reliance.h"
 #include "analyzer/rule.h"
 
+#include "llvm/ADT/StringExtras.h"
+
 namespace ncvet {
 namespace {
 
@@ -9,6 +11,8 @@ class FlowSubprogramLeavesState final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CallReturned);
+    if (to.option("alone", 0) != 0)
+      to.on({EventKind::Return, EventKind::ProgramEnd, EventKind::FlowIssue});
     atCause_ = to.option("atCause", 0) != 0;
     atCall_ = to.option("atCall", 0) != 0;
     watched_ = groupMask(to.dialect(),
@@ -20,7 +24,9 @@ public:
       initial_ = groupMask(to.dialect(), {StandardGroup::Distance});
   }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind != EventKind::CallReturned)
+      return alone(event, ctx);
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (after.may(Fact::UnknownCode) && !before.may(Fact::UnknownCode))
       return;
@@ -52,6 +58,66 @@ public:
   }
 
 private:
+  /// A file that says itself to be a subprogram, run without a caller: what it has switched on
+  /// itself, away from the state of power-on, is on when it returns.
+  void alone(const Event &event, RuleContext &ctx) const {
+    const bool out = event.kind == EventKind::FlowIssue;
+    const SourceRange where = out          ? ctx.flowRange()
+                              : event.word ? ctx.range(*event.word)
+                                           : ctx.blockRange();
+    const ProgramInfo &program = ctx.index().programAt(where.begin);
+    if (ctx.callDepth() > 0 || program.kind != ProgramKind::Subprogram ||
+        (out && FlowIssue(event.number) != FlowIssue::MainRunsOut) || givesBack(program, ctx))
+      return;
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    const auto own = [&](const Origin &origin) {
+      return origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
+             origin.begin < program.end;
+    };
+    llvm::SmallVector<std::string, 2> left;
+    llvm::SmallVector<Origin, 2> origins;
+    for (unsigned i = 0; i < dialect.groups.size(); ++i) {
+      const GroupInfo &group = dialect.groups[i];
+      if (!(watched_ >> i & 1) || GroupIndex(i) == dialect.group(StandardGroup::WorkOffset) ||
+          group.initial == 0xFF || !own(state.origin.group[i]))
+        continue;
+      for (size_t member = 0; member < group.members.size(); ++member)
+        if (member != group.initial && state.group[i] == uint64_t(1) << member) {
+          left.push_back("`" + dialect.codes[group.members[member]].name + "`");
+          origins.push_back(state.origin.group[i]);
+        }
+    }
+    // At a program's end the rule of the frames speaks.
+    for (unsigned i = 0; event.kind != EventKind::ProgramEnd && i < dialect.switches.size(); ++i)
+      if (dialect.switches[i].leftOn == "coordinate-frame-left-on" && state.switchMustBeOn(i) &&
+          own(state.origin.switched[i])) {
+        left.push_back(dialect.switches[i].title);
+        origins.push_back(state.origin.switched[i]);
+      }
+    if (left.empty())
+      return;
+    auto finding = ctx.report(where, event.certain);
+    if (!finding)
+      return;
+    finding.message("the program returns with {0} on, which it has switched on itself: its caller "
+                    "goes on with it",
+                    llvm::join(left, " and "));
+    for (const Origin &origin : origins)
+      finding.note(origin, "switched on here");
+  }
+
+  /// `SAVE`: the caller gets its modes back.
+  static bool givesBack(const ProgramInfo &program, const RuleContext &ctx) {
+    Block head;
+    for (uint32_t at = program.body; at < program.end; at = head.next) {
+      ctx.index().reader().read(at, head);
+      if (!head.isEmpty() || head.next <= at)
+        break;
+    }
+    return llvm::any_of(head.items, [](const Item &item) { return item.restores; });
+  }
+
   /// Reported at the call that brings the change, whether or not the caller notices.
   static void atCall(const ModeChanges &changes, RuleContext &ctx) {
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i) {
