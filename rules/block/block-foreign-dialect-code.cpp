@@ -1,4 +1,5 @@
 // A code or word that is used as another control reads it.
+#include "analyzer/foreign_block.h"
 #include "analyzer/lookahead.h"
 
 namespace ncvet {
@@ -10,16 +11,59 @@ public:
     to.onNotices(id);
     if (to.dialect().polarWords & maskOf(letterAddress('O')))
       to.on(EventKind::WordIssue);
+    isoSigns_ = to.option("isoSigns", 0) != 0;
+    if (isoSigns_)
+      to.on({EventKind::WordIssue, EventKind::Syntax});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
+    if (event.kind == EventKind::Syntax) {
+      const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+      const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      if (issue.kind == SyntaxIssueKind::SymbolAsAddress && isIsoSign(ctx.text(range)))
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` is a variable of another control: here variables are R1 or have a "
+                          "name",
+                          ctx.text(range));
+      return;
+    }
+    if (isoSigns_ && WordIssue(event.number) == WordIssue::Unknown) {
+      for (const Word &word : ctx.block().words)
+        if (!(ctx.dialect().known & maskOf(word.address)) && isIsoSign(ctx.text(word)))
+          if (auto finding = ctx.report(word))
+            finding.message("`{0}` is a program's number on another control: here a program is the "
+                            "file, and has a name",
+                            ctx.text(word));
+      return;
+    }
     if (WordIssue(event.number) == WordIssue::Special)
       programNumber(ctx);
   }
 
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (isoSigns_)
+      tapeMarks(file, ctx);
+  }
+
 private:
+  /// `%` alone: here the sign stands in front of a program's name and kind.
+  static void tapeMarks(const FileSummary &file, RuleContext &ctx) {
+    Block block;
+    for (const uint32_t line : file.index.tapeMarks()) {
+      file.reader.read(line, block);
+      if (block.kind != BlockKind::Tape)
+        continue;
+      const auto at = uint32_t(file.source.text().find('%', line));
+      const SourceRange mark{file.source.id(), at, at + 1};
+      if (auto finding = ctx.report(mark))
+        finding.text(
+            "`%` alone is the tape mark of another control: here a name and its kind stand "
+            "behind it (`%_N_PLATE_MPF`)");
+    }
+  }
+
   /// `O1000` where O names an element of a contour: no program has a number.
   static void programNumber(RuleContext &ctx) {
     const Word *word = undefinedElement(ctx);
@@ -31,6 +75,8 @@ private:
                    ctx.text(*word), ctx.dialect().addresses[word->address].title)
           .fix(FixSafety::Unsafe, "delete the block", ctx.remove(*word));
   }
+
+  bool isoSigns_ = false; ///< `%`, `O1000` and `#1` are another control's here
 
   static constexpr llvm::StringLiteral id{"block-foreign-dialect-code"};
 };

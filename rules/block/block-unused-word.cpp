@@ -1,5 +1,5 @@
 // A word that no code of the block and no code in force takes.
-#include "analyzer/rule.h"
+#include "analyzer/foreign_block.h"
 
 #include <set>
 
@@ -27,10 +27,15 @@ public:
       return parameter(uint64_t(event.number), ctx);
     if (WordIssue(event.number) != WordIssue::Special)
       return;
-    // What an unknown code takes is not known either; the letters of a macro call are arguments.
+    // What an unknown code or another control's takes is not known either; the letters of a macro
+    // call are arguments.
     if ((ctx.outcome().kinds & bitOf(EventKind::UnknownCode)) ||
         ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
         ctx.before().modalMacro != notSet)
+      return;
+    // Behind another control's cycle its words go on (`X20 Y5`, `R-3.`): the code is the mistake.
+    foreign_ |= holdsForeignCode(ctx);
+    if (foreign_)
       return;
     const std::optional<AddressMask> taken = takenBy(ctx);
     if (!taken)
@@ -56,6 +61,7 @@ private:
   static constexpr llvm::StringLiteral id{"block-unused-word"};
 
   std::set<uint64_t> parameters_; ///< keys of the variables that cycles read
+  bool foreign_ = false;          ///< the program holds codes of another control
 
   /// A cycle's parameter beside a cycle that does not read it.
   void parameter(uint64_t key, RuleContext &ctx) {

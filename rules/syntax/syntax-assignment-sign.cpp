@@ -1,5 +1,5 @@
 // A parameter that is written like a word, without the sign that gives it its value.
-#include "analyzer/rule.h"
+#include "analyzer/foreign_block.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -25,7 +25,10 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     const SourceRange where{ctx.source().id(), issue.begin, issue.end};
+    // `R2.` beside another control's code is a word of that control.
     if (issue.kind == SyntaxIssueKind::MissingEquals) {
+      if (holdsForeignCode(ctx))
+        return;
       if (auto finding = ctx.report(where))
         finding.message(
             "`{0}` lacks its `=`: an address of several letters, a variable and a value "

@@ -1,5 +1,5 @@
 // An address without a number, or a number without an address.
-#include "analyzer/rule.h"
+#include "analyzer/foreign_block.h"
 
 namespace ncvet {
 namespace {
@@ -21,7 +21,8 @@ public:
     const SourceRange range{ctx.source().id(), issue.begin, issue.end};
     if (issue.kind == SyntaxIssueKind::MissingAddress) {
       // A sleep code takes its time as a bare number.
-      if (ctx.find({Action::Sleep}) || isRepeated(ctx.block(), size_t(event.number)))
+      if (ctx.find({Action::Sleep}) || holdsForeignCode(ctx) ||
+          isRepeated(ctx.block(), size_t(event.number)))
         return;
       if (auto finding = ctx.report(range))
         finding.message("`{0}` has no address in front of it", ctx.text(range));

@@ -1,5 +1,5 @@
 // An address letter that this control does not have.
-#include "analyzer/rule.h"
+#include "analyzer/foreign_block.h"
 
 namespace ncvet {
 namespace {
@@ -8,6 +8,7 @@ class SyntaxUnknownAddress final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::Syntax, EventKind::WordIssue});
+    isoSigns_ = to.option("isoSigns", 0) != 0;
     if (to.option("axesOfMachine", 0) == 0)
       return;
     for (unsigned i = 0; i < axisCount; ++i)
@@ -33,6 +34,8 @@ public:
       if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
         return;
       const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      if (isoSigns_ && isIsoSign(ctx.text(range)))
+        return; // another rule says whose it is
       if (auto finding = ctx.report(range))
         finding.message("`{0}`: no address of this control is written so", ctx.text(range));
       return;
@@ -40,10 +43,11 @@ public:
     if (WordIssue(event.number) != WordIssue::Unknown)
       return;
     // The letters of a macro call are arguments, whatever they mean elsewhere.
-    if (ctx.find({Action::MacroCall, Action::MacroModal}))
+    if (ctx.find({Action::MacroCall, Action::MacroModal}) || holdsForeignCode(ctx))
       return;
     for (const Word &word : ctx.block().words)
-      if (!(ctx.dialect().known & maskOf(word.address)) && !explained(word, ctx))
+      if (!(ctx.dialect().known & maskOf(word.address)) && !explained(word, ctx) &&
+          !(isoSigns_ && isIsoSign(ctx.text(word))))
         if (auto finding = ctx.report(word))
           finding.message("`{0}`: this control has no address {1}, the block is refused",
                           ctx.text(word), ctx.dialect().addressName(word.address));
@@ -58,7 +62,8 @@ private:
     });
   }
 
-  uint16_t axes_ = 0; ///< that the machine profile has; 0: it does not say
+  bool isoSigns_ = false; ///< `O1000` and `#1` are known as another control's
+  uint16_t axes_ = 0;     ///< that the machine profile has; 0: it does not say
 };
 
 } // namespace
