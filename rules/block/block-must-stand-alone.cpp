@@ -1,5 +1,5 @@
 // A code that needs a block of its own shares it with words that are not its own.
-#include "analyzer/rule.h"
+#include "analyzer/word_checks.h"
 
 namespace ncvet {
 namespace {
@@ -35,6 +35,9 @@ public:
                           ctx.text(call), ctx.text(*event.word));
         return;
       }
+    // `G4 X2`: what is missing stands there under another letter, and another rule says so.
+    if (!missingWords(ctx, event).empty())
+      return;
     for (const Word &word : ctx.block().words) {
       if (&word == event.word || own & maskOf(word.address))
         continue;

@@ -1,5 +1,5 @@
 // Compensation without an offset number, or with an offset that holds no radius.
-#include "analyzer/rule.h"
+#include "analyzer/once.h"
 #include "interp/tool_data.h"
 
 namespace ncvet {
@@ -40,6 +40,9 @@ private:
     if (number == notSet || number == 0) {
       // Some older controls keep radii in the H table.
       if (state.must(Fact::UnknownCode) || (!lathe && ctx.block().has(letterAddress('H'))))
+        return;
+      // Every contour behind one D0 suffers from it; the first says so.
+      if (!lathe && number == 0 && !once_.speaks(state.origin.radiusOffset, ctx))
         return;
       const bool certain = event.certain && !state.may(Fact::UnknownCode);
       auto finding = ctx.report(where, certain);
@@ -89,6 +92,8 @@ private:
                         : llvm::formatv("with tool {0}, whose radius is 0", state.tool).str())
           .note(state.origin.tool, "the tool is called here");
   }
+
+  OncePerCause once_;
 };
 
 } // namespace

@@ -50,6 +50,9 @@ public:
     const Interval level = part + distance;
     if (!level.isConstant() || from.value() >= level.value() * *unit - 1e-6)
       return;
+    // A retraction plane that is itself no higher is the mistake, and another rule's.
+    if (const Interval retract = ctx.value(*words[0]); retract.hi < level.lo)
+      return;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}` begins at {1}, below its retraction plane {2} and inside the safety "
                       "distance: the way to its first point is not free",

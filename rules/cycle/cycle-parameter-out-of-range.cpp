@@ -26,6 +26,9 @@ public:
     if (event.kind == EventKind::CycleRun &&
         llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; }))
       return;
+    // With one argument too many it is not known which of them stands in the wrong place.
+    if (const uint8_t most = ctx.code(event).arguments; most && ctx.block().argument(most + 1u))
+      return;
     reportWordRanges(ctx, event, [](const CodeInfo &code, const WordSpec &spec, Breach) {
       return code.action == Action::Cycle && topicOf(code, spec) == WordTopic::Cycle;
     });

@@ -20,6 +20,19 @@ public:
           event.motion == MotionKind::Skip || event.number == 1 || !(event.axes & linear) ||
           code.spindle == SpindleNeed::StartsItself)
         return; // a rotary axis alone positions, or the work turns against a wheel
+      // `G1 X` without a number moves nothing.
+      if (llvm::none_of(ctx.block().words,
+                        [&](const Word &word) {
+                          return (ctx.dialect().axisWords & maskOf(word.address)) &&
+                                 !word.has(wordNoValue);
+                        }) &&
+          ctx.block().hasAny(ctx.dialect().axisWords))
+        return;
+      // No motion was asked for, and none is made for want of a feed: other rules say so.
+      if (const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
+          motion != noGroup && !(ctx.after().statedMay >> motion & 1) &&
+          !ctx.after().may(Fact::FeedSet))
+        return;
     } else if (code.spindle == SpindleNeed::Any || code.spindle == SpindleNeed::StartsItself ||
                (!event.axes && code.group != noGroup && !code.firesOnEveryBlock)) {
       return; // without axis words a modal cycle sets modes only
