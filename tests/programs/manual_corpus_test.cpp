@@ -22,14 +22,23 @@ struct Printed {
   const char *dialect;
   bool fragment;
   std::set<std::string> findings; ///< "line rule", errors and warnings
+  const char *caller = nullptr;   ///< a program that says what this one is for
 };
 
 /// Shown by the test runner in place of the object's bytes.
 void PrintTo(const Printed &printed, std::ostream *out) { *out << printed.file; }
 
-std::string pathOf(const Printed &printed) {
-  return std::string(NCVET_SOURCE_DIR) + "/../shared/corpus/" + printed.file;
+std::string pathOf(const char *file) {
+  return std::string(NCVET_SOURCE_DIR) + "/../shared/corpus/" + file;
 }
+
+/// The machine of the course from which the Sinumerik programs are.
+constexpr const char *courseMachine = R"({
+  "dialect": "sinumerik",
+  "tools": { "1": {"kind": "endmill", "radius": 8}, "2": {"kind": "endmill", "radius": 5},
+             "3": {"kind": "drill"} },
+  "options": { "courseProfile": true }
+})";
 
 /// Those that are beside the project.
 std::vector<Printed> printedPrograms() {
@@ -206,12 +215,110 @@ std::vector<Printed> printedPrograms() {
       {"mefi/d5-grid-4x5.ncp", "mefi", false, {}},
       {"mefi/d6-grid-4x5-rotated-45.ncp", "mefi", false, {}},
       {"sinumerik/ARCHIV1.MPF", "sinumerik", false, {}},
+      {"sinumerik/BAD71.MPF",
+       "sinumerik",
+       false,
+       {"4 cycle-plane-or-axis", "6 cycle-parameter-out-of-range", "7 cycle-parameter-out-of-range",
+        "8 cycle-stepover-too-wide", "9 cycle-plunge-into-solid", "10 cycle-parameter-conflict",
+        "11 cycle-parameter-out-of-range", "12 cycle-missing-parameter",
+        "13 syntax-unbalanced-brackets"}},
+      {"sinumerik/BAD72.MPF",
+       "sinumerik",
+       false,
+       {"6 cycle-parameter-conflict", "6 cycle-parameter-out-of-range",
+        "7 cycle-parameter-out-of-range", "7 flow-undefined-subprogram",
+        "8 cycle-parameter-out-of-range", "9 cycle-missing-parameter",
+        "10 flow-argument-mismatch"}},
+      {"sinumerik/BADBLOK.MPF",
+       "sinumerik",
+       false,
+       {"4 block-duplicate-address", "5 block-modal-group-conflict", "6 block-duplicate-address",
+        "7 block-unknown-g-code", "8 syntax-assignment-sign", "9 block-missing-word",
+        "10 block-must-stand-alone", "11 syntax-foreign-comment", "12 syntax-decimal-comma",
+        "13 block-foreign-dialect-code", "14 block-foreign-dialect-code",
+        "15 block-modal-group-conflict", "16 block-value-out-of-range",
+        "17 syntax-invalid-character", "18 syntax-incomplete-word"}},
+      {"sinumerik/BADFRAME.MPF",
+       "sinumerik",
+       false,
+       {"7 coordinate-frame-replaced", "9 block-missing-word", "9 coordinate-frame-replaced",
+        "13 arc-in-distorted-frame", "15 coordinate-frame-left-on"}},
+      {"sinumerik/BADKAPSA.MPF",
+       "sinumerik",
+       false,
+       {"5 spindle-off-while-cutting", "7 cycle-parameter-out-of-range", "8 flow-argument-mismatch",
+        "9 cycle-depth-order", "10 cycle-missing-parameter", "11 cycle-tool-does-not-fit",
+        "12 cycle-tool-does-not-fit", "13 cycle-missing-parameter"}},
+      {"sinumerik/BADKOR1.MPF",
+       "sinumerik",
+       false,
+       {"9 compensation-forbidden-code", "12 compensation-idle-blocks",
+        "14 compensation-with-cycle", "16 compensation-left-on", "18 compensation-forbidden-code",
+        "19 compensation-forbidden-code", "21 compensation-plane-change",
+        "22 compensation-plane-change", "24 block-must-stand-alone"}},
+      {"sinumerik/BADKOR2.MPF",
+       "sinumerik",
+       false,
+       {"6 tool-offset-cancelled", "7 compensation-switched-on-arc",
+        "7 compensation-without-offset", "9 compensation-side-flip", "12 compensation-left-on"}},
+      {"sinumerik/BADKOR3.MPF", "sinumerik", false, {"7 compensation-entry-too-short"}},
+      {"sinumerik/BADNAS.MPF",
+       "sinumerik",
+       false,
+       {"3 tool-change-without-tool", "6 tool-missing", "8 tool-not-changed",
+        "9 block-value-out-of-range", "11 coordinate-incremental-left-on",
+        "11 flow-return-in-main"}},
+      {"sinumerik/BADOBL.MPF",
+       "sinumerik",
+       false,
+       {"7 arc-radius-too-small", "8 arc-radius-mismatch", "9 arc-full-circle-with-radius",
+        "10 arc-centre-missing", "11 arc-overdefined", "12 arc-wrong-centre-word",
+        "13 block-value-out-of-range", "14 arc-special-form-invalid",
+        "16 coordinate-polar-invalid"}},
+      {"sinumerik/BADPOSUV.MPF",
+       "sinumerik",
+       false,
+       {"4 feed-missing", "4 motion-mode-not-set", "6 spindle-off-while-cutting",
+        "8 feed-mode-change-without-feed", "11 spindle-off-while-cutting"}},
+      {"sinumerik/BADPROM.MPF",
+       "sinumerik",
+       false,
+       {"3 flow-argument-mismatch", "6 variable-read-before-write", "7 variable-index-out-of-range",
+        "8 syntax-unknown-name", "9 variable-type-mismatch", "10 variable-domain-error"}},
+      {"sinumerik/BADSUB.MPF",
+       "sinumerik",
+       false,
+       {"6 flow-repeat-count", "7 flow-repeat-count", "8 flow-undefined-subprogram",
+        "9 block-must-stand-alone", "14 coordinate-incremental-left-on",
+        "14 flow-modal-call-left-active"}},
+      {"sinumerik/BADTOK.MPF",
+       "sinumerik",
+       false,
+       {"7 flow-undefined-target", "8 flow-undefined-target", "9 syntax-ambiguous-expression",
+        "10 syntax-assignment-sign", "11 flow-constant-condition", "15 flow-structure-mismatch",
+        "16 flow-endless-loop", "20 flow-duplicate-label", "21 flow-structure-mismatch",
+        "24 flow-unreachable-block"}},
       {"sinumerik/CELO71.MPF", "sinumerik", false, {}},
+      {"sinumerik/FANUC1.MPF",
+       "sinumerik",
+       false,
+       {"1 block-foreign-dialect-code", "2 block-foreign-dialect-code", "2 syntax-foreign-comment",
+        "3 block-foreign-dialect-code", "6 block-foreign-dialect-code",
+        "7 block-foreign-dialect-code", "8 block-foreign-dialect-code",
+        "9 block-foreign-dialect-code", "10 block-foreign-dialect-code",
+        "11 block-foreign-dialect-code", "13 block-foreign-dialect-code"}},
       {"sinumerik/IDIOMY.SPF", "sinumerik", false, {}},
       {"sinumerik/JEDNOTKY.MPF", "sinumerik", false, {"6 coordinate-unit-changed"}},
       {"sinumerik/KAPSA1.MPF", "sinumerik", false, {}},
       {"sinumerik/KAPSA2.MPF", "sinumerik", false, {}},
       {"sinumerik/KONT1.SPF", "sinumerik", false, {}},
+      {"sinumerik/KONTBAD.SPF",
+       "sinumerik",
+       false,
+       {"2 contour-profile-forbidden-code", "3 contour-profile-forbidden-code",
+        "4 contour-profile-forbidden-code", "5 contour-profile-forbidden-code",
+        "7 compensation-left-on", "7 flow-return-missing"},
+       "sinumerik/BAD72.MPF"},
       {"sinumerik/KOREKCE1.MPF", "sinumerik", false, {}},
       {"sinumerik/L10.SPF", "sinumerik", false, {}},
       {"sinumerik/MILL1.SPF", "sinumerik", false, {}},
@@ -229,10 +336,11 @@ std::vector<Printed> printedPrograms() {
       {"sinumerik/SKOLA01.MPF", "sinumerik", false, {}},
       {"sinumerik/SOUCAST.MPF", "sinumerik", false, {}},
       {"sinumerik/STRUKT.MPF", "sinumerik", false, {}},
+      {"sinumerik/SUBKON.SPF", "sinumerik", false, {"4 flow-program-end-in-subprogram"}},
       {"sinumerik/VRTANI.MPF", "sinumerik", false, {}},
       {"sinumerik/ZAOBL.MPF", "sinumerik", false, {}},
   };
-  llvm::erase_if(list, [](const Printed &p) { return !std::filesystem::exists(pathOf(p)); });
+  llvm::erase_if(list, [](const Printed &p) { return !std::filesystem::exists(pathOf(p.file)); });
   return list;
 }
 
@@ -246,9 +354,17 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ManualProgram);
 
 TEST_P(ManualProgram, IsReportedAsTheManualHasIt) {
   const Printed &printed = GetParam();
-  const test::ProcessResult result =
-      test::Shop().run({"check", "--dialect", printed.dialect, "--format", "json", "--fail-on",
-                        "never", pathOf(printed)});
+  test::Shop shop;
+  std::vector<std::string> arguments = {
+      "check", "--dialect", printed.dialect, "--format",
+      "json",  "--fail-on", "never",         pathOf(printed.file)};
+  if (printed.caller)
+    arguments.push_back(pathOf(printed.caller));
+  if (printed.dialect == llvm::StringRef("sinumerik")) {
+    shop.file("machine.json", courseMachine);
+    arguments.insert(arguments.end(), {"--machine", "machine.json"});
+  }
+  const test::ProcessResult result = shop.run(arguments);
   const auto json = nlohmann::json::parse(result.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << result.err;
   std::set<std::string> found;
