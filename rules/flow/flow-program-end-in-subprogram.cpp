@@ -14,10 +14,12 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Code) {
-      // A file that says itself to be a subprogram is one without a caller too.
+      // A file that says itself to be a subprogram is one without a caller too; its first end says
+      // so for all of them.
       if (ctx.callDepth() == 0 &&
-          ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
-        returns(ctx.range(*event.word), event, ctx);
+          ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram &&
+          (first_.empty() || first_.begin == event.word->offset))
+        returns(first_ = ctx.range(*event.word), event, ctx);
       return;
     }
     if (FlowIssue(event.number) != FlowIssue::EndInSubprogram)
@@ -33,6 +35,7 @@ public:
   }
 
 private:
+  SourceRange first_; ///< end of a subprogram without a caller
   static void returns(SourceRange range, const Event &event, RuleContext &ctx) {
     const std::string back = returnOf(ctx.dialect());
     if (auto finding = ctx.report(range, event.certain))
