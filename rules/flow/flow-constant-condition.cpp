@@ -1,5 +1,5 @@
 // A condition has always the same result.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 #include "interp/expression.h"
 
 #include <map>
@@ -27,6 +27,17 @@ public:
   void finish(const FileSummary &file, RuleContext &ctx) override {
     if (!file.complete)
       return;
+    for (const auto &[place, set] : decided_) {
+      // A jump to the block brings other values along.
+      if (place.first != file.source.id() || set.other ||
+          std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), set.number))
+        continue;
+      if (auto finding = ctx.report(set.range))
+        finding
+            .message("this condition is always {0}: `{1}` in the block before decides it",
+                     set.truth ? "true" : "false", ctx.text(set.variable))
+            .note(set.variable, "the value is given here");
+    }
     for (const auto &[place, choice] : choices_) {
       if (place.first != file.source.id() || !choice.known ||
           (choice.ways != 1 && choice.ways != 2 && choice.ways != 4))
@@ -60,6 +71,15 @@ private:
   }
 
   std::map<std::pair<FileId, uint32_t>, Choice> choices_;
+
+  /// A condition that the block in front of it decides.
+  struct Decided {
+    SourceRange range, variable;
+    int64_t number = -1; ///< of its block
+    bool truth = false;
+    bool other = false; ///< it was reached with another result too
+  };
+  std::map<std::pair<FileId, uint32_t>, Decided> decided_;
 
   /// A choice by sign that always goes one way.
   void choice(const Item &item, RuleContext &ctx) {
@@ -100,13 +120,58 @@ private:
       finding.message("`{0}` never runs: it counts upwards by one", ctx.text(range));
   }
 
+  /// `R1=5` and behind it `IF R1>3`: nobody can have changed the value in between.
+  void byBlockBefore(const Expression &condition, llvm::ArrayRef<ExpressionOp> operations,
+                     const Item &item, RuleContext &ctx) {
+    uint64_t key = 0;
+    for (const ExpressionOp &op : operations) {
+      if (op.op == Op::VariableAt || op.op == Op::ElementAt || op.op == Op::Opaque ||
+          op.op == Op::Vacant || op.op == Op::Unknown)
+        return;
+      if (op.op != Op::Variable)
+        continue;
+      if (key && key != uint64_t(op.value))
+        return;
+      key = uint64_t(op.value);
+    }
+    Block before;
+    if (!key || ctx.block().hasLabel() || ctx.block().skip >= 0 || !readPrevious(ctx, before) ||
+        before.skip >= 0)
+      return;
+    const Item *given = nullptr;
+    for (const Item &other : before.items) {
+      if (other.kind != ItemKind::Assignment)
+        return; // a jump, a call: another way leads here
+      if (before.keyOf(other.target) == key)
+        given = &other;
+    }
+    if (!given || given->value >= before.expressions.size())
+      return;
+    // A value that is worked out, or read, is there to be looked at.
+    const Expression &value = before.expressions[given->value];
+    for (uint32_t i = 0; i < value.count; ++i)
+      if (const Op op = before.operations[value.first + i].op; op != Op::Number && op != Op::Negate)
+        return;
+    const Truth truth = truthOf(evaluate(ctx.block(), item.condition, ctx.before(), nullptr));
+    Decided &decided = decided_[{ctx.source().id(), condition.begin}];
+    decided.other |=
+        truth == Truth::Unknown || (decided.range.end && decided.truth != (truth == Truth::Yes));
+    decided.range = {ctx.source().id(), condition.begin, condition.end};
+    decided.variable = {ctx.source().id(), given->begin, given->end};
+    decided.number = ctx.block().number;
+    decided.truth = truth == Truth::Yes;
+  }
+
   /// Only what no variable decides: a parameter that is set at the program's head is there to be
   /// changed. `WHILE [1 EQ 1]` is the usual way to write a loop that is left by a jump.
-  static void check(const Expression &condition, const Item &item, RuleContext &ctx) {
+  void check(const Expression &condition, const Item &item, RuleContext &ctx) {
     if (condition.bad || condition.count == 0)
       return;
     const auto operations =
         llvm::makeArrayRef(ctx.block().operations).slice(condition.first, condition.count);
+    if (item.kind == ItemKind::If ||
+        (item.kind == ItemKind::Structure && item.structure == Structure::If))
+      byBlockBefore(condition, operations, item, ctx);
     for (const ExpressionOp &op : operations)
       if (op.op == Op::Variable || op.op == Op::VariableAt || op.op == Op::ElementAt ||
           op.op == Op::Opaque || op.op == Op::Vacant || op.op == Op::Unknown)
