@@ -29,11 +29,22 @@ public:
         finding.message("`{0}` has no time behind it: four digits, hours and minutes",
                         ctx.text(*event.word));
     // A bare axis letter is a word: reference returns name their axes so.
-    reportMissingWords(ctx, event, isMine);
+    const bool byName = namesAxes(ctx);
+    reportMissingWords(ctx, event, [&](const CodeInfo &code, const WordSpec &spec) {
+      return isMine(code, spec) && !(byName && spec.any & ctx.dialect().axisWords);
+    });
   }
 
 private:
   static constexpr llvm::StringLiteral id{"block-missing-word"};
+
+  /// `AX[FIRST]=20`: an axis whose name a variable holds.
+  static bool namesAxes(const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().items, [&](const Item &item) {
+      return item.kind == ItemKind::Assignment &&
+             ctx.text(SourceRange{ctx.source().id(), item.begin, item.end}).contains('[');
+    });
+  }
 
   /// The time of a sleep code is a comment of four digits, a bare number or any word.
   static bool hasTime(const RuleContext &ctx) {
