@@ -90,8 +90,10 @@ private:
     const bool stated =
         !anyPlane_ || ctx.after().active(ctx.dialect(), StandardGroup::Plane) != groupUnset;
     const uint16_t plane = stated ? planeAxes(ctx.dialect(), ctx.after()) : space;
+    // Where it is not known whether a cycle is active, the block may as well be a hole of it.
     return llvm::any_of(ctx.outcome().events, [&](const Event &e) {
-      return e.kind == EventKind::Motion && (e.axes & plane);
+      return (e.kind == EventKind::Motion || (e.kind == EventKind::CycleRun && e.code == noCode)) &&
+             (e.axes & plane);
     });
   }
 
