@@ -6,7 +6,26 @@ namespace {
 
 class ProgramNameReserved final : public Rule {
 public:
-  void listen(Subscriptions &to) override { reserved_ = to.dialect().limits.reservedPrograms; }
+  void listen(Subscriptions &to) override {
+    reserved_ = to.dialect().limits.reservedPrograms;
+    to.onCode([](const CodeInfo &code) { return !code.letter && code.action == Action::Cycle; });
+  }
+
+  /// `EXTERN CYCLE81(REAL,REAL)`: the program declares one of its own, which hides the control's.
+  void on(const Event &event, RuleContext &ctx) override {
+    const llvm::StringRef name = ctx.text(*event.word);
+    const Defined *own =
+        ctx.index().definition(ctx.index().programAt(ctx.block().begin), name.upper());
+    if (!own || own->kind != ItemKind::Declaration)
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` calls the program that is declared here, not the control's cycle of that "
+                   "name: one of the two hides the other",
+                   name)
+          .note(SourceRange{ctx.source().id(), own->begin, own->end},
+                "the program is declared here");
+  }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     if (!ctx.dialect().keywords.empty())
