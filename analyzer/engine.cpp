@@ -221,7 +221,9 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         break;
       }
     }
-    activation.executedAny = true;
+    // A file that only defines subprograms is no main program.
+    activation.executedAny |= block_.items.empty() || block_.items[0].kind != ItemKind::Structure ||
+                              block_.items[0].structure != Structure::Sub;
     activation.lastBegin = block_.begin;
     activation.lastEnd = block_.end;
     const uint32_t next = block_.tapeInside ? end : block_.next;

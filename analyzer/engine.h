@@ -143,11 +143,16 @@ private:
   void branch(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void structure(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   static Truth countUp(const Block &head, MachineState &state);
+  static Truth countDown(const Block &head, MachineState &state);
+  static std::optional<uint32_t> subprogramBody(const FileUnit &unit, llvm::StringRef label,
+                                                const ProgramInfo *&program);
+  void runOtherSubprograms();
   std::optional<Callee> callee(Activation &activation, const Live &live, uint32_t at,
                                const MachineState &before);
   unsigned runningSections() const;
   bool isRunning(const FileUnit &unit, uint32_t start, Kind kind, uint32_t end = ~0u) const;
   bool recurs(const Region &region, const Callee &callee) const;
+  void bindPositions(const Item &call, const MachineState &caller, MachineState &state);
   void bindArguments(const Callee &callee, const Item &call, const MachineState &caller,
                      MachineState &state, Passes &passes);
   static void restoreModes(MachineState &state, const MachineState &caller);
@@ -199,12 +204,14 @@ private:
   std::set<int64_t> usedNumbers_;
   std::set<int64_t> calledPrograms_;
   std::set<uint32_t> localTargets_, profileStarts_;
+  std::set<uint32_t> calledBodies_; ///< of the main file: subprograms between brackets
   std::set<std::string> usedLabels_, calledNames_; ///< by key, in capitals
   std::vector<Running> callStack_;
   uint64_t steps_ = 0;
   uint64_t repeated_ = 0;
   uint64_t blocks_ = 0;
-  bool abstract_ = false; ///< the budget is spent: loops are no longer run for real
+  bool abstract_ = false;      ///< the budget is spent: loops are no longer run for real
+  bool callerUnknown_ = false; ///< subprograms that nothing in the file calls are being run
   bool stopped_ = false;
   bool complete_ = true;
   std::vector<std::string> cuts_;

@@ -78,6 +78,25 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
       name = std::to_string(std::llround(flow.target.number.value()));
     }
     calledNames_.insert(llvm::StringRef(name).upper());
+    if (item.positional) {
+      auto body = subprogramBody(unit, name, callee.program);
+      if (!body) {
+        std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
+        if (callee.program)
+          body = subprogramBody(*callee.unit, name, callee.program);
+      }
+      if (!body) {
+        // Whoever calls this subprogram may lie elsewhere, and have what it calls beside it.
+        if (callerUnknown_)
+          return std::nullopt;
+        return missing(FlowIssue::UnknownProgram, range);
+      }
+      if (callee.unit == &unit_)
+        calledBodies_.insert(*body);
+      callee.start = *body;
+      callee.kind = Kind::LocalSubprogram;
+      return callee;
+    }
     std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
     if (!callee.program) {
       const Defined *known = unit.index.definition(region.program, name);
@@ -119,6 +138,19 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
   return callee;
 }
 
+/// First block behind the bracket that opens the subprogram `label`, and the program that holds it.
+std::optional<uint32_t> Engine::subprogramBody(const FileUnit &unit, llvm::StringRef label,
+                                               const ProgramInfo *&program) {
+  for (const ProgramInfo &one : unit.index.programs())
+    if (const auto at = unit.index.label(one, label, one.begin)) {
+      Block block;
+      unit.reader->read(*at, block);
+      program = &one;
+      return block.next;
+    }
+  return std::nullopt;
+}
+
 /// Repeated sections that are being executed, one in the other.
 unsigned Engine::runningSections() const {
   return unsigned(llvm::count_if(
@@ -146,7 +178,10 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
   const SourceRange where = flowRange(unit);
   const uint32_t next = block_.next;
   const auto goOnUnknown = [&] {
+    const Variables locals = live.state.locals;
     forget(live, *unit.dialect);
+    if (unit.dialect->variableRanges.namedLocal) // no call changes those of its caller
+      live.state.locals = locals;
     add(activation, next, std::move(live));
   };
   const std::optional<Callee> callee = this->callee(activation, live, at, before);
@@ -156,7 +191,9 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
     // Without a condition nothing ends it; with one it is followed until the control's levels end.
     const ProgramInfo &program = *callee->program;
     const llvm::StringRef body = callee->unit->source.text(program.begin, program.end);
-    const bool conditional = body.contains("IF") || body.contains("WHILE") || body.contains("GOTO");
+    const bool conditional = body.contains_insensitive("IF") ||
+                             body.contains_insensitive("WHILE") ||
+                             body.contains_insensitive("GOTO");
     if (!conditional || region.depth + 1 >= limits_.callDepth) {
       issue(FlowIssue::Recursion, activation, live, before, where,
             {callee->unit->source.id(), callee->start, callee->start + 1});
@@ -170,6 +207,7 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
     return goOnUnknown();
   const PathNode *path = live.path;
   live.path = step(path, PathNode::Kind::Call, where, callee->number);
+  live.state.restoresModes = false;
   Passes passes;
   passes.at = at;
   passes.next = next;
@@ -183,8 +221,13 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
     const MachineState caller = live.state;
     passes.locals = caller.locals;
     live.state.locals = Variables();
-    checkArguments(activation, live, before, *callee, block_.items[size_t(flow.item)]);
-    bindArguments(*callee, block_.items[size_t(flow.item)], caller, live.state, passes);
+    const Item &item = block_.items[size_t(flow.item)];
+    if (item.positional) {
+      bindPositions(item, caller, live.state);
+    } else {
+      checkArguments(activation, live, before, *callee, item);
+      bindArguments(*callee, item, caller, live.state, passes);
+    }
   }
   runPasses(activation,
             {*callee->unit, *callee->program, callee->start, callee->kind, region.depth + 1},
@@ -257,6 +300,20 @@ bool Engine::isVariable(uint16_t expression) const {
     return e.bad;
   const Op last = block_.operations[e.first + e.count - 1].op;
   return last == Op::Variable || last == Op::ElementAt || (last == Op::Opaque && e.count == 1);
+}
+
+/// The first numbered variables of the called program get the values of the call; the other local
+/// ones keep those of the caller (LinuxCNC 2.9, section 11.7.4).
+void Engine::bindPositions(const Item &call, const MachineState &caller, MachineState &state) {
+  const llvm::ArrayRef<Argument> given = block_.argumentsOf(call);
+  for (uint64_t i = 1; i <= uint64_t(state.ranges.lastLocal); ++i) {
+    if (i <= given.size())
+      state.locals.set(i, evaluate(block_, given[i - 1].expression, caller, nullptr));
+    else if (caller.locals.has(i))
+      state.locals.set(i, caller.locals.get(i));
+  }
+  state.commons.set(sharedVariableKey("_value"), Value::of(0));
+  state.commons.set(sharedVariableKey("_value_returned"), Value::of(0));
 }
 
 /// The called program's parameters get the values of the call. What it gives back, and whether the
@@ -358,8 +415,9 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
       one.state.locals = *passes.locals;
     for (const uint64_t key : passes.written)
       writeVariable(one.state, int64_t(key), Value::unknown());
-    if (passes.modes)
-      restoreModes(one.state, *passes.modes);
+    if (passes.modes || one.state.restoresModes)
+      restoreModes(one.state, passes.modes ? *passes.modes : before);
+    one.state.restoresModes = before.restoresModes;
     if (!passes.known)
       for (Interval &position : one.state.position)
         position = Interval::unknown();

@@ -62,11 +62,30 @@ void Engine::runOtherPrograms() {
   }
 }
 
+/// Subprograms between brackets that nothing called: of them, too, only what is wrong for every
+/// caller counts.
+void Engine::runOtherSubprograms() {
+  for (const uint32_t head : unit_.index.subprograms()) {
+    Block block;
+    unit_.reader->read(head, block);
+    if (stopped_ || calledBodies_.count(block.next))
+      continue;
+    Lives lives(1);
+    lives[0].state = unknownState(*unit_.dialect);
+    collector_.setDefiniteOnly(true);
+    callerUnknown_ = true;
+    execute({unit_, unit_.index.programAt(head), block.next, Kind::LocalSubprogram, 1},
+            std::move(lives));
+    callerUnknown_ = false;
+    collector_.setDefiniteOnly(false);
+  }
+}
+
 /// Blocks that no path reaches are read all the same: what the control cannot read stops it when
 /// the program is loaded. Only what the text alone decides is told to the rules.
 void Engine::inspectUnreached() {
   constexpr uint32_t wanted = bitOf(EventKind::Syntax) | bitOf(EventKind::WordIssue);
-  if (!(dispatcher_.kinds() & wanted) || stopped_)
+  if (!(dispatcher_.kinds() & wanted) || stopped_ || !unit_.dialect->loadsWhole)
     return;
   const Dialect &dialect = *unit_.dialect;
   const std::vector<SourceRange> reached = reachedRanges();
@@ -125,6 +144,7 @@ AnalysisResult Engine::run() {
   execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));
   collector_.setDefiniteOnly(false);
   runOtherPrograms();
+  runOtherSubprograms();
   inspectUnreached();
 
   const std::vector<SourceRange> reached = reachedRanges();

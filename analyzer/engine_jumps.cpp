@@ -430,7 +430,10 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
     add(activation, next, std::move(live));
     return;
   }
-  const auto past = shape.past.find(at), back = shape.back.find(at);
+  if (const auto first = shape.duplicates.find(at); first != shape.duplicates.end())
+    issue(FlowIssue::DuplicateLabel, activation, live, before, where,
+          {region.unit.source.id(), first->second, first->second + 1});
+  const auto past = shape.past.find(at), back = shape.back.find(at), out = shape.out.find(at);
   // `condition` leads to the next block, else to `other`; an unknown one to both.
   const auto fork = [&](Truth condition, uint32_t other, bool loops) {
     if (condition == Truth::Unknown) {
@@ -441,16 +444,54 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
       live.path = step(live.path, PathNode::Kind::Jump, where);
       if (loops)
         activation.heads[other].abstract = true;
+      live.state.seeksBranch = !loops && shape.back.lookup(other) == at;
     } else if (condition == Truth::Yes) {
       add(activation, next, std::move(live));
       return;
+    } else {
+      live.state.seeksBranch = !loops && shape.back.lookup(other) == at;
     }
     goTo(activation, at, other, std::move(live), condition == Truth::No);
+  };
+  const auto opposite = [](Truth truth) {
+    return truth == Truth::Yes ? Truth::No : truth == Truth::No ? Truth::Yes : Truth::Unknown;
   };
   switch (item.structure) {
   case Structure::If:
     return fork(flow.condition, past->second, false);
+  case Structure::ElseIf: // reached from the branch in front of it: the chain is done
+    if (!before.seeksBranch)
+      return goTo(activation, at, out->second, std::move(live), true);
+    return fork(flow.condition, past->second, false);
+  case Structure::Sub:
+    return goTo(activation, at, past->second, std::move(live), true);
+  case Structure::EndSub:
+  case Structure::Return:
+    if (region.kind == Kind::Main) {
+      issue(FlowIssue::StructureMismatch, activation, live, before, where);
+      return add(activation, next, std::move(live));
+    }
+    activation.exits.push_back({std::move(live), notSet});
+    return;
+  case Structure::Break:
+  case Structure::Continue:
+    return goTo(activation, at, out->second, std::move(live), true);
+  case Structure::Times:
+    if (flow.condition == Truth::Unknown)
+      activation.heads[next].abstract = true;
+    return fork(flow.condition, past->second, false);
+  case Structure::EndTimes: {
+    Block head;
+    region.unit.reader->read(back->second, head);
+    const Truth again = countDown(head, live.state);
+    if (again == Truth::Unknown)
+      activation.heads[head.next].abstract = true;
+    return fork(opposite(again), head.next, true);
+  }
   case Structure::While:
+    if (past == shape.past.end()) // the end of a loop with the test behind
+      return fork(opposite(flow.condition), back->second, true);
+    [[fallthrough]];
   case Structure::For:
     if (flow.condition == Truth::Unknown)
       activation.heads[item.structure == Structure::For ? next : at].abstract = true;
@@ -470,16 +511,27 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
     if (again == Truth::Unknown)
       activation.heads[head.next].abstract = true;
     // (the condition of `fork` is the way on)
-    return fork(again == Truth::Yes  ? Truth::No
-                : again == Truth::No ? Truth::Yes
-                                     : Truth::Unknown,
-                head.next, true);
+    return fork(opposite(again), head.next, true);
   }
   case Structure::EndIf:
   case Structure::Loop:
   case Structure::Repeat:
     return add(activation, next, std::move(live));
   }
+}
+
+/// Counts one run of the loop whose head is `head`; whether it runs again.
+Truth Engine::countDown(const Block &head, MachineState &state) {
+  const Item &item = head.items.front();
+  const uint64_t counter = head.keyOf(item.target);
+  const Value now = state.locals.get(counter);
+  if (now.kind != Value::Kind::Number)
+    return Truth::Unknown;
+  const Interval left = now.number - Interval::exactly(1);
+  state.locals.set(counter, Value::of(left));
+  if (left.hi < 1)
+    state.locals.erase(counter);
+  return left.lo >= 1 ? Truth::Yes : left.hi < 1 ? Truth::No : Truth::Unknown;
 }
 
 /// Counts the variable of the FOR in `head` up; whether its loop runs again.

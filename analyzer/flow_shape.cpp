@@ -2,18 +2,21 @@
 #include "analyzer/flow_shape.h"
 
 #include <algorithm>
+#include <map>
 
 namespace ncvet {
 
 namespace {
 
 /// What a closing bracket closes.
-enum class Bracket : uint8_t { Numbered, If, Else, While, For, Loop, Repeat };
+enum class Bracket : uint8_t { Numbered, If, ElseIf, Else, While, For, Loop, Repeat, Times, Sub };
 
 struct Open {
   uint32_t offset;
   Bracket bracket;
-  uint8_t loop; ///< of a numbered one
+  uint64_t label;                 ///< number or label; 0: none
+  std::vector<uint32_t> branches; ///< of an IF: the ELSEIFs so far
+  std::vector<uint32_t> breaks, continues;
 };
 
 class ShapeReader {
@@ -35,23 +38,30 @@ private:
     switch (item.kind) {
     case ItemKind::While:
     case ItemKind::Do:
-      return begin(at, Bracket::Numbered, item.loop);
+      label_ = item.loop;
+      return begin(at, Bracket::Numbered);
     case ItemKind::End:
-      return end(at, next, {Bracket::Numbered}, item.loop);
+      label_ = item.loop;
+      return end(at, next, {Bracket::Numbered});
     case ItemKind::Structure:
       break;
     default:
       return;
     }
+    label_ = item.label;
     switch (item.structure) {
     case Structure::If:
       return begin(at, Bracket::If);
+    case Structure::ElseIf:
+      return branch(at, at, Bracket::ElseIf);
     case Structure::Else:
-      end(at, next, {Bracket::If});
-      return begin(at, Bracket::Else);
+      return branch(at, next, Bracket::Else);
     case Structure::EndIf:
-      return end(at, next, {Bracket::If, Bracket::Else});
+      return end(at, next, {Bracket::If, Bracket::ElseIf, Bracket::Else});
     case Structure::While:
+      // With the label of an open loop it is that loop's end.
+      if (label_ && find({Bracket::Repeat}) < open_.size())
+        return end(at, next, {Bracket::Repeat});
       return begin(at, Bracket::While);
     case Structure::EndWhile:
       return end(at, next, {Bracket::While});
@@ -67,34 +77,107 @@ private:
       return begin(at, Bracket::Repeat);
     case Structure::Until:
       return end(at, next, {Bracket::Repeat});
+    case Structure::Times:
+      return begin(at, Bracket::Times);
+    case Structure::EndTimes:
+      return end(at, next, {Bracket::Times});
+    case Structure::Sub:
+      if (llvm::any_of(open_, [](const Open &one) { return one.bracket == Bracket::Sub; }))
+        shape_.mismatched.push_back(at); // bodies do not nest
+      begin(at, Bracket::Sub);
+      scope_ = ++subprograms_;
+      return;
+    case Structure::EndSub:
+      scope_ = 0;
+      return end(at, next, {Bracket::Sub});
+    case Structure::Return:
+      if (llvm::none_of(open_, [](const Open &one) { return one.bracket == Bracket::Sub; }))
+        shape_.mismatched.push_back(at);
+      return;
+    case Structure::Break:
+    case Structure::Continue: {
+      const size_t i = find({Bracket::While, Bracket::Repeat});
+      if (i == open_.size())
+        shape_.mismatched.push_back(at);
+      else
+        (item.structure == Structure::Break ? open_[i].breaks : open_[i].continues).push_back(at);
+      return;
+    }
     }
   }
 
-  void begin(uint32_t at, Bracket bracket, uint8_t loop = 0) {
-    open_.push_back({at, bracket, loop});
+  void begin(uint32_t at, Bracket bracket) {
+    if (bracket != Bracket::Numbered && label_) {
+      // Labels of a subprogram are its own.
+      const auto [first, fresh] =
+          labels_.try_emplace({bracket == Bracket::Sub ? 0 : scope_, label_}, at);
+      if (!fresh)
+        shape_.duplicates[at] = first->second;
+    }
+    open_.push_back({at, bracket, label_, {}, {}, {}});
     shape_.depth = std::max(shape_.depth, unsigned(open_.size()));
   }
 
-  /// Closes the innermost open bracket of these kinds; those inside that were not closed are
-  /// broken.
-  void end(uint32_t at, uint32_t next, std::initializer_list<Bracket> kinds, uint8_t loop = 0) {
-    size_t i = open_.size();
-    while (i > 0 && !(llvm::is_contained(kinds, open_[i - 1].bracket) && open_[i - 1].loop == loop))
-      --i;
-    if (i == 0) {
+  /// Innermost open bracket of these kinds with the label at hand; `open_.size()`: none.
+  size_t find(std::initializer_list<Bracket> kinds) const {
+    for (size_t i = open_.size(); i-- > 0;)
+      if (llvm::is_contained(kinds, open_[i].bracket) && open_[i].label == label_)
+        return i;
+    return open_.size();
+  }
+
+  /// Those inside bracket `i` that were not closed are broken.
+  void breakInside(size_t i) {
+    for (size_t j = i + 1; j < open_.size(); ++j)
+      shape_.mismatched.push_back(open_[j].offset);
+    open_.resize(i + 1);
+  }
+
+  /// A further branch of an IF: the one in front of it leads to `target` when it is not taken.
+  void branch(uint32_t at, uint32_t target, Bracket bracket) {
+    const size_t i = find({Bracket::If, Bracket::ElseIf});
+    if (i == open_.size()) {
+      shape_.mismatched.push_back(at);
+      if (bracket == Bracket::Else && !label_)
+        begin(at, bracket);
+      return;
+    }
+    breakInside(i);
+    Open &open = open_[i];
+    shape_.past[open.offset] = target;
+    shape_.back[at] = open.offset;
+    if (bracket == Bracket::ElseIf)
+      open.branches.push_back(at);
+    open.offset = at;
+    open.bracket = bracket;
+  }
+
+  /// Closes the innermost open bracket of these kinds.
+  void end(uint32_t at, uint32_t next, std::initializer_list<Bracket> kinds) {
+    const size_t i = find(kinds);
+    if (i == open_.size()) {
       shape_.mismatched.push_back(at);
       return;
     }
-    for (size_t j = i; j < open_.size(); ++j)
-      shape_.mismatched.push_back(open_[j].offset);
-    const uint32_t head = open_[i - 1].offset;
-    shape_.past[head] = next;
-    shape_.back[at] = head;
-    open_.resize(i - 1);
+    breakInside(i);
+    const Open &open = open_[i];
+    shape_.past[open.offset] = next;
+    shape_.back[at] = open.offset;
+    for (const uint32_t place : open.branches)
+      shape_.out[place] = next;
+    for (const uint32_t place : open.breaks)
+      shape_.out[place] = next;
+    for (const uint32_t place : open.continues)
+      shape_.out[place] = open.bracket == Bracket::Repeat ? at : open.offset;
+    open_.resize(i);
   }
 
   FlowShape shape_;
   std::vector<Open> open_;
+  uint64_t label_ = 0; ///< of the bracket at hand
+  unsigned scope_ = 0; ///< subprogram that it stands in; 0: none
+  unsigned subprograms_ = 0;
+  std::map<std::pair<unsigned, uint64_t>, uint32_t> labels_; ///< scope and label: first bracket
 };
 
 } // namespace

@@ -16,6 +16,10 @@ struct FlowShape {
   llvm::DenseMap<uint32_t, uint32_t> past;
   /// From a loop's end to its head.
   llvm::DenseMap<uint32_t, uint32_t> back;
+  /// From a branch (ELSEIF) or a way out of a loop to where control goes on.
+  llvm::DenseMap<uint32_t, uint32_t> out;
+  /// From a bracket whose label an earlier one of its program carries to that one.
+  llvm::DenseMap<uint32_t, uint32_t> duplicates;
   std::vector<uint32_t> mismatched; ///< brackets without their partner
   unsigned depth = 0;               ///< of the deepest nesting
 };

@@ -79,6 +79,9 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
         marks.find(llvm::toUpper(c)) == llvm::StringRef::npos)
       return;
     reader.read(line, block);
+    if (!block.items.empty() && block.items[0].kind == ItemKind::Structure &&
+        block.items[0].structure == Structure::Sub)
+      subprograms_.push_back(line);
     if (block.kind != BlockKind::ProgramHeader)
       return;
     ProgramInfo program;

@@ -85,6 +85,8 @@ public:
   llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
   /// The suppression comments of the file; looked for when first asked.
   llvm::ArrayRef<Suppression> suppressions() const;
+  /// Offsets of the lines that open a subprogram between brackets (`o100 sub`), ascending.
+  llvm::ArrayRef<uint32_t> subprograms() const { return subprograms_; }
   const SourceFile &source() const { return source_; }
   const Reader &reader() const { return reader_; }
 
@@ -93,6 +95,7 @@ private:
   const Reader &reader_;
   std::vector<ProgramInfo> programs_;
   std::vector<uint32_t> tapeMarks_;
+  std::vector<uint32_t> subprograms_;
   struct Numbers {
     std::vector<NumberedBlock> asWritten;
     std::vector<NumberedBlock> sorted; ///< empty while not asked for, or when sorted as written

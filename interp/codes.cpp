@@ -85,6 +85,10 @@ void Execution::applyModal(const CodeUse &use) {
       cancelled_ = true;
       if (code.group != noGroup)
         activate(code, use.word);
+      if (code.endsMotion && masks_.motion != noGroup &&
+          llvm::none_of(outcome_.codes,
+                        [&](const CodeUse &other) { return info(other).group == masks_.motion; }))
+        state_.group[masks_.motion] = groupUnset;
     } else {
       if (!motionCode_.word || code.action == Action::Cycle)
         motionCode_ = use;
@@ -284,6 +288,25 @@ void Execution::applyEarly(const CodeUse &use) {
     break;
   case Action::AxisRelease:
     state_.clear(Fact::AxisEngaged);
+    break;
+  case Action::ModesRestored: {
+    // Which modes were saved, and when, the text alone does not say. The motion is not among them.
+    const MachineState any = unknownState(dialect_);
+    const auto before = state_.group;
+    state_.group = any.group;
+    for (const GroupIndex kept : {masks_.motion, masks_.cycle})
+      if (kept != noGroup)
+        state_.group[kept] = before[kept];
+    state_.feed = state_.speed = Interval::unknown();
+    state_.compensation = any.compensation;
+    state_.spindle = any.spindle;
+    state_.switchMay = any.switchMay;
+    state_.switchMust = 0;
+    state_.factsMay |= bitOf(Fact::FeedSet) | bitOf(Fact::SpeedSet);
+    break;
+  }
+  case Action::ModesRestoredAtReturn:
+    state_.restoresModes = true;
     break;
   case Action::MachineSpecific:
     state_.spindle = spindleAny;

@@ -79,6 +79,7 @@ enum class FlowIssue : uint8_t {
   ArgumentLeftOut,    ///< a parameter without a value of its own gets none
   ArgumentNotVariable, ///< a parameter gives its value back, and the argument is no variable
   DeclarationMismatch, ///< the program takes other arguments than its declaration says
+  DuplicateLabel,      ///< another bracket of structured flow carries the same label
   EndlessLoop          ///< the state repeats: the program never leaves a loop
 };
 

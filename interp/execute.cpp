@@ -244,6 +244,7 @@ void Execution::wordDomains() {
     case Op::Divide:
     case Op::IntegerDivide:
     case Op::Modulo:
+    case Op::FloorModulo:
     case Op::Power:
     case Op::Tan:
     case Op::Asin:
@@ -453,6 +454,8 @@ void Execution::settingWords() {
 }
 
 void Execution::finish() {
+  for (const auto &[variable, value] : pending_)
+    writeVariable(state_, variable, value);
   // A parameter block waits for the very next block only.
   if (before_.pendingCycle != noCode && state_.pendingCycle == before_.pendingCycle &&
       state_.origin.pending.begin == before_.origin.pending.begin)

@@ -37,6 +37,8 @@ private:
   bool runItems(bool guardHolds);
   void go(FlowKind kind, size_t index);
   void structure(size_t index);
+  void assign(const Item &item);
+  void giveBack(const Item &item);
   void define(const Item &item);
 
   // codes.cpp: the effect of single codes
@@ -110,6 +112,9 @@ private:
   MachineState &state_;
   Outcome &outcome_;
   ConditionContext context_;
+
+  /// Assignments that take effect behind the block's words: the variable and its value.
+  llvm::SmallVector<std::pair<int64_t, Value>, 2> pending_;
 
   CodeUse motionCode_; ///< motion or modal cycle code of the block
   CodeUse actionCode_; ///< one-shot code that takes the block's axis words

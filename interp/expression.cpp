@@ -11,24 +11,20 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double degree = pi / 180;
 
-/// Local variables of a macro level: #1 … #33.
-constexpr int64_t lastLocal = 33;
-/// Common variables end here; from #1000 on they belong to the control (inputs, offsets,
-/// positions).
-constexpr int64_t firstSystem = 1000;
 /// Extended common variables of larger controls.
 constexpr int64_t firstExtended = 98000, lastExtended = 98499;
 
-bool isCommon(int64_t number) {
-  return (number > lastLocal && number < firstSystem) ||
+bool isCommon(const MachineState &state, int64_t number) {
+  return (number > state.ranges.lastLocal && number <= state.ranges.lastCommon) ||
          (number >= firstExtended && number <= lastExtended) ||
-         number >= int64_t(firstNamedVariable);
+         number >= int64_t(firstSharedVariable);
 }
 
 /// Numbered local variables, and the names that the running program has defined.
 bool isLocal(const MachineState &state, int64_t number) {
-  return (number > 0 && number <= lastLocal) ||
-         (number >= int64_t(firstNamedVariable) && state.locals.has(uint64_t(number)));
+  return (number > 0 && number <= state.ranges.lastLocal) ||
+         (number >= int64_t(firstNamedVariable) &&
+          (state.ranges.namedLocal || state.locals.has(uint64_t(number))));
 }
 
 Value fromTruth(Truth truth) {
@@ -169,13 +165,18 @@ void Evaluator::arithmetic(const ExpressionOp &op) {
     return;
   }
   case Op::Modulo:
+  case Op::FloorModulo: {
     if (b.isConstant() && b.value() == 0)
       domainError(op);
-    if (a.isConstant() && b.isConstant() && b.value() != 0)
-      stack_.push_back(Value::of(std::fmod(a.value(), b.value())));
-    else
+    if (!a.isConstant() || !b.isConstant() || b.value() == 0) {
       stack_.push_back(Value::unknown());
+      return;
+    }
+    const double rest = std::fmod(a.value(), b.value());
+    stack_.push_back(
+        Value::of(op.op == Op::FloorModulo && rest < 0 ? rest + std::fabs(b.value()) : rest));
     return;
+  }
   case Op::And:
   case Op::Or:
   case Op::Xor: {
@@ -341,12 +342,24 @@ void Evaluator::step(const ExpressionOp &op) {
   case Op::Minimum:
   case Op::Maximum:
   case Op::Modulo:
+  case Op::FloorModulo:
   case Op::Power:
   case Op::And:
   case Op::Or:
   case Op::Xor:
   case Op::Atan2:
     return arithmetic(op);
+  case Op::Floor:
+    return unary([](double x) { return std::floor(x); });
+  case Op::Ceiling:
+    return unary([](double x) { return std::ceil(x); });
+  case Op::Exists: {
+    // Given a value on some way at least; one that all programs share may have it from elsewhere.
+    const auto key = uint64_t(op.value);
+    const bool never = key >= firstNamedVariable && !state_.locals.has(key);
+    stack_.push_back(never ? Value::of(0) : Value::of(Interval{0, 1}));
+    return;
+  }
   default:
     // BIN, BCD, ADP and what the reader could not resolve.
     if (op.op != Op::Unknown && !stack_.empty())
@@ -377,7 +390,7 @@ Value readVariable(const MachineState &state, int64_t number) {
     return Value::vacant();
   if (isLocal(state, number))
     return state.locals.get(uint64_t(number));
-  if (isCommon(number))
+  if (isCommon(state, number))
     return state.commons.get(uint64_t(number));
   return Value::unknown();
 }
@@ -385,7 +398,7 @@ Value readVariable(const MachineState &state, int64_t number) {
 void writeVariable(MachineState &state, int64_t number, const Value &value) {
   if (isLocal(state, number))
     state.locals.set(uint64_t(number), value);
-  else if (isCommon(number))
+  else if (isCommon(state, number))
     state.commons.set(uint64_t(number), value);
 }
 

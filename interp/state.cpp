@@ -78,6 +78,8 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   if (a.transforms != b.transforms)
     r.transforms = {};
   r.modalMacro = combine(a.modalMacro, b.modalMacro);
+  r.seeksBranch = a.seeksBranch || b.seeksBranch;
+  r.restoresModes = a.restoresModes || b.restoresModes;
   r.profile = std::max(a.profile, b.profile);
   r.locals = wide ? Variables::widen(a.locals, b.locals) : Variables::join(a.locals, b.locals);
   r.commons = wide ? Variables::widen(a.commons, b.commons) : Variables::join(a.commons, b.commons);
@@ -121,7 +123,8 @@ void visitParts(const MachineState &s, Sink sink) {
   sink(uint64_t(uint32_t(s.preselected)) << 32 | uint32_t(s.lengthOffset));
   sink(uint64_t(uint32_t(s.radiusOffset)) << 32 | uint32_t(s.modalMacro));
   sink(uint64_t(s.spindle) | uint64_t(s.liveTool) << 8 | uint64_t(s.compensation) << 16 |
-       uint64_t(s.idleBlocks) << 24 | uint64_t(s.pendingCycle) << 32 | uint64_t(s.profile) << 48);
+       uint64_t(s.idleBlocks) << 24 | uint64_t(s.pendingCycle) << 32 | uint64_t(s.profile) << 48 |
+       uint64_t(s.seeksBranch) << 56 | uint64_t(s.restoresModes) << 57);
   interval(s.speed);
   interval(s.speedLimit);
   sink(uint64_t(s.switchMay) << 32 | s.switchMust);
@@ -209,6 +212,9 @@ MachineState initialState(const Dialect &dialect) {
       state.group[i] = uint64_t(1) << dialect.groups[i].initial;
   }
   state.localShift.fill(Interval::exactly(0));
+  state.ranges = dialect.variableRanges;
+  if (!dialect.localsBeginVacant)
+    state.locals.forget();
   // A bit is spent on "away from the part": a program starts clear of it.
   state.set(Fact::AwayFromPart);
   return state;
@@ -234,6 +240,7 @@ MachineState unknownState(const Dialect &dialect) {
   state.cycle.present = (1u << 26) - 1;
   state.cycle.value.fill(std::numeric_limits<double>::quiet_NaN());
   state.locals.forget();
+  state.ranges = dialect.variableRanges;
   return state;
 }
 
@@ -272,7 +279,7 @@ uint64_t controlFingerprint(const Dialect &dialect, const MachineState &state) {
       state.active(dialect, StandardGroup::Units), state.active(dialect, StandardGroup::Cycle),
       state.active(dialect, StandardGroup::Motion),
       state.active(dialect, StandardGroup::Compensation), state.compensation, state.tool,
-      state.profile);
+      state.profile, state.seeksBranch, state.restoresModes);
 }
 
 } // namespace ncvet

@@ -140,7 +140,10 @@ struct SetupState {
   std::array<Interval, 2> roughStart;  ///< X and Z where that roughing began
   std::array<uint8_t, 4> transforms{}; ///< switches of transformations, in the order switched on
   int32_t modalMacro = notSet;         ///< program that G66 calls after each move
-  uint8_t profile = 0; ///< 0: not in a profile; 1: read as data for roughing; 2: finishing
+  /// An IF whose condition did not hold looks for its next branch.
+  bool seeksBranch = false;
+  bool restoresModes = false; ///< the running program gives its caller the modes back
+  uint8_t profile = 0;        ///< 0: not in a profile; 1: read as data for roughing; 2: finishing
 };
 
 /// Where things were set; never compared.
@@ -154,6 +157,7 @@ struct OriginState {
 struct MachineState : ModeState, MotionState, SetupState {
   Variables locals{Value::vacant()};
   Variables commons;
+  VariableRanges ranges; ///< of the dialect; never compared
   OriginState origin;
 
   bool may(Fact fact) const { return factsMay & bitOf(fact); }

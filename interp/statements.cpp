@@ -23,6 +23,28 @@ void Execution::structure(size_t index) {
   const Item &item = block_.items[index];
   go(FlowKind::Structure, index);
   Flow &flow = outcome_.flow;
+  switch (item.structure) {
+  case Structure::EndSub:
+  case Structure::Return:
+    return giveBack(item);
+  case Structure::ElseIf:
+    if (!before_.seeksBranch) // the branch in front of it has run
+      return;
+    break;
+  case Structure::Times: {
+    const Value count = evaluate(block_, item.value, state_, &outcome_);
+    const uint64_t counter = block_.keyOf(item.target);
+    const Interval n = count.asNumber();
+    const bool known = count.kind != Value::Kind::Unknown;
+    state_.locals.set(counter, known ? count : Value::unknown());
+    flow.condition = known && n.lo >= 1  ? Truth::Yes
+                     : known && n.hi < 1 ? Truth::No
+                                         : Truth::Unknown;
+    return;
+  }
+  default:
+    break;
+  }
   if (item.condition != noExpression)
     flow.condition = truthOf(evaluate(block_, item.condition, state_, &outcome_));
   if (item.structure != Structure::For)
@@ -36,6 +58,45 @@ void Execution::structure(size_t index) {
   flow.condition = known && a.hi <= b.lo  ? Truth::Yes
                    : known && a.lo > b.hi ? Truth::No
                                           : Truth::Unknown;
+}
+
+void Execution::assign(const Item &item) {
+  const Value number = evaluate(block_, item.target, state_, &outcome_);
+  const Value assigned = evaluate(block_, item.value, state_, &outcome_);
+  Event &event = outcome_.emit(EventKind::Assignment);
+  if (!number.isConstant()) {
+    // Some variable: any of them may have changed, but those with names of their own.
+    if (state_.ranges.namedLocal)
+      for (int32_t i = 1; i <= state_.ranges.lastLocal; ++i)
+        state_.locals.set(uint64_t(i), Value::unknown());
+    else
+      state_.locals.forget();
+    state_.commons.forget();
+    event.number = notKnown;
+    return;
+  }
+  const int64_t variable = std::llround(number.number.value());
+  event.number = variable;
+  if (dialect_.lexical.assignsBehind) {
+    pending_.emplace_back(variable, assigned);
+    return;
+  }
+  if (variable == alarmVariable) {
+    Flow &flow = outcome_.flow;
+    flow.kind = FlowKind::Alarm;
+    flow.begin = item.begin;
+    flow.end = item.end;
+    return;
+  }
+  writeVariable(state_, variable, assigned);
+}
+
+/// A subprogram returns, perhaps with a value (LinuxCNC 2.9, section 11.7.10).
+void Execution::giveBack(const Item &item) {
+  const bool has = item.value != noExpression;
+  const Value value = has ? evaluate(block_, item.value, state_, &outcome_) : Value::of(0);
+  state_.commons.set(sharedVariableKey("_value"), value);
+  state_.commons.set(sharedVariableKey("_value_returned"), Value::of(has));
 }
 
 /// A variable of the running program; it begins with its value, or with zero.
@@ -53,6 +114,7 @@ void Execution::define(const Item &item) {
 
 /// False when nothing behind the statements is executed.
 bool Execution::runItems(bool guardHolds) {
+  state_.seeksBranch = false;
   for (size_t i = 0; i < block_.items.size(); ++i)
     outcome_.emit(EventKind::Statement).number = int64_t(i);
   Truth condition = Truth::Yes;
@@ -82,28 +144,11 @@ bool Execution::runItems(bool guardHolds) {
       if (item.condition != noExpression)
         flow.choice = evaluate(block_, item.condition, state_, &outcome_).asNumber();
       return true;
-    case ItemKind::Assignment: {
-      const Value number = evaluate(block_, item.target, state_, &outcome_);
-      const Value assigned = evaluate(block_, item.value, state_, &outcome_);
-      Event &event = outcome_.emit(EventKind::Assignment);
-      if (!number.isConstant()) {
-        // Some variable: any of them may have changed.
-        state_.locals.forget();
-        state_.commons.forget();
-        event.number = notKnown;
-        break;
-      }
-      const int64_t variable = std::llround(number.number.value());
-      event.number = variable;
-      if (variable == alarmVariable) {
-        flow.kind = FlowKind::Alarm;
-        flow.begin = item.begin;
-        flow.end = item.end;
+    case ItemKind::Assignment:
+      assign(item);
+      if (flow.kind == FlowKind::Alarm)
         return false;
-      }
-      writeVariable(state_, variable, assigned);
       break;
-    }
     case ItemKind::While:
     case ItemKind::Do:
       flow.kind = FlowKind::LoopBegin;

@@ -112,6 +112,8 @@ namespace ncvet {
   X(Sleep, "sleep")                                                                                \
   X(SkipCheck, "skip-check")                                                                       \
   X(DefineElement, "define-element")                                                               \
+  X(ModesRestored, "modes-restored")                                                               \
+  X(ModesRestoredAtReturn, "modes-restored-at-return")                                             \
   X(MachineSpecific, "machine-specific")
 
 enum class Action : uint8_t {

@@ -13,11 +13,11 @@ namespace {
 
 llvm::ArrayRef<llvm::StringRef> codeKeys() {
   static constexpr llvm::StringLiteral keys[] = {
-      "title",   "group",    "does",        "cycle",     "cancelsCycle", "takes",
-      "needs",   "fires",    "opposite",    "spindle",   "words",        "excludes",
-      "notices", "variants", "switch",      "alone",     "exclusive",    "twoBlock",
-      "source",  "waits",    "ownMove",     "arguments", "foreign",      "cancelsCalls",
-      "family",  "stores",   "stopsSpindle"};
+      "title",        "group",    "does",     "cycle",       "cancelsCycle", "takes",
+      "needs",        "fires",    "opposite", "spindle",     "words",        "excludes",
+      "notices",      "variants", "switch",   "alone",       "exclusive",    "twoBlock",
+      "source",       "waits",    "ownMove",  "arguments",   "foreign",      "endsMotion",
+      "cancelsCalls", "family",   "stores",   "stopsSpindle"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -115,6 +115,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "stopsSpindle", info.stopsSpindle);
   in_.read(value, "family", info.family);
   in_.read(value, "cancelsCalls", info.cancelsCalls);
+  in_.read(value, "endsMotion", info.endsMotion);
   in_.read(value, "foreign", info.foreign);
   in_.readWhole(value, "arguments", info.arguments, 0, 100);
   in_.readName(value, "does", "action", actionNames(), info.action);

@@ -259,6 +259,7 @@ struct CodeInfo {
   bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
   bool waits = false;        ///< a modal cycle that does not run in its own block
   bool cancelsCalls = false; ///< ends a modal call of a program too
+  bool endsMotion = false;   ///< no motion code is in force behind it
   bool foreign = false;      ///< another control's code: here it is none
   uint8_t arguments = 0;     ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;
@@ -355,6 +356,20 @@ struct SwitchInfo {
   std::string off;            ///< how to switch it off, for messages: "M09"
 };
 
+/// How expressions are read.
+enum class Arithmetic : uint8_t {
+  MacroB, ///< AND binds as a product, OR as a sum; both work on bits; FIX cuts off
+  Ngc     ///< `**` first, AND OR XOR last and on truth; EQ within 0.0001; FIX rounds down; only a
+          ///< bracket holds operators
+};
+
+/// Which numbered variables are whose. Those behind the common ones belong to the control.
+struct VariableRanges {
+  int32_t lastLocal = 33;   ///< `#1` up to here belong to the running program
+  int32_t lastCommon = 999; ///< from there up to here all programs share them
+  bool namedLocal = false;  ///< a variable with a name belongs to the running program
+};
+
 enum class Semicolon : uint8_t { Comment, EndOfBlock };
 enum class MachineKind : uint8_t { Lathe, Mill };
 
@@ -366,6 +381,12 @@ struct Lexical {
   bool percentHeader = false; ///< `%O1234` is a program's first line
   bool macro = true;          ///< variables, expressions, IF, WHILE, GOTO are known
   bool structures = true; ///< FOR, WHILE, DEF and the like are known where the reader knows them
+  /// O-words control the flow: `o100 sub`, `o<name> call [1]`, `o101 if [..]`; IF and GOTO do not.
+  bool flowWords = false;
+  /// Assignments take effect behind the words of their block.
+  bool assignsBehind = false;
+  bool freeNumbers = false; ///< blanks may stand in numbers, and block numbers may have decimals
+  Arithmetic arithmetic = Arithmetic::MacroB;
   bool blocksSpanLines = false;    ///< a block ends where the next one begins, not with its line
   bool commaSeparates = false;     ///< commas separate arguments
   std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
@@ -416,6 +437,9 @@ struct Dialect {
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   Lexical lexical;
   Limits limits;
+  VariableRanges variableRanges;
+  bool loadsWhole = true;        ///< blocks that no way reaches are read all the same at the start
+  bool localsBeginVacant = true; ///< false: a main program finds values of the one before it
   std::array<AddressInfo, addressCount> addresses;
   std::vector<std::string> addressNames; ///< names of addresses of several letters
   std::vector<GroupInfo> groups;

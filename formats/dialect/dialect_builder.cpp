@@ -46,6 +46,7 @@ void DialectBuilder::build() {
                         "toolChangeGivesLength",
                         "emptyBlocksRun",
                         "endReturns",
+                        "loadsWhole",
                         "offsetsOfTool",
                         "variables",
                         "controls",
@@ -96,13 +97,15 @@ void DialectBuilder::readHead() {
   in_.read(root_, "cycleSurvivesMotion", dialect_.cycleSurvivesMotion);
   in_.read(root_, "emptyBlocksRun", dialect_.emptyBlocksRun);
   in_.read(root_, "endReturns", dialect_.endReturns);
+  in_.read(root_, "loadsWhole", dialect_.loadsWhole);
   in_.read(root_, "offsetsOfTool", dialect_.offsetsOfTool);
   if (const Json *list = in_.member(root_, "mainExtensions"))
     dialect_.mainExtensions = in_.texts(*list);
   if (const Json *list = in_.member(root_, "subprogramExtensions"))
     dialect_.subprogramExtensions = in_.texts(*list);
   if (const Json *variables = in_.member(root_, "variables")) {
-    in_.allowKeys(*variables, {"names", "axes", "readOnly", "machineData", "readAhead"});
+    in_.allowKeys(*variables, {"names", "axes", "readOnly", "machineData", "readAhead", "lastLocal",
+                               "lastCommon", "namedLocal", "localsBeginVacant"});
     const auto list = [&](const char *key, std::vector<std::string> &target) {
       if (const Json *names = in_.member(*variables, key))
         target = in_.texts(*names);
@@ -112,6 +115,10 @@ void DialectBuilder::readHead() {
     list("readOnly", dialect_.readOnly);
     list("machineData", dialect_.machineData);
     list("readAhead", dialect_.readAhead);
+    in_.readWhole(*variables, "lastLocal", dialect_.variableRanges.lastLocal, 0, 999999);
+    in_.readWhole(*variables, "lastCommon", dialect_.variableRanges.lastCommon, 0, 999999);
+    in_.read(*variables, "namedLocal", dialect_.variableRanges.namedLocal);
+    in_.read(*variables, "localsBeginVacant", dialect_.localsBeginVacant);
   }
   in_.readName(root_, "machine", "machine", machineNames(), dialect_.machine);
   for (const char *key : {"id", "title", "reader", "machine"})
@@ -150,9 +157,10 @@ void DialectBuilder::readLexical() {
   const Json *lexical = in_.member(root_, "lexical");
   if (!lexical)
     return;
-  in_.allowKeys(*lexical, {"incrementOperator", "commaAddresses", "semicolon", "percentHeader",
-                           "macro", "skipLevels", "headerMarks", "endLabel", "commaSeparates",
-                           "blocksSpanLines", "structures"});
+  in_.allowKeys(*lexical,
+                {"incrementOperator", "commaAddresses", "semicolon", "percentHeader", "macro",
+                 "skipLevels", "headerMarks", "endLabel", "commaSeparates", "blocksSpanLines",
+                 "structures", "flowWords", "assignsBehind", "freeNumbers", "arithmetic"});
   Lexical &target = dialect_.lexical;
   in_.read(*lexical, "incrementOperator", target.incrementOperator);
   readSet(*lexical, "commaAddresses", target.commaAddresses);
@@ -163,6 +171,10 @@ void DialectBuilder::readLexical() {
   in_.read(*lexical, "commaSeparates", target.commaSeparates);
   in_.read(*lexical, "structures", target.structures);
   in_.read(*lexical, "blocksSpanLines", target.blocksSpanLines);
+  in_.read(*lexical, "flowWords", target.flowWords);
+  in_.read(*lexical, "assignsBehind", target.assignsBehind);
+  in_.read(*lexical, "freeNumbers", target.freeNumbers);
+  in_.readName(*lexical, "arithmetic", "arithmetic", arithmeticNames(), target.arithmetic);
   in_.read(*lexical, "endLabel", target.endLabel);
   in_.readWhole(*lexical, "skipLevels", target.skipLevels, 0, 9);
   if (target.commaAddresses & ~(maskOf(commaA) | maskOf(commaC) | maskOf(commaR)))
@@ -276,9 +288,10 @@ void DialectBuilder::readAddress(const std::string &name, const Json &value) {
                 {"kind", "axis", "unit", "diameter", "repeatable", "pointAdvised", "arc", "corner",
                  "rounding", "linesOnly", "lineAngle", "does", "switch", "min", "max", "title"});
   if (name.size() > 1 && name[0] != ',') {
-    if (!llvm::all_of(name, llvm::isAlnum))
-      return in_.fail(value,
-                      "an address is one letter, a comma and a letter, or letters and digits");
+    const bool symbol = name.size() == 2 && name[1] == 'n' && llvm::isPrint(name[0]);
+    if (!symbol && !llvm::all_of(name, llvm::isAlnum))
+      return in_.fail(value, "an address is one letter, a comma and a letter, letters and digits, "
+                             "or a character and `n` for its number");
     if (firstNamed + dialect_.addressNames.size() >= variableAddress)
       return in_.fail(value, "too many addresses of several letters");
     dialect_.addressNames.push_back(name);

@@ -11,6 +11,10 @@ namespace ncvet {
 constexpr uint64_t firstNamedVariable = uint64_t(1) << 40;
 /// Key of the variable `name`, made of the name, upper and lower case alike. A double holds it.
 uint64_t variableKey(llvm::StringRef name);
+/// Keys of the named variables that all programs share begin here: `#<_speed>`.
+constexpr uint64_t firstSharedVariable = uint64_t(1) << 39;
+/// Key of the variable `name` that all programs share.
+uint64_t sharedVariableKey(llvm::StringRef name);
 /// Key of element `index` of the array with this key.
 uint64_t elementKey(uint64_t array, int64_t index);
 

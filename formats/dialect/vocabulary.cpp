@@ -47,6 +47,7 @@ constexpr llvm::StringLiteral axes[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", 
 static_assert(std::size(axes) == axisCount);
 constexpr llvm::StringLiteral machines[] = {"lathe", "mill"};
 constexpr llvm::StringLiteral semicolons[] = {"comment", "end-of-block"};
+constexpr llvm::StringLiteral arithmetics[] = {"macro-b", "ngc"};
 constexpr llvm::StringLiteral severities[] = {"style", "warning", "error"};
 constexpr llvm::StringLiteral groups[] = {
     "motion",       "plane",         "units",   "distance",     "feed-mode",   "speed-mode",
@@ -67,6 +68,7 @@ llvm::ArrayRef<llvm::StringLiteral> addressUnitNames() { return units; }
 llvm::ArrayRef<llvm::StringLiteral> axisNames() { return axes; }
 llvm::ArrayRef<llvm::StringLiteral> machineNames() { return machines; }
 llvm::ArrayRef<llvm::StringLiteral> semicolonNames() { return semicolons; }
+llvm::ArrayRef<llvm::StringLiteral> arithmeticNames() { return arithmetics; }
 llvm::ArrayRef<llvm::StringLiteral> severityNames() { return severities; }
 llvm::ArrayRef<llvm::StringLiteral> standardGroupNames() { return groups; }
 

@@ -17,6 +17,7 @@ llvm::ArrayRef<llvm::StringLiteral> addressUnitNames();
 llvm::ArrayRef<llvm::StringLiteral> axisNames();
 llvm::ArrayRef<llvm::StringLiteral> machineNames();
 llvm::ArrayRef<llvm::StringLiteral> semicolonNames();
+llvm::ArrayRef<llvm::StringLiteral> arithmeticNames();
 llvm::ArrayRef<llvm::StringLiteral> severityNames();
 llvm::ArrayRef<llvm::StringLiteral> standardGroupNames();
 

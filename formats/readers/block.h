@@ -107,6 +107,10 @@ enum class Op : uint8_t {
   Square,
   Minimum,
   Maximum,
+  Floor,
+  Ceiling,
+  FloorModulo, ///< remainder that is never negative
+  Exists,      ///< whether the variable whose key is `value` has been given a value
   Unknown
 };
 
@@ -148,7 +152,8 @@ enum class ItemKind : uint8_t {
 /// Types of the variables that a program defines.
 enum class VariableType : uint8_t { None, Integer, Real, Boolean, Character, String, Axis, Frame };
 
-/// Brackets of structured flow. They match by kind and nest; their blocks hold nothing else.
+/// Brackets of structured flow. They match by kind, and by label where they have one, and nest;
+/// their blocks hold nothing else.
 enum class Structure : uint8_t {
   If, ///< `condition`
   Else,
@@ -160,7 +165,16 @@ enum class Structure : uint8_t {
   Loop,
   EndLoop,
   Repeat, ///< runs again until the condition of its end holds
-  Until   ///< `condition`
+  Until,  ///< `condition`
+  // With labels: a WHILE with the label of an open Repeat is its end, which leads back.
+  ElseIf,   ///< `condition`
+  Times,    ///< runs `value` times; `target` counts
+  EndTimes, //
+  Break,    ///< leaves the loop with its label
+  Continue, ///< goes on with the test of the loop with its label
+  Sub,      ///< a subprogram; flow passes it
+  EndSub,   ///< returns, perhaps with `value`
+  Return    ///< returns, perhaps with `value`
 };
 
 /// Where a jump looks for its target, and which of its targets it takes.
@@ -208,6 +222,8 @@ struct Item {
   bool modal = false;                     ///< a call that is made behind every later move, not here
   bool external = false;                  ///< a call of a program that need not lie beside this one
   bool restores = false;          ///< parameters of a program that gives its caller the modes back
+  bool positional = false;        ///< a call whose arguments become `#1`, `#2`, …
+  uint32_t label = 0;             ///< of a bracket: hash of its name or number; 0: it has none
   uint16_t wordsBefore = 0;       ///< words of the block in front of it
   uint16_t target = noExpression; ///< key of the variable assigned to
   uint16_t value = noExpression;  ///< value assigned, number jumped to, program called

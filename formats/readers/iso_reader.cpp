@@ -5,6 +5,11 @@
 #include "formats/readers/macro_expression.h"
 #include "formats/readers/plain_number.h"
 
+#include "llvm/ADT/SmallString.h"
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/ADT/StringSwitch.h"
+#include "llvm/Support/xxhash.h"
+
 #include <array>
 #include <cstring>
 
@@ -31,10 +36,20 @@ constexpr std::array<CharClass, 256> classes = makeClasses();
 CharClass classOf(char c) { return classes[uint8_t(c)]; }
 bool isDigit(char c) { return isNumberDigit(c); }
 
+/// A label of an O-word in the one form of all its spellings.
+std::string flowLabel(llvm::StringRef label) {
+  std::string key;
+  for (const char c : label)
+    if (c != ' ' && c != '\t')
+      key += llvm::toUpper(c);
+  return key;
+}
+
 class Scanner : BlockScanner<> {
 public:
-  Scanner(const Lexical &lexical, llvm::StringRef text, uint32_t offset, Block &block)
-      : BlockScanner(text, offset, block), lexical_(lexical) {}
+  Scanner(const Lexical &lexical, const IsoReader::Symbols &symbols, llvm::StringRef text,
+          uint32_t offset, Block &block)
+      : BlockScanner(text, offset, block), lexical_(lexical), symbols_(symbols) {}
 
   void scan();
 
@@ -51,8 +66,15 @@ private:
   void scanOther();
   bool scanStatement();
   void scanAssignment();
-  uint16_t expression(MacroExpression::Form form) { return parsed(&MacroExpression::parse, form); }
+  void scanFlowWord();
+  void scanCallArguments(Item &item);
+  uint16_t bracketIfAny();
+  void passBlanksInNumber();
+  uint16_t expression(MacroExpression::Form form) {
+    return parsed(&MacroExpression::parse, form, lexical_.arithmetic);
+  }
   const Lexical &lexical_;
+  const IsoReader::Symbols &symbols_;
 };
 
 void Scanner::scan() {
@@ -167,8 +189,10 @@ void Scanner::scanComment() {
 void Scanner::scanLetter() {
   const char *begin = at_;
   const char upper = char(*at_ & ~32);
+  if (upper == 'O' && lexical_.flowWords)
+    return scanFlowWord();
   if (at_ + 1 < end_ && isLetter(at_[1])) {
-    if (lexical_.macro && scanStatement())
+    if (lexical_.macro && !lexical_.flowWords && scanStatement())
       return;
     if (scanUnknownWord())
       return;
@@ -242,7 +266,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
           block_.number = word.mantissa;
           block_.numberBegin = word.offset;
           block_.numberEnd = offset(at_);
-          if (word.has(wordPoint))
+          if (word.has(wordPoint) && !lexical_.freeNumbers)
             issue(SyntaxIssueKind::MalformedNumber, begin, at_);
           return;
         }
@@ -268,10 +292,28 @@ void Scanner::scanWord(AddressId address, const char *begin) {
 
 /// The usual number; false, with nothing read, for every other one.
 bool Scanner::scanPlainNumber(Word &word) {
+  const Word before = word;
   const char *const behind = readPlainNumber(at_, end_, word);
-  if (behind)
-    at_ = behind;
-  return behind;
+  if (!behind)
+    return false;
+  if (lexical_.freeNumbers && behind < end_ && classOf(*behind) == Blank) {
+    const char *const p = behindBlanks(behind);
+    if (p < end_ && (isDigit(*p) || *p == '.')) { // it goes on behind the blanks
+      word = before;
+      return false;
+    }
+  }
+  at_ = behind;
+  return true;
+}
+
+/// Where blanks may stand inside numbers: steps over those in front of a further digit or point.
+void Scanner::passBlanksInNumber() {
+  if (!lexical_.freeNumbers || at_ >= end_ || classOf(*at_) != Blank)
+    return;
+  const char *const p = behindBlanks(at_);
+  if (p < end_ && (isDigit(*p) || *p == '.'))
+    at_ = p;
 }
 
 /// Reads `[sign] digits [. digits]`; false when there is no digit at all.
@@ -297,13 +339,15 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
     while (p < end_ && classOf(*p) == Blank)
       ++p;
     if (p < end_ && (isDigit(*p) || *p == '.')) {
-      issue(SyntaxIssueKind::BlankInNumber, begin, p + 1);
+      if (!lexical_.freeNumbers)
+        issue(SyntaxIssueKind::BlankInNumber, begin, p + 1);
       at_ = p;
     }
   }
   uint64_t mantissa = 0;
   unsigned digits = 0;
   const char *first = at_;
+  unsigned whole = 0;
   while (at_ < end_ && isDigit(*at_)) {
     if (digits < maxNumberDigits)
       mantissa = mantissa * 10 + unsigned(*at_ - '0');
@@ -311,9 +355,10 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
       word.flags |= wordMalformed;
     if (mantissa)
       ++digits;
+    ++whole;
     ++at_;
+    passBlanksInNumber();
   }
-  const auto whole = unsigned(at_ - first);
   if (whole > 1 && *first == '0')
     word.flags |= wordLeadingZero;
   unsigned decimals = 0;
@@ -328,6 +373,7 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
     }
     word.flags |= wordPoint;
     ++at_;
+    passBlanksInNumber();
     while (at_ < end_ && isDigit(*at_)) {
       if (digits < maxNumberDigits && decimals < maxNumberDigits) {
         mantissa = mantissa * 10 + unsigned(*at_ - '0');
@@ -337,6 +383,7 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
       }
       ++fraction;
       ++at_;
+      passBlanksInNumber();
     }
   }
   const bool any = whole || fraction;
@@ -378,6 +425,10 @@ void Scanner::scanComma() {
 
 void Scanner::scanOther() {
   const char *begin = at_;
+  if (uint8_t(*at_) < symbols_.size() && symbols_[uint8_t(*at_)] != noAddress) {
+    ++at_;
+    return scanWord(symbols_[uint8_t(*begin)], begin);
+  }
   switch (*at_) {
   case '(':
     scanComment();
@@ -397,6 +448,8 @@ void Scanner::scanOther() {
     return;
   }
   case '/': {
+    if (lexical_.flowWords && !(block_.words.empty() && block_.items.empty()))
+      break; // only in front of everything else
     ++at_;
     int8_t level = 0;
     if (at_ < end_ && *at_ >= '1' && *at_ <= '9') {
@@ -482,6 +535,10 @@ void Scanner::scanAssignment() {
   item.wordsBefore = uint16_t(block_.words.size());
   item.begin = offset(begin);
   item.target = expression(MacroExpression::Form::VariableNumber);
+  // What it is called, without its marks.
+  const bool marked = begin + 1 < at_ && begin[1] == '<';
+  item.nameBegin = offset(begin) + (marked ? 2 : 1);
+  item.nameEnd = std::max(item.nameBegin, offset(at_) - (marked ? 1 : 0));
   skipBlanks();
   if (at_ < end_ && *at_ == '=') {
     ++at_;
@@ -493,6 +550,195 @@ void Scanner::scanAssignment() {
   issue(SyntaxIssueKind::BadStatement, begin, at_ > begin ? at_ : begin + 1);
   if (at_ == begin)
     ++at_;
+}
+
+namespace {
+
+enum class FlowWord : uint8_t {
+  None,
+  Sub,
+  EndSub,
+  Return,
+  Call,
+  If,
+  ElseIf,
+  Else,
+  EndIf,
+  While,
+  EndWhile,
+  Do,
+  Repeat,
+  EndRepeat,
+  Break,
+  Continue
+};
+
+FlowWord flowWord(llvm::StringRef text) {
+  return llvm::StringSwitch<FlowWord>(text)
+      .CaseLower("sub", FlowWord::Sub)
+      .CaseLower("endsub", FlowWord::EndSub)
+      .CaseLower("return", FlowWord::Return)
+      .CaseLower("call", FlowWord::Call)
+      .CaseLower("if", FlowWord::If)
+      .CaseLower("elseif", FlowWord::ElseIf)
+      .CaseLower("else", FlowWord::Else)
+      .CaseLower("endif", FlowWord::EndIf)
+      .CaseLower("while", FlowWord::While)
+      .CaseLower("endwhile", FlowWord::EndWhile)
+      .CaseLower("do", FlowWord::Do)
+      .CaseLower("repeat", FlowWord::Repeat)
+      .CaseLower("endrepeat", FlowWord::EndRepeat)
+      .CaseLower("break", FlowWord::Break)
+      .CaseLower("continue", FlowWord::Continue)
+      .Default(FlowWord::None);
+}
+
+Structure structureOf(FlowWord word) {
+  switch (word) {
+  case FlowWord::If:
+    return Structure::If;
+  case FlowWord::ElseIf:
+    return Structure::ElseIf;
+  case FlowWord::Else:
+    return Structure::Else;
+  case FlowWord::EndIf:
+    return Structure::EndIf;
+  case FlowWord::While:
+    return Structure::While;
+  case FlowWord::EndWhile:
+    return Structure::EndWhile;
+  case FlowWord::Do:
+    return Structure::Repeat;
+  case FlowWord::Repeat:
+    return Structure::Times;
+  case FlowWord::EndRepeat:
+    return Structure::EndTimes;
+  case FlowWord::Break:
+    return Structure::Break;
+  case FlowWord::Continue:
+    return Structure::Continue;
+  case FlowWord::Sub:
+    return Structure::Sub;
+  case FlowWord::EndSub:
+    return Structure::EndSub;
+  default:
+    return Structure::Return;
+  }
+}
+
+} // namespace
+
+/// The expression in brackets that stands here; `noExpression` when there is none.
+uint16_t Scanner::bracketIfAny() {
+  skipBlanks();
+  return at_ < end_ && *at_ == '[' ? expression(MacroExpression::Form::Operand) : noExpression;
+}
+
+void Scanner::scanCallArguments(Item &item) {
+  for (uint16_t value = bracketIfAny(); value != noExpression; value = bracketIfAny()) {
+    Argument argument;
+    argument.kind = ArgumentKind::Expression;
+    argument.expression = value;
+    argument.begin = block_.expressions[value].begin;
+    argument.end = block_.expressions[value].end;
+    block_.arguments.push_back(argument);
+    ++item.arguments;
+  }
+}
+
+/// An O-word: `o100 sub`, `o<name> call [1] [2]`, `o101 if [#1 GT 2]`; without a keyword it is the
+/// header of a numbered program.
+void Scanner::scanFlowWord() {
+  const char *begin = at_++;
+  skipBlanks();
+  Item item = itemAt(ItemKind::Structure, begin);
+  const char *name = at_, *nameEnd = at_;
+  if (at_ < end_ && isDigit(*at_)) {
+    while (at_ < end_ && isDigit(*at_))
+      ++at_;
+    nameEnd = at_;
+  } else if (at_ < end_ && *at_ == '<') {
+    name = ++at_;
+    while (!atLineEnd() && *at_ != '>')
+      ++at_;
+    nameEnd = at_;
+    if (atLineEnd())
+      return issue(SyntaxIssueKind::BadStatement, begin, at_);
+    ++at_;
+  } else if (at_ < end_ && (*at_ == '[' || *at_ == '#')) {
+    item.value = expression(MacroExpression::Form::Operand);
+  } else {
+    at_ = begin + 1;
+    return issue(SyntaxIssueKind::MissingValue, begin, at_);
+  }
+  skipBlanks();
+  const char *const keyword = at_;
+  // Blanks do not count: `else if` is `elseif`.
+  llvm::SmallString<12> letters;
+  for (const char *p = at_; p < end_ && (isLetter(*p) || classOf(*p) == Blank); ++p)
+    if (isLetter(*p)) {
+      letters += *p;
+      at_ = p + 1;
+    }
+  const FlowWord word = flowWord(letters);
+  if (at_ == keyword && nameEnd > name) { // the header of a numbered program
+    block_.kind = BlockKind::ProgramHeader;
+    block_.headerBegin = offset(begin);
+    block_.headerEnd = offset(at_);
+    int64_t number = -1;
+    if (llvm::StringRef(name, size_t(nameEnd - name)).getAsInteger(10, number))
+      number = -1;
+    block_.program = number;
+    if (!isDigit(*name)) {
+      block_.nameBegin = offset(name);
+      block_.nameEnd = offset(nameEnd);
+    }
+    return;
+  }
+  if (word == FlowWord::None || (nameEnd == name && word != FlowWord::Call))
+    return issue(SyntaxIssueKind::BadStatement, begin, at_);
+  const llvm::StringRef label(name, size_t(nameEnd - name));
+  item.structure = structureOf(word);
+  item.label = uint32_t(llvm::xxHash64(flowLabel(label))) | 1;
+  switch (word) {
+  case FlowWord::Call:
+    item.kind = ItemKind::Call;
+    item.positional = true;
+    item.nameBegin = offset(name);
+    item.nameEnd = offset(nameEnd);
+    item.firstArgument = uint16_t(block_.arguments.size());
+    scanCallArguments(item);
+    break;
+  case FlowWord::If:
+  case FlowWord::ElseIf:
+  case FlowWord::While:
+    if (skipBlanks(); at_ >= end_ || *at_ != '[')
+      break; // what stands here is reported below
+    item.condition = expression(MacroExpression::Form::Operand);
+    break;
+  case FlowWord::Repeat:
+    item.target = constant(begin, at_, double(elementKey(variableKey("repeat "), offset(begin))));
+    item.value = expression(MacroExpression::Form::Operand);
+    break;
+  case FlowWord::Sub:
+    block_.labelBegin = offset(name);
+    block_.labelEnd = offset(nameEnd);
+    break;
+  case FlowWord::EndSub:
+  case FlowWord::Return:
+    item.value = bracketIfAny();
+    break;
+  default:
+    break;
+  }
+  add(item);
+  skipBlanks();
+  if (!atLineEnd() && *at_ != '(' && *at_ != ';') { // nothing else stands beside an O-word
+    const char *rest = at_;
+    while (!atLineEnd() && *at_ != '(' && *at_ != ';')
+      ++at_;
+    issue(SyntaxIssueKind::BadStatement, rest, at_);
+  }
 }
 
 /// Statements of Macro B that begin with a letter; false when there is none here.
@@ -603,7 +849,17 @@ bool Scanner::scanStatement() {
 } // namespace
 
 IsoReader::IsoReader(const Dialect &dialect, llvm::StringRef text)
-    : Reader(text), lexical_(dialect.lexical) {}
+    : Reader(text), lexical_(dialect.lexical) {
+  symbols_.fill(noAddress);
+  for (size_t i = 0; i < dialect.addressNames.size(); ++i)
+    // `@n`: the character is the address.
+    if (const std::string &name = dialect.addressNames[i]; name.size() == 2 && name[1] == 'n' &&
+                                                           uint8_t(name[0]) < symbols_.size() &&
+                                                           !llvm::isAlnum(name[0]))
+      symbols_[uint8_t(name[0])] = AddressId(firstNamed + i);
+}
+
+std::string IsoReader::labelKey(llvm::StringRef label) const { return flowLabel(label); }
 
 namespace {
 
@@ -647,7 +903,7 @@ void collapseProse(Block &block) {
 
 void IsoReader::read(uint32_t offset, Block &block) const {
   block.clear();
-  Scanner(lexical_, text_, offset, block).scan();
+  Scanner(lexical_, symbols_, text_, offset, block).scan();
   if (!block.issues.empty())
     collapseProse(block);
 }

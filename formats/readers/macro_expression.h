@@ -1,6 +1,7 @@
-// Parser of Macro B expressions: text to operations in postfix order.
+// Parser of Macro B and RS274/NGC expressions: text to operations in postfix order.
 #pragma once
 
+#include "formats/dialect/dialect.h"
 #include "formats/readers/expression_parser.h"
 
 namespace ncvet {
@@ -18,7 +19,7 @@ public:
   explicit MacroExpression(const BlockCursor &from) : ExpressionParser(from) {}
 
   /// Index into `block.expressions` of the expression read.
-  uint16_t parse(Form form);
+  uint16_t parse(Form form, Arithmetic arithmetic);
 
 private:
   Rest behindBad(const char *begin) const;
@@ -27,8 +28,14 @@ private:
   bool level(unsigned depth, unsigned strength);
   bool operand(unsigned depth);
   bool variable(unsigned depth);
+  bool named(Op op);
+  bool exists();
+  void emitNgc(Op op, const char *at);
+  void emitTruth(const char *at);
   bool number();
   bool function(unsigned depth);
+
+  bool ngc_ = false; ///< the expressions are those of RS274/NGC
 };
 
 } // namespace ncvet

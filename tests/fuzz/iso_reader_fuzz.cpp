@@ -19,6 +19,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   dialect.lexical.percentHeader = spelling & 8;
   dialect.lexical.macro = !(spelling & 16);
   dialect.lexical.skipLevels = spelling & 32 ? 1 : 9;
+  dialect.lexical.flowWords = dialect.lexical.freeNumbers = spelling & 64;
+  dialect.lexical.arithmetic = spelling & 128 ? Arithmetic::Ngc : Arithmetic::MacroB;
+  if (spelling & 64)
+    dialect.addressNames = {"@n", "^n", "$n"};
   const llvm::StringRef text(reinterpret_cast<const char *>(data) + 1, size - 1);
   fuzz::readAll(dialect, text);
   return 0;
