@@ -120,8 +120,10 @@ private:
         if (!(active >> i & 1))
           continue;
         const CodeInfo &code = dialect.codes[dialect.groups[group].members[i]];
-        const bool replaced = llvm::any_of(
-            ctx.codes(), [&](const CodeUse &use) { return ctx.code(use).group == group; });
+        const bool replaced = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+          return ctx.code(use).group == group ||
+                 (which == StandardGroup::Cycle && ctx.code(use).cancelsCycle);
+        });
         if (!replaced)
           taken |= wordsOf(code);
       }

@@ -6,7 +6,17 @@ namespace {
 
 class FlowDuplicateLabel final : public Rule {
 public:
-  void listen(Subscriptions &) override {}
+  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (FlowIssue(event.number) != FlowIssue::DuplicateLabel)
+      return;
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+      finding
+          .message("the label of `{0}` is taken: an earlier bracket has it",
+                   ctx.text(ctx.flowRange()))
+          .note(ctx.flowRelated(), "it begins here");
+  }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     constexpr size_t readable = 4u << 20; // a program that long was made by a machine

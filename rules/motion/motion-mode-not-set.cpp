@@ -24,10 +24,13 @@ public:
     if (!word || word->has(wordNoValue))
       return;
     reported_ = true;
+    const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
+    const bool ended = ctx.after().statedMust >> group & 1; // a code has ended the one in force
     if (auto finding = ctx.report(*word))
       finding
-          .message("`{0}` stands before any motion code: the power-on mode decides between rapid "
-                   "and feed",
+          .message(ended ? "`{0}` stands where no motion code is in force: the control stops"
+                         : "`{0}` stands before any motion code: the power-on mode decides "
+                           "between rapid and feed",
                    ctx.text(*word))
           .fix(FixSafety::Unsafe, "write `G0` in front of it",
                ctx.insertBefore(word->offset, "G0 "));

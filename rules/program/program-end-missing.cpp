@@ -9,6 +9,8 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
     to.onAction({Action::ProgramHead, Action::Reset});
+    fileIsProgram_ = to.option("fileIsProgram", 0) != 0;
+    tapeMarkEnds_ = to.option("tapeMarkEnds", 0) != 0;
     for (const CodeInfo &code : to.dialect().codes) {
       if (code.action == Action::ProgramEndRewind)
         end_ = code.name;
@@ -26,6 +28,8 @@ public:
     // Where a program has a head, a text without one is a fragment.
     if (FlowIssue(event.number) != FlowIssue::MainRunsOut || (hasHead_ && !headSeen_))
       return;
+    if (tapeMarkEnds_ && ctx.index().tapeMarks().size() > 1)
+      return;
     const SourceRange where = ctx.flowRange();
     if (ctx.index().programAt(where.begin).kind == ProgramKind::Subprogram)
       return; // flow-return-missing speaks
@@ -33,7 +37,7 @@ public:
     if (!finding)
       return;
     // Without a number it may be a part of a program that somebody joins.
-    if (!ctx.index().programAt(where.begin).hasHeader())
+    if (!fileIsProgram_ && !ctx.index().programAt(where.begin).hasHeader())
       finding.severity(Severity::Warning);
     finding.message("the program runs out behind this block: no `{0}` ends it", end_);
     const llvm::StringRef rest = ctx.source().text().substr(where.end, 2);
@@ -48,6 +52,8 @@ private:
   std::string end_;
   bool hasHead_ = false; ///< the control has a word that opens a program
   bool headSeen_ = false;
+  bool fileIsProgram_ = false; ///< a text without a number is one all the same
+  bool tapeMarkEnds_ = false;  ///< a second `%` ends a program too
 };
 
 } // namespace

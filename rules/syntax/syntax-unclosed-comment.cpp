@@ -6,7 +6,10 @@ namespace {
 
 class SyntaxUnclosedComment final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Syntax);
+    nestedStops_ = to.option("nestedStops", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
@@ -21,6 +24,11 @@ public:
       return;
     case SyntaxIssueKind::NestedComment: {
       const bool braces = ctx.text(range).startswith("{");
+      if (nestedStops_) {
+        if (auto finding = ctx.report(range))
+          finding.text("a `(` inside a comment: the interpreter stops here");
+        return;
+      }
       if (auto finding = ctx.report(range))
         finding
             .message(
@@ -38,6 +46,9 @@ public:
       return;
     }
   }
+
+private:
+  bool nestedStops_ = false; ///< the control stops at a `(` inside a comment
 };
 
 } // namespace

@@ -10,6 +10,7 @@ public:
     greatest_ = int64_t(to.option("greatest", 0));
     reservedFrom_ = int64_t(to.option("reservedFrom", 0));
     reservedTo_ = int64_t(to.option("reservedTo", -1));
+    numbered_ = to.option("numbered", 0) != 0;
     to.on(EventKind::Statement);
   }
 
@@ -17,6 +18,8 @@ public:
     const Item &item = ctx.block().items[size_t(event.number)];
     if (item.kind != ItemKind::Assignment)
       return;
+    if (numbered_)
+      return numbered(item, ctx);
     llvm::StringRef name =
         ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}).rtrim();
     if (greatest_ && (name.startswith("R") || name.startswith("r"))) {
@@ -38,6 +41,17 @@ public:
   }
 
 private:
+  /// `#5603 = 1` of a control with fewer variables.
+  void numbered(const Item &item, RuleContext &ctx) {
+    const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
+    const llvm::StringRef name = ctx.text(range);
+    int64_t index = 0;
+    if (name.getAsInteger(10, index) || (index > 0 && index <= greatest_))
+      return;
+    if (auto finding = ctx.report(range))
+      finding.message("`#{0}`: the control has the variables #1 to #{1}", name, greatest_);
+  }
+
   /// `FIELD[5]` of an array with fewer elements.
   static void element(const Item &item, llvm::StringRef name, RuleContext &ctx) {
     const auto [array, rest] = name.split('[');
@@ -70,6 +84,7 @@ private:
   }
 
   int64_t greatest_ = 0;
+  bool numbered_ = false;                      ///< variables have numbers behind `#`
   int64_t reservedFrom_ = 0, reservedTo_ = -1; ///< of the control itself
 };
 

@@ -19,6 +19,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (ctx.dialect().variableRanges.namedLocal)
+      return named(event, ctx);
     if (ctx.callDepth() > 0 || !isMain(ctx) ||
         ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
       return;
@@ -48,6 +50,22 @@ public:
   }
 
 private:
+  /// `#<name>` does not exist before it has been given a value.
+  void named(const Event &event, RuleContext &ctx) {
+    // A remapped code or a caller in another file may have given it one.
+    if (ctx.before().may(Fact::UnknownCode))
+      return;
+    const auto begin = uint32_t(event.number);
+    const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
+    const size_t close = text.find('>');
+    if (close == llvm::StringRef::npos || !names_.insert(text.take_front(close).upper()).second)
+      return;
+    const SourceRange range{ctx.source().id(), begin, uint32_t(begin + close + 1)};
+    if (auto finding = ctx.report(range, event.certain))
+      finding.message("`#{0}` is read, and nothing in the program has given it a value",
+                      ctx.text(range));
+  }
+
   /// Key of a variable with a number behind its letter.
   static uint64_t keyOf(llvm::StringRef name) {
     int64_t index = 0;
@@ -80,6 +98,7 @@ private:
   uint32_t known_ = ~0u;
   bool main_ = false;
   std::set<int64_t> reported_;
+  std::set<std::string> names_;
   std::set<uint64_t> stored_; ///< keys of variables that codes give a value
 };
 
