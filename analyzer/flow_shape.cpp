@@ -29,7 +29,7 @@ public:
         bracket(item, at, block.next);
     }
     for (const Open &left : open_)
-      shape_.mismatched.push_back(left.offset);
+      leftOpen(left);
     return std::move(shape_);
   }
 
@@ -126,10 +126,17 @@ private:
     return open_.size();
   }
 
+  /// A bracket that is never closed: nothing inside leads out of it either.
+  void leftOpen(const Open &open) {
+    shape_.mismatched.push_back(open.offset);
+    for (const auto *places : {&open.branches, &open.breaks, &open.continues})
+      shape_.mismatched.insert(shape_.mismatched.end(), places->begin(), places->end());
+  }
+
   /// Those inside bracket `i` that were not closed are broken.
   void breakInside(size_t i) {
     for (size_t j = i + 1; j < open_.size(); ++j)
-      shape_.mismatched.push_back(open_[j].offset);
+      leftOpen(open_[j]);
     open_.resize(i + 1);
   }
 

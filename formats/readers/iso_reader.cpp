@@ -283,7 +283,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
     return;
   }
   // Nothing readable behind the address.
-  at_ = begin + (address >= 26 ? 2 : 1);
+  at_ = begin + (*begin == ',' ? 2 : 1);
   word.flags |= wordNoValue;
   word.length = uint8_t(at_ - begin);
   issue(SyntaxIssueKind::MissingValue, begin, at_);

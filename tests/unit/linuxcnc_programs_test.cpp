@@ -119,6 +119,17 @@ TEST(LinuxCnc, LoopsRunUntilTheirTestOrABreakEndsThem) {
               ElementsAre("9 variable-domain-error", "10 variable-domain-error"));
 }
 
+TEST(LinuxCnc, NothingLeadsOutOfALoopOrAnIfThatIsNeverClosed) {
+  EXPECT_THAT(errors("o1 do\n"
+                     "o1 continue\n"
+                     "o2 if [1]\n"
+                     "o2 elseif [1]\n"
+                     "G0 X1\n"
+                     "M2\n"),
+              ElementsAre("1 flow-structure-mismatch", "2 flow-structure-mismatch",
+                          "4 flow-structure-mismatch"));
+}
+
 TEST(LinuxCnc, ARepeatCountsOnceAtItsHead) {
   EXPECT_THAT(errors("#1 = 3 #2 = 0\n"
                      "o1 repeat [#1]\n"
@@ -156,6 +167,12 @@ TEST(LinuxCnc, BlanksAndCaseDoNotCount) {
                      "G0 X[1 / [#1 - 12]]\n"
                      "m2\n"),
               ElementsAre("4 variable-domain-error"));
+}
+
+TEST(LinuxCnc, APolarWordWithoutAValueEndsWithItsCharacter) {
+  EXPECT_THAT(errors("M2\nG0 @0^"), IsEmpty());
+  EXPECT_THAT(errors("F100 G1 @1 ^\nM2\n"), ElementsAre("1 syntax-incomplete-word"));
+  EXPECT_THAT(errors("G0 @1^"), ElementsAre("1 syntax-incomplete-word"));
 }
 
 TEST(LinuxCnc, ANamedParameterExistsFromItsFirstValueOn) {
