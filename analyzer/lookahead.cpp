@@ -380,21 +380,6 @@ const Word *undefinedElement(const RuleContext &ctx) {
   return &word;
 }
 
-std::string returnOf(const Dialect &dialect) {
-  for (const CodeInfo &code : dialect.codes)
-    if (code.action == Action::Return && code.letter)
-      return code.name;
-  return "M99";
-}
-
-std::string cancelOf(const Dialect &dialect, const CodeInfo &cycle) {
-  if (cycle.opposite != noCode)
-    return dialect.codes[cycle.opposite].name;
-  if (makesHole(cycle.cycle) && dialect.find("G80") != noCode)
-    return "G80";
-  return "G00";
-}
-
 unsigned lineOf(const RuleContext &ctx, const Origin &origin) {
   return ctx.source().lines().lineOf(origin.begin);
 }

@@ -82,13 +82,9 @@ bool cutsThread(CycleKind kind);
 /// "drills", "taps", "bores", "turns", … for messages.
 llvm::StringRef verbOf(CycleKind kind);
 
-/// What ends the modal cycle, for fixes: "G80", or "G00" for the cycles of turning.
-std::string cancelOf(const Dialect &dialect, const CodeInfo &cycle);
 /// The block's only word, when it names an element of a contour that this main program does not
 /// define: `L100` on a control whose lines are called so; else null.
 const Word *undefinedElement(const RuleContext &ctx);
-/// What ends a called program, for messages and fixes: "M99", "M17".
-std::string returnOf(const Dialect &dialect);
 /// Line number of a place, from 1.
 unsigned lineOf(const RuleContext &ctx, const Origin &origin);
 

@@ -1,5 +1,5 @@
 // Codes that must not be used while radius compensation is on.
-#include "analyzer/compensation_code.h"
+#include "analyzer/ending_code.h"
 
 namespace ncvet {
 namespace {

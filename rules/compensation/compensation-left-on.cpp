@@ -1,5 +1,5 @@
 // Radius compensation that is still on at a tool change, a return or the program's end.
-#include "analyzer/compensation_code.h"
+#include "analyzer/ending_code.h"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // The side of compensation changed without switching it off in between.
-#include "analyzer/compensation_code.h"
+#include "analyzer/ending_code.h"
 #include "interp/tool_data.h"
 
 namespace ncvet {

@@ -1,4 +1,5 @@
 // A modal cycle is still active where the operation is over: tool change, program end, return.
+#include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
 
 namespace ncvet {

@@ -1,4 +1,5 @@
 // A code that is not known to cancel a drilling cycle stands while the cycle is active.
+#include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
 #include "analyzer/once.h"
 

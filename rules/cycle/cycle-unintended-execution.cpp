@@ -1,4 +1,5 @@
 // A block runs the active cycle again although it looks like a retract or a plain move.
+#include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
 
 #include <cmath>

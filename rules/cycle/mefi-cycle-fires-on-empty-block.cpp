@@ -1,4 +1,5 @@
 // A drilling cycle runs again in a block that moves nowhere.
+#include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
 
 namespace ncvet {

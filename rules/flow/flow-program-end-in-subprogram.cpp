@@ -1,4 +1,5 @@
 // A program end code stands in a called program.
+#include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
 
 namespace ncvet {

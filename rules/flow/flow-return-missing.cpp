@@ -1,4 +1,5 @@
 // A called program does not come to its return.
+#include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
 
 namespace ncvet {
