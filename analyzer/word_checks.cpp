@@ -53,9 +53,8 @@ llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Eve
       continue;
     if (!holds(spec.when, &code, ctx.conditions()))
       continue;
-    if (spec.variable && (ctx.after().commons.has(spec.variable) ||
-                          (spec.orVariable && ctx.after().commons.has(spec.orVariable))))
-      continue; // set by a block before
+    if (givenBefore(spec, ctx.after()) != Truth::No)
+      continue; // set by a block before, or who knows
     bool certain = event.certain;
     if (spec.need == Need::First && code.group != noGroup) {
       const uint64_t active = ctx.before().group[code.group];

@@ -41,6 +41,21 @@ const Word *wordFor(const Block &block, const WordSpec &spec) {
   return block.findAny(spec.any);
 }
 
+uint64_t givenVariable(const WordSpec &spec, const MachineState &state) {
+  return spec.orVariable && state.commons.given(spec.variable) == Truth::No ? spec.orVariable
+                                                                            : spec.variable;
+}
+
+Truth givenBefore(const WordSpec &spec, const MachineState &state) {
+  if (!spec.variable)
+    return Truth::No;
+  const Truth first = state.commons.given(spec.variable);
+  if (first == Truth::Yes || !spec.orVariable)
+    return first;
+  const Truth other = state.commons.given(spec.orVariable);
+  return other == Truth::No ? first : other;
+}
+
 Interval wordValue(const Word &word, const Block &block, const MachineState &state) {
   if (word.has(wordNoValue))
     return Interval::unknown();

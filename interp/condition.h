@@ -12,6 +12,12 @@ const Word *assignmentOf(const Block &block, uint64_t variable);
 /// the variable that it sets. Null when there is none; an argument left empty counts as none.
 const Word *wordFor(const Block &block, const WordSpec &spec);
 
+/// Key of the variable that stands for `spec`'s word: the one of its two that the program has given
+/// a value.
+uint64_t givenVariable(const WordSpec &spec, const MachineState &state);
+/// Whether blocks before have given the variable that stands for `spec`'s word a value.
+Truth givenBefore(const WordSpec &spec, const MachineState &state);
+
 /// The code that a word is, without its variants; `noCode` for other words and unknown codes.
 CodeIndex codeOf(const Dialect &dialect, const Word &word);
 
@@ -22,6 +28,9 @@ struct ConditionContext {
   const Block &block;
   llvm::ArrayRef<CodeUse> codes; ///< of the block
   const MachineState &before;
+  /// Words of a cycle that the block lacks are those that `before` keeps of an earlier block.
+  bool keptWords = false;
+  double index = 0; ///< of the place in a pattern, from 0
 };
 
 /// Whether `condition` certainly holds. `code` is the code whose entry holds the condition.

@@ -26,6 +26,13 @@ uint16_t planeAxes(const Dialect &dialect, const MachineState &state) {
   }
 }
 
+std::array<Axis, 2> planeOrder(const Dialect &dialect, const MachineState &state) {
+  const uint16_t axes = planeAxes(dialect, state);
+  if (axes & axisBit(Axis::X) && axes & axisBit(Axis::Y))
+    return {Axis::X, Axis::Y};
+  return axes & axisBit(Axis::X) ? std::array{Axis::Z, Axis::X} : std::array{Axis::Y, Axis::Z};
+}
+
 Axis toolAxis(const Dialect &dialect, const MachineState &state) {
   switch (state.activeAction(dialect, StandardGroup::Plane)) {
   case Action::PlaneXY:
@@ -204,8 +211,7 @@ void Execution::unsetReads() {
     const Expression &expression = block_.expressions[size_t(word.mantissa)];
     for (uint32_t i = 0; i < expression.count; ++i) {
       const ExpressionOp &op = block_.operations[expression.first + i];
-      if (op.op == Op::Variable && op.value >= double(firstNamedVariable) &&
-          !state_.locals.has(uint64_t(op.value)) && !state_.commons.has(uint64_t(op.value)))
+      if (op.op == Op::Variable && isUnset(state_, op.value))
         outcome_.emit(EventKind::UnsetRead).number = op.offset;
     }
   }

@@ -45,6 +45,9 @@ private:
 /// Axes of the active plane as a bit mask over `Axis`; the usual plane of the machine's kind when
 /// no plane code was stated.
 uint16_t planeAxes(const Dialect &dialect, const MachineState &state);
+/// Axes of the active plane in the order in which angles count, from the first to the second: X Y,
+/// Z X or Y Z.
+std::array<Axis, 2> planeOrder(const Dialect &dialect, const MachineState &state);
 /// Axis normal to the active plane: the axis along which a drilling cycle drills.
 Axis toolAxis(const Dialect &dialect, const MachineState &state);
 /// A length of the block in millimetres (other values as written), by the units in force and the

@@ -24,7 +24,7 @@ bool isCommon(const MachineState &state, int64_t number) {
 bool isLocal(const MachineState &state, int64_t number) {
   return (number > 0 && number <= state.ranges.lastLocal) ||
          (number >= int64_t(firstNamedVariable) &&
-          (state.ranges.namedLocal || state.locals.has(uint64_t(number))));
+          (state.ranges.namedLocal || state.locals.given(uint64_t(number)) != Truth::No));
 }
 
 Value fromTruth(Truth truth) {
@@ -215,8 +215,7 @@ void Evaluator::step(const ExpressionOp &op) {
     stack_.push_back(Value::vacant());
     return;
   case Op::Variable:
-    if (outcome_ && op.value >= double(firstNamedVariable) &&
-        !state_.locals.has(uint64_t(op.value)) && !state_.commons.has(uint64_t(op.value)))
+    if (outcome_ && isUnset(state_, op.value))
       outcome_->emit(EventKind::UnsetRead).number = op.offset;
     stack_.push_back(readVariable(state_, int64_t(op.value)));
     return;
@@ -393,6 +392,12 @@ Value readVariable(const MachineState &state, int64_t number) {
   if (isCommon(state, number))
     return state.commons.get(uint64_t(number));
   return Value::unknown();
+}
+
+bool isUnset(const MachineState &state, double number) {
+  return number >= double(firstNamedVariable) &&
+         state.locals.given(uint64_t(number)) == Truth::No &&
+         state.commons.given(uint64_t(number)) == Truth::No;
 }
 
 void writeVariable(MachineState &state, int64_t number, const Value &value) {

@@ -19,6 +19,9 @@ Truth truthOf(const Value &value);
 
 /// Value of variable `number`: local, common, or unknown for the control's own.
 Value readVariable(const MachineState &state, int64_t number);
+/// Whether the program has certainly given a named variable no value yet; numbered ones keep theirs
+/// from one program to the next.
+bool isUnset(const MachineState &state, double number);
 void writeVariable(MachineState &state, int64_t number, const Value &value);
 
 } // namespace ncvet

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ncvet {
 
@@ -52,12 +53,10 @@ public:
   /// Whether all words that the formula names are there.
   bool complete(const Formula &formula) const {
     return llvm::all_of(formula.steps, [&](const FormulaStep &step) {
-      return step.op == FormulaOp::Word      ? given(code_.words[step.index])
-             : step.op == FormulaOp::Address ? context_.block.has(AddressId(step.index))
-             : step.op == FormulaOp::Variable
-                 ? assigned(uint64_t(step.number)) ||
-                       context_.before.commons.has(uint64_t(step.number))
-                 : true;
+      return step.op == FormulaOp::Word       ? given(code_.words[step.index]) != Truth::No
+             : step.op == FormulaOp::Address  ? context_.block.has(AddressId(step.index))
+             : step.op == FormulaOp::Variable ? given(uint64_t(step.number)) != Truth::No
+                                              : true;
     });
   }
 
@@ -65,16 +64,32 @@ private:
   Interval pop() { return stack_.empty() ? Interval::unknown() : stack_.pop_back_val(); }
   void push(const Interval &value) { stack_.push_back(value); }
 
-  bool given(const WordSpec &spec) const {
-    return wordFor(context_.block, spec) ||
-           (spec.variable && (context_.before.commons.has(spec.variable) ||
-                              (spec.orVariable && context_.before.commons.has(spec.orVariable))));
+  Truth given(const WordSpec &spec) const {
+    return wordFor(context_.block, spec) || kept(spec) ? Truth::Yes
+                                                       : givenBefore(spec, context_.before);
+  }
+  /// The word that the active cycle keeps of an earlier block.
+  std::optional<Interval> kept(const WordSpec &spec) const {
+    if (!context_.keptWords || spec.variable)
+      return std::nullopt;
+    const CycleWords &words = context_.before.cycle;
+    const uint64_t places = spec.position ? uint64_t(1) << (spec.position - 1) : spec.any;
+    for (unsigned place = 0; place < words.value.size(); ++place)
+      if (places & words.present & (1u << place))
+        return std::isnan(words.value[place]) ? Interval::unknown()
+                                              : Interval::exactly(words.value[place]);
+    return std::nullopt;
+  }
+  Truth given(uint64_t variable) const {
+    return assigned(variable) ? Truth::Yes : context_.before.commons.given(variable);
   }
   Interval word(const WordSpec &spec) const {
     if (const Word *word = wordFor(context_.block, spec))
       return wordValue(*word, context_.block, context_.before);
+    if (const auto before = kept(spec))
+      return *before;
     if (spec.absent)
-      return given(spec) ? Interval::unknown() : Interval::exactly(*spec.absent);
+      return given(spec) == Truth::No ? Interval::exactly(*spec.absent) : Interval::unknown();
     if (!spec.variable)
       return Interval::unknown();
     const Value value = readVariable(context_.before, int64_t(spec.variable));
@@ -121,7 +136,7 @@ private:
       return push(word ? wordValue(*word, context_.block, context_.before) : Interval::unknown());
     }
     case FormulaOp::Given:
-      return push(Interval::exactly(given(code_.words[step.index])));
+      return push(fromTruth(given(code_.words[step.index])));
     case FormulaOp::GivenAddress:
       return push(Interval::exactly(context_.block.has(AddressId(step.index))));
     case FormulaOp::Variable: {
@@ -129,8 +144,7 @@ private:
       return push(value.kind == Value::Kind::Number ? value.number : Interval::unknown());
     }
     case FormulaOp::GivenVariable:
-      return push(Interval::exactly(assigned(uint64_t(step.number)) ||
-                                    context_.before.commons.has(uint64_t(step.number))));
+      return push(fromTruth(given(uint64_t(step.number))));
     case FormulaOp::ToolRadius:
       return push(tool());
     case FormulaOp::Tool:
@@ -175,6 +189,17 @@ private:
       const Interval x = pop(); // of a number that is whole but for its rounding, the number
       return push({std::floor(x.lo + tolerance), std::floor(x.hi + tolerance)});
     }
+    case FormulaOp::Index:
+      return push(Interval::exactly(context_.index));
+    case FormulaOp::Sine:
+    case FormulaOp::Cosine: {
+      const Interval degrees = pop();
+      if (!degrees.isConstant())
+        return push(Interval::unknown());
+      const double angle = degrees.value() * std::numbers::pi / 180;
+      return push(
+          Interval::exactly(step.op == FormulaOp::Sine ? std::sin(angle) : std::cos(angle)));
+    }
     case FormulaOp::Negate:
       return push(pop() * -1);
     case FormulaOp::Absolute:
@@ -185,6 +210,10 @@ private:
       break;
     }
     const Interval b = pop(), a = pop();
+    if (step.op == FormulaOp::Select) {
+      const Truth holds = toTruth(pop());
+      return push(holds == Truth::Yes ? a : holds == Truth::No ? b : join(a, b));
+    }
     switch (step.op) {
     case FormulaOp::Add:
       return push(a + b);
@@ -235,6 +264,10 @@ private:
 
 Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
   return toTruth(Evaluator(code, context).run(formula));
+}
+
+Interval levelOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
+  return Evaluator(code, context).run(formula);
 }
 
 std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,

@@ -12,4 +12,7 @@ Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionConte
 std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
                                 const ConditionContext &context);
 
+/// Value of a formula in which words that are not given count as not known.
+Interval levelOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context);
+
 } // namespace ncvet

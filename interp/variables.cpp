@@ -8,76 +8,91 @@
 
 namespace ncvet {
 
-Value Variables::get(uint64_t number) const {
+bool Variables::before(const Entry &entry, uint64_t number) { return entry.number < number; }
+
+const Variables::Entry *Variables::find(uint64_t number) const {
   if (!data_)
-    return fallback_;
+    return nullptr;
   const auto &entries = data_->entries;
-  const auto at = std::lower_bound(entries.begin(), entries.end(), number,
-                                   [](const Entry &e, uint64_t n) { return e.number < n; });
-  return at != entries.end() && at->number == number ? at->value : fallback_;
+  const auto at = std::lower_bound(entries.begin(), entries.end(), number, before);
+  return at != entries.end() && at->number == number ? &*at : nullptr;
 }
 
-bool Variables::has(uint64_t number) const {
-  if (!data_)
-    return false;
-  const auto at = std::lower_bound(data_->entries.begin(), data_->entries.end(), number,
-                                   [](const Entry &e, uint64_t n) { return e.number < n; });
-  return at != data_->entries.end() && at->number == number;
+Variables::Entry Variables::entryOf(uint64_t number) const {
+  const Entry *entry = find(number);
+  return entry ? *entry : Entry{number, fallback_, othersGiven_};
 }
 
-void Variables::set(uint64_t number, const Value &value) {
+Value Variables::get(uint64_t number) const {
+  const Entry *entry = find(number);
+  return entry ? entry->value : fallback_;
+}
+
+Truth Variables::given(uint64_t number) const {
+  const Entry *entry = find(number);
+  return entry ? entry->given : othersGiven_;
+}
+
+std::vector<Variables::Entry> &Variables::own() {
   if (!data_)
     data_ = new Data;
   else if (data_->users > 1)
     data_ = new Data(*data_);
-  auto &entries = data_->entries;
-  const auto at = std::lower_bound(entries.begin(), entries.end(), number,
-                                   [](const Entry &e, uint64_t n) { return e.number < n; });
-  if (at != entries.end() && at->number == number)
-    at->value = value;
+  return data_->entries;
+}
+
+void Variables::set(uint64_t number, const Value &value) { write({number, value}); }
+
+void Variables::write(const Entry &entry) {
+  auto &entries = own();
+  const auto at = std::lower_bound(entries.begin(), entries.end(), entry.number, before);
+  if (at != entries.end() && at->number == entry.number)
+    *at = entry;
   else
-    entries.insert(at, {number, value});
+    entries.insert(at, entry);
 }
 
 void Variables::erase(uint64_t number) {
-  if (!has(number))
+  if (othersGiven_ == Truth::No && !find(number))
     return;
-  if (data_->users > 1)
-    data_ = new Data(*data_);
-  llvm::erase_if(data_->entries, [&](const Entry &e) { return e.number == number; });
+  if (othersGiven_ == Truth::No)
+    llvm::erase_if(own(), [&](const Entry &e) { return e.number == number; });
+  else
+    write({number, fallback_, Truth::No});
 }
 
 void Variables::forget() {
   data_ = nullptr;
   fallback_ = Value::unknown();
+  othersGiven_ = Truth::Unknown;
 }
 
 template <typename Combine>
 Variables Variables::merge(const Variables &a, const Variables &b, Combine combine) {
-  if (a.data_ == b.data_ && a.fallback_ == b.fallback_)
+  if (a.data_ == b.data_ && a.fallback_ == b.fallback_ && a.othersGiven_ == b.othersGiven_)
     return a;
+  const auto both = [](Truth x, Truth y) { return x == y ? x : Truth::Unknown; };
   Variables result(combine(a.fallback_, b.fallback_));
+  result.othersGiven_ = both(a.othersGiven_, b.othersGiven_);
   static const std::vector<Entry> none;
   const auto &left = a.data_ ? a.data_->entries : none;
   const auto &right = b.data_ ? b.data_->entries : none;
   auto i = left.begin();
   auto j = right.begin();
   llvm::IntrusiveRefCntPtr<Data> data(new Data);
-  while (i != left.end() || j != right.end()) {
-    Entry entry;
+  const auto add = [&](const Entry &x, const Entry &y) {
+    data->entries.push_back({x.number, combine(x.value, y.value), both(x.given, y.given)});
+  };
+  while (i != left.end() || j != right.end())
     if (j == right.end() || (i != left.end() && i->number < j->number)) {
-      entry = {i->number, combine(i->value, b.fallback_)};
+      add(*i, {i->number, b.fallback_, b.othersGiven_});
       ++i;
     } else if (i == left.end() || j->number < i->number) {
-      entry = {j->number, combine(a.fallback_, j->value)};
+      add({j->number, a.fallback_, a.othersGiven_}, *j);
       ++j;
     } else {
-      entry = {i->number, combine(i->value, j->value)};
-      ++i;
-      ++j;
+      add(*i++, *j++);
     }
-    data->entries.push_back(entry); // one that is not known any more has been given a value too
-  }
   if (!data->entries.empty())
     result.data_ = data;
   return result;
@@ -92,30 +107,33 @@ Variables Variables::widen(const Variables &previous, const Variables &next) {
 }
 
 bool operator==(const Variables &a, const Variables &b) {
-  if (!(a.fallback_ == b.fallback_))
+  if (!(a.fallback_ == b.fallback_) || a.othersGiven_ != b.othersGiven_)
     return false;
   if (a.data_ == b.data_)
     return true;
-  // An entry that equals the fallback says nothing: compare what the two answer.
+  // An entry that says what the rest says counts for nothing: compare what the two answer.
   static const std::vector<Variables::Entry> none;
+  const auto same = [&](const Variables::Entry &x, const Variables::Entry &y) {
+    return x.value == y.value && x.given == y.given;
+  };
   for (const auto &entry : a.data_ ? a.data_->entries : none)
-    if (!(b.get(entry.number) == entry.value))
+    if (!same(entry, b.entryOf(entry.number)))
       return false;
   for (const auto &entry : b.data_ ? b.data_->entries : none)
-    if (!(a.get(entry.number) == entry.value))
+    if (!same(entry, a.entryOf(entry.number)))
       return false;
   return true;
 }
 
 uint64_t Variables::hash() const {
-  uint64_t result = uint64_t(fallback_.kind);
+  uint64_t result = llvm::hash_combine(unsigned(fallback_.kind), unsigned(othersGiven_));
   if (data_)
     for (const Entry &entry : data_->entries)
-      if (!(entry.value == fallback_))
-        result =
-            llvm::hash_combine(result, entry.number, unsigned(entry.value.kind),
-                               llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.lo)),
-                               llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.hi)));
+      if (!(entry.value == fallback_) || entry.given != othersGiven_)
+        result = llvm::hash_combine(
+            result, entry.number, unsigned(entry.given), unsigned(entry.value.kind),
+            llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.lo)),
+            llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.hi)));
   return result;
 }
 

@@ -12,18 +12,19 @@ namespace ncvet {
 
 /// Map from a variable's key (its number, or `variableKey`) to its value. Copies share their
 /// storage until one of them is written to. What is not in the map has the value that `fallback`
-/// says.
+/// says, and was not given one by the program, unless everything has been forgotten.
 class Variables {
 public:
   explicit Variables(Value fallback = Value::unknown()) : fallback_(fallback) {}
 
   Value get(uint64_t key) const;
-  /// Whether the program has given it a value, on some way at least.
-  bool has(uint64_t key) const;
+  /// Whether the program has given it a value: unknown where only some ways lead past an assignment
+  /// and where everything has been forgotten.
+  Truth given(uint64_t key) const;
   void set(uint64_t key, const Value &value);
   /// From here on the program has given it no value.
   void erase(uint64_t key);
-  /// Forgets everything: all variables unknown.
+  /// Forgets everything: all variables unknown, and any of them may have been given a value.
   void forget();
   bool empty() const { return !data_ || data_->entries.empty(); }
 
@@ -36,6 +37,7 @@ private:
   struct Entry {
     uint64_t number;
     Value value;
+    Truth given = Truth::Yes;
   };
   struct Data {
     std::vector<Entry> entries; ///< sorted by number
@@ -52,8 +54,17 @@ private:
   template <typename Combine>
   static Variables merge(const Variables &a, const Variables &b, Combine combine);
 
+  const Entry *find(uint64_t key) const;
+  /// What an entry says of a variable, or the rest does when there is none.
+  Entry entryOf(uint64_t key) const;
+  /// The entries, shared with no other map.
+  std::vector<Entry> &own();
+  void write(const Entry &entry);
+  static bool before(const Entry &entry, uint64_t key);
+
   llvm::IntrusiveRefCntPtr<Data> data_;
   Value fallback_;
+  Truth othersGiven_ = Truth::No; ///< of variables without an entry; No or Unknown
 };
 
 } // namespace ncvet

@@ -138,12 +138,17 @@ private:
     case FormulaOp::Note:
     case FormulaOp::Place:
     case FormulaOp::Origin:
+    case FormulaOp::Index:
       return 0;
     case FormulaOp::Negate:
     case FormulaOp::Absolute:
     case FormulaOp::Floor:
+    case FormulaOp::Sine:
+    case FormulaOp::Cosine:
     case FormulaOp::Not:
       return 1;
+    case FormulaOp::Select:
+      return 3;
     default:
       return 2;
     }
@@ -215,7 +220,7 @@ private:
         {"toolRadius", FormulaOp::ToolRadius}, {"tool", FormulaOp::Tool},
         {"level", FormulaOp::Level},           {"feed", FormulaOp::Feed},
         {"speed", FormulaOp::Speed},           {"note", FormulaOp::Note},
-        {"origin", FormulaOp::Origin}};
+        {"origin", FormulaOp::Origin},         {"index", FormulaOp::Index}};
     for (const auto &[known, op] : ofState)
       if (name == known) {
         emit(op);
@@ -242,16 +247,25 @@ private:
     }
     if (name == "length" || name == "here" || name == "bare" || name == "place")
       return aboutWord(name);
-    const bool two = name == "min" || name == "max";
-    if (!two && name != "abs" && name != "floor")
-      return fail("has the unknown function \"" + name.str() + "\"");
-    if (!disjunction(depth + 1) || (two && (!take(",") || !disjunction(depth + 1))))
-      return fail("has too few operands in \"" + name.str() + "\"");
-    emit(name == "abs"     ? FormulaOp::Absolute
-         : name == "floor" ? FormulaOp::Floor
-         : name == "min"   ? FormulaOp::Minimum
-                           : FormulaOp::Maximum);
-    return take(")") || fail("lacks a \")\"");
+    if (name == "select") {
+      if (!disjunction(depth + 1) || !take(",") || !disjunction(depth + 1) || !take(",") ||
+          !disjunction(depth + 1))
+        return fail("has too few operands in \"select\"");
+      emit(FormulaOp::Select);
+      return take(")") || fail("lacks a \")\"");
+    }
+    constexpr std::pair<llvm::StringLiteral, FormulaOp> ofValues[] = {
+        {"abs", FormulaOp::Absolute}, {"floor", FormulaOp::Floor}, {"sin", FormulaOp::Sine},
+        {"cos", FormulaOp::Cosine},   {"min", FormulaOp::Minimum}, {"max", FormulaOp::Maximum}};
+    for (const auto &[known, op] : ofValues)
+      if (name == known) {
+        const bool two = operands(op) == 2;
+        if (!disjunction(depth + 1) || (two && (!take(",") || !disjunction(depth + 1))))
+          return fail("has too few operands in \"" + name.str() + "\"");
+        emit(op);
+        return take(")") || fail("lacks a \")\"");
+      }
+    return fail("has the unknown function \"" + name.str() + "\"");
   }
 
   /// Functions of a word, not of its value.

@@ -33,6 +33,7 @@ enum class FormulaOp : uint8_t {
   Note,          ///< characters of the block's comment for the operator; 0: there is none
   Place,         ///< of axis `index` before the block
   Origin,        ///< number of the work offset in force: 3 of G54.03
+  Index,         ///< of the place in a pattern, from 0
   Add,
   Subtract,
   Multiply,
@@ -40,6 +41,8 @@ enum class FormulaOp : uint8_t {
   Negate,
   Absolute,
   Floor,
+  Sine, ///< of degrees
+  Cosine,
   Minimum,
   Maximum,
   Less,
@@ -48,7 +51,8 @@ enum class FormulaOp : uint8_t {
   NotEqual,
   And,
   Or,
-  Not
+  Not,
+  Select ///< the second operand where the first holds, else the third
 };
 
 struct FormulaStep {
@@ -71,10 +75,10 @@ struct FormulaName {
 };
 
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
-/// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) floor(x) given(NAME)
-/// toolRadius() tool() level() feed() speed() note() origin()
-/// key(SYMBOL) length(NAME) here(NAME) bare(ADDRESS) place(AXIS)`. None, with `error` set, when it
-/// cannot.
+/// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) floor(x) sin(x)
+/// cos(x) select(x,y,z) index() given(NAME) toolRadius() tool() level() feed() speed() note()
+/// origin() key(SYMBOL) length(NAME) here(NAME) bare(ADDRESS) place(AXIS)`. None, with `error` set,
+/// when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

@@ -32,7 +32,7 @@ public:
         meant_[spec.variable] = code.base;
         continue;
       }
-      if (last == meant_.end() || !ctx.before().commons.has(spec.variable))
+      if (last == meant_.end() || ctx.before().commons.given(spec.variable) != Truth::Yes)
         continue;
       if (last->second == code.base || shared(spec)) {
         if (kept_ && code.action == Action::Cycle)

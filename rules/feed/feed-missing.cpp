@@ -45,8 +45,7 @@ private:
   static bool hasOwnFeed(const CodeInfo &code, const RuleContext &ctx) {
     return llvm::any_of(code.words, [&](const WordSpec &spec) {
       return spec.role == Role::Feed && spec.variable &&
-             (wordFor(ctx.block(), spec) || ctx.before().commons.has(spec.variable) ||
-              (spec.orVariable && ctx.before().commons.has(spec.orVariable)));
+             (wordFor(ctx.block(), spec) || givenBefore(spec, ctx.before()) != Truth::No);
     });
   }
 

@@ -58,7 +58,7 @@ private:
                      RuleContext &ctx) {
     const uint64_t key = ctx.block().keyOf(item.target);
     const auto to = blockNamed(ctx.index(), ctx.block(), target, ctx.block().begin);
-    if (!key || !to || ctx.before().commons.has(key))
+    if (!key || !to || ctx.before().commons.given(key) != Truth::No)
       return;
     constexpr unsigned readable = 20;
     Block next;

@@ -28,7 +28,8 @@ public:
       for (const ExpressionOp &op : next.operations) {
         const auto key = uint64_t(op.value);
         if (op.op != Op::Variable || !seen.insert(key).second || !isNumbered(op, ctx) ||
-            !before.commons.has(key) || before.commons.get(key) == after.commons.get(key))
+            before.commons.given(key) != Truth::Yes ||
+            before.commons.get(key) == after.commons.get(key))
           continue;
         if (auto finding = ctx.report(ctx.blockRange()))
           finding

@@ -92,18 +92,14 @@ private:
   std::filesystem::path path_;
 };
 
-/// Analyses the first file; what it calls is looked for in the others. `machine` is the text of a
-/// machine profile, or empty. Findings of other files than the first are left out, unless
-/// `allFiles`.
-inline std::vector<Seen> analyseProgram(const std::string &dialectId,
-                                        const std::vector<ProgramFile> &files,
-                                        const std::string &machine,
-                                        llvm::function_ref<RuleSelection(const Dialect &)> select,
-                                        bool allFiles = false) {
-  std::vector<Seen> seen;
+/// Does `what` with the first file; what it calls is looked for in the others. `machine` is the
+/// text of a machine profile, or empty.
+inline void withProgram(const std::string &dialectId, const std::vector<ProgramFile> &files,
+                        const std::string &machine,
+                        llvm::function_ref<void(Project &, FileUnit &)> what) {
   std::shared_ptr<const Dialect> dialect = dialectNamed(dialectId);
   if (!dialect)
-    return seen;
+    return;
   MachineProfile profile;
   if (!machine.empty()) {
     auto parsed = parseMachineProfile("machine.json", machine);
@@ -111,7 +107,7 @@ inline std::vector<Seen> analyseProgram(const std::string &dialectId,
     if (!parsed || !overlaid) {
       ADD_FAILURE() << "machine profile: " << (parsed ? "" : llvm::toString(parsed.takeError()))
                     << (overlaid ? "" : llvm::toString(overlaid.takeError()));
-      return seen;
+      return;
     }
     profile = *parsed;
     dialect = *overlaid;
@@ -127,28 +123,41 @@ inline std::vector<Seen> analyseProgram(const std::string &dialectId,
     auto opened = sources.open((folder.path() / files[0].name).string(), files[0].name);
     if (!opened) {
       ADD_FAILURE() << llvm::toString(opened.takeError());
-      return seen;
+      return;
     }
     main = *opened;
   }
   Project project(sources, dialect, profile);
-  const AnalysisResult result = analyze(project, project.unit(*main), select(*dialect));
-  for (const Finding &finding : result.findings) {
-    if (finding.range.file != main->id() && !allFiles)
-      continue;
-    const SourceFile &file = sources.get(finding.range.file);
-    const LineColumn begin = file.position(finding.range.begin);
-    const LineColumn end = file.position(finding.range.end);
-    Seen &entry = seen.emplace_back();
-    entry.line = begin.line;
-    entry.column = begin.column;
-    entry.endColumn = end.line == begin.line ? end.column : 0;
-    entry.rule = allRules()[finding.rule].info.id.str();
-    entry.certainty = toString(finding.certainty).str();
-    entry.message = finding.message;
-    if (&file != main)
-      entry.file = std::filesystem::path(file.path()).filename().string();
-  }
+  what(project, project.unit(*main));
+}
+
+/// Analyses the first file, as `withProgram` has it. Findings of other files than the first are
+/// left out, unless `allFiles`.
+inline std::vector<Seen> analyseProgram(const std::string &dialectId,
+                                        const std::vector<ProgramFile> &files,
+                                        const std::string &machine,
+                                        llvm::function_ref<RuleSelection(const Dialect &)> select,
+                                        bool allFiles = false) {
+  std::vector<Seen> seen;
+  withProgram(dialectId, files, machine, [&](Project &project, FileUnit &unit) {
+    const AnalysisResult result = analyze(project, unit, select(*unit.dialect));
+    for (const Finding &finding : result.findings) {
+      if (finding.range.file != unit.source.id() && !allFiles)
+        continue;
+      const SourceFile &file = project.sources().get(finding.range.file);
+      const LineColumn begin = file.position(finding.range.begin);
+      const LineColumn end = file.position(finding.range.end);
+      Seen &entry = seen.emplace_back();
+      entry.line = begin.line;
+      entry.column = begin.column;
+      entry.endColumn = end.line == begin.line ? end.column : 0;
+      entry.rule = allRules()[finding.rule].info.id.str();
+      entry.certainty = toString(finding.certainty).str();
+      entry.message = finding.message;
+      if (&file != &unit.source)
+        entry.file = std::filesystem::path(file.path()).filename().string();
+    }
+  });
   return seen;
 }
 

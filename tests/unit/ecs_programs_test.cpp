@@ -30,6 +30,18 @@ TEST(EcsPrograms, ACycleWithItsOwnSpeedLacksNone) {
               testing::Not(testing::Contains("5 spindle-speed-missing")));
 }
 
+/// What the caller of a program may have given is not missing when the program is checked alone.
+TEST(EcsPrograms, ACalledProgramAloneIsNotToldOfArgumentsOfItsCaller) {
+  const std::string called = "N10 G81 X10 Y10\n"
+                             "N20 X20\n"
+                             "N30 G80\n"
+                             "N40 <RET>\n";
+  const auto missing = testing::HasSubstr("cycle-missing-parameter");
+  EXPECT_THAT(findings(called), testing::Not(testing::Contains(missing)));
+  EXPECT_THAT(findings("%\nN1 G16XYZ+ <CFF=CFZ>\nN2 T1 M6\nN10 G81 X10 Y10\nN30 G80\nN40 M30\n"),
+              testing::Contains(missing));
+}
+
 /// Around a cylinder the rotary axis is an axis of the plane.
 TEST(EcsPrograms, ARotaryAxisMovesInItsPlane) {
   EXPECT_THAT(findings("%\n"
