@@ -22,7 +22,8 @@ Engine::Exits Engine::callBody(const Region &region, Live live) {
   // Deeper inside repeated sections than before, one more level may be one too many.
   const unsigned sections = region.kind == Kind::Section ? runningSections() : 0;
   for (const Memo &memo : memos)
-    if (memo.hash == print && sections <= memo.sections && equal(memo.entry, live.state)) {
+    if (!watcher_ && memo.hash == print && sections <= memo.sections &&
+        equal(memo.entry, live.state)) {
       Exits exits = memo.exits;
       for (Returned &exit : exits)
         exit.live.path = live.path;
@@ -50,7 +51,7 @@ Engine::Exits Engine::callBody(const Region &region, Live live) {
   for (auto &[target, group] : byTarget)
     for (Live &exit : group)
       exits.push_back({std::move(exit), target});
-  if (!stopped_ && memos.size() < memosPerProgram)
+  if (!stopped_ && !watcher_ && memos.size() < memosPerProgram)
     memos.push_back({print, entry, exits, sections});
   return exits;
 }
@@ -178,6 +179,7 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
   const SourceRange where = flowRange(unit);
   const uint32_t next = block_.next;
   const auto goOnUnknown = [&] {
+    lose(where, "what is called here is not known");
     const Variables locals = live.state.locals;
     forget(live, *unit.dialect);
     if (unit.dialect->variableRanges.namedLocal) // no call changes those of its caller
@@ -368,12 +370,20 @@ void Engine::restoreModes(MachineState &state, const MachineState &caller) {
   state.switchMay = caller.switchMay;
   state.switchMust = caller.switchMust;
   state.switchAxes = caller.switchAxes;
+  if (state.frames == caller.frames)
+    return;
+  // The tool stays, and its coordinates are others.
+  state.frames = caller.frames;
+  for (Interval &position : state.position)
+    position = Interval::unknown();
 }
 
 /// Runs a body as often as it is called for, and goes on behind the call.
 void Engine::runPasses(Activation &activation, const Region &body, Live live,
                        const MachineState &before, const Passes &passes) {
   const Region &region = activation.region;
+  if (!passes.known)
+    lose(flowRange(region.unit), "how often it runs is not known");
   Lives current;
   current.push_back(std::move(live));
   for (double pass = 0; pass < passes.count && !current.empty() && !stopped_; ++pass) {
@@ -400,7 +410,7 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
       }
     }
     current = std::move(behind);
-    if (!changed) { // every further pass is the same
+    if (!changed && !watcher_) { // every further pass is the same
       // A section behind which its repeat stands has run once already.
       const bool ran = pass > 0 || (body.kind == Kind::Section && body.start < passes.at);
       if (ran && passes.known && body.kind != Kind::Profile && !current.empty())
@@ -547,6 +557,7 @@ void Engine::callMacro(Activation &activation, Live &live, int32_t program,
   flow.end = block_.end;
   flow.target = program >= 0 ? Value::of(program) : Value::unknown();
   if (const auto *p = project_.findProgram(activation.region.unit, program).second; !p) {
+    lose(blockRange(activation.region.unit), "what is called here is not known");
     forget(live, *activation.region.unit.dialect);
     live.state.modalMacro = program;
     add(activation, block_.next, std::move(live));
@@ -585,6 +596,8 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
   const Region body{*other, *program, program->body, Kind::Subprogram, activation.region.depth + 1};
   if (!isRunning(*other, body.start, body.kind) && body.depth < limits_.callDepth)
     callBody(body, std::move(read));
+  if (watcher_)
+    watcher_->profileEnds();
   add(activation, next, std::move(live));
 }
 
@@ -641,6 +654,8 @@ void Engine::profile(Activation &activation, Live &live, uint32_t at, const Mach
   contour.path = step(live.path, PathNode::Kind::Call, where, flow.first);
   const Region body{unit, region.program, *first, Kind::Profile, region.depth, *last};
   Exits exits = callBody(body, std::move(contour));
+  if (watcher_)
+    watcher_->profileEnds();
   if (finishing) {
     // Modes that the contour set stay; the tool returns to where the cycle began.
     Lives behind;

@@ -3,19 +3,21 @@
 
 #include "interp/execute.h"
 
+#include <cmath>
+
 namespace ncvet {
+
+namespace {
+/// Ends of a circle that are closer than this (mm) are one point.
+constexpr double closeBy = 1e-6;
+} // namespace
 
 ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block &block) {
   ArcWords result;
   const Action plane = state.activeAction(dialect, StandardGroup::Plane);
   const uint64_t set = state.active(dialect, StandardGroup::Plane);
   result.planeKnown = plane != Action::None || set == groupUnset;
-  const uint16_t axes = planeAxes(dialect, state);
-  const auto has = [&](Axis axis) { return axes >> unsigned(axis) & 1; };
-  if (has(Axis::Z) && has(Axis::X))
-    result.axes = {Axis::Z, Axis::X};
-  else if (has(Axis::Y) && has(Axis::Z))
-    result.axes = {Axis::Y, Axis::Z};
+  result.axes = planeOrder(dialect, state);
   for (unsigned axis = 0; axis < 3; ++axis) {
     const auto address = AddressId(letterAddress('I') + axis);
     const Word *word = block.find(address);
@@ -57,12 +59,7 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
       const Interval &position = state.at(axis);
       if (!position.isConstant() || state.inMachineCoordinates(axis))
         return std::nullopt;
-      point[i] = position.value();
-      for (const AddressInfo &address : dialect.addresses)
-        if (address.kind == AddressKind::Axis && address.axis == axis && address.diameter) {
-          point[i] /= 2;
-          break;
-        }
+      point[i] = position.value() / dialect.lengthsPerUnit(axis);
     }
     return point;
   };
@@ -111,6 +108,23 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
       result.centreWords.reset();
   }
   return result;
+}
+
+std::optional<ArcGeometry::Point> centreByRadius(const ArcGeometry::Point &start,
+                                                 const ArcGeometry::Point &end, double radius,
+                                                 bool clockwise) {
+  const double dx = end[0] - start[0], dy = end[1] - start[1];
+  const double chord = std::hypot(dx, dy);
+  if (chord < closeBy)
+    return std::nullopt;
+  double square = radius * radius - chord * chord / 4;
+  if (square < 0) {
+    if (square < -closeBy * std::fabs(radius) - closeBy)
+      return std::nullopt;
+    square = 0;
+  }
+  const double side = (clockwise ? -1 : 1) * (radius < 0 ? -1 : 1) * std::sqrt(square) / chord;
+  return ArcGeometry::Point{start[0] + dx / 2 - dy * side, start[1] + dy / 2 + dx * side};
 }
 
 } // namespace ncvet

@@ -44,4 +44,10 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
                         const MachineProfile &machine, const Block &block,
                         const MachineState &before, const MachineState &after);
 
+/// Centre of the arc of that radius between two points: the one whose way is at most half a turn,
+/// the other one for a negative radius. None when the points are further apart than a diameter.
+std::optional<ArcGeometry::Point> centreByRadius(const ArcGeometry::Point &start,
+                                                 const ArcGeometry::Point &end, double radius,
+                                                 bool clockwise);
+
 } // namespace ncvet

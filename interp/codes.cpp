@@ -127,6 +127,8 @@ void Execution::applyModal(const CodeUse &use) {
   case Action::FrameAdd:
   case Action::FrameClear:
   case Action::Pole:
+  case Action::PoleFromPlace:
+  case Action::PoleFromPole:
   case Action::LocalShift:
   case Action::PresetPosition:
   case Action::MacroModal:
@@ -171,12 +173,6 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
     for (const Word &word : block_.words)
       if ((dialect_.axisWords & maskOf(word.address)) || word.address == argumentAddress) {
         const Interval v = value(word);
-        known &= v.isConstant();
-        zero &= v.isConstant() && v.value() == 0;
-      }
-    for (const WordSpec &spec : code.words)
-      if (const Word *word = spec.position ? block_.argument(spec.position) : nullptr) {
-        const Interval v = value(*word);
         known &= v.isConstant();
         zero &= v.isConstant() && v.value() == 0;
       }
@@ -327,19 +323,23 @@ void Execution::applyEarly(const CodeUse &use) {
             break;
           }
     }
+    applyFrame(use);
     break;
   }
   case Action::PolarOff:
-  case Action::PolarOn:
+  case Action::PolarOn: {
+    Event &event = outcome_.emit(EventKind::CoordinateChange);
+    event.code = use.code;
+    event.word = use.word;
+    break;
+  }
   case Action::RotationOff:
   case Action::ScalingOff:
   case Action::MirrorOff: {
     Event &event = outcome_.emit(EventKind::CoordinateChange);
     event.code = use.code;
     event.word = use.word;
-    // The place stays, its coordinates change.
-    for (Interval &position : state_.position)
-      position = Interval::unknown();
+    applyFrame(use);
     if (code.effect.index != 0xFF && !state_.switchMayBeOn(code.effect.index)) {
       const auto mark = uint8_t(code.effect.index + 1);
       auto &t = state_.transforms;
@@ -376,6 +376,7 @@ void Execution::reset(const Word &word) {
   state_.fedFrom = Interval::unknown();
   for (Interval &shift : state_.localShift)
     shift = Interval::unknown();
+  state_.frames.clear();
   for (Interval &position : state_.position)
     position = Interval::unknown();
   for (const Fact fact : {Fact::FeedSet, Fact::SpeedSet, Fact::WorkOffsetStated, Fact::CycleRan})

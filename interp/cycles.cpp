@@ -1,9 +1,20 @@
 // Canned cycles: when they start, run and end, and where they leave the tool.
 #include "interp/execution.h"
+#include "interp/formula.h"
 
 #include <cmath>
 
 namespace ncvet {
+
+namespace {
+/// A cycle's count of repeats beyond this is an error that rules report.
+constexpr double mostHoles = 10000;
+
+const WordSpec *wordWithRole(const CodeInfo &code, Role role) {
+  const auto at = llvm::find_if(code.words, [&](const WordSpec &w) { return w.role == role; });
+  return at == code.words.end() ? nullptr : &*at;
+}
+} // namespace
 
 /// The active modal cycle; `noCode` when there is none or it is not certain which.
 CodeIndex Execution::activeCycle() const {
@@ -111,20 +122,25 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
       state_.compensation = phaseOn;
     return;
   }
-  for (const Word &word : block_.words)
-    if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue)) {
-      const AddressInfo &address = dialect_.addresses[word.address];
-      if (address.axis != tool)
+  double runs = 1;
+  if (const WordSpec *count = wordWithRole(code, Role::Repeat))
+    if (const Word *word = wordFor(block_, *count))
+      if (const Interval n = value(*word); n.isConstant())
+        runs = std::min(std::max(1.0, std::floor(n.value())), mostHoles);
+  for (double run = 0; run < runs; ++run) {
+    const std::array<Interval, 2> from = inPlane();
+    for (const Word &word : block_.words)
+      if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue) &&
+          dialect_.addresses[word.address].axis != tool)
         storeTarget(word, false);
-    }
-  if (dialect_.group(StandardGroup::Polar) != noGroup &&
-      state_.isActive(dialect_, StandardGroup::Polar, {Action::PolarOn}) == Truth::Yes) {
-    for (unsigned i = 0; i < axisCount; ++i)
-      if (planeAxes(dialect_, state_) >> i & 1)
-        state_.position[i] = Interval::unknown();
-    if (axes & planeAxes(dialect_, state_))
-      state_.set(Fact::PolarRadiusSet);
+    if (const Truth polar = polarMayBeOn() ? polarOn() : Truth::No; polar == Truth::Yes)
+      polarInput(from);
+    else if (polar == Truth::Unknown)
+      setInPlane({});
+    outcome_.holes.push_back(state_.position);
   }
+  if (polarMayBeOn() && (axes & planeAxes(dialect_, state_)))
+    state_.set(Fact::PolarRadiusSet);
   // Where along the tool axis the cycle ends: at R, or at the level where it began.
   const Truth toInitial =
       dialect_.group(StandardGroup::ReturnLevel) == noGroup
@@ -135,8 +151,10 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   for (const WordSpec &spec : code.words)
     if (spec.role == Role::Height && spec.variable)
       plane = &spec;
-  if (block_.hasAny(dialect_.polarWords))
+  if (block_.hasAny(dialect_.polarWords)) {
     polarTarget();
+    outcome_.holes.assign(1, state_.position);
+  }
   if (height) {
     const auto place = height->position - 1;
     const double back = state_.cycle.present >> place & 1
@@ -146,7 +164,7 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
     if (!std::isnan(back) && factor.isConstant())
       level = Interval::exactly(back * factor.value());
   } else if (plane) {
-    level = readVariable(state_, int64_t(plane->variable)).asNumber();
+    level = readVariable(state_, int64_t(givenVariable(*plane, state_))).asNumber();
   } else if (toInitial == Truth::Yes) {
     level = state_.initialLevel;
   } else if (toInitial == Truth::No && state_.cycle.has('R')) {
@@ -214,6 +232,26 @@ void Execution::contourProgram(const CodeUse &use, const WordSpec &spec) {
   }
 }
 
+/// The places of a pattern, of which the last one is where it leaves the tool; false when they are
+/// not known.
+bool Execution::patternPlaces(const CodeInfo &code) {
+  if (code.count.empty())
+    return false;
+  ConditionContext context{dialect_, machine_, block_, {}, state_};
+  const Interval count = levelOf(code.count, code, context);
+  const Interval factor = lengthFactor();
+  if (!count.isConstant() || !factor.isConstant() || count.value() < 1 || count.value() > mostHoles)
+    return false;
+  for (; context.index < count.value(); ++context.index) {
+    std::array<Interval, 2> place;
+    for (size_t i = 0; i < 2; ++i)
+      place[i] = levelOf(code.places[i], code, context) * factor.value();
+    setInPlane(place);
+    outcome_.holes.push_back(state_.position);
+  }
+  return true;
+}
+
 /// Where a cycle that is called with arguments leaves the tool.
 void Execution::endOfCall(const CodeInfo &code) {
   if (!block_.has(argumentAddress))
@@ -226,6 +264,8 @@ void Execution::endOfCall(const CodeInfo &code) {
   const uint16_t plane = planeAxes(dialect_, state_);
   const Axis tool = toolAxis(dialect_, state_);
   const bool stays = code.cycle != CycleKind::None && code.cycle < CycleKind::TurnPass;
+  if (patternPlaces(code) && code.cycle == CycleKind::Pattern)
+    return;
   if (!stays)
     for (unsigned i = 0; i < axisCount; ++i)
       if (plane >> i & 1)

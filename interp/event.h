@@ -151,6 +151,11 @@ struct Outcome {
   /// Nothing but numbers for axes, under G00 or G01: the block changes positions, and facts.
   bool plainMove = false;
   int32_t macroAfterMove = notSet; ///< program that a modal macro calls after this block
+  /// The point that the words give where the motion does not end there: on the way to the reference
+  /// point, and of a line by its angle. Of no meaning in other blocks.
+  std::array<Interval, axisCount> via;
+  /// Places at which a drilling cycle runs in this block, one behind the other.
+  llvm::SmallVector<std::array<Interval, axisCount>, 1> holes;
 
   void clear() {
     events.clear();
@@ -158,6 +163,7 @@ struct Outcome {
     kinds = 0;
     if (flow.kind != FlowKind::Next)
       flow = Flow();
+    holes.clear();
     setupChanged = false;
     plainMove = false;
     macroAfterMove = notSet;

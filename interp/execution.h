@@ -64,17 +64,40 @@ private:
   void afterMove(bool rapid, uint16_t axes);
   void angleWords();
   bool hasAngleWord() const;
+  void alongAngle(uint16_t written);
   void contourFacts(MotionKind kind, uint16_t axes);
   void machineMove(uint16_t axes);
   void referenceReturn(uint16_t axes, const CodeUse &use);
   void shiftCoordinates(const CodeUse &use);
   void changeFrame(const CodeUse &use);
-  void polarTarget();
   void workOffset(const CodeUse &use);
   Interval coordinate(const Word &word) const;
   void storeTarget(const Word &word, bool machineCoordinates);
   void trackDepth(bool rapid);
   void compensationStep(MotionKind kind, uint16_t axes);
+
+  // polar.cpp: end points by angle and radius
+  std::array<Interval, 2> inPlane() const;
+  void setInPlane(const std::array<Interval, 2> &place);
+  Truth countsFromBefore(const Word &word) const;
+  void polarInput(const std::array<Interval, 2> &from);
+  void polarTarget();
+  void setPole(Action reference);
+
+  // frames.cpp: shift, rotation, scale, mirror
+  /// What the axis words of a block give for X, Y and Z.
+  struct FrameWords {
+    std::array<bool, 3> given{};
+    std::array<double, 3> value{};
+  };
+  void applyFrame(const CodeUse &use);
+  void rebase(const FrameStack &frames);
+  std::optional<FrameWords> frameWords(bool lengths) const;
+  std::optional<Frame> frameOf(const CodeInfo &code) const;
+  std::array<double, 3> centreOf(const FrameWords &words, unsigned axes) const;
+  std::optional<Frame> rotationAbout(const FrameWords &words, std::optional<double> degrees) const;
+  Frame rotationOf(const FrameWords &words, std::optional<double> degrees) const;
+  static bool isTransformation(const CodeInfo &code);
 
   // cycles.cpp
   void startCycle(const CodeUse &use);
@@ -83,6 +106,7 @@ private:
   void storeCycleWords(bool fresh);
   void runCompound(const CodeUse &use);
   void endOfCall(const CodeInfo &code);
+  bool patternPlaces(const CodeInfo &code);
   void contourProgram(const CodeUse &use, const WordSpec &spec);
   CodeIndex activeCycle() const;
 
@@ -95,6 +119,9 @@ private:
   Truth incremental() const; ///< distance mode
   bool polarMayBeOn() const {
     return masks_.polar != noGroup && (state_.group[masks_.polar] & masks_.polarOn);
+  }
+  Truth polarOn() const {
+    return state_.group[masks_.polar] & ~masks_.polarOn & ~groupUnset ? Truth::Unknown : Truth::Yes;
   }
   Interval value(const Word &word) const { return wordValue(word, block_, state_); }
   const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }

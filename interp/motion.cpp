@@ -1,6 +1,9 @@
 // Axis words: where the block's motion leads, and what it does to compensation.
 #include "interp/execution.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace ncvet {
 
 namespace {
@@ -77,12 +80,7 @@ void Execution::storeTarget(const Word &word, bool machineCoordinates) {
     position = address.kind == AddressKind::Increment ? Interval::unknown() : target;
     return;
   }
-  const WordReading reading = word.reading();
-  const Truth relative = address.kind == AddressKind::Increment || word.has(wordIncremental) ||
-                                 reading == WordReading::Incremental
-                             ? Truth::Yes
-                         : reading != WordReading::Modal ? Truth::No
-                                                         : incremental();
+  const Truth relative = countsFromBefore(word);
   if (relative == Truth::Yes) {
     position = position + target; // stays in the coordinates in which it was known
     return;
@@ -135,9 +133,43 @@ void Execution::angleWords() {
   // Under compensation a line by angle and end point may be one of two whose intersection counts.
   if (written == plane && state_.compensation != phaseOff)
     written = 0;
+  outcome_.via = state_.position;
   for (unsigned i = 0; i < axisCount; ++i)
     if ((plane & ~written) >> i & 1)
       state_.position[i] = Interval::unknown();
+  if (state_.compensation == phaseOff)
+    alongAngle(uint16_t(written & plane));
+}
+
+/// The coordinate of a line's end that its angle and the other one in the plane give.
+void Execution::alongAngle(uint16_t written) {
+  const Word *word = block_.find(commaA);
+  for (const Word &other : block_.words) {
+    const AddressInfo &address = dialect_.addresses[other.address];
+    if (address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle)
+      word = &other;
+  }
+  const auto [first, second] = planeOrder(dialect_, state_);
+  if (!word || (written != bit(first) && written != bit(second)))
+    return;
+  const Interval angle = value(*word);
+  for (const Axis axis : {first, second})
+    if (!before_.at(axis).isConstant() || before_.inMachineCoordinates(axis))
+      return;
+  const Axis given = written == bit(first) ? first : second;
+  const Axis wanted = given == first ? second : first;
+  if (!angle.isConstant() || !state_.at(given).isConstant())
+    return;
+  const double degrees = angle.value() * std::numbers::pi / 180;
+  const double ratio = wanted == first ? std::cos(degrees) / std::sin(degrees)
+                                       : std::sin(degrees) / std::cos(degrees);
+  constexpr double steepest = 1e6;
+  if (!(std::fabs(ratio) < steepest))
+    return;
+  const double way =
+      (state_.at(given).value() - before_.at(given).value()) / dialect_.lengthsPerUnit(given);
+  state_.at(wanted) =
+      Interval::exactly(before_.at(wanted).value() + way * ratio * dialect_.lengthsPerUnit(wanted));
 }
 
 /// What the contour under compensation looks like so far.
@@ -192,26 +224,21 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   event.motion = kind;
   event.axes = axes;
   event.certain = code != nullptr;
-  const bool polar = polarMayBeOn();
+  const Truth polar = polarMayBeOn() ? polarOn() : Truth::No;
+  const std::array<Interval, 2> from = inPlane();
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address)) {
-      const Axis axis = dialect_.addresses[word.address].axis;
-      if (word.has(wordNoValue)) {
-        state_.at(axis) = Interval::unknown();
-        continue;
-      }
-      storeTarget(word, false);
-      if (polar && (planeAxes(dialect_, state_) & bit(axis)))
-        state_.at(axis) = Interval::unknown();
+      if (word.has(wordNoValue))
+        state_.at(dialect_.addresses[word.address].axis) = Interval::unknown();
+      else
+        storeTarget(word, false);
     }
   if (block_.hasAny(dialect_.polarWords))
     polarTarget();
-  if (polar) {
-    const uint16_t plane = planeAxes(dialect_, state_);
-    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
-      if (plane & bit(axis))
-        state_.at(axis) = Interval::unknown();
-  }
+  if (polar == Truth::Yes)
+    polarInput(from);
+  else if (polar == Truth::Unknown)
+    setInPlane({});
   if (!code) {
     state_.fedFrom = Interval::unknown();
     state_.factsMust |= movedFacts;
@@ -221,6 +248,10 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   }
   if (code->action == Action::Linear)
     angleWords();
+  // An arc by its centre and opening angle ends where that leads.
+  if (isArc(code->action) && dialect_.arcAngle != noAddress && block_.has(dialect_.arcAngle) &&
+      block_.hasAny(lettersMask("IJK")))
+    setInPlane({});
   contourFacts(kind, axes);
   afterMove(kind == MotionKind::Rapid, axes);
 }
@@ -233,14 +264,14 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
   state_.factsMust = (state_.factsMust | on) & ~off;
   state_.factsMay = (state_.factsMay | on) & ~off;
-  if (masks_.polar != noGroup && !state_.must(Fact::PolarRadiusSet)) {
+  if (masks_.polar != noGroup) {
     // The word of the first plane axis is the radius; polar input takes the last one over.
-    const uint16_t plane = planeAxes(dialect_, state_);
-    const Axis first = plane == (bit(Axis::Z) | bit(Axis::X))   ? Axis::Z
-                       : plane == (bit(Axis::Y) | bit(Axis::Z)) ? Axis::Y
-                                                                : Axis::X;
-    if (axes & bit(first))
+    const Axis first = planeOrder(dialect_, state_)[0];
+    if (axes & bit(first)) {
       state_.set(Fact::PolarRadiusSet);
+      if (!polarMayBeOn())
+        state_.polar[0] = state_.at(first);
+    }
   }
   if (!dialect_.isLathe())
     trackDepth(rapid);
@@ -299,6 +330,10 @@ void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
   event.axes = axes;
   event.code = use.code;
   state_.fedFrom = Interval::unknown();
+  for (const Word &word : block_.words)
+    if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
+      storeTarget(word, false);
+  outcome_.via = state_.position;
   for (unsigned i = 0; i < axisCount; ++i)
     if (axes == 0 || (axes >> i & 1)) {
       state_.position[i] = Interval::unknown();
@@ -336,14 +371,13 @@ void Execution::shiftCoordinates(const CodeUse &use) {
       state_.at(axis) = address.kind == AddressKind::Increment ? state_.at(axis) + v : v;
       state_.machineAxes &= ~uint32_t(bit(axis));
     } else if (unsigned(axis) < 3) {
-      Interval &shift = state_.localShift[unsigned(axis)];
-      if (!state_.inMachineCoordinates(axis))
-        state_.at(axis) = state_.at(axis) + shift - v;
-      shift = v;
+      state_.localShift[unsigned(axis)] = v;
     } else {
       state_.at(axis) = Interval::unknown();
     }
   }
+  if (code.action == Action::LocalShift)
+    applyFrame(use);
 }
 
 /// TRANS, ROT, SCALE, MIRROR and their like: the place stays, its coordinates are others.
@@ -354,19 +388,7 @@ void Execution::changeFrame(const CodeUse &use) {
   event.code = use.code;
   event.word = use.word;
   event.axes = axesOf(dialect_, block_);
-  for (unsigned i = 0; i < axisCount; ++i)
-    if (!(state_.machineAxes >> i & 1))
-      state_.position[i] = Interval::unknown();
-}
-
-/// An end point by angle and radius: somewhere in the plane.
-void Execution::polarTarget() {
-  const uint16_t plane = planeAxes(dialect_, state_);
-  for (unsigned i = 0; i < axisCount; ++i)
-    if (plane >> i & 1) {
-      state_.position[i] = Interval::unknown();
-      state_.machineAxes &= ~(1u << i);
-    }
+  applyFrame(use);
 }
 
 void Execution::workOffset(const CodeUse &use) {
@@ -449,7 +471,9 @@ void Execution::moveAxes() {
       changeFrame(actionCode_);
       return;
     case Action::Pole:
-      state_.set(Fact::PoleSet);
+    case Action::PoleFromPlace:
+    case Action::PoleFromPole:
+      setPole(action.action);
       return;
     case Action::DataInput:
       // Offsets may have changed: what was known in work coordinates is no longer.

@@ -77,6 +77,11 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
     r.roughFirst = r.roughLast = notKnown;
   if (a.transforms != b.transforms)
     r.transforms = {};
+  r.frames = FrameStack::join(a.frames, b.frames);
+  for (size_t i = 0; i < 2; ++i)
+    r.pole[i] = combine(a.pole[i], b.pole[i], wide);
+  for (size_t i = 0; i < 2; ++i)
+    r.polar[i] = combine(a.polar[i], b.polar[i], wide);
   r.modalMacro = combine(a.modalMacro, b.modalMacro);
   r.seeksBranch = a.seeksBranch || b.seeksBranch;
   r.restoresModes = a.restoresModes || b.restoresModes;
@@ -145,6 +150,11 @@ void visitParts(const MachineState &s, Sink sink) {
     interval(i);
   for (uint8_t t : s.transforms)
     sink(t);
+  sink(s.frames.hash());
+  for (const Interval &i : s.pole)
+    interval(i);
+  for (const Interval &i : s.polar)
+    interval(i);
 }
 
 } // namespace
@@ -241,6 +251,9 @@ MachineState unknownState(const Dialect &dialect) {
   state.cycle.value.fill(std::numeric_limits<double>::quiet_NaN());
   state.locals.forget();
   state.ranges = dialect.variableRanges;
+  state.commons.forget();
+  state.frames.put(0xFF, std::nullopt);
+  state.pole = {};
   return state;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/dialect/dialect.h"
+#include "interp/frame.h"
 #include "interp/variables.h"
 
 #include <array>
@@ -111,6 +112,8 @@ struct MotionState {
   /// Mills: Z from which the tool was fed down and below which it has been
   /// since; unknown when it is clear of the work or nothing is known.
   Interval fedFrom;
+  /// Controls with polar input: the radius and the angle for it that were written last.
+  std::array<Interval, 2> polar;
   /// Mills: box of X and Y in which the tool in use has cut; empty (lo > hi) before its first cut.
   std::array<Interval, 2> cutArea{emptyInterval, emptyInterval};
 };
@@ -144,6 +147,8 @@ struct SetupState {
   bool seeksBranch = false;
   bool restoresModes = false; ///< the running program gives its caller the modes back
   uint8_t profile = 0;        ///< 0: not in a profile; 1: read as data for roughing; 2: finishing
+  FrameStack frames;   ///< over the work offset; `position` is inside all of them
+  std::array<Interval, 2> pole{Interval::exactly(0), Interval::exactly(0)}; ///< in the plane's axes
 };
 
 /// Where things were set; never compared.

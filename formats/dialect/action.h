@@ -73,6 +73,8 @@ namespace ncvet {
   X(ProfileBegin, "profile-begin")                                                                 \
   X(ProfileRun, "profile-run")                                                                     \
   X(Pole, "pole")                                                                                  \
+  X(PoleFromPlace, "pole-from-place")                                                              \
+  X(PoleFromPole, "pole-from-pole")                                                                \
   X(PolygonOn, "polygon-on")                                                                       \
   X(PolygonOff, "polygon-off")                                                                     \
   X(ZoneOn, "zone-on")                                                                             \

@@ -17,7 +17,7 @@ llvm::ArrayRef<llvm::StringRef> codeKeys() {
       "needs",        "fires",    "opposite", "spindle",     "words",        "excludes",
       "notices",      "variants", "switch",   "alone",       "exclusive",    "twoBlock",
       "source",       "waits",    "ownMove",  "arguments",   "foreign",      "endsMotion",
-      "cancelsCalls", "family",   "stores",   "stopsSpindle"};
+      "cancelsCalls", "family",   "stores",   "stopsSpindle", "levels", "frame", "places"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -120,6 +120,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.readWhole(value, "arguments", info.arguments, 0, 100);
   in_.readName(value, "does", "action", actionNames(), info.action);
   in_.readName(value, "cycle", "cycle", cycleNames(), info.cycle);
+  in_.readName(value, "frame", "frame", frameNames(), info.frame);
   in_.readName(value, "spindle", "spindle need", spindleNames(), info.spindle);
   readSet(value, "takes", info.takes);
   if (const Json *fires = in_.member(value, "fires")) {
@@ -138,6 +139,8 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   readExcludes(value, info);
   readNotices(value, info);
   readStores(value, info);
+  readLevels(value, info);
+  readPlaces(value, info);
   return info;
 }
 
@@ -178,14 +181,25 @@ void DialectBuilder::readWords(const Json &value, CodeInfo &info) {
   const Json *words = in_.member(value, "words");
   if (!words || !in_.isObject(*words))
     return;
-  for (auto entry = words->begin(); entry != words->end(); ++entry) {
+  // Arguments in their order: by their names "10 CPO" comes in front of "9 CPA".
+  std::vector<Json::const_iterator> entries;
+  for (auto entry = words->begin(); entry != words->end(); ++entry)
+    entries.push_back(entry);
+  const auto position = [](const Json::const_iterator &entry) {
+    unsigned number = 0;
+    llvm::StringRef name = entry.key();
+    name.consumeInteger(10, number);
+    return number;
+  };
+  llvm::stable_sort(entries,
+                    [&](const auto &x, const auto &y) { return position(x) < position(y); });
+  for (const auto &entry : entries) {
     info.words.push_back(readWord(entry.key(), *entry));
     info.takes |= info.words.back().any;
   }
   // Formulas may name words behind their own.
-  size_t index = 0;
-  for (auto entry = words->begin(); entry != words->end(); ++entry, ++index)
-    if (const Json *when = in_.member(*entry, "when"))
+  for (size_t index = 0; index < entries.size(); ++index)
+    if (const Json *when = in_.member(*entries[index], "when"))
       readFormula(*when, info.words[index].when);
 }
 
@@ -242,6 +256,32 @@ void DialectBuilder::readStores(const Json &value, CodeInfo &info) {
     }
     info.stores.push_back(std::move(store));
   }
+}
+
+/// `{"approach": "RFP + SDIS", "bottom": "DP"}`
+void DialectBuilder::readLevels(const Json &value, CodeInfo &info) {
+  const Json *levels = in_.member(value, "levels");
+  if (!levels || !in_.isObject(*levels))
+    return;
+  in_.allowKeys(*levels, {"approach", "bottom"});
+  if (const Json *approach = in_.member(*levels, "approach"))
+    info.approach = formula(*approach);
+  if (const Json *bottom = in_.member(*levels, "bottom"))
+    info.bottom = formula(*bottom);
+}
+
+/// `{"count": "NUM", "first": "CPA + RAD * cos(STA1 + index() * INDA)", "second": "…"}`
+void DialectBuilder::readPlaces(const Json &value, CodeInfo &info) {
+  const Json *places = in_.member(value, "places");
+  if (!places || !in_.isObject(*places))
+    return;
+  in_.allowKeys(*places, {"count", "first", "second"});
+  const Json *count = in_.member(*places, "count"), *first = in_.member(*places, "first"),
+             *second = in_.member(*places, "second");
+  if (!count || !first || !second)
+    return in_.fail(*places, "\"count\", \"first\" and \"second\" are expected");
+  info.count = formula(*count);
+  info.places = {formula(*first), formula(*second)};
 }
 
 WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {

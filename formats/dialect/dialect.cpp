@@ -57,4 +57,11 @@ std::string Dialect::alternatives(AddressMask mask) const {
   return text;
 }
 
+double Dialect::lengthsPerUnit(Axis axis) const {
+  for (const AddressInfo &address : addresses)
+    if (address.kind == AddressKind::Axis && address.axis == axis && address.diameter)
+      return 2;
+  return 1;
+}
+
 } // namespace ncvet

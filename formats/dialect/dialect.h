@@ -174,6 +174,9 @@ enum class Role : uint8_t {
 llvm::StringRef toString(Role role); ///< as in the tables: "peck-first"
 std::optional<Role> parseRole(llvm::StringRef text);
 
+/// How a frame changes coordinates.
+enum class FrameKind : uint8_t { None, Shift, Rotation, Scale, Mirror };
+
 /// What a code does with the thing of the control that a word names.
 enum class Naming : uint8_t { None, Define, Use, Drop };
 
@@ -240,7 +243,8 @@ struct CodeInfo {
   uint8_t bit = 0; ///< member number within the group
   Action action = Action::None;
   CycleKind cycle = CycleKind::None;
-  bool cancelsCycle = false; ///< ends an active canned cycle of the group "cycle"
+  FrameKind frame = FrameKind::None; ///< of frame-set and frame-add; None: nothing is known of it
+  bool cancelsCycle = false;         ///< ends an active canned cycle of the group "cycle"
   SpindleNeed spindle = SpindleNeed::Any;
   bool needsFeed = false;  ///< a feed must be in force
   bool needsSpeed = false; ///< a spindle speed must be in force
@@ -263,6 +267,11 @@ struct CodeInfo {
   bool foreign = false;      ///< another control's code: here it is none
   uint8_t arguments = 0;     ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;
+  /// Of a cycle along the tool axis: level from which it feeds and the one to which it feeds, where
+  /// they are no word of their own (empty: the words with the roles Retract and Depth).
+  Formula approach, bottom;
+  Formula count;                 ///< of the places of a pattern; empty: they are not known
+  std::array<Formula, 2> places; ///< their coordinates in the plane, by `index()`
   /// Sets of words that exclude each other, each pair of masks.
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
   std::vector<Notice> notices;
@@ -330,14 +339,15 @@ constexpr unsigned axisCount = unsigned(Axis::Count);
 struct AddressInfo {
   AddressKind kind = AddressKind::Unknown;
   AddressUnit unit = AddressUnit::None;
-  Axis axis = Axis::Count; ///< for axes and increments
-  bool diameter = false;   ///< value is a diameter (X of a lathe)
-  bool repeatable = false; ///< may stand more than once in a block
-  bool corner = false;     ///< asks for a chamfer or rounding to the next move
-  bool rounding = false;   ///< … a rounding
-  bool linesOnly = false;  ///< … between two straight lines only
-  bool lineAngle = false;  ///< direction of a straight line
-  uint8_t switches = 0xFF; ///< index of the switch that a value other than zero turns on
+  Axis axis = Axis::Count;   ///< for axes and increments
+  bool diameter = false;     ///< value is a diameter (X of a lathe)
+  bool repeatable = false;   ///< may stand more than once in a block
+  bool corner = false;       ///< asks for a chamfer or rounding to the next move
+  bool rounding = false;     ///< … a rounding
+  bool linesOnly = false;    ///< … between two straight lines only
+  bool acrossCorner = false; ///< … a chamfer by its own length, not by that of its legs
+  bool lineAngle = false;    ///< direction of a straight line
+  uint8_t switches = 0xFF;   ///< index of the switch that a value other than zero turns on
   double least = -std::numeric_limits<double>::infinity(); ///< of its values
   double most = std::numeric_limits<double>::infinity();
   /// A length written without a decimal point may be scaled by the control.
@@ -470,14 +480,16 @@ struct Dialect {
   AddressMask elementWords = 0;             ///< those of kind Element
   AddressId arcRadius = letterAddress('R'); ///< the radius of an arc
   AddressId arcAngle = noAddress;           ///< its opening angle
-  AddressMask speedLimitWords = 0;          ///< set the greatest speed of the spindle
-  AddressMask orientWords = 0;              ///< stop the spindle at an angle
-  AddressMask switchWords = 0;              ///< turn a switch on or off
-  AddressMask cornerWords = 0;              ///< ask for a chamfer or rounding
-  AddressMask known = 0;                    ///< all addresses of this control
-  AddressMask repeatable = 0;               ///< may stand more than once in a block
-  AddressMask whole = 0;                    ///< take whole numbers
-  AddressMask pointAdvised = 0;             ///< in some code at least, a decimal point is advised
+  /// Coordinates of a point that it leads through, along X, Y and Z.
+  std::array<AddressId, 3> arcThrough{noAddress, noAddress, noAddress};
+  AddressMask speedLimitWords = 0; ///< set the greatest speed of the spindle
+  AddressMask orientWords = 0;     ///< stop the spindle at an angle
+  AddressMask switchWords = 0;     ///< turn a switch on or off
+  AddressMask cornerWords = 0;     ///< ask for a chamfer or rounding
+  AddressMask known = 0;           ///< all addresses of this control
+  AddressMask repeatable = 0;      ///< may stand more than once in a block
+  AddressMask whole = 0;           ///< take whole numbers
+  AddressMask pointAdvised = 0;    ///< in some code at least, a decimal point is advised
   /// Axis words, codes and the words that always act by themselves (F, S, T, tool offsets).
   AddressMask plain = 0;
   /// File names and texts of the tables that this one was made of, base first: for `overlay`.
@@ -485,6 +497,8 @@ struct Dialect {
 
   GroupIndex group(StandardGroup which) const { return standard[unsigned(which)]; }
   bool isLathe() const { return machine == MachineKind::Lathe; }
+  /// What a coordinate of the axis counts for a millimetre of way: 2 for a diameter, else 1.
+  double lengthsPerUnit(Axis axis) const;
   /// The code `letter` with `number` times ten plus decimal, without looking at variants.
   CodeIndex find(char letter, uint32_t numberTimesTen) const {
     if (letter == 'G')

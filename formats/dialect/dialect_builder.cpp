@@ -284,9 +284,9 @@ void DialectBuilder::readAddresses() {
 }
 
 void DialectBuilder::readAddress(const std::string &name, const Json &value) {
-  in_.allowKeys(value,
-                {"kind", "axis", "unit", "diameter", "repeatable", "pointAdvised", "arc", "corner",
-                 "rounding", "linesOnly", "lineAngle", "does", "switch", "min", "max", "title"});
+  in_.allowKeys(value, {"kind", "axis", "unit", "diameter", "repeatable", "pointAdvised", "arc",
+                        "corner", "rounding", "linesOnly", "acrossCorner", "lineAngle", "does",
+                        "switch", "min", "max", "title"});
   if (name.size() > 1 && name[0] != ',') {
     const bool symbol = name.size() == 2 && name[1] == 'n' && llvm::isPrint(name[0]);
     if (!symbol && !llvm::all_of(name, llvm::isAlnum))
@@ -310,6 +310,7 @@ void DialectBuilder::readAddress(const std::string &name, const Json &value) {
   in_.read(value, "corner", info.corner);
   in_.read(value, "rounding", info.rounding);
   in_.read(value, "linesOnly", info.linesOnly);
+  in_.read(value, "acrossCorner", info.acrossCorner);
   in_.read(value, "lineAngle", info.lineAngle);
   dialect_.lineAngleWords |= info.lineAngle ? maskOf(*address) : 0;
   in_.read(value, "min", info.least);
@@ -339,8 +340,10 @@ void DialectBuilder::readAddress(const std::string &name, const Json &value) {
     dialect_.arcRadius = *address;
   else if (arc == "angle")
     dialect_.arcAngle = *address;
+  else if (arc == "through-x" || arc == "through-y" || arc == "through-z")
+    dialect_.arcThrough[size_t(arc.back() - 'x')] = *address;
   else if (!arc.empty())
-    in_.fail(value, "\"arc\" is \"radius\" or \"angle\"");
+    in_.fail(value, "\"arc\" is \"radius\", \"angle\" or \"through-x\", \"-y\", \"-z\"");
   bool moves = info.kind == AddressKind::Axis || info.kind == AddressKind::Increment;
   if (info.kind == AddressKind::Unknown)
     in_.fail(value, "an address needs its \"kind\"");

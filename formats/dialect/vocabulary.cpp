@@ -14,6 +14,9 @@ constexpr llvm::StringLiteral roles[] = {
     "ratio",       "method",        "limit",        "argument",    "start-angle",    "relief"};
 static_assert(std::size(roles) == size_t(Role::Relief) + 1);
 
+constexpr llvm::StringLiteral frames[] = {"none", "shift", "rotation", "scale", "mirror"};
+static_assert(std::size(frames) == size_t(FrameKind::Mirror) + 1);
+
 constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "drill-dwell",    "peck",
                                           "chip-break",     "tap",
@@ -59,6 +62,7 @@ static_assert(std::size(groups) == size_t(StandardGroup::Count));
 
 llvm::ArrayRef<llvm::StringLiteral> roleNames() { return roles; }
 llvm::ArrayRef<llvm::StringLiteral> cycleNames() { return cycles; }
+llvm::ArrayRef<llvm::StringLiteral> frameNames() { return frames; }
 llvm::ArrayRef<llvm::StringLiteral> needNames() { return needs; }
 llvm::ArrayRef<llvm::StringLiteral> namingNames() { return namings; }
 llvm::ArrayRef<llvm::StringLiteral> pointNames() { return points; }

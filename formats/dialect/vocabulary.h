@@ -8,6 +8,7 @@ namespace ncvet {
 /// Spellings in the order of the enumeration; the index is the enumerator's value.
 llvm::ArrayRef<llvm::StringLiteral> roleNames();
 llvm::ArrayRef<llvm::StringLiteral> cycleNames();
+llvm::ArrayRef<llvm::StringLiteral> frameNames();
 llvm::ArrayRef<llvm::StringLiteral> needNames();
 llvm::ArrayRef<llvm::StringLiteral> namingNames();
 llvm::ArrayRef<llvm::StringLiteral> pointNames();

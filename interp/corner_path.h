@@ -1,0 +1,70 @@
+// Puts the corners between two moves where the program asks for them: chamfers, roundings, and
+// lines whose end only the next block tells.
+#pragma once
+
+#include "interp/moves.h"
+
+#include <optional>
+
+namespace ncvet {
+
+/// What a block's words ask for at the end of its move.
+struct CornerRequest {
+  enum class Kind : uint8_t { None, Legs, Across, Rounding };
+  Kind kind = Kind::None; ///< chamfer by its legs, by its own length, or rounding
+  double size = 0;        ///< mm, above zero
+  /// Direction of a straight line in degrees from the plane's first axis.
+  std::optional<double> angle;
+  Place said;           ///< the point that the words give, which need not be the line's end
+  uint16_t axes = 0;    ///< bit per axis that the block programs
+  bool shifts = false;  ///< coordinates are others behind the block
+  bool farther = false; ///< of two intersections, the second one along the line
+};
+
+/// The words of a control that ask for corners, looked up once.
+class CornerWords {
+public:
+  explicit CornerWords(const Dialect &dialect);
+  CornerRequest read(const ExecutedBlock &executed) const;
+
+private:
+  AddressMask legs_ = 0, across_ = 0, rounding_ = 0, angle_ = 0, all_ = 0;
+};
+
+/// Takes moves one after the other, and gives them on with the corners put in.
+class CornerPath {
+public:
+  using Take = llvm::function_ref<void(uint64_t tag, const Move &)>;
+
+  explicit CornerPath(const Dialect &dialect) : dialect_(dialect) {}
+
+  /// `tag` comes back with the move, and with what is put in behind it.
+  void add(uint64_t tag, const Move &move, const CornerRequest &corner,
+           const std::array<Axis, 2> &plane, Take take);
+  /// Nothing follows: what waits is given on as it stands.
+  void finish(Take take);
+
+private:
+  struct Waiting {
+    uint64_t tag = 0;
+    Move move;
+    CornerRequest corner;
+    std::array<Axis, 2> plane{Axis::X, Axis::Y};
+  };
+  void resolve(Waiting &first, Waiting &second, Take take);
+  bool putCorner(Waiting &first, Waiting &second, Take take);
+  void give(uint64_t tag, const Move &move, Take take);
+  void carry(Move &move, const CornerRequest &corner) const;
+  void findCentre(Move &move) const;
+
+  const Dialect &dialect_;
+  std::optional<Waiting> waiting_;
+  Place from_;            ///< where the waiting move begins
+  uint32_t resolved_ = 0; ///< bit per axis whose place only this class knows
+  /// Direction in which the last move of a plane ended, with that plane's axes.
+  std::optional<std::array<double, 2>> direction_;
+  std::array<Axis, 2> directionPlane_{};
+  std::array<Axis, 2> plane_{Axis::X, Axis::Y}; ///< the active one
+};
+
+} // namespace ncvet

@@ -1,0 +1,228 @@
+// Codes that lay frames over the work offset: shift, rotation, scale, mirror.
+#include "interp/execution.h"
+
+namespace ncvet {
+
+namespace {
+
+constexpr unsigned spatial = 3; ///< X, Y and Z
+
+/// The frame that a code without a switch of its own has.
+constexpr uint8_t nameless = 0xFE;
+
+uint8_t nameOf(const CodeInfo &code) {
+  return code.effect.index == 0xFF ? nameless : code.effect.index;
+}
+
+FrameKind kindOf(const CodeInfo &code) {
+  switch (code.action) {
+  case Action::LocalShift:
+    return FrameKind::Shift;
+  case Action::RotationOn:
+  case Action::RotationOff:
+    return FrameKind::Rotation;
+  case Action::ScalingOn:
+  case Action::ScalingOff:
+    return FrameKind::Scale;
+  case Action::MirrorOn:
+  case Action::MirrorOff:
+    return FrameKind::Mirror;
+  default:
+    return code.frame;
+  }
+}
+
+} // namespace
+
+/// Changes the frames, with the tool where it is: its coordinates are others.
+void Execution::rebase(const FrameStack &frames) {
+  const std::optional<Frame> from = state_.frames.total(), to = frames.total();
+  const std::optional<Frame> back = to ? to->inverse() : std::nullopt;
+  state_.frames = frames;
+  Point3 place;
+  for (unsigned i = 0; i < spatial; ++i)
+    place[i] = state_.machineAxes >> i & 1 ? Interval::unknown() : state_.position[i];
+  if (from && back)
+    place = *back * (*from * place);
+  else
+    place = {};
+  for (unsigned i = 0; i < spatial; ++i)
+    if (!(state_.machineAxes >> i & 1))
+      state_.position[i] = place[i];
+}
+
+/// What the axis words of the block give, per axis of space; none: a value is not known.
+std::optional<Execution::FrameWords> Execution::frameWords(bool lengths) const {
+  FrameWords words;
+  for (const Word &word : block_.words) {
+    if (!(dialect_.axisWords & maskOf(word.address)))
+      continue;
+    const AddressInfo &address = dialect_.addresses[word.address];
+    if (unsigned(address.axis) >= spatial)
+      continue;
+    const auto axis = size_t(address.axis);
+    words.given[axis] = true;
+    if (word.has(wordNoValue))
+      continue;
+    const Interval v = lengths ? coordinate(word) : value(word);
+    if (!v.isConstant() || address.kind == AddressKind::Increment || word.has(wordIncremental))
+      return std::nullopt;
+    words.value[axis] = v.value();
+  }
+  return words;
+}
+
+/// The map that the code describes in its block; none when something is not known.
+std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
+  const FrameKind kind = kindOf(code);
+  // The words of a frame that turns or scales are angles and factors, those of a function its
+  // centre.
+  const std::optional<FrameWords> words =
+      frameWords(isTransformation(code) || kind == FrameKind::Shift || kind == FrameKind::Mirror);
+  if (!words)
+    return std::nullopt;
+  const auto number = [&](Role role) -> std::optional<double> {
+    for (const WordSpec &spec : code.words)
+      if (spec.role == role)
+        if (const Word *word = wordFor(block_, spec)) {
+          const Interval v = value(*word);
+          if (v.isConstant())
+            return v.value();
+        }
+    return std::nullopt;
+  };
+  switch (kind) {
+  case FrameKind::Shift:
+    return Frame::shifted(words->value);
+  case FrameKind::Rotation:
+    return isTransformation(code) ? rotationAbout(*words, number(Role::Angle))
+                                  : rotationOf(*words, number(Role::Angle));
+  case FrameKind::Scale: {
+    if (!isTransformation(code)) { // a factor per axis, about the zero point
+      std::array<double, 3> factors{1, 1, 1};
+      for (size_t i = 0; i < spatial; ++i)
+        if (words->given[i])
+          factors[i] = words->value[i];
+      return Frame::scaled(factors, {});
+    }
+    const auto ratio = number(Role::Ratio);
+    if (!ratio)
+      return std::nullopt;
+    return Frame::scaled({*ratio, *ratio, *ratio}, centreOf(*words, (1u << spatial) - 1));
+  }
+  case FrameKind::Mirror: {
+    std::array<double, 3> factors{1, 1, 1}, line{};
+    for (size_t i = 0; i < spatial; ++i)
+      if (words->given[i]) {
+        factors[i] = -1;
+        line[i] = isTransformation(code) ? words->value[i] : 0;
+      }
+    return Frame::scaled(factors, line);
+  }
+  case FrameKind::None:
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// Whether it is one of the functions that each are switched on and off and name their centre (G51,
+/// G51.1, G68), other than the frames that replace one another (TRANS, ROT).
+bool Execution::isTransformation(const CodeInfo &code) {
+  return code.action == Action::RotationOn || code.action == Action::ScalingOn ||
+         code.action == Action::MirrorOn;
+}
+
+/// Centre of a transformation: the present place where the block does not name it.
+std::array<double, 3> Execution::centreOf(const FrameWords &words, unsigned axes) const {
+  std::array<double, 3> centre{};
+  for (size_t i = 0; i < spatial; ++i) {
+    if (!(axes >> i & 1))
+      continue;
+    if (words.given[i]) {
+      centre[i] = words.value[i];
+      continue;
+    }
+    centre[i] = !state_.position[i].isConstant() || state_.machineAxes >> i & 1
+                    ? std::numeric_limits<double>::quiet_NaN()
+                    : state_.position[i].value();
+  }
+  return centre;
+}
+
+/// In the active plane, about a centre.
+std::optional<Frame> Execution::rotationAbout(const FrameWords &words,
+                                              std::optional<double> degrees) const {
+  const uint16_t plane = planeAxes(dialect_, state_);
+  if (!degrees || (dialect_.isLathe() && plane & 1)) // X is a diameter
+    return std::nullopt;
+  return Frame::turned(unsigned(toolAxis(dialect_, state_)), *degrees, centreOf(words, plane));
+}
+
+/// About the zero point: in the active plane by one angle, or about X, Y and Z by theirs, Z being
+/// the outermost.
+Frame Execution::rotationOf(const FrameWords &words, std::optional<double> degrees) const {
+  if (degrees)
+    return Frame::turned(unsigned(toolAxis(dialect_, state_)), *degrees, {});
+  Frame frame;
+  for (unsigned i = 0; i < spatial; ++i)
+    if (words.given[i])
+      frame = Frame::turned(i, words.value[i], {}) * frame;
+  return frame;
+}
+
+/// Lays the frame of a code over the others, replaces it, or takes it away.
+void Execution::applyFrame(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  const uint8_t name = nameOf(code);
+  FrameStack frames = state_.frames;
+  switch (code.action) {
+  case Action::FrameSet:
+  case Action::RotationOn:
+  case Action::ScalingOn:
+    frames.put(name, frameOf(code));
+    break;
+  case Action::LocalShift:
+  case Action::MirrorOn: {
+    // Only for the axes that the block names; the others keep what they had.
+    const std::optional<FrameWords> words = frameWords(true);
+    std::optional<Frame> whole = frameOf(code);
+    if (const auto old = frames.find(name); old && words && whole)
+      for (size_t i = 0; i < spatial; ++i)
+        if (!words->given[i]) {
+          whole->shift[i] = old->shift[i];
+          whole->turn[i] = old->turn[i];
+        }
+    frames.put(name, whole);
+    break;
+  }
+  case Action::FrameAdd: {
+    const std::optional<Frame> more = frameOf(code), old = frames.find(name);
+    if (!frames.has(name))
+      frames.put(name, more);
+    else
+      frames.put(name, more && old ? std::optional(*old * *more) : std::nullopt);
+    break;
+  }
+  case Action::MirrorOff: {
+    const std::optional<FrameWords> words = frameWords(true);
+    std::optional<Frame> left = frames.find(name);
+    if (words && left && llvm::is_contained(words->given, true)) {
+      for (size_t i = 0; i < spatial; ++i)
+        if (words->given[i]) {
+          left->shift[i] = 0;
+          left->turn[i] = Frame().turn[i];
+        }
+      frames.put(name, left);
+      break;
+    }
+    frames.remove(name);
+    break;
+  }
+  default:
+    frames.remove(name);
+    break;
+  }
+  rebase(frames);
+}
+
+} // namespace ncvet
