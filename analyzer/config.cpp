@@ -305,4 +305,11 @@ bool matchesGlob(llvm::ArrayRef<std::string> globs, llvm::StringRef path) {
   });
 }
 
+llvm::Expected<MachineSource> readMachine(const std::string &file) {
+  auto text = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  if (!text)
+    return failure("cannot read " + llvm::Twine(file) + ": " + text.getError().message());
+  return MachineSource{file, (*text)->getBuffer().str()};
+}
+
 } // namespace ncvet

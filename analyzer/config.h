@@ -16,6 +16,9 @@ struct MachineSource {
   std::string text; ///< JSON; of a profile inside a configuration with as many lines in front
 };
 
+/// Reads the file of a profile; the error names it.
+llvm::Expected<MachineSource> readMachine(const std::string &file);
+
 /// What a `.ncvet.json` says. Paths in it are relative to its own folder; here they are joined.
 struct Config {
   std::string file;   ///< empty: there is none

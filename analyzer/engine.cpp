@@ -34,6 +34,24 @@ struct PlainRun {
   }
 };
 
+/// Issues behind which the control stops, or goes where the text does not say.
+bool endsTheWay(FlowIssue kind) {
+  switch (kind) {
+  case FlowIssue::NoTarget:
+  case FlowIssue::UnknownProgram:
+  case FlowIssue::UnknownBlock:
+  case FlowIssue::Recursion:
+  case FlowIssue::ProfileMissing:
+  case FlowIssue::ProfileReversed:
+  case FlowIssue::ComputedTarget:
+  case FlowIssue::StructureMismatch:
+  case FlowIssue::EndlessLoop:
+    return true;
+  default:
+    return false;
+  }
+}
+
 } // namespace
 
 Engine::Engine(Project &project, FileUnit &unit, const RuleSelection &rules,
@@ -44,8 +62,21 @@ Engine::Engine(Project &project, FileUnit &unit, const RuleSelection &rules,
 
 void Engine::cut(std::string why) {
   complete_ = false;
+  lose({unit_.source.id(), block_.begin, block_.end}, why);
   if (!llvm::is_contained(cuts_, why))
     cuts_.push_back(std::move(why));
+}
+
+void Engine::lose(SourceRange where, llvm::StringRef why) {
+  if (!watcher_ || stopped_)
+    return;
+  stopped_ = true;
+  watcher_->lost(where, why);
+}
+
+void Engine::fork(Activation &activation, SourceRange where) {
+  ++activation.forks;
+  lose(where, "what decides here is not known");
 }
 
 const PathNode *Engine::step(const PathNode *before, PathNode::Kind kind, SourceRange range,
@@ -78,6 +109,8 @@ void Engine::forget(Live &live, const Dialect &dialect) {
 void Engine::issue(FlowIssue kind, Activation &activation, const Live &live,
                    const MachineState &before, SourceRange where, SourceRange related) {
   const Region &region = activation.region;
+  if (watcher_ && endsTheWay(kind))
+    lose(where, "control cannot go where the block says");
   if (!(dispatcher_.kinds() & bitOf(EventKind::FlowIssue)))
     return;
   dispatcher_.flowIssue(kind, region.unit, block_, outcome_, before, live.state, region.depth,
@@ -235,7 +268,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       Lives executing;
       for (Live &live : lives) {
         if (live.skip[level] != 1) {
-          activation.forks += live.skip[level] == 0;
+          if (live.skip[level] == 0)
+            fork(activation, blockRange(unit));
           Live skipped = live;
           skipped.skip[level] = 2;
           if (live.skip[level] == 0)
@@ -262,7 +296,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       Lives forked;
       for (Live &live : lives)
         if (unit.executor.guard(block_, live.state) == Truth::Unknown) {
-          ++activation.forks;
+          fork(activation, blockRange(unit));
           Live other = live;
           other.path = step(live.path, PathNode::Kind::NoJump,
                             {unit.source.id(), block_.items[0].begin, block_.items[0].end});
@@ -289,6 +323,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       const bool guardHolds =
           block_.items.empty() || unit.executor.guard(block_, live.state) != Truth::No;
       unit.executor.execute(block_, before, live.state, outcome_, guardHolds);
+      if (watcher_)
+        watcher_->executed(unit, block_, outcome_, before, live.state);
       collector_.beginVisit(live.path);
       if (region.kind == Kind::Main && block_.number >= 0 && &unit == &unit_ &&
           localTargets_.count(at))

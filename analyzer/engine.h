@@ -1,6 +1,7 @@
 // Follows a program as its control would: calls, jumps, loops, block skip, profiles.
 #pragma once
 
+#include "analyzer/block_watcher.h"
 #include "analyzer/dispatch.h"
 #include "analyzer/flow_shape.h"
 
@@ -30,6 +31,9 @@ public:
          const std::atomic<bool> *cancel);
 
   AnalysisResult run();
+  /// Runs the file's first program along one way only: block skip off, and no further than to where
+  /// something unknown decides. No findings are made.
+  void follow(BlockWatcher &watcher);
 
 private:
   /// One state on its way, and how it came there.
@@ -180,6 +184,12 @@ private:
   const PathNode *step(const PathNode *before, PathNode::Kind kind, SourceRange range,
                        int64_t number = 0);
   void cut(std::string why);
+  /// The way goes on in more than one direction.
+  void fork(Activation &activation, SourceRange where);
+  void lose(SourceRange where, llvm::StringRef why);
+  SourceRange blockRange(const FileUnit &unit) const {
+    return {unit.source.id(), block_.begin, block_.end};
+  }
   void cover(const FileUnit &unit, uint32_t begin, uint32_t end);
   void ending(const Block &block, bool &ends, bool &returns) const;
   void runOtherPrograms();
@@ -215,6 +225,7 @@ private:
   bool stopped_ = false;
   bool complete_ = true;
   std::vector<std::string> cuts_;
+  BlockWatcher *watcher_ = nullptr; ///< of the one way that is followed
 };
 
 } // namespace ncvet

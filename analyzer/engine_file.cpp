@@ -120,6 +120,16 @@ void Engine::inspectUnreached() {
   }
 }
 
+void Engine::follow(BlockWatcher &watcher) {
+  watcher_ = &watcher;
+  constexpr uint8_t skipOff = 1;
+  const ProgramInfo &main = unit_.index.programs().front();
+  Lives lives(1);
+  lives[0].state = initialState(*unit_.dialect);
+  lives[0].skip.fill(skipOff);
+  execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));
+}
+
 AnalysisResult Engine::run() {
   const llvm::ArrayRef<ProgramInfo> programs = unit_.index.programs();
   const ProgramInfo &main = programs.front();

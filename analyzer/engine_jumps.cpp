@@ -151,7 +151,7 @@ void Engine::jump(Activation &activation, Live &live, uint32_t at, const Machine
   if (flow.condition != Truth::Yes) {
     Live straight = live;
     if (flow.condition == Truth::Unknown) {
-      ++activation.forks;
+      fork(activation, where);
       straight.path = step(live.path, PathNode::Kind::NoJump, where);
     }
     add(activation, block_.next, std::move(straight));
@@ -167,7 +167,7 @@ void Engine::jump(Activation &activation, Live &live, uint32_t at, const Machine
     return;
   }
   if (!flow.target.isConstant()) {
-    ++activation.forks;
+    fork(activation, where);
     issue(FlowIssue::ComputedTarget, activation, live, before, where);
     anywhere(activation, live, at);
     return;
@@ -210,7 +210,7 @@ void Engine::loop(Activation &activation, Live &live, uint32_t at, const Machine
   }
   if (flow.condition == Truth::Unknown) {
     // From now on this head is a place where states are joined.
-    ++activation.forks;
+    fork(activation, flowRange(region.unit));
     activation.heads[at].abstract = true;
     Live body = live;
     body.path = step(live.path, PathNode::Kind::Jump, flowRange(region.unit));
@@ -330,7 +330,7 @@ void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const Machi
   if (flow.condition != Truth::Yes) {
     Live straight = live;
     if (flow.condition == Truth::Unknown) {
-      ++activation.forks;
+      fork(activation, where);
       straight.path = step(live.path, PathNode::Kind::NoJump, where);
     }
     notTaken(activation, std::move(straight), at, before);
@@ -355,7 +355,7 @@ void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const Machi
   if (targets.fallsThrough)
     add(activation, block_.next, live);
   if (!certain)
-    ++activation.forks;
+    fork(activation, where);
   // What a nested run does to the block at hand must not touch the targets that are left.
   const llvm::SmallVector<const Argument *, 3> arguments = targets.arguments;
   std::vector<uint32_t> offsets;
@@ -396,7 +396,7 @@ void Engine::goOnIn(Activation &activation, Live live, FileUnit &unit, const Pro
 /// The operator answers, or leaves by the key that the block names a target for.
 void Engine::branch(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
   const Item item = block_.items[size_t(outcome_.flow.item)];
-  ++activation.forks;
+  fork(activation, flowRange(activation.region.unit));
   if (item.arguments)
     if (const auto target =
             resolve(activation, live, before, activation.region.unit, activation.region.program,
@@ -435,9 +435,9 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
           {region.unit.source.id(), first->second, first->second + 1});
   const auto past = shape.past.find(at), back = shape.back.find(at), out = shape.out.find(at);
   // `condition` leads to the next block, else to `other`; an unknown one to both.
-  const auto fork = [&](Truth condition, uint32_t other, bool loops) {
+  const auto decide = [&](Truth condition, uint32_t other, bool loops) {
     if (condition == Truth::Unknown) {
-      ++activation.forks;
+      fork(activation, where);
       Live body = live;
       body.path = step(live.path, PathNode::Kind::NoJump, where);
       add(activation, next, std::move(body));
@@ -458,11 +458,11 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
   };
   switch (item.structure) {
   case Structure::If:
-    return fork(flow.condition, past->second, false);
+    return decide(flow.condition, past->second, false);
   case Structure::ElseIf: // reached from the branch in front of it: the chain is done
     if (!before.seeksBranch)
       return goTo(activation, at, out->second, std::move(live), true);
-    return fork(flow.condition, past->second, false);
+    return decide(flow.condition, past->second, false);
   case Structure::Sub:
     return goTo(activation, at, past->second, std::move(live), true);
   case Structure::EndSub:
@@ -479,23 +479,23 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
   case Structure::Times:
     if (flow.condition == Truth::Unknown)
       activation.heads[next].abstract = true;
-    return fork(flow.condition, past->second, false);
+    return decide(flow.condition, past->second, false);
   case Structure::EndTimes: {
     Block head;
     region.unit.reader->read(back->second, head);
     const Truth again = countDown(head, live.state);
     if (again == Truth::Unknown)
       activation.heads[head.next].abstract = true;
-    return fork(opposite(again), head.next, true);
+    return decide(opposite(again), head.next, true);
   }
   case Structure::While:
     if (past == shape.past.end()) // the end of a loop with the test behind
-      return fork(opposite(flow.condition), back->second, true);
+      return decide(opposite(flow.condition), back->second, true);
     [[fallthrough]];
   case Structure::For:
     if (flow.condition == Truth::Unknown)
       activation.heads[item.structure == Structure::For ? next : at].abstract = true;
-    return fork(flow.condition, past->second, false);
+    return decide(flow.condition, past->second, false);
   case Structure::Else:
     return goTo(activation, at, past->second, std::move(live), true);
   case Structure::EndWhile:
@@ -503,15 +503,15 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
     return backTo(activation, back->second, std::move(live),
                   !activation.heads[back->second].abstract);
   case Structure::Until:
-    return fork(flow.condition, back->second, true);
+    return decide(flow.condition, back->second, true);
   case Structure::EndFor: {
     Block head;
     region.unit.reader->read(back->second, head);
     const Truth again = countUp(head, live.state);
     if (again == Truth::Unknown)
       activation.heads[head.next].abstract = true;
-    // (the condition of `fork` is the way on)
-    return fork(opposite(again), head.next, true);
+    // (the condition of `decide` is the way on)
+    return decide(opposite(again), head.next, true);
   }
   case Structure::EndIf:
   case Structure::Loop:

@@ -130,10 +130,10 @@ llvm::Expected<CheckRequest> CheckOptions::request() const {
     if (auto layers = loadProfile(profile_); !layers)
       return layers.takeError();
   if (!machine_.empty()) {
-    auto text = llvm::MemoryBuffer::getFile(machine_, /*IsText=*/false);
-    if (!text)
-      return failure("cannot read " + llvm::Twine(machine_) + ": " + text.getError().message());
-    request.session.machine = MachineSource{machine_, (*text)->getBuffer().str()};
+    auto machine = readMachine(machine_);
+    if (!machine)
+      return machine.takeError();
+    request.session.machine = std::move(*machine);
   }
   if (!failOn_.empty()) {
     auto level = parseFailOn(failOn_);

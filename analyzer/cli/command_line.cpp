@@ -3,6 +3,7 @@
 
 #include "analyzer/cli/check.h"
 #include "analyzer/cli/explain.h"
+#include "analyzer/cli/trace.h"
 #include "formats/dialect/json_reader.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -15,12 +16,13 @@ namespace cl = llvm::cl;
 namespace {
 
 /// Subcommands that are fixed by name but not part of this build.
-constexpr llvm::StringLiteral notBuilt[] = {"trace", "lsp"};
+constexpr llvm::StringLiteral notBuilt[] = {"lsp"};
 
 constexpr llvm::StringLiteral usage =
     R"(ncvet checks NC part programs before they run.
 
     ncvet check [PATH...]     find what is wrong in files and folders
+    ncvet trace FILE          the motions that the control would make
     ncvet explain RULE        the page of a rule
     ncvet rules               all rules
     ncvet dialects            all controls
@@ -81,10 +83,11 @@ int runCommandLine(int argc, const char *const *argv) {
     return fail("this build has no \"" + first + "\" yet");
 
   CheckCommand check;
+  TraceCommand trace;
   ExplainCommand explain;
   RulesCommand rules;
   DialectsCommand dialects;
-  Command *const commands[] = {&check, &explain, &rules, &dialects};
+  Command *const commands[] = {&check, &trace, &explain, &rules, &dialects};
   Command *const *const wanted = llvm::find_if(
       commands, [&](Command *command) { return command->subcommand().getName() == first; });
   if (wanted == std::end(commands))

@@ -92,7 +92,8 @@ TEST(CheckCommand, WrongUsageIsSaidInOneLine) {
       {{"check", "--baseline", "none.json", "a.nc"}, "none.json"},
       {{"check", "--color", "red", "a.nc"}, "auto, always or never"},
       {{"explain", "feed-mising"}, "did you mean \"feed-missing\""},
-      {{"trace", "a.nc"}, "trace"},
+      {{"trace", "none.nc"}, "none.nc"},
+      {{"trace"}, "Not enough positional"},
       {{"lsp"}, "lsp"},
   };
   Shop shop;

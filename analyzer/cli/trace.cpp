@@ -1,0 +1,198 @@
+// `ncvet trace`: the motions of a program, one JSON object a line.
+#include "analyzer/cli/trace.h"
+
+#include "analyzer/session.h"
+#include "analyzer/trace.h"
+
+#include "llvm/Support/raw_ostream.h"
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace ncvet::cli {
+
+namespace cl = llvm::cl;
+
+namespace {
+
+using Json = nlohmann::ordered_json; // keys in the order of insertion
+
+/// Coordinates are told to a millionth of a millimetre or degree: what is behind it is rounding.
+Json numberOf(const Interval &value) {
+  constexpr double steps = 1e6;
+  if (!value.isConstant() || !std::isfinite(value.value()))
+    return nullptr;
+  return std::round(value.value() * steps) / steps + 0.0;
+}
+
+llvm::StringRef nameOf(Axis axis) {
+  static constexpr llvm::StringLiteral names[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
+  return names[size_t(axis)];
+}
+
+llvm::StringRef nameOf(MoveKind kind) {
+  static constexpr llvm::StringLiteral names[] = {"rapid", "linear", "arc",     "thread",
+                                                  "dwell", "tool",   "spindle", "end"};
+  return names[size_t(kind)];
+}
+
+llvm::StringRef planeOf(const std::array<Axis, 2> &axes) {
+  return axes[0] == Axis::X ? "XY" : axes[0] == Axis::Z ? "ZX" : "YZ";
+}
+
+Json feedModeOf(Action mode) {
+  return mode == Action::FeedPerMinute       ? Json("per-minute")
+         : mode == Action::FeedPerRevolution ? Json("per-revolution")
+         : mode == Action::FeedInverseTime   ? Json("inverse-time")
+                                             : Json(nullptr);
+}
+
+Json spindleOf(uint8_t state) {
+  return state == spindleOff        ? Json("off")
+         : state == spindleCw       ? Json("cw")
+         : state == spindleCcw      ? Json("ccw")
+         : state == spindleOriented ? Json("oriented")
+                                    : Json(nullptr);
+}
+
+class TraceWriter : public TraceSink {
+public:
+  explicit TraceWriter(llvm::raw_ostream &out, const Dialect &dialect) : out_(out) {
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+      if (axis != Axis::Y || !dialect.isLathe())
+        axes_ |= 1u << unsigned(axis);
+  }
+
+  void moved(const TracedMove &traced) override {
+    const Move &move = traced.move;
+    Json line = head(*traced.unit, traced.begin, nameOf(move.kind));
+    switch (move.kind) {
+    case MoveKind::Arc:
+      writeTo(line, move);
+      line["center"] = Json::object();
+      for (size_t i = 0; i < 2; ++i)
+        line["center"][nameOf(move.plane[i]).str()] = numberOf(move.centre[i]);
+      line["turns"] = numberOf(move.turns);
+      line["direction"] = move.clockwise ? "cw" : "ccw";
+      line["plane"] = planeOf(move.plane).str();
+      writeFeed(line, move);
+      break;
+    case MoveKind::Linear:
+    case MoveKind::Thread:
+      writeTo(line, move);
+      writeFeed(line, move);
+      break;
+    case MoveKind::Rapid:
+      writeTo(line, move);
+      break;
+    case MoveKind::Dwell:
+      line["seconds"] = numberOf(move.value);
+      break;
+    case MoveKind::Tool:
+      line["tool"] = numberOf(move.value);
+      break;
+    case MoveKind::Spindle:
+      line["spindle"] = spindleOf(move.spindle);
+      line["speed"] = numberOf(move.value);
+      break;
+    case MoveKind::End:
+      writeTo(line, move);
+      break;
+    }
+    put(line);
+  }
+
+  void lost(const FileUnit &unit, SourceRange where, llvm::StringRef why) override {
+    Json line = head(unit, where.begin, "unknown");
+    line["why"] = why.str();
+    put(line);
+    lost_ = true;
+  }
+
+  bool hasLost() const { return lost_; }
+
+private:
+  static Json head(const FileUnit &unit, uint32_t begin, llvm::StringRef kind) {
+    Json line = Json::object();
+    line["path"] = unit.source.display();
+    line["line"] = unit.source.lines().lineOf(begin);
+    line["kind"] = kind.str();
+    return line;
+  }
+
+  /// Main axes always, others from when they have a coordinate on.
+  void writeTo(Json &line, const Move &move) {
+    Json to = Json::object(), machine = Json::object();
+    for (unsigned i = 0; i < axisCount; ++i) {
+      const bool onMachine = move.machineAxes >> i & 1;
+      if (!move.to[i].isUnknown())
+        axes_ |= 1u << i;
+      if (!(axes_ >> i & 1))
+        continue;
+      to[nameOf(Axis(i)).str()] = onMachine ? Json(nullptr) : numberOf(move.to[i]);
+      if (onMachine && move.to[i].isConstant())
+        machine[nameOf(Axis(i)).str()] = numberOf(move.to[i]);
+    }
+    line["to"] = std::move(to);
+    if (!machine.empty())
+      line["machine"] = std::move(machine);
+  }
+
+  static void writeFeed(Json &line, const Move &move) {
+    line["feed"] = numberOf(move.feed);
+    line["feedMode"] = feedModeOf(move.feedMode);
+  }
+
+  void put(const Json &line) {
+    // `dump` without a handler throws on a byte that is not UTF-8.
+    out_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  }
+
+  llvm::raw_ostream &out_;
+  uint32_t axes_ = 0; ///< bit per axis that is written
+  bool lost_ = false;
+};
+
+} // namespace
+
+TraceCommand::TraceCommand()
+    : command_("trace", "write the motions that a program makes"),
+      category_("Options of ncvet trace"),
+      file_(cl::Positional, cl::desc("FILE"), cl::Required, cl::sub(command_), cl::cat(category_)),
+      dialect_("dialect", cl::value_desc("ID"), cl::init("auto"),
+               cl::desc("The control, or a table's file; auto: found out"), cl::sub(command_),
+               cl::cat(category_)),
+      machine_("machine", cl::value_desc("FILE"), cl::desc("Profile of the machine"),
+               cl::sub(command_), cl::cat(category_)),
+      config_("config", cl::value_desc("FILE"),
+              cl::desc("Configuration instead of the nearest .ncvet.json"), cl::sub(command_),
+              cl::cat(category_)) {}
+
+int TraceCommand::run() {
+  SessionOptions options;
+  options.dialect = dialect_;
+  options.configFile = config_;
+  if (!machine_.empty()) {
+    auto machine = readMachine(machine_);
+    if (!machine)
+      return fail(llvm::toString(machine.takeError()));
+    options.machine = std::move(*machine);
+  }
+  Session session(std::move(options));
+  SourceSet sources;
+  auto source = sources.open(file_, file_);
+  if (!source)
+    return fail(llvm::toString(source.takeError()));
+  const SourceFile &file = **source;
+  auto setup = session.setup(file.path().empty() ? file.display() : file.path(), file.text());
+  if (!setup)
+    return fail(llvm::toString(setup.takeError()));
+  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
+                  setup->folders);
+  TraceWriter writer(llvm::outs(), *setup->dialect);
+  trace(project, project.unit(file), setup->limits, writer);
+  llvm::outs().flush();
+  return writer.hasLost() ? exitFindings : exitClean;
+}
+
+} // namespace ncvet::cli

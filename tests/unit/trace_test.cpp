@@ -1,0 +1,209 @@
+// The motions of small programs, by their points.
+#include "analyzer/trace.h"
+#include "tests/support/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ncvet {
+namespace {
+
+using testing::ElementsAre;
+
+/// Moves in a short form: "1 rapid X52 Z3", arcs with their centre and turns.
+class Written : public TraceSink {
+public:
+  std::vector<std::string> lines;
+
+  void moved(const TracedMove &traced) override {
+    const Move &move = traced.move;
+    static constexpr const char *kinds[] = {"rapid", "linear", "arc",     "thread",
+                                            "dwell", "tool",   "spindle", "end"};
+    std::string line = std::to_string(traced.unit->source.lines().lineOf(traced.begin)) + " " +
+                       kinds[size_t(move.kind)];
+    if (move.kind == MoveKind::Dwell || move.kind == MoveKind::Tool)
+      line += " " + number(move.value);
+    if (move.kind <= MoveKind::Thread)
+      line += place(move);
+    if (move.kind == MoveKind::Arc)
+      line += std::string(move.clockwise ? " cw " : " ccw ") + number(move.centre[0]) + "/" +
+              number(move.centre[1]) + " " + number(move.turns);
+    if (move.kind != MoveKind::Spindle)
+      lines.push_back(line);
+  }
+  void lost(const FileUnit &unit, SourceRange where, llvm::StringRef why) override {
+    lines.push_back(std::to_string(unit.source.lines().lineOf(where.begin)) +
+                    " lost: " + why.str());
+  }
+
+private:
+  static std::string number(const Interval &value) {
+    if (!value.isConstant())
+      return "?";
+    std::string text;
+    llvm::raw_string_ostream(text) << llvm::format("%.3f", value.value());
+    while (text.back() == '0')
+      text.pop_back();
+    if (text.back() == '.')
+      text.pop_back();
+    return text == "-0" ? "0" : text;
+  }
+  static std::string place(const Move &move) {
+    std::string text;
+    for (size_t i = 0; i < 3; ++i)
+      if (!move.to[i].isUnknown())
+        text += std::string(" ") + (move.machineAxes >> i & 1 ? "m" : "") + "XYZ"[i] +
+                number(move.to[i]);
+    return text;
+  }
+};
+
+std::vector<std::string> traceOf(const char *dialect, const std::string &program) {
+  Written written;
+  test::withProgram(dialect, {{"PART.nc", program}}, "",
+                    [&](Project &project, FileUnit &unit) { trace(project, unit, {}, written); });
+  return written.lines;
+}
+
+TEST(Trace, LinesAndArcsEndAtTheirPoints) {
+  EXPECT_THAT(traceOf("nct-104m", "%O0001\n"
+                                  "G90 G17 G0 X0 Y0 Z5\n"
+                                  "G1 Z-1 F100\n"
+                                  "G2 X20 Y0 I10 J0\n"
+                                  "G3 X30 Y10 R10\n"
+                                  "G3 I-10 J0\n"
+                                  "M30\n%\n"),
+              ElementsAre("2 rapid X0 Y0 Z5", "3 linear X0 Y0 Z-1", "4 arc X20 Y0 Z-1 cw 10/0 0.5",
+                          "5 arc X30 Y10 Z-1 ccw 20/10 0.25", "6 arc X30 Y10 Z-1 ccw 20/10 1",
+                          "7 end"));
+}
+
+TEST(Trace, RepeatedCallsRunAsOftenAsTheyAreCalled) {
+  EXPECT_THAT(traceOf("nct-104m", "%O0001\nG90 G0 X0 Y0 Z5\nM98 P2 L3\nM30\n"
+                                  "%O0002\nG91 G0 X10\nM99\n%\n"),
+              ElementsAre("2 rapid X0 Y0 Z5", "6 rapid X10 Y0 Z5", "6 rapid X20 Y0 Z5",
+                          "6 rapid X30 Y0 Z5", "4 end"));
+}
+
+TEST(Trace, DrillingIsTakenApart) {
+  EXPECT_THAT(traceOf("nct-104m", "%O0001\nG90 G0 X0 Y0 Z50 S500 M3\n"
+                                  "G99 G83 X10 Y0 Z-20 R2 Q8 E1 F80\n"
+                                  "G98 X30\n"
+                                  "G80 M30\n%\n"),
+              ElementsAre("2 rapid X0 Y0 Z50", "3 rapid X10 Y0 Z50", "3 rapid X10 Y0 Z2",
+                          "3 linear X10 Y0 Z-6", "3 rapid X10 Y0 Z2", "3 rapid X10 Y0 Z-5",
+                          "3 linear X10 Y0 Z-14", "3 rapid X10 Y0 Z2", "3 rapid X10 Y0 Z-13",
+                          "3 linear X10 Y0 Z-20", "3 rapid X10 Y0 Z2", "4 rapid X30 Y0 Z2",
+                          "4 linear X30 Y0 Z-6", "4 rapid X30 Y0 Z2", "4 rapid X30 Y0 Z-5",
+                          "4 linear X30 Y0 Z-14", "4 rapid X30 Y0 Z2", "4 rapid X30 Y0 Z-13",
+                          "4 linear X30 Y0 Z-20", "4 rapid X30 Y0 Z50", "5 end"));
+}
+
+/// A shift, a rotation about a point, and back: points in the coordinates of the work offset.
+TEST(Trace, FramesAreResolved) {
+  EXPECT_THAT(traceOf("nct-104m", "%O0001\nG90 G17 G0 X0 Y0 Z5\n"
+                                  "G68 X10 Y0 R90\n"
+                                  "X20\n"
+                                  "G69\n"
+                                  "G91 X1\n"
+                                  "M30\n%\n"),
+              ElementsAre("2 rapid X0 Y0 Z5", "4 rapid X0 Y10 Z5", "6 rapid X1 Y10 Z5", "7 end"));
+  EXPECT_THAT(traceOf("sinumerik", "G17 G90 G0 X0 Y0 Z5\n"
+                                   "TRANS X20 Y10\n"
+                                   "AROT RPL=90\n"
+                                   "X5\n"
+                                   "MIRROR X0\n"
+                                   "X5 Y0\n"
+                                   "TRANS\n"
+                                   "M30\n"),
+              ElementsAre("1 rapid X0 Y0 Z5", testing::StartsWith("4 rapid"), "6 rapid X-5 Y0 Z5",
+                          "8 end"));
+}
+
+TEST(Trace, PolarInputIsAnAngleAndARadius) {
+  EXPECT_THAT(traceOf("nct-104m", "%O0001\nG90 G17 G0 X0 Y0 Z5\nG16 X20 Y90\nY180\nG15\nM30\n%\n"),
+              ElementsAre("2 rapid X0 Y0 Z5", "3 rapid X0 Y20 Z5", "4 rapid X-20 Y0 Z5", "6 end"));
+  EXPECT_THAT(traceOf("sinumerik", "G17 G90 G0 X0 Y0 Z5\nG111 X50 Y50\nG0 AP=0 RP=30\nAP=90\n"
+                                   "M30\n"),
+              ElementsAre("1 rapid X0 Y0 Z5", "3 rapid X80 Y50 Z5", "4 rapid X50 Y80 Z5", "5 end"));
+}
+
+TEST(Trace, CornersArePutIn) {
+  EXPECT_THAT(traceOf("sinumerik", "G17 G90 G0 X0 Y0 Z0\n"
+                                   "G1 X60 CHF=4 F100\n"
+                                   "Y40 RND=8\n"
+                                   "X0 CHR=3\n"
+                                   "Y0\n"
+                                   "M30\n"),
+              ElementsAre("1 rapid X0 Y0 Z0", "2 linear X57.172 Y0 Z0", "2 linear X60 Y2.828 Z0",
+                          "3 linear X60 Y32 Z0", "3 arc X52 Y40 Z0 ccw 52/32 0.25",
+                          "4 linear X3 Y40 Z0", "4 linear X0 Y37 Z0", "5 linear X0 Y0 Z0",
+                          "6 end"));
+}
+
+/// A lathe's line by its angle from +Z: X is a diameter.
+TEST(Trace, AnAngleGivesTheMissingCoordinate) {
+  EXPECT_THAT(traceOf("haas-lathe", "G00 X22.525 Z0.\nG01 A110. X50. F0.2\nZ-30.\n"),
+              ElementsAre("1 rapid X22.525 Z0", "2 linear X50 Z-5", "3 linear X50 Z-30"));
+}
+
+TEST(Trace, ATurningPassReturnsToItsStart) {
+  EXPECT_THAT(traceOf("fanuc-0t", "G0 X50. Z60.\nG77 X36. Z20. R-4. F0.2\nG0 X60. Z80.\n"),
+              ElementsAre("1 rapid X50 Z60", "2 rapid X28 Z60", "2 linear X36 Z20",
+                          "2 linear X50 Z20", "2 rapid X50 Z60", "3 rapid X60 Z80"));
+}
+
+/// What only the run decides ends the trace, and says so.
+TEST(Trace, AnUnknownConditionEndsIt) {
+  EXPECT_THAT(traceOf("fanuc-0m", "O1\nG90 G0 X0 Y0\nIF [#1000 EQ 1] GOTO 10\nX10\nN10 M30\n"),
+              ElementsAre("2 rapid X0 Y0", "3 lost: what decides here is not known"));
+  EXPECT_THAT(traceOf("fanuc-0m", "O1\nG90 G0 X0 Y0\nM98 P77\nX10\nM30\n"),
+              ElementsAre("2 rapid X0 Y0", testing::StartsWith("3 lost")));
+}
+
+/// The switch for block skip counts as off: such blocks are executed.
+TEST(Trace, SkippedBlocksAreExecuted) {
+  EXPECT_THAT(traceOf("fanuc-0m", "O1\nG90 G0 X0 Y0\n/X10\nM30\n"),
+              ElementsAre("2 rapid X0 Y0", "3 rapid X10 Y0", "4 end"));
+}
+
+/// The moves without the lines that they come from.
+std::vector<std::string> wayOf(const char *dialect, const std::string &program) {
+  std::vector<std::string> way = traceOf(dialect, program);
+  for (std::string &line : way)
+    line.erase(0, line.find(' ') + 1);
+  return way;
+}
+
+TEST(TraceLaws, NumbersAndSpacesChangeNothing) {
+  EXPECT_EQ(wayOf("fanuc-0m", "O1\nG90G0X0Y0Z5\nG81X10Y5Z-3R1F90\nX20\nG80\nM98P2L2\nM30\n"
+                              "O2\nG91G1X5F80\nM99\n"),
+            wayOf("fanuc-0m", "O1\nN10 G90 G0 X0. Y0. Z5.\n\nN20 G81 X10. Y5. Z-3. R1. F90.\n"
+                              "(HOLE)\nN30 X20.\nN40 G80\nN50 M98 P2 L2\nN60 M30\n"
+                              "O2\nN10 G91 G1 X5. F80.\nN20 M99\n"));
+}
+
+TEST(TraceLaws, AnInchIsTwentyFivePointFourMillimetres) {
+  EXPECT_EQ(wayOf("fanuc-0m", "O1\nG21 G90 G17\nG0 X25.4 Y0. Z50.8\nG1 Z-2.54 F254.\n"
+                              "G2 X76.2 Y0. I25.4 J0.\nM30\n"),
+            wayOf("fanuc-0m", "O1\nG20 G90 G17\nG0 X1. Y0. Z2.\nG1 Z-.1 F10.\n"
+                              "G2 X3. Y0. I1. J0.\nM30\n"));
+}
+
+TEST(TraceLaws, MirroringTwiceIsNotMirroring) {
+  const std::string contour = "G0 X10 Y5\nG1 X30 F100\nG2 X40 Y15 I0 J10\nG0 X0 Y0\n";
+  const auto plain = wayOf("sinumerik", "G17 G90 G0 X0 Y0 Z5\n" + contour + "M30\n");
+  EXPECT_EQ(plain, wayOf("sinumerik", "G17 G90 G0 X0 Y0 Z5\nMIRROR X0\nAMIRROR X0\n" + contour +
+                                          "MIRROR\nM30\n"));
+  EXPECT_NE(plain,
+            wayOf("sinumerik", "G17 G90 G0 X0 Y0 Z5\nMIRROR X0\n" + contour + "MIRROR\nM30\n"));
+}
+
+TEST(TraceLaws, AWayOfIncrementsIsTheWayOfItsPoints) {
+  EXPECT_EQ(
+      wayOf("nct-104m", "%O1\nG90 G17 G0 X5 Y5 Z5\nG1 X15 F90\nG3 X25 Y15 I0 J10\nM30\n%\n"),
+      wayOf("nct-104m", "%O1\nG90 G17 G0 X5 Y5 Z5\nG91 G1 X10 F90\nG3 X10 Y10 I0 J10\nM30\n%\n"));
+}
+
+} // namespace
+} // namespace ncvet
