@@ -165,6 +165,7 @@ private:
   void repeat(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   bool holdsEnd(FileUnit &unit, uint32_t first, uint32_t end) const;
   bool holdsWayOut(FileUnit &unit, uint32_t first, uint32_t end) const;
+  bool neverLeft(FileUnit &unit, uint32_t target, uint32_t at);
   uint32_t endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const;
   void call(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void callMacro(Activation &activation, Live &live, int32_t program, const MachineState &before);
@@ -210,6 +211,7 @@ private:
   Outcome outcome_;
   std::map<Running, std::vector<Memo>> memos_;
   std::map<std::pair<FileId, uint32_t>, FlowShape> shapes_;
+  std::map<std::pair<FileId, uint32_t>, bool> closedLoops_; ///< by the jump that closes them
   llvm::DenseMap<uint32_t, uint32_t> covered_; ///< of the main file: begin → end of runs
   std::set<int64_t> usedNumbers_;
   std::set<int64_t> calledPrograms_;

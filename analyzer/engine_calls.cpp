@@ -522,10 +522,19 @@ bool Engine::holdsWayOut(FileUnit &unit, uint32_t first, uint32_t end) const {
     unit.reader->read(at, block);
     bool ends = false, returns = false;
     ending(block, ends, returns);
-    if (ends || returns || block.has(letterAddress('M')) ||
-        llvm::any_of(block.items, [](const Item &i) {
-          return i.kind == ItemKind::Jump || i.kind == ItemKind::Input || i.kind == ItemKind::Call;
-        }))
+    const auto leaves = [&](const Item &i) {
+      constexpr uint64_t alarm = 3000; // #3000 stops the program; a computed variable may be it
+      return i.kind == ItemKind::Jump || i.kind == ItemKind::Input || i.kind == ItemKind::Call ||
+             (i.kind == ItemKind::Assignment &&
+              (block.keyOf(i.target) == alarm || !block.keyOf(i.target)));
+    };
+    const auto calls = [&](const Word &word) {
+      const CodeIndex code = codeOf(*unit.dialect, word);
+      return code != noCode && (unit.dialect->codes[code].action == Action::MacroCall ||
+                                unit.dialect->codes[code].action == Action::MacroModal);
+    };
+    if (ends || returns || block.has(letterAddress('M')) || llvm::any_of(block.items, leaves) ||
+        llvm::any_of(block.words, calls))
       return true;
   }
   return false;

@@ -144,6 +144,18 @@ void Engine::backTo(Activation &activation, uint32_t target, Live live, bool cer
   add(activation, target, std::move(live));
 }
 
+/// Whether the jump of the block at hand leads back over blocks that hold no way out, whatever the
+/// values are. Asked once for every jump.
+bool Engine::neverLeft(FileUnit &unit, uint32_t target, uint32_t at) {
+  if (target > at || block_.skip >= 0 ||
+      llvm::any_of(block_.items, [](const Item &i) { return i.kind == ItemKind::If; }))
+    return false;
+  const auto [known, fresh] = closedLoops_.try_emplace({unit.source.id(), at}, false);
+  if (fresh)
+    known->second = !holdsWayOut(unit, target, at);
+  return known->second;
+}
+
 void Engine::jump(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
   const Region &region = activation.region;
   const Flow flow = outcome_.flow;
@@ -174,7 +186,10 @@ void Engine::jump(Activation &activation, Live &live, uint32_t at, const Machine
   }
   const auto number = int64_t(flow.target.number.value());
   usedNumbers_.insert(number);
-  if (const auto target = region.unit.index.block(region.program, number, at))
+  if (const auto target = region.unit.index.block(region.program, number, at);
+      target && neverLeft(region.unit, *target, at))
+    issue(FlowIssue::EndlessLoop, activation, live, before, where);
+  else if (target)
     goTo(activation, at, *target, std::move(live), certain);
   else
     issue(FlowIssue::UnknownBlock, activation, live, before, where);
@@ -373,7 +388,9 @@ void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const Machi
             {unit->source.id(), target, target + 1});
     Live one = live;
     one.path = step(live.path, PathNode::Kind::Jump, where);
-    if (here)
+    if (here && certain && item.arguments == 1 && neverLeft(*unit, target, at))
+      issue(FlowIssue::EndlessLoop, activation, one, before, where);
+    else if (here)
       goTo(activation, at, target, std::move(one), certain);
     else
       goOnIn(activation, std::move(one), *unit, *program, target);

@@ -70,7 +70,9 @@ private:
     if (findCode(dialect, block, {Action::Return}))
       return true;
     for (size_t i = 0; i < block.items.size(); ++i)
-      if (block.items[i].kind == ItemKind::Jump)
+      if (block.items[i].kind == ItemKind::Repeat && block.items[i].count == noExpression)
+        return true; // a repeat without a count that was never left
+      else if (block.items[i].kind == ItemKind::Jump)
         return i == 0 || block.items[i - 1].kind != ItemKind::If;
     return false;
   }
