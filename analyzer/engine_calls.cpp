@@ -311,7 +311,7 @@ void Engine::bindPositions(const Item &call, const MachineState &caller, Machine
   for (uint64_t i = 1; i <= uint64_t(state.ranges.lastLocal); ++i) {
     if (i <= given.size())
       state.locals.set(i, evaluate(block_, given[i - 1].expression, caller, nullptr));
-    else if (caller.locals.has(i))
+    else if (caller.locals.given(i) != Truth::No)
       state.locals.set(i, caller.locals.get(i));
   }
   state.commons.set(sharedVariableKey("_value"), Value::of(0));

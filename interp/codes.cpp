@@ -331,6 +331,7 @@ void Execution::applyEarly(const CodeUse &use) {
     Event &event = outcome_.emit(EventKind::CoordinateChange);
     event.code = use.code;
     event.word = use.word;
+    state_.polar = {inPlane()[0], Interval::unknown()}; // the last word is the radius
     break;
   }
   case Action::RotationOff:

@@ -371,12 +371,12 @@ void CornerPath::add(uint64_t tag, const Move &move, const CornerRequest &corner
       if (!move.to[i].isUnknown())
         resolved_ &= ~(1u << i);
   }
+  if (next.move.kind == MoveKind::Arc && !next.move.centre[0].isConstant())
+    findCentre(next.move);
   if (isCut(next.move) && (corner.kind != CornerRequest::Kind::None || corner.angle)) {
     waiting_ = next;
     return;
   }
-  if (next.move.kind == MoveKind::Arc && !next.move.centre[0].isConstant())
-    findCentre(next.move);
   give(next.tag, next.move, take);
 }
 

@@ -128,7 +128,9 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
       if (const Interval n = value(*word); n.isConstant())
         runs = std::min(std::max(1.0, std::floor(n.value())), mostHoles);
   for (double run = 0; run < runs; ++run) {
-    const std::array<Interval, 2> from = inPlane();
+    std::array<Interval, 2> from;
+    if (polarMayBeOn())
+      from = inPlane();
     for (const Word &word : block_.words)
       if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue) &&
           dialect_.addresses[word.address].axis != tool)
@@ -237,7 +239,7 @@ void Execution::contourProgram(const CodeUse &use, const WordSpec &spec) {
 bool Execution::patternPlaces(const CodeInfo &code) {
   if (code.count.empty())
     return false;
-  ConditionContext context{dialect_, machine_, block_, {}, state_};
+  ConditionContext context{dialect_, machine_, block_, {}, before_};
   const Interval count = levelOf(code.count, code, context);
   const Interval factor = lengthFactor();
   if (!count.isConstant() || !factor.isConstant() || count.value() < 1 || count.value() > mostHoles)
@@ -298,7 +300,8 @@ void Execution::runCompound(const CodeUse &use) {
     else if (spec.role == Role::Target || spec.role == Role::Depth)
       targets |= spec.any;
   }
-  storeCycleWords(!(before_.pendingCycle != noCode));
+  if (code.cycle != CycleKind::Pattern) // the active cycle keeps its own
+    storeCycleWords(before_.pendingCycle == noCode);
   const bool executes = block_.hasAny(first | targets) || (!first && !targets);
   if (code.twoBlock && !executes) {
     Event &event = outcome_.emit(EventKind::CycleStart);

@@ -355,7 +355,7 @@ void Evaluator::step(const ExpressionOp &op) {
   case Op::Exists: {
     // Given a value on some way at least; one that all programs share may have it from elsewhere.
     const auto key = uint64_t(op.value);
-    const bool never = key >= firstNamedVariable && !state_.locals.has(key);
+    const bool never = key >= firstNamedVariable && state_.locals.given(key) == Truth::No;
     stack_.push_back(never ? Value::of(0) : Value::of(Interval{0, 1}));
     return;
   }

@@ -39,6 +39,11 @@ void Execution::rebase(const FrameStack &frames) {
   const std::optional<Frame> from = state_.frames.total(), to = frames.total();
   const std::optional<Frame> back = to ? to->inverse() : std::nullopt;
   state_.frames = frames;
+  // What was cut so far lies elsewhere in the new coordinates.
+  state_.fedFrom = Interval::unknown();
+  for (Interval &area : state_.cutArea)
+    if (area.lo <= area.hi)
+      area = Interval::unknown();
   Point3 place;
   for (unsigned i = 0; i < spatial; ++i)
     place[i] = state_.machineAxes >> i & 1 ? Interval::unknown() : state_.position[i];

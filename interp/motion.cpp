@@ -225,7 +225,9 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   event.axes = axes;
   event.certain = code != nullptr;
   const Truth polar = polarMayBeOn() ? polarOn() : Truth::No;
-  const std::array<Interval, 2> from = inPlane();
+  std::array<Interval, 2> from;
+  if (polar == Truth::Yes)
+    from = inPlane();
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address)) {
       if (word.has(wordNoValue))
@@ -264,15 +266,10 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
   state_.factsMust = (state_.factsMust | on) & ~off;
   state_.factsMay = (state_.factsMay | on) & ~off;
-  if (masks_.polar != noGroup) {
-    // The word of the first plane axis is the radius; polar input takes the last one over.
-    const Axis first = planeOrder(dialect_, state_)[0];
-    if (axes & bit(first)) {
-      state_.set(Fact::PolarRadiusSet);
-      if (!polarMayBeOn())
-        state_.polar[0] = state_.at(first);
-    }
-  }
+  // The word of the first plane axis is the radius; polar input takes the last one over.
+  if (masks_.polar != noGroup && !state_.must(Fact::PolarRadiusSet) &&
+      axes & bit(planeOrder(dialect_, state_)[0]))
+    state_.set(Fact::PolarRadiusSet);
   if (!dialect_.isLathe())
     trackDepth(rapid);
   if (rapid) {

@@ -112,8 +112,6 @@ struct MotionState {
   /// Mills: Z from which the tool was fed down and below which it has been
   /// since; unknown when it is clear of the work or nothing is known.
   Interval fedFrom;
-  /// Controls with polar input: the radius and the angle for it that were written last.
-  std::array<Interval, 2> polar;
   /// Mills: box of X and Y in which the tool in use has cut; empty (lo > hi) before its first cut.
   std::array<Interval, 2> cutArea{emptyInterval, emptyInterval};
 };
@@ -147,7 +145,8 @@ struct SetupState {
   bool seeksBranch = false;
   bool restoresModes = false; ///< the running program gives its caller the modes back
   uint8_t profile = 0;        ///< 0: not in a profile; 1: read as data for roughing; 2: finishing
-  FrameStack frames;   ///< over the work offset; `position` is inside all of them
+  std::array<Interval, 2> polar; ///< radius and angle of polar input that were written last
+  FrameStack frames;             ///< over the work offset; `position` is inside all of them
   std::array<Interval, 2> pole{Interval::exactly(0), Interval::exactly(0)}; ///< in the plane's axes
 };
 

@@ -141,6 +141,25 @@ TEST(Trace, CornersArePutIn) {
                           "6 end"));
 }
 
+/// Copies of a hole, row by row and back, turned about the first one.
+TEST(Trace, AGridOfHolesIsDrilledToAndFro) {
+  const std::string grid = "N10 G0 X100 Y0 Z20\n"
+                           "N20 CYC_FEED = 200\n"
+                           " CYC_COPY_MENU_ROTATE_VIS = 1\n CYC_COPY_ROTATE = 90\n"
+                           " CYC_COPY_MENU_COUNT_VIS = 1\n"
+                           " CYC_COPY_COUNTX = 2\n CYC_COPY_COUNTY = 2\n"
+                           " CYC_COPY_DIFERENCEX = 10\n CYC_COPY_DIFERENCEY = 30\n"
+                           " CYC_COPY_ONLY_PARAM = 0\n CYC_DRILL1_HEIGHTSTART = 2\n"
+                           " CYC_DRILL1_HEIGHTSTOP = -5\n CYC_DRILL1_HEIGHTRETURN = 20\n"
+                           " CYC_COPY_PART = DRILL1\n CALLCYCLE(CYC_COPY)\n"
+                           "N30 M30\n";
+  std::vector<std::string> bottoms;
+  for (const std::string &line : traceOf("mefi", grid))
+    if (llvm::StringRef(line).endswith("Z-5"))
+      bottoms.push_back(line.substr(line.find('X')));
+  EXPECT_THAT(bottoms, ElementsAre("X100 Y0 Z-5", "X100 Y10 Z-5", "X70 Y10 Z-5", "X70 Y0 Z-5"));
+}
+
 /// A lathe's line by its angle from +Z: X is a diameter.
 TEST(Trace, AnAngleGivesTheMissingCoordinate) {
   EXPECT_THAT(traceOf("haas-lathe", "G00 X22.525 Z0.\nG01 A110. X50. F0.2\nZ-30.\n"),
