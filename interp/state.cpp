@@ -224,7 +224,7 @@ MachineState initialState(const Dialect &dialect) {
   state.localShift.fill(Interval::exactly(0));
   state.ranges = dialect.variableRanges;
   if (!dialect.localsBeginVacant)
-    state.locals.forget();
+    state.locals = Variables(); // unknown, and none given
   // A bit is spent on "away from the part": a program starts clear of it.
   state.set(Fact::AwayFromPart);
   return state;

@@ -13,11 +13,12 @@ namespace {
 
 llvm::ArrayRef<llvm::StringRef> codeKeys() {
   static constexpr llvm::StringLiteral keys[] = {
-      "title",        "group",    "does",     "cycle",       "cancelsCycle", "takes",
-      "needs",        "fires",    "opposite", "spindle",     "words",        "excludes",
-      "notices",      "variants", "switch",   "alone",       "exclusive",    "twoBlock",
-      "source",       "waits",    "ownMove",  "arguments",   "foreign",      "endsMotion",
-      "cancelsCalls", "family",   "stores",   "stopsSpindle", "levels", "frame", "places"};
+      "title",        "group",    "does",     "cycle",        "cancelsCycle", "takes",
+      "needs",        "fires",    "opposite", "spindle",      "words",        "excludes",
+      "notices",      "variants", "switch",   "alone",        "exclusive",    "twoBlock",
+      "source",       "waits",    "ownMove",  "arguments",    "foreign",      "endsMotion",
+      "cancelsCalls", "family",   "stores",   "stopsSpindle", "levels",       "frame",
+      "places"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
