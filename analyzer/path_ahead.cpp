@@ -1,0 +1,132 @@
+// The path behind the block at hand, followed in the text for rules that look at two elements.
+#include "analyzer/path_ahead.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+namespace {
+
+/// Blocks without a move that may stand between two elements.
+constexpr unsigned blocksBetween = 3;
+constexpr double shortest = 1e-6; // mm
+/// Directions are parallel when their sine is below this.
+constexpr double parallel = 1e-6;
+
+double dot(const std::array<double, 2> &a, const std::array<double, 2> &b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+
+/// Whether lengths are the same inside of the frames and outside.
+bool keepsLengths(const FrameStack &frames) {
+  if (frames.empty())
+    return true;
+  const auto total = frames.total();
+  if (!total)
+    return false;
+  constexpr double same = 1e-9;
+  for (size_t i = 0; i < 3; ++i)
+    for (size_t j = 0; j < 3; ++j) {
+      double product = 0;
+      for (size_t k = 0; k < 3; ++k)
+        product += total->turn[k][i] * total->turn[k][j];
+      if (std::fabs(product - (i == j ? 1 : 0)) > same)
+        return false;
+    }
+  return true;
+}
+
+} // namespace
+
+ExecutedBlock executedBlock(const RuleContext &ctx) {
+  return {ctx.dialect(), ctx.machine(), ctx.block(), ctx.outcome(), ctx.before(), ctx.after()};
+}
+
+PathAhead::PathAhead(const RuleContext &ctx)
+    : ctx_(ctx), executor_(ctx.dialect(), ctx.machine(), ctx.source().id()), after_(ctx.after()) {}
+
+bool PathAhead::next() {
+  constexpr uint32_t ends = bitOf(EventKind::UnknownCode) | bitOf(EventKind::ToolChange) |
+                            bitOf(EventKind::CycleStart) | bitOf(EventKind::CycleRun) |
+                            bitOf(EventKind::CoordinateChange) | bitOf(EventKind::Call) |
+                            bitOf(EventKind::Return) | bitOf(EventKind::ProgramEnd);
+  const Outcome &last = begun_ ? outcome_ : ctx_.outcome();
+  if (last.flow.kind != FlowKind::Next || last.macroAfterMove != notSet)
+    return false;
+  for (unsigned i = 0; i <= blocksBetween; ++i) {
+    const bool more = begun_ ? readOn(ctx_, block_) : readNext(ctx_, block_);
+    begun_ = true;
+    if (!more || !block_.items.empty() || block_.skip >= 0)
+      return false;
+    before_ = after_;
+    executor_.execute(block_, before_, after_, outcome_);
+    if (outcome_.flow.kind != FlowKind::Next || outcome_.kinds & ends)
+      return false;
+    if (outcome_.kinds & bitOf(EventKind::Motion))
+      return true;
+  }
+  return false;
+}
+
+double StraightElement::length() const { return std::hypot(to[0] - from[0], to[1] - from[1]); }
+
+std::array<double, 2> StraightElement::direction() const {
+  const double all = length();
+  return {(to[0] - from[0]) / all, (to[1] - from[1]) / all};
+}
+
+std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
+  const Dialect &dialect = executed.dialect;
+  const MachineState &before = executed.before, &after = executed.after;
+  const uint16_t plane = planeAxes(dialect, after);
+  const std::array<Axis, 2> axes = planeOrder(dialect, after);
+  // A control that mills and turns may read X as a diameter there.
+  if (!dialect.isLathe() && axes[0] == Axis::Z)
+    return std::nullopt;
+  if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) || before.profile == 1 ||
+      before.may(Fact::UnknownCode) || planeAxes(dialect, before) != plane ||
+      !(before.frames == after.frames) || !keepsLengths(after.frames))
+    return std::nullopt;
+  const Event *motion = nullptr;
+  for (const Event &event : executed.outcome.events)
+    if (event.kind == EventKind::Motion) {
+      if (motion)
+        return std::nullopt;
+      motion = &event;
+    }
+  if (!motion || !motion->certain || motion->motion != MotionKind::Feed || motion->code == noCode ||
+      dialect.codes[motion->code].action != Action::Linear || motion->axes & ~plane)
+    return std::nullopt;
+  StraightElement result;
+  for (size_t i = 0; i < 2; ++i) {
+    const Interval &from = before.at(axes[i]), &to = after.at(axes[i]);
+    if (!from.isConstant() || !to.isConstant() || before.inMachineCoordinates(axes[i]) ||
+        after.inMachineCoordinates(axes[i]))
+      return std::nullopt;
+    const double units = dialect.lengthsPerUnit(axes[i]);
+    result.from[i] = from.value() / units;
+    result.to[i] = to.value() / units;
+  }
+  return result.length() < shortest ? std::nullopt : std::optional(result);
+}
+
+std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,
+                                    const StraightElement &out) {
+  const auto a = in.direction(), b = out.direction();
+  const double sine = std::fabs(a[0] * b[1] - a[1] * b[0]), cosine = dot(a, b);
+  if (sine < parallel)
+    return std::nullopt;
+  switch (corner.kind) {
+  case CornerRequest::Kind::Rounding:
+    return corner.size * sine / (1 + cosine);
+  case CornerRequest::Kind::Legs:
+    return corner.size;
+  case CornerRequest::Kind::Across:
+    return corner.size / std::sqrt(2 + 2 * cosine);
+  case CornerRequest::Kind::None:
+    break;
+  }
+  return std::nullopt;
+}
+
+} // namespace ncvet

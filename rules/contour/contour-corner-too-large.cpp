@@ -1,0 +1,117 @@
+// A chamfer or rounding that does not fit on its neighbours, or is not positive.
+#include "analyzer/corner_words.h"
+#include "analyzer/path_ahead.h"
+
+namespace ncvet {
+namespace {
+
+class ContourCornerTooLarge final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    corners_ = cornerAddresses(to.dialect());
+    words_ = corners_.corner();
+    // A plain C is a chamfer where the line takes it and it is no axis.
+    if (to.dialect().isLathe() &&
+        to.dialect().addresses[letterAddress('C')].kind == AddressKind::Parameter)
+      words_ |= maskOf('C');
+    signed_ = to.option("signed", 0) != 0;
+    zero_ = to.option("zero", 0) != 0;
+    tolerance_ = to.option("tolerance", 0.002);
+    if (!words_)
+      return;
+    reader_.emplace(to.dialect());
+    to.onChange({EventKind::Motion});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    const Word *word = ctx.block().findAny(words_);
+    if (!word || !event.certain || event.number != 0 || ctx.before().profile == 1 ||
+        ctx.before().may(Fact::UnknownCode))
+      return;
+    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    const bool plain = maskOf(word->address) & (corners_.plain | maskOf('C'));
+    if ((event.motion != MotionKind::Feed && !(arc && !plain)) ||
+        takenByOther(ctx, words_ & lettersMask("IJKRC")))
+      return;
+    if (!plain && notPositive(*word, ctx))
+      return;
+    if (!arc)
+      fit(*word, ctx);
+  }
+
+private:
+  bool notPositive(const Word &word, RuleContext &ctx) const {
+    const AddressInfo &address = ctx.dialect().addresses[word.address];
+    if (signed_ && address.rounding)
+      return false;
+    const Interval size = lengthOf(word, ctx.block(), ctx.dialect(), ctx.machine(), ctx.after());
+    if (!(zero_ ? size.hi < 0 : size.hi <= 0))
+      return false;
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}`: the size of a corner is above zero", ctx.text(word));
+    return true;
+  }
+
+  /// The end of such a line is where it meets its neighbour, not the point of its words.
+  bool meetsElsewhere(const Block &block, RuleContext &ctx) const {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    return (block.hasAny(corners_.angle) && (axesOf(ctx, block) & plane) == plane) ||
+           block.hasAny(ctx.dialect().elementWords);
+  }
+
+  void fit(const Word &word, RuleContext &ctx) const {
+    const auto in = straightElement(executedBlock(ctx));
+    const CornerRequest corner = reader_->read(executedBlock(ctx));
+    PathAhead ahead(ctx);
+    if (!in || corner.kind == CornerRequest::Kind::None || meetsElsewhere(ctx.block(), ctx) ||
+        !ahead.next() || meetsElsewhere(ahead.block(), ctx))
+      return;
+    const auto out = straightElement(ahead.executed());
+    const auto taken = out ? takenByCorner(corner, *in, *out) : std::nullopt;
+    if (!taken)
+      return;
+    const SourceRange behind{ctx.source().id(), ahead.block().words.front().offset,
+                             ahead.block().endOf(ahead.block().words.back())};
+    if (*taken > in->length() + tolerance_) {
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` takes {1:f3} mm of this line, and it is {2:f3} mm long",
+                        ctx.text(word), *taken, in->length());
+      return;
+    }
+    if (*taken > out->length() + tolerance_) {
+      if (auto finding = ctx.report(word))
+        finding
+            .message("`{0}` takes {1:f3} mm of the line behind it, and that one is {2:f3} mm long",
+                     ctx.text(word), *taken, out->length())
+            .note(behind, "the line behind");
+      return;
+    }
+    // A corner at either end of the line behind.
+    const CornerRequest second = reader_->read(ahead.executed());
+    if (second.kind == CornerRequest::Kind::None || !ahead.next() ||
+        meetsElsewhere(ahead.block(), ctx))
+      return;
+    const auto third = straightElement(ahead.executed());
+    const auto further = third ? takenByCorner(second, *out, *third) : std::nullopt;
+    if (!further || *further > out->length() + tolerance_ ||
+        *taken + *further <= out->length() + tolerance_)
+      return;
+    if (auto finding = ctx.report(word))
+      finding
+          .message("`{0}` and the corner at its other end take {1:f3} mm of the line behind, and "
+                   "it is {2:f3} mm long",
+                   ctx.text(word), *taken + *further, out->length())
+          .note(behind, "the line behind");
+  }
+
+  CornerAddresses corners_;
+  AddressMask words_ = 0;
+  std::optional<CornerWords> reader_;
+  bool signed_ = false;      ///< the sign of a rounding is the sense of its turn
+  bool zero_ = false;        ///< a size of zero leaves the corner as it is
+  double tolerance_ = 0.002; // mm
+};
+
+} // namespace
+NCVET_RULE(ContourCornerTooLarge, contour_corner_too_large)
+} // namespace ncvet
