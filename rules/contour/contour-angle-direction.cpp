@@ -1,0 +1,188 @@
+// The end of a line does not lie in the direction of its angle.
+#include "analyzer/corner_words.h"
+#include "analyzer/path_ahead.h"
+#include "interp/arc.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ncvet {
+namespace {
+
+using Point = std::array<double, 2>;
+
+Point directionOf(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return {std::cos(angle), std::sin(angle)};
+}
+double dot(const Point &a, const Point &b) { return a[0] * b[0] + a[1] * b[1]; }
+Point minus(const Point &a, const Point &b) { return {a[0] - b[0], a[1] - b[1]}; }
+
+class ContourAngleDirection final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    corners_ = cornerAddresses(to.dialect());
+    if (corners_.angle)
+      to.onChange({EventKind::Motion});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (!event.certain || event.code == noCode || event.number != 0 || ctx.before().profile == 1 ||
+        ctx.before().may(Fact::UnknownCode))
+      return;
+    if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
+      circleAndLine(event, ctx);
+    else if (event.motion == MotionKind::Feed && ctx.code(event).action == Action::Linear)
+      line(ctx);
+  }
+
+private:
+  void line(RuleContext &ctx) const {
+    const Word *word = ctx.block().findAny(corners_.angle);
+    if (!word || takenByOther(ctx, corners_.angle & corners_.plain))
+      return;
+    const Interval angle = ctx.value(*word);
+    if (!angle.isConstant())
+      return;
+    const Dialect &dialect = ctx.dialect();
+    const std::array<Axis, 2> axes = planeOrder(dialect, ctx.after());
+    const Point direction = directionOf(angle.value());
+    Point way{};
+    unsigned given = 0, which = 0;
+    for (unsigned i = 0; i < 2; ++i) {
+      if (!(axesOf(dialect, ctx.block()) >> unsigned(axes[i]) & 1))
+        continue;
+      const Interval &from = ctx.before().at(axes[i]), &to = ctx.outcome().via[size_t(axes[i])];
+      if (!from.isConstant() || !to.isConstant() || ctx.before().inMachineCoordinates(axes[i]))
+        return;
+      way[i] = (to.value() - from.value()) / dialect.lengthsPerUnit(axes[i]);
+      which = i;
+      ++given;
+    }
+    if (given == 2)
+      misses(*word, direction, way, ctx);
+    else if (given == 1)
+      opposite(*word, axes[which], direction[which], way[which], ctx);
+  }
+
+  /// By one coordinate: the way to it points against the angle.
+  void opposite(const Word &word, Axis axis, double component, double way, RuleContext &ctx) const {
+    // Where the next element ends such a line the coordinate is not its end.
+    if (dialectEndsByNext(ctx) || (word.address == commaA && ctx.after().compensation != phaseOff))
+      return;
+    if (std::fabs(component) < parallel || std::fabs(way) < shortest || component * way > 0)
+      return;
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}` points towards {1}{2}, and the end of this line lies towards {3}{2}",
+                      ctx.text(word), component > 0 ? "+" : "-",
+                      axis == Axis::X   ? "X"
+                      : axis == Axis::Y ? "Y"
+                                        : "Z",
+                      way > 0 ? "+" : "-");
+  }
+
+  static bool dialectEndsByNext(const RuleContext &ctx) {
+    return ctx.dialect().lineAngleWords != 0;
+  }
+
+  /// By both coordinates: the line at this angle through the end does not lead through the start.
+  void misses(const Word &word, const Point &direction, const Point &way, RuleContext &ctx) const {
+    // The end of an arc may be what this line decides.
+    if (!dialectEndsByNext(ctx) || isArcActive(ctx.before(), ctx.dialect()) ||
+        ctx.block().hasAny(ctx.dialect().elementWords))
+      return;
+    const double length = std::hypot(way[0], way[1]);
+    const double aside = std::fabs(direction[0] * way[1] - direction[1] * way[0]);
+    if (aside < leastAside || aside < leastSine * length)
+      return;
+    if (auto finding = ctx.report(word))
+      finding.message("the line at `{0}` through its end passes {1:f3} mm beside its start",
+                      ctx.text(word), aside);
+  }
+
+  static bool isArcActive(const MachineState &state, const Dialect &dialect) {
+    const CodeInfo *motion = state.activeCode(dialect, StandardGroup::Motion);
+    return !motion || isArc(motion->action);
+  }
+
+  /// A circle, and a line whose end and angle are given: it begins at one of the two points in
+  /// which it meets the circle, and runs from there to its end.
+  void circleAndLine(const Event &event, RuleContext &ctx) const {
+    if (!(corners_.angle & maskOf(commaA)) || ctx.after().compensation == phaseOff)
+      return;
+    const bool clockwise = event.motion == MotionKind::ArcCw;
+    const Dialect &dialect = ctx.dialect();
+    const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
+    const ArcGeometry arc =
+        arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    if (!arc.start || !arc.end)
+      return;
+    PathAhead ahead(ctx);
+    if (!ahead.next())
+      return;
+    const Word *angleWord = ahead.block().find(commaA), *selector = ahead.block().find('Q');
+    const CodeInfo *motion = ahead.executed().after.activeCode(dialect, StandardGroup::Motion);
+    const uint16_t plane = planeAxes(dialect, ctx.after());
+    if (!angleWord || !selector || !motion || motion->action != Action::Linear ||
+        (axesOf(ctx, ahead.block()) & plane) != plane)
+      return;
+    const Interval angle = wordValue(*angleWord, ahead.block(), ahead.executed().before);
+    const Interval chosen = wordValue(*selector, ahead.block(), ahead.executed().before);
+    const auto centre = words.hasCentre() ? arc.centre()
+                        : arc.radius ? centreByRadius(*arc.start, *arc.end, *arc.radius, clockwise)
+                                     : std::nullopt;
+    if (!angle.isConstant() || !chosen.isConstant() || chosen.value() == 0 || !centre)
+      return;
+    Point target{};
+    for (size_t i = 0; i < 2; ++i) {
+      const Interval &to = ahead.outcome().via[size_t(words.axes[i])];
+      if (!to.isConstant())
+        return;
+      target[i] = to.value() / dialect.lengthsPerUnit(words.axes[i]);
+    }
+    const Point direction = directionOf(angle.value());
+    const double radius =
+        std::hypot((*arc.start)[0] - (*centre)[0], (*arc.start)[1] - (*centre)[1]);
+    const double along = dot(direction, minus(*centre, target));
+    const Point foot{target[0] + direction[0] * along, target[1] + direction[1] * along};
+    const double away = std::hypot((*centre)[0] - foot[0], (*centre)[1] - foot[1]);
+    if (away >= radius)
+      return;
+    const double half = std::sqrt(radius * radius - away * away) * (chosen.value() < 0 ? -1 : 1);
+    const Point taken{foot[0] + direction[0] * half, foot[1] + direction[1] * half};
+    const Point other{foot[0] - direction[0] * half, foot[1] - direction[1] * half};
+    // Meant is the point on the way that the circle's own words describe.
+    if (onArc(taken, *arc.start, *arc.end, *centre, clockwise) ||
+        !onArc(other, *arc.start, *arc.end, *centre, clockwise) ||
+        dot(direction, minus(target, other)) >= 0)
+      return;
+    const SourceRange at{ctx.source().id(), angleWord->offset, ahead.block().endOf(*angleWord)};
+    if (auto finding = ctx.report(at))
+      finding.severity(Severity::Warning)
+          .message("`{0}` points from the end of this line back to the circle: the control leaves "
+                   "the circle at the other of the two points in which they meet",
+                   ctx.text(at))
+          .note(ctx.blockRange(), "the circle");
+  }
+
+  static bool onArc(const Point &point, const Point &start, const Point &end, const Point &centre,
+                    bool clockwise) {
+    const auto turned = [&](const Point &to) { // from the start, in full turns
+      const double a = std::atan2(start[1] - centre[1], start[0] - centre[0]);
+      const double b = std::atan2(to[1] - centre[1], to[0] - centre[0]);
+      const double turns = (clockwise ? a - b : b - a) / (2 * std::numbers::pi);
+      return turns - std::floor(turns);
+    };
+    return turned(point) <= turned(end);
+  }
+
+  static constexpr double parallel = 1e-6;
+  static constexpr double shortest = 1e-4;   // mm
+  static constexpr double leastAside = 0.05; // mm: coordinates and angles are written rounded
+  static constexpr double leastSine = 0.002; // a tenth of a degree
+  CornerAddresses corners_;
+};
+
+} // namespace
+NCVET_RULE(ContourAngleDirection, contour_angle_direction)
+} // namespace ncvet
