@@ -1,0 +1,54 @@
+// Contours to look at again: conventional milling, and arcs that a drawing shows mirrored.
+#include "analyzer/rule.h"
+
+namespace ncvet {
+namespace {
+
+class ContourMillingDirection final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    if (!to.dialect().isLathe())
+      to.on({EventKind::Motion, EventKind::CompensationMove});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    if (event.code == noCode || !event.certain)
+      return;
+    if (event.kind == EventKind::Motion)
+      seenFrom(event, ctx);
+    else
+      side(event, ctx);
+  }
+
+private:
+  /// The tool's side and the spindle's direction tell climb from conventional milling.
+  static void side(const Event &event, RuleContext &ctx) {
+    const Action action = ctx.code(event).action;
+    const uint8_t spindle = ctx.after().spindle;
+    const bool conventional = (action == Action::CompensationRight && spindle == spindleCw) ||
+                              (action == Action::CompensationLeft && spindle == spindleCcw);
+    if (!conventional)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("`{0}` with this direction of the spindle is conventional milling: each tooth "
+                   "begins at the finished surface",
+                   ctx.code(event).name)
+          .note(ctx.after().origin.spindle, "the spindle is switched on here");
+  }
+
+  /// Arcs of ZX are seen along Y from its positive end: Z points up and X to the left there.
+  static void seenFrom(const Event &event, RuleContext &ctx) {
+    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+        ctx.after().activeAction(ctx.dialect(), StandardGroup::Plane) != Action::PlaneZX)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` in the ZX plane is seen from +Y: a drawing with X to the right shows "
+                      "this arc turning the other way",
+                      ctx.code(event).name);
+  }
+};
+
+} // namespace
+NCVET_RULE(ContourMillingDirection, contour_milling_direction)
+} // namespace ncvet
