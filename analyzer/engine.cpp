@@ -323,7 +323,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       const bool guardHolds =
           block_.items.empty() || unit.executor.guard(block_, live.state) != Truth::No;
       unit.executor.execute(block_, before, live.state, outcome_, guardHolds);
-      if (watcher_)
+      if (watcher_ && !stopped_)
         watcher_->executed(unit, block_, outcome_, before, live.state);
       collector_.beginVisit(live.path);
       if (region.kind == Kind::Main && block_.number >= 0 && &unit == &unit_ &&

@@ -261,6 +261,9 @@ CornerWords::CornerWords(const Dialect &dialect) {
 CornerRequest CornerWords::read(const ExecutedBlock &executed) const {
   CornerRequest request;
   const Block &block = executed.block;
+  request.said = executed.after.position;
+  request.axes = axesOf(executed.dialect, block);
+  request.shifts = executed.outcome.kinds & bitOf(EventKind::CoordinateChange);
   if (!block.hasAny(all_))
     return request;
   const CodeInfo *motion = executed.after.activeCode(executed.dialect, StandardGroup::Motion);
@@ -286,9 +289,6 @@ CornerRequest CornerWords::read(const ExecutedBlock &executed) const {
     request.kind = CornerRequest::Kind::Legs;
     request.size = *legs;
   }
-  request.said = executed.after.position;
-  request.axes = axesOf(executed.dialect, block);
-  request.shifts = executed.outcome.kinds & bitOf(EventKind::CoordinateChange);
   if (const Word *word = block.findAny(angle_); word && line && executed.after.frames.empty()) {
     const Interval v = wordValue(*word, block, executed.after);
     if (v.isConstant())
@@ -399,9 +399,8 @@ void CornerPath::resolve(Waiting &first, Waiting &second, Take take) {
         !second.corner.angle)
       second.move.to[size_t(axis)] = second.corner.said[size_t(axis)];
   from_ = begin;
-  if (!putCorner(first, second, take)) {
+  if (!putCorner(first, second, take))
     give(first.tag, first.move, take);
-  }
   waiting_.reset();
 }
 

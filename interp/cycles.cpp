@@ -8,7 +8,7 @@ namespace ncvet {
 
 namespace {
 /// A cycle's count of repeats beyond this is an error that rules report.
-constexpr double mostHoles = 10000;
+constexpr double mostHoles = 1000;
 
 const WordSpec *wordWithRole(const CodeInfo &code, Role role) {
   const auto at = llvm::find_if(code.words, [&](const WordSpec &w) { return w.role == role; });
@@ -126,8 +126,8 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   if (const WordSpec *count = wordWithRole(code, Role::Repeat))
     if (const Word *word = wordFor(block_, *count))
       if (const Interval n = value(*word); n.isConstant())
-        runs = std::min(std::max(1.0, std::floor(n.value())), mostHoles);
-  for (double run = 0; run < runs; ++run) {
+        runs = std::max(1.0, std::floor(n.value()));
+  for (double run = 0; run < std::min(runs, mostHoles); ++run) {
     std::array<Interval, 2> from;
     if (polarMayBeOn())
       from = inPlane();
@@ -141,6 +141,8 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
       setInPlane({});
     outcome_.holes.push_back(state_.position);
   }
+  if (runs > mostHoles) // no further than that it is followed
+    setInPlane({});
   if (polarMayBeOn() && (axes & planeAxes(dialect_, state_)))
     state_.set(Fact::PolarRadiusSet);
   // Where along the tool axis the cycle ends: at R, or at the level where it began.

@@ -150,6 +150,8 @@ FrameStack::Data &FrameStack::own() {
 }
 
 void FrameStack::put(uint8_t name, const std::optional<Frame> &frame) {
+  if (frame && *frame == Frame()) // G52 with zeros
+    return remove(name);
   auto &entries = own().entries;
   for (Entry &entry : entries)
     if (entry.name == name) {

@@ -82,6 +82,10 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
   const FrameKind kind = kindOf(code);
   // The words of a frame that turns or scales are angles and factors, those of a function its
   // centre.
+  if (isTransformation(code) && llvm::any_of(block_.words, [&](const Word &word) {
+        return dialect_.axisWords & maskOf(word.address) && countsFromBefore(word) != Truth::No;
+      }))
+    return std::nullopt; // a centre that counts from the present place
   const std::optional<FrameWords> words =
       frameWords(isTransformation(code) || kind == FrameKind::Shift || kind == FrameKind::Mirror);
   if (!words)
@@ -90,8 +94,12 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
     for (const WordSpec &spec : code.words)
       if (spec.role == role)
         if (const Word *word = wordFor(block_, spec)) {
+          // A ratio without a point counts in thousandths on some controls; an angle under
+          // incremental input may add up.
+          const bool clear = role == Role::Ratio ? word->has(wordPoint) || !word->isNumber()
+                                                 : countsFromBefore(*word) == Truth::No;
           const Interval v = value(*word);
-          if (v.isConstant())
+          if (v.isConstant() && (clear || !isTransformation(code)))
             return v.value();
         }
     return std::nullopt;

@@ -172,6 +172,30 @@ TEST(Trace, ATurningPassReturnsToItsStart) {
                           "2 linear X50 Z20", "2 rapid X50 Z60", "3 rapid X60 Z80"));
 }
 
+/// A centre under incremental input, and a ratio without a point, may mean several things.
+TEST(Trace, WhatATransformationMayMeanIsNotGuessed) {
+  EXPECT_THAT(traceOf("fanuc-0m", "O1\nG90 G17 G0 X10 Y0 Z5\nG51 X0 Y0 Z0 P500\nX20\nG50\n"
+                                  "G90 X30 Y0\nM30\n"),
+              ElementsAre("2 rapid X10 Y0 Z5", "4 rapid", "6 rapid X30 Y0", "7 end"));
+  EXPECT_THAT(traceOf("nct-104m", "%O1\nG90 G17 G0 X10 Y0 Z5\nG91 G68 X5 Y0 R90\nX1\nG69\n"
+                                  "G90 X30 Y0 Z5\nM30\n%\n"),
+              ElementsAre("2 rapid X10 Y0 Z5", "4 rapid", "6 rapid X30 Y0 Z5", "7 end"));
+}
+
+/// Behind a line whose end only the path knows, a word that is not known stays so.
+TEST(Trace, AnUnknownWordIsNotCarriedOver) {
+  EXPECT_THAT(traceOf("nct-104t", "%O1\nG0 G18 G90 G42 X18 Z-20\nG1 X14 ,A210 F0.1\nZ-30\n"
+                                  "X#500\nM30\n%\n"),
+              ElementsAre("2 rapid X18 Z-20", "3 linear X14 Z-23.464", "4 linear X14 Z-30",
+                          "5 linear Z-30", "6 end"));
+}
+
+TEST(Trace, ACountOfRepeatsBeyondAllMeasureEnds) {
+  EXPECT_THAT(traceOf("nct-104m", "%O1\nG90 G17 G0 X0 Y0 Z5\nG91 G99 G81 X1 Z-3 R-2 L999999 F90\n"
+                                  "G80 M30\n%\n"),
+              testing::Contains("4 end"));
+}
+
 /// What only the run decides ends the trace, and says so.
 TEST(Trace, AnUnknownConditionEndsIt) {
   EXPECT_THAT(traceOf("fanuc-0m", "O1\nG90 G0 X0 Y0\nIF [#1000 EQ 1] GOTO 10\nX10\nN10 M30\n"),
