@@ -32,7 +32,7 @@ struct AnalysisResult {
 
 /// Budgets, each with its reason. The defaults suit batch use.
 struct AnalysisLimits {
-  /// Blocks executed again (loops, calls): about two seconds of work.
+  /// Blocks executed again (loops, calls), statements counted as several: one to two seconds.
   uint64_t repeatedBlocks = 3'000'000;
   /// Calls inside calls: no control allows more than ten, the rest is room for findings.
   unsigned callDepth = 32;

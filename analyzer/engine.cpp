@@ -34,6 +34,12 @@ struct PlainRun {
   }
 };
 
+/// What executing a block costs, in plain moves.
+uint64_t workOf(const Block &block) {
+  constexpr uint64_t statement = 4; // expressions, states that meet
+  return block.items.empty() ? 1 : statement;
+}
+
 /// Issues behind which the control stops, or goes where the text does not say.
 bool endsTheWay(FlowIssue kind) {
   switch (kind) {
@@ -245,7 +251,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
     }
     if (firstTime && region.depth == 0 && region.kind == Kind::Main)
       ++blocks_;
-    else if (++repeated_ > limits_.repeatedBlocks) {
+    else if ((repeated_ += workOf(block_) * lives.size()) > limits_.repeatedBlocks) {
       if (!abstract_)
         cut("loops and calls were too long to be run to the end");
       abstract_ = true;

@@ -103,6 +103,9 @@ private:
     unsigned nextSnapshot = 16;
     unsigned snapshotForks = 0; ///< forks of the activation at the time of the snapshot
     unsigned windowEnd = 0;     ///< visits up to this one are compared with the snapshot
+    unsigned lastForks = 0;     ///< forks of the activation at the last visit
+    unsigned forkedVisits = 0;  ///< visits behind a pass in which something unknown decided
+    uint64_t firstStep = 0;     ///< steps of the engine at the first visit
   };
   struct Activation {
     const Region &region;
@@ -170,6 +173,7 @@ private:
   void call(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void callMacro(Activation &activation, Live &live, int32_t program, const MachineState &before);
   void contour(Activation &activation, Live &live, const MachineState &before);
+  bool runsForReal(const Activation &activation, Head &head) const;
   bool entersStructure(const Region &region, uint32_t from, uint32_t target);
   void checkArguments(Activation &activation, const Live &live, const MachineState &before,
                       const Callee &callee, const Item &call);

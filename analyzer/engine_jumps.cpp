@@ -8,6 +8,11 @@ namespace {
 
 /// Visits of a loop head with joined states before bounds that still move are given up.
 constexpr unsigned visitsBeforeWidening = 8;
+/// Passes of a loop in which something unknown decides where to go: as likely as not it decides on
+/// the way out, and the loop has no number of passes at all. So many are run, fewer when they are
+/// long.
+constexpr unsigned maxForkedVisits = 128, minForkedVisits = 4;
+constexpr uint64_t maxForkedSteps = 1000; ///< blocks, those of called programs included
 /// A jump to a number that is not known may go to any block with a number, when these are few.
 constexpr size_t maxComputedTargets = 64;
 
@@ -108,10 +113,22 @@ SourceRange Engine::loopAt(const Activation &activation, uint32_t target) const 
   return {unit.source.id(), activation.lastBegin, activation.lastEnd};
 }
 
+/// Whether a loop whose last jump back is certain is followed pass by pass.
+bool Engine::runsForReal(const Activation &activation, Head &head) const {
+  if (head.visits == 1)
+    head.firstStep = steps_;
+  head.forkedVisits += head.lastForks != activation.forks;
+  head.lastForks = activation.forks;
+  head.abstract |=
+      head.forkedVisits > maxForkedVisits ||
+      (head.forkedVisits > minForkedVisits && steps_ - head.firstStep > maxForkedSteps);
+  return !head.abstract && !abstract_;
+}
+
 void Engine::backTo(Activation &activation, uint32_t target, Live live, bool certain) {
   Head &head = activation.heads[target];
   ++head.visits;
-  if (certain && !head.abstract && !abstract_) {
+  if (certain && runsForReal(activation, head)) {
     // Run for real, unless the same state comes round again: then it comes round for ever. Hashing
     // every pass would cost more than running it, so this is looked for at growing distances.
     constexpr unsigned window = 4;

@@ -258,6 +258,10 @@ MachineState unknownState(const Dialect &dialect) {
 }
 
 bool equal(const MachineState &a, const MachineState &b) {
+  // Most states that meet differ in what they have done or where they are.
+  if (a.factsMay != b.factsMay || a.factsMust != b.factsMust || a.group != b.group ||
+      std::memcmp(a.position.data(), b.position.data(), sizeof a.position) != 0)
+    return false;
   llvm::SmallVector<uint64_t, 192> parts;
   visitParts(a, [&](uint64_t v) { parts.push_back(v); });
   size_t i = 0;

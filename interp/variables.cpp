@@ -116,6 +116,12 @@ bool operator==(const Variables &a, const Variables &b) {
   const auto same = [&](const Variables::Entry &x, const Variables::Entry &y) {
     return x.value == y.value && x.given == y.given;
   };
+  if (a.data_ && b.data_) { // most often the two name the same variables
+    const auto &left = a.data_->entries, &right = b.data_->entries;
+    if (std::equal(left.begin(), left.end(), right.begin(), right.end(),
+                   [](const auto &x, const auto &y) { return x.number == y.number; }))
+      return std::equal(left.begin(), left.end(), right.begin(), same);
+  }
   for (const auto &entry : a.data_ ? a.data_->entries : none)
     if (!same(entry, b.entryOf(entry.number)))
       return false;
