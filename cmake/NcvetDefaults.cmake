@@ -11,14 +11,8 @@ endif()
 
 find_program(NCVET_CCACHE ccache)
 if(NCVET_CCACHE)
-  # ccache declines whatever uses a precompiled header unless it may trust the header's own time and
-  # defines, and g++ leaves the header's name in its output.
-  set(NCVET_CACHED env CCACHE_SLOPPINESS=pch_defines,time_macros ${NCVET_CCACHE})
-  set(CMAKE_C_COMPILER_LAUNCHER ${NCVET_CACHED})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${NCVET_CACHED})
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
-  endif()
+  set(CMAKE_C_COMPILER_LAUNCHER ${NCVET_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_SOURCE_DIR}/cmake/cached.sh)
 endif()
 
 option(NCVET_SANITIZE "Build with address and undefined-behaviour sanitizer" OFF)

@@ -1,0 +1,17 @@
+#!/bin/sh
+# Runs a compiler by ccache, precompiled headers included.
+#
+# ccache declines what uses a precompiled header unless it may trust the header's own time and
+# defines, and needs g++ to name the header in the preprocessed text. A header that is being
+# precompiled must not have that option: preprocessing would take the old precompiled one for it,
+# and the cache give back a stale header.
+case $1 in
+*clang*) ;;
+*)
+  case " $* " in
+  *" c++-header "*) ;;
+  *) set -- "$@" -fpch-preprocess ;;
+  esac
+  ;;
+esac
+CCACHE_SLOPPINESS=pch_defines,time_macros exec ccache "$@"
