@@ -2,8 +2,10 @@
 #include "analyzer/checker.h"
 
 #include "analyzer/block_at.h"
+#include "analyzer/contour_report.h"
 #include "formats/finding/fingerprint.h"
 
+#include <cmath>
 #include <set>
 
 namespace ncvet {
@@ -120,6 +122,32 @@ private:
 
 } // namespace
 
+namespace {
+
+/// "12: contour on the left, 8 elements, safe up to R6.00"
+std::vector<std::string> contourLines(llvm::ArrayRef<CompensatedContour> contours,
+                                      const FileUnit &main) {
+  std::vector<std::string> lines;
+  for (const CompensatedContour &contour : contours) {
+    const SourceFile &file = contour.unit->source;
+    std::string line = std::to_string(file.lines().lineOf(contour.begin)) + ":";
+    if (contour.unit != &main)
+      line += " (" + file.display() + ")";
+    line += llvm::formatv(" contour on the {0}, {1} {2}{3}, ", contour.onLeft ? "left" : "right",
+                          contour.elements, contour.elements == 1 ? "element" : "elements",
+                          contour.whole ? "" : " known");
+    // What is rounded up would not fit.
+    line +=
+        contour.largest
+            ? llvm::formatv("safe up to R{0:f2}", std::floor(*contour.largest * 100) / 100).str()
+            : "safe for any tool";
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+} // namespace
+
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file) {
   FileOutcome outcome;
   const std::string &name = file.path().empty() ? file.display() : file.path();
@@ -141,6 +169,8 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);
   SuppressionStep(project, unit, *setup->rules).run(result.findings, outcome);
+  if (session.options().contours)
+    outcome.contours = contourLines(compensatedContours(project, unit, setup->limits), unit);
   Namer namer(project);
   outcome.findings.reserve(result.findings.size());
   for (Finding &finding : result.findings) {

@@ -20,6 +20,8 @@ struct FileOutcome {
   uint64_t blocks = 0;
   bool complete = true;
   std::vector<std::string> cuts; ///< why not complete
+  /// The compensated contours, one line each: "12: on the left, 8 elements, safe up to R6.00".
+  std::vector<std::string> contours;
   FailOn failOn = Severity::Error;
   /// Those that are suppressed among them, and those about unused suppressions.
   std::vector<CheckedFinding> findings;

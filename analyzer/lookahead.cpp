@@ -12,9 +12,9 @@ namespace {
 /// Longer profiles than this are no contour that anybody wrote.
 constexpr size_t maxProfileBlocks = 2000;
 
-bool readFrom(const RuleContext &ctx, uint32_t offset, uint32_t end, Block &next) {
+bool readFrom(const FileIndex &index, uint32_t offset, uint32_t end, Block &next) {
   while (offset < end) {
-    ctx.index().reader().read(offset, next);
+    index.reader().read(offset, next);
     if (next.kind == BlockKind::Tape && next.isEmpty())
       return false;
     if (!next.isEmpty())
@@ -22,6 +22,18 @@ bool readFrom(const RuleContext &ctx, uint32_t offset, uint32_t end, Block &next
     offset = next.next;
   }
   return false;
+}
+
+} // namespace
+
+bool readNext(const RuleContext &ctx, Block &next) {
+  return readFrom(ctx.index(), ctx.block().next, ctx.index().programAt(ctx.block().begin).end,
+                  next);
+}
+
+bool readOn(const FileIndex &index, Block &block) {
+  const uint32_t from = block.next;
+  return readFrom(index, from, index.programAt(block.begin).end, block);
 }
 
 SourceRange wordsRange(const RuleContext &ctx, const Block &block) {
@@ -33,17 +45,6 @@ SourceRange wordsRange(const RuleContext &ctx, const Block &block) {
   if (range.begin >= range.end)
     range = {ctx.source().id(), block.begin, std::max(block.end, block.begin + 1)};
   return range;
-}
-
-} // namespace
-
-bool readNext(const RuleContext &ctx, Block &next) {
-  return readFrom(ctx, ctx.block().next, ctx.index().programAt(ctx.block().begin).end, next);
-}
-
-bool readOn(const RuleContext &ctx, Block &block) {
-  const uint32_t from = block.next;
-  return readFrom(ctx, from, ctx.index().programAt(block.begin).end, block);
 }
 
 bool readPrevious(const RuleContext &ctx, Block &previous) {

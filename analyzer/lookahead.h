@@ -11,11 +11,15 @@ namespace ncvet {
 /// False at the program's end. Jumps and calls are not followed.
 bool readNext(const RuleContext &ctx, Block &next);
 /// The same, behind a block that `readNext` returned; `block` is overwritten.
-bool readOn(const RuleContext &ctx, Block &block);
+bool readOn(const FileIndex &index, Block &block);
+inline bool readOn(const RuleContext &ctx, Block &block) { return readOn(ctx.index(), block); }
 
 /// Reads the block with content that stands in front of the one at hand; false at the program's
 /// begin.
 bool readPrevious(const RuleContext &ctx, Block &previous);
+
+/// Where the words of a block of this file stand.
+SourceRange wordsRange(const RuleContext &ctx, const Block &block);
 
 /// Codes of a block that was read ahead, without their variants.
 llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block);

@@ -17,6 +17,10 @@ double dot(const std::array<double, 2> &a, const std::array<double, 2> &b) {
   return a[0] * b[0] + a[1] * b[1];
 }
 
+bool goesOn(const Outcome &outcome) {
+  return outcome.flow.kind == FlowKind::Next && outcome.macroAfterMove == notSet;
+}
+
 /// Whether lengths are the same inside of the frames and outside.
 bool keepsLengths(const FrameStack &frames) {
   if (frames.empty())
@@ -43,25 +47,27 @@ ExecutedBlock executedBlock(const RuleContext &ctx) {
 }
 
 PathAhead::PathAhead(const RuleContext &ctx)
-    : ctx_(ctx), executor_(ctx.dialect(), ctx.machine(), ctx.source().id()), after_(ctx.after()) {}
+    : dialect_(&ctx.dialect()), machine_(&ctx.machine()), index_(&ctx.index()),
+      executor_(ctx.dialect(), ctx.machine(), ctx.source().id()), after_(ctx.after()),
+      ended_(!goesOn(ctx.outcome())) {
+  block_.begin = ctx.block().begin;
+  block_.next = ctx.block().next;
+}
 
 bool PathAhead::next() {
   constexpr uint32_t ends = bitOf(EventKind::UnknownCode) | bitOf(EventKind::ToolChange) |
                             bitOf(EventKind::CycleStart) | bitOf(EventKind::CycleRun) |
                             bitOf(EventKind::CoordinateChange) | bitOf(EventKind::Call) |
                             bitOf(EventKind::Return) | bitOf(EventKind::ProgramEnd);
-  const Outcome &last = begun_ ? outcome_ : ctx_.outcome();
-  if (last.flow.kind != FlowKind::Next || last.macroAfterMove != notSet)
-    return false;
-  for (unsigned i = 0; i <= blocksBetween; ++i) {
-    const bool more = begun_ ? readOn(ctx_, block_) : readNext(ctx_, block_);
-    begun_ = true;
-    if (!more || !block_.items.empty() || block_.skip >= 0)
+  for (unsigned i = 0; i <= blocksBetween && !ended_; ++i) {
+    ended_ = true;
+    if (!readOn(*index_, block_) || !block_.items.empty() || block_.skip >= 0)
       return false;
     before_ = after_;
     executor_.execute(block_, before_, after_, outcome_);
     if (outcome_.flow.kind != FlowKind::Next || outcome_.kinds & ends)
       return false;
+    ended_ = !goesOn(outcome_);
     if (outcome_.kinds & bitOf(EventKind::Motion))
       return true;
   }

@@ -9,7 +9,8 @@ namespace ncvet {
 /// The block at hand, as it was executed.
 ExecutedBlock executedBlock(const RuleContext &ctx);
 
-/// Executes the blocks behind the one at hand, one move after the other.
+/// Executes the blocks behind the one at hand, one move after the other. Outlives the call in which
+/// it was made, not the analysis.
 class PathAhead {
 public:
   explicit PathAhead(const RuleContext &ctx);
@@ -20,16 +21,18 @@ public:
   const Block &block() const { return block_; }
   const Outcome &outcome() const { return outcome_; }
   ExecutedBlock executed() const {
-    return {ctx_.dialect(), ctx_.machine(), block_, outcome_, before_, after_};
+    return {*dialect_, *machine_, block_, outcome_, before_, after_};
   }
 
 private:
-  const RuleContext &ctx_;
+  const Dialect *dialect_;
+  const MachineProfile *machine_;
+  const FileIndex *index_;
   Executor executor_;
-  Block block_;
+  Block block_; ///< only its place is known until the first move is found
   Outcome outcome_;
   MachineState before_, after_;
-  bool begun_ = false;
+  bool ended_;
 };
 
 /// A straight element of a contour: millimetres along the axes of its plane, where a diameter is

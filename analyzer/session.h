@@ -19,6 +19,7 @@ struct SessionOptions {
   std::string profile;                  ///< empty: as configured
   RuleSettings rules;
   AnalysisLimits limits;
+  bool contours = false; ///< compensated contours are to be told
 };
 
 /// All that the check of one file needs.
@@ -41,6 +42,7 @@ public:
   llvm::Expected<std::shared_ptr<const Config>> config(llvm::StringRef folder);
   /// Setup for the file of this name and text. Errors are those of configurations and tables.
   llvm::Expected<FileSetup> setup(llvm::StringRef fileName, llvm::StringRef text);
+  const SessionOptions &options() const { return options_; }
 
 private:
   struct Language {

@@ -22,7 +22,13 @@ public:
   virtual void lost(const FileUnit &unit, SourceRange where, llvm::StringRef why) = 0;
 };
 
+enum class TracedPath : uint8_t {
+  ToolCentre, ///< of mills whose radius is known while compensation is on; else as programmed
+  Programmed
+};
+
 /// Follows the first program of `unit` with all that it calls: block skip off, optional stops off.
-void trace(Project &project, FileUnit &unit, const AnalysisLimits &limits, TraceSink &sink);
+void trace(Project &project, FileUnit &unit, const AnalysisLimits &limits, TraceSink &sink,
+           TracedPath path = TracedPath::ToolCentre);
 
 } // namespace ncvet

@@ -205,15 +205,26 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
 /// What the code leaves behind for the formulas of later ones.
 void Execution::applyStores(const CodeInfo &code) {
   for (const Store &store : code.stores) {
+    uint64_t variable = store.variable;
+    if (!store.list.empty()) {
+      const auto index = valueOf(store.index, code, context_);
+      if (!index)
+        continue;
+      if (!index->isConstant()) {
+        state_.commons.forget(); // any of them
+        continue;
+      }
+      variable = variableKey(store.list + "[" + std::to_string(std::llround(index->value())) + "]");
+    }
     if (!store.when.empty() && truthOf(store.when, code, context_) == Truth::No)
       continue;
     if (store.forgets)
-      state_.commons.erase(store.variable);
+      state_.commons.erase(variable);
     else if (store.value.empty() ||
              (!store.when.empty() && truthOf(store.when, code, context_) == Truth::Unknown))
-      state_.commons.set(store.variable, Value::unknown());
+      state_.commons.set(variable, Value::unknown());
     else if (const auto value = valueOf(store.value, code, context_))
-      state_.commons.set(store.variable, Value::of(*value));
+      state_.commons.set(variable, Value::of(*value));
   }
 }
 

@@ -2,6 +2,7 @@
 // lines whose end only the next block tells.
 #pragma once
 
+#include "interp/contour_element.h"
 #include "interp/moves.h"
 
 #include <optional>
@@ -36,7 +37,7 @@ class CornerPath {
 public:
   using Take = llvm::function_ref<void(uint64_t tag, const Move &)>;
 
-  explicit CornerPath(const Dialect &dialect) : dialect_(dialect) {}
+  explicit CornerPath(const Dialect &dialect) : dialect_(dialect), travel_(dialect, plane_) {}
 
   /// `tag` comes back with the move, and with what is put in behind it.
   void add(uint64_t tag, const Move &move, const CornerRequest &corner,
@@ -65,6 +66,7 @@ private:
   std::optional<std::array<double, 2>> direction_;
   std::array<Axis, 2> directionPlane_{};
   std::array<Axis, 2> plane_{Axis::X, Axis::Y}; ///< the active one
+  ContourPlane travel_;                         ///< of the last move that was given on
 };
 
 } // namespace ncvet

@@ -97,9 +97,11 @@ private:
   }
   Interval tool() const {
     const ToolData *tool = toolInUse(context_.machine, context_.before);
-    if (!tool || !tool->radius)
-      tool = compensatingTool(context_.dialect, context_.machine, context_.before);
-    return tool && tool->radius ? Interval::exactly(*tool->radius) : Interval::unknown();
+    const auto radius =
+        tool && tool->radius
+            ? tool->radius
+            : compensationRadius(context_.dialect, context_.machine, context_.before);
+    return radius ? Interval::exactly(*radius) : Interval::unknown();
   }
 
   /// Number of the work offset in force, when its code has it behind the point.

@@ -24,12 +24,25 @@ struct Move {
   std::array<Interval, 2> centre;
   Interval turns; ///< angle of an arc in full turns, above zero
   bool clockwise = false;
-  std::optional<double> radius;   ///< of an arc that is given by it, with its sign
-  bool tangential = false;        ///< of an arc: it goes on in the direction of the motion before
-  Action feedMode = Action::None; ///< None: not stated, or not certain
-  Interval feed;                  ///< mm/min, mm per revolution or 1/min; of a thread its lead
-  Interval value;                 ///< dwell in seconds, number of the tool, speed of the spindle
-  uint8_t spindle = spindleOff;   ///< of Spindle: what it does
+  std::optional<double> radius; ///< of an arc that is given by it, with its sign
+  bool tangential = false;      ///< of an arc: it goes on in the direction of the motion before
+  /// Where compensation puts the tool's centre: 1 on the left of the path, -1 on its right, 0 on
+  /// it.
+  int8_t side = 0;
+  std::optional<double> toolRadius; ///< mm, of a tool beside the path; none: not known
+  Action feedMode = Action::None;   ///< None: not stated, or not certain
+  Interval feed;                    ///< mm/min, mm per revolution or 1/min; of a thread its lead
+  Interval value;                   ///< dwell in seconds, number of the tool, speed of the spindle
+  uint8_t spindle = spindleOff;     ///< of Spindle: what it does
 };
+
+/// Where a motion ends, without the axes whose end is told in machine coordinates.
+inline Place workPlace(const Move &move) {
+  Place place = move.to;
+  for (unsigned i = 0; i < axisCount; ++i)
+    if (move.machineAxes >> i & 1)
+      place[i] = Interval::unknown();
+  return place;
+}
 
 } // namespace ncvet

@@ -1,4 +1,4 @@
-// Which entry of the profile's tool list compensation works with.
+// Which tool compensation works with, how large it is, and on which side of the path it runs.
 #pragma once
 
 #include "formats/dialect/machine.h"
@@ -14,23 +14,19 @@ inline int32_t radiusOffsetNumber(const Dialect &dialect, const MachineState &st
 /// Data of the tool whose radius compensation uses, by the offset's number or, where the tool
 /// brings its data along, by its own; null when the number is not known or not in the
 /// list.
-inline const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
-                                        const MachineState &state) {
-  int32_t number = radiusOffsetNumber(dialect, state);
-  if (dialect.offsetsOfTool) {
-    // The list knows a tool's first edge.
-    if (number != notSet && number != 1)
-      return nullptr;
-    number = state.tool;
-  }
-  const auto found = machine.tools.find(number);
-  return found == machine.tools.end() ? nullptr : &found->second;
-}
+const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
+                                 const MachineState &state);
 
 /// Data of the tool in use, or null.
-inline const ToolData *toolInUse(const MachineProfile &machine, const MachineState &state) {
-  const auto found = machine.tools.find(state.tool);
-  return found == machine.tools.end() ? nullptr : &found->second;
-}
+const ToolData *toolInUse(const MachineProfile &machine, const MachineState &state);
+
+/// The radius (mm) that compensation uses, below zero for the other side: as the program itself set
+/// it, else that of the machine's tool; none when it is not known.
+std::optional<double> compensationRadius(const Dialect &dialect, const MachineProfile &machine,
+                                         const MachineState &state);
+
+/// 1 when the tool's centre runs on the left of the path that compensation in `state` follows, -1
+/// on its right, 0 when that is not certain. In coordinates in which all frames are resolved.
+int8_t compensatedSide(const Dialect &dialect, const MachineState &state);
 
 } // namespace ncvet

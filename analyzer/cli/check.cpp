@@ -302,6 +302,8 @@ void Check::writeStats() const {
     out << '\n';
     for (const std::string &cut : job.outcome.cuts)
       out << job.input.display << ": cut short: " << cut << '\n';
+    for (const std::string &contour : job.outcome.contours)
+      out << job.input.display << ':' << contour << '\n';
     blocks += job.outcome.blocks;
     fixes += job.fixed.applied;
   }

@@ -64,8 +64,10 @@ CheckOptions::CheckOptions()
                      cl::cat(category_)),
       jobs_("jobs", cl::value_desc("N"), cl::init(0), cl::desc("Files at the same time"),
             cl::sub(command), cl::cat(category_)),
-      stats_("stats", cl::desc("Blocks, time, and why each dialect was chosen"), cl::sub(command),
-             cl::cat(category_)),
+      stats_("stats",
+             cl::desc("Blocks, time, why each dialect was chosen, and the largest tool radius of "
+                      "each compensated contour"),
+             cl::sub(command), cl::cat(category_)),
       fix_("fix", cl::value_desc("safe|all"), cl::ValueOptional, cl::init("none"),
            cl::desc("Apply the safe fixes to the files, or all"), cl::sub(command),
            cl::cat(category_)),
@@ -159,7 +161,7 @@ llvm::Expected<CheckRequest> CheckOptions::request() const {
   request.stdinFilename = stdinFilename_;
   request.timeTrace = timeTrace_;
   request.jobs = jobs_;
-  request.stats = stats_;
+  request.stats = request.session.contours = stats_;
   return request;
 }
 

@@ -232,7 +232,8 @@ Formula DialectBuilder::formula(const Json &value) {
   return {};
 }
 
-/// `{"LOW": "X", "HIGH": {"value": "Y", "when": "Y > 0"}, "SEEN": "1", "ANY": true, "OLD": false}`
+/// `{"LOW": "X", "HIGH": {"value": "Y", "when": "Y > 0"}, "SEEN": "1", "ANY": true, "OLD": false}`,
+/// `{"_RADIUS": {"index": "P", "value": "R"}}`
 void DialectBuilder::readStores(const Json &value, CodeInfo &info) {
   const Json *stores = in_.member(value, "stores");
   if (!stores || !in_.isObject(*stores))
@@ -249,7 +250,11 @@ void DialectBuilder::readStores(const Json &value, CodeInfo &info) {
     else if (!entry->is_object())
       store.value = formula(*entry);
     else {
-      in_.allowKeys(*entry, {"value", "when"});
+      in_.allowKeys(*entry, {"value", "when", "index"});
+      if (const Json *member = in_.member(*entry, "index")) {
+        store.list = entry.key();
+        store.index = formula(*member);
+      }
       if (const Json *member = in_.member(*entry, "value"))
         store.value = formula(*member);
       if (const Json *member = in_.member(*entry, "when"))

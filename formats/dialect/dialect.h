@@ -223,6 +223,8 @@ struct SwitchEffect {
 /// What a code leaves in a variable of the control, for the formulas of later codes.
 struct Store {
   uint64_t variable = 0; ///< its key
+  std::string list;      ///< instead: the name of several, of which `index` says which one
+  Formula index;         ///< "_RADIUS" and 5: the variable `_RADIUS[5]`
   bool forgets = false;  ///< from here on it has no value
   Formula value;         ///< stored when all words that it names are given; empty: not known
   Formula when;          ///< empty: always
@@ -424,6 +426,12 @@ struct DetectMark {
   std::string reason;  ///< "`G54.1 P` names an extended work offset", shown by --stats
 };
 
+/// Where a program itself says what radius compensation uses.
+struct ToolRadiusSource {
+  std::string variable;        ///< "$TC_DP6[{tool},{edge}]", "_RADIUS[{offset}]"; empty: nowhere
+  uint8_t unknownWhile = 0xFF; ///< a switch that changes it by a stock; 0xFF: none
+};
+
 /// What a dialect says of a rule, over the rule's page.
 struct RuleOverride {
   std::optional<Severity> severity;
@@ -445,6 +453,7 @@ struct Dialect {
   bool endReturns = false;          ///< a program end inside a called program leads back
   bool offsetsOfTool = false;       ///< length and radius belong to the tool, not to numbers
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
+  ToolRadiusSource toolRadius;
   Lexical lexical;
   Limits limits;
   VariableRanges variableRanges;

@@ -48,6 +48,7 @@ void DialectBuilder::build() {
                         "endReturns",
                         "loadsWhole",
                         "offsetsOfTool",
+                        "toolRadius",
                         "variables",
                         "controls",
                         "mainExtensions",
@@ -64,7 +65,8 @@ void DialectBuilder::build() {
   readHead();
   readLexical();
   readLimits();
-  readSwitches(); // addresses name them
+  readSwitches(); // addresses and the tool's radius name them
+  readToolRadius();
   readAddresses();
   readGroups();
   if (const Json *codes = in_.member(root_, "codes"); codes && in_.isObject(*codes)) {
@@ -397,6 +399,23 @@ void DialectBuilder::readSwitches() {
   }
   if (dialect_.switches.size() > maxSwitches)
     in_.fail(*table, "more than " + llvm::Twine(maxSwitches) + " switches");
+}
+
+void DialectBuilder::readToolRadius() {
+  const Json *source = in_.member(root_, "toolRadius");
+  if (!source)
+    return;
+  in_.allowKeys(*source, {"variable", "unknownWhile"});
+  in_.read(*source, "variable", dialect_.toolRadius.variable);
+  std::string name;
+  in_.read(*source, "unknownWhile", name);
+  for (size_t i = 0; i < dialect_.switches.size() && !name.empty(); ++i)
+    if (dialect_.switches[i].id == name) {
+      dialect_.toolRadius.unknownWhile = uint8_t(i);
+      return;
+    }
+  if (!name.empty())
+    in_.fail(*source, "no switch has the id \"" + llvm::Twine(name) + "\"");
 }
 
 void DialectBuilder::readRules() {

@@ -26,6 +26,7 @@ private:
   void readAddress(const std::string &name, const Json &value);
   void readGroups();
   void readSwitches();
+  void readToolRadius();
   void readRules();
   std::optional<AddressId> addressId(const Json &at, llvm::StringRef name);
   AddressMask addressSet(const Json &value);

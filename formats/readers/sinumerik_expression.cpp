@@ -195,7 +195,12 @@ uint16_t SinumerikExpression::parseTarget() {
       const llvm::StringRef name = system();
       if (name.empty())
         return false;
-      emit(Op::Number, begin, double(variableKey(name)));
+      // `$TC_DP6[2,1]` is a variable of its own; one whose index is computed may be any of its
+      // name.
+      const llvm::StringRef whole(begin, size_t(at_ - begin));
+      const bool plain =
+          whole.drop_front(name.size()).find_first_not_of("[]0123456789,") == llvm::StringRef::npos;
+      emit(Op::Number, begin, double(variableKey(plain ? whole : name)));
       return true;
     }
     const llvm::StringRef name = identifier();

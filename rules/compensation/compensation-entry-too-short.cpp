@@ -15,10 +15,10 @@ public:
     if (event.code == noCode || (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
     const Dialect &dialect = ctx.dialect();
-    const ToolData *tool = compensatingTool(dialect, ctx.machine(), ctx.before());
-    if (!tool)
-      tool = compensatingTool(dialect, ctx.machine(), ctx.after());
-    if (!tool || !tool->radius || *tool->radius == 0)
+    auto known = compensationRadius(dialect, ctx.machine(), ctx.before());
+    if (!known)
+      known = compensationRadius(dialect, ctx.machine(), ctx.after());
+    if (!known || *known == 0)
       return;
     const uint16_t plane = planeAxes(dialect, ctx.after());
     double squares = 0;
@@ -37,7 +37,7 @@ public:
       squares += way * way;
     }
     constexpr double rounding = 1e-4; // mm
-    const double way = std::sqrt(squares), radius = std::fabs(*tool->radius);
+    const double way = std::sqrt(squares), radius = std::fabs(*known);
     if (way >= radius - rounding)
       return;
     const bool off = ctx.code(event).action == Action::CompensationOff;

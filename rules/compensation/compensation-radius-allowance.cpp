@@ -32,8 +32,8 @@ public:
         ((ctx.outcome().kinds & bitOf(EventKind::CompensationMove)) ||
          event.word->address != letterAddress('D') || ctx.before().compensation != phaseOn))
       return;
-    const ToolData *tool = compensatingTool(dialect, ctx.machine(), ctx.after());
-    if (!tool || !tool->radius || *tool->radius >= 0)
+    const auto radius = compensationRadius(dialect, ctx.machine(), ctx.after());
+    if (!radius || *radius >= 0)
       return;
     const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
     const SourceRange where = event.word ? ctx.range(*event.word)
@@ -45,7 +45,7 @@ public:
           .message(
               "`{0}` with a radius of {1} mm: a negative radius swaps the sides, the tool runs "
               "on the {2} of the contour",
-              code->name, *tool->radius, left ? "right" : "left")
+              code->name, *radius, left ? "right" : "left")
           .note(dialect.isLathe() ? ctx.after().origin.tool : ctx.after().origin.radiusOffset,
                 dialect.isLathe() ? "the offset is called here" : "the offset is selected here");
     }

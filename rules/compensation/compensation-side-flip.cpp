@@ -66,9 +66,9 @@ private:
         ctx.after().compensationActive(ctx.dialect()) != Truth::Yes ||
         event.word->address != letterAddress('D'))
       return;
-    const ToolData *was = compensatingTool(ctx.dialect(), ctx.machine(), ctx.before());
-    const ToolData *now = compensatingTool(ctx.dialect(), ctx.machine(), ctx.after());
-    if (!was || !now || !was->radius || !now->radius || *was->radius * *now->radius >= 0)
+    const auto was = compensationRadius(ctx.dialect(), ctx.machine(), ctx.before());
+    const auto now = compensationRadius(ctx.dialect(), ctx.machine(), ctx.after());
+    if (!was || !now || *was * *now >= 0)
       return;
     if (auto finding = ctx.report(event))
       finding

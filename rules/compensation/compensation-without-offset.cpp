@@ -65,8 +65,7 @@ private:
                    lathe ? "the tool is called here" : "D is set here");
       return;
     }
-    const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), state);
-    if (!tool || !tool->radius || *tool->radius != 0)
+    if (compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
       return;
     if (auto finding = ctx.report(where, event.certain))
       finding
@@ -80,10 +79,9 @@ private:
   static void ofTool(const CodeInfo &code, SourceRange where, const Event &event,
                      RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), state);
     const bool none =
         state.tool == notSet && !state.may(Fact::ToolCalled) && !state.may(Fact::UnknownCode);
-    if (!none && !(tool && tool->radius && *tool->radius == 0))
+    if (!none && compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
       return;
     if (auto finding = ctx.report(where, event.certain))
       finding

@@ -168,6 +168,38 @@ uint64_t writeArcs(ProgramFile &out, uint64_t blocks) {
   return out.blocks();
 }
 
+/// One contour with radius compensation: wavy rows of short lines, half circles between them.
+uint64_t writeContour(ProgramFile &out, uint64_t blocks) {
+  toolHeader(out, "CONTOUR", 1006);
+  constexpr uint64_t tail = 5; // the way off, and the blocks of programEnd
+  constexpr int linesPerRow = 500;
+  constexpr double step = 0.5, pitch = 10;
+  char text[96];
+  out.block("G10 L12 P1 R1. (RADIUS)");
+  out.block("G0 X-20. Y0. Z2.");
+  out.block("G1 Z-1. F300.");
+  out.block("G41 X0. D1 F1200.");
+  const auto wave = [](double x) { return 0.3 * std::sin(0.4 * x); };
+  for (uint64_t row = 0; out.blocks() + tail < blocks; ++row) {
+    const double y = pitch * static_cast<double>(row % 5000);
+    const bool forward = row % 2 == 0;
+    for (int i = 1; i <= linesPerRow && out.blocks() + tail < blocks; ++i) {
+      const double x = step * (forward ? i : linesPerRow - i);
+      std::snprintf(text, sizeof text, i == 1 ? "G1 X%.3f Y%.4f" : "X%.3f Y%.4f", x, y + wave(x));
+      out.block(text);
+    }
+    if (out.blocks() + tail >= blocks)
+      break;
+    const double x = forward ? step * linesPerRow : 0;
+    std::snprintf(text, sizeof text, "%s X%.3f Y%.4f I0. J%.1f", forward ? "G3" : "G2", x,
+                  y + pitch + wave(x), pitch / 2);
+    out.block(text);
+  }
+  out.block("G40 G1 X-20.");
+  programEnd(out);
+  return out.blocks();
+}
+
 /// Macro B: a short program whose loops execute `blocks` blocks (to within one round of a loop).
 /// Returns the blocks that the control executes, which are far more than the file has.
 uint64_t writeMacro(ProgramFile &out, uint64_t blocks) {
@@ -243,6 +275,7 @@ int main(int argc, char **argv) {
     write("surfacing-10m.nc", [](ProgramFile &file) { return writeSurfacing(file, 10 * million); });
   write("drilling-1m.nc", [](ProgramFile &file) { return writeDrilling(file, million); });
   write("arcs-1m.nc", [](ProgramFile &file) { return writeArcs(file, million); });
+  write("contour-1m.nc", [](ProgramFile &file) { return writeContour(file, million); });
   write("macro-1m.nc", [](ProgramFile &file) { return writeMacro(file, million); });
   return std::fclose(table) == 0 ? 0 : 2;
 }

@@ -218,6 +218,15 @@ TEST(CheckCommand, StatsSayWhyADialectWasChosen) {
   EXPECT_THAT(shop.run({"check", "--stats", "a.nc"}).err, HasSubstr("haas-lathe (.ncvet.json)"));
 }
 
+/// A slot of 10 mm: its bottom lies between two inside corners.
+TEST(CheckCommand, StatsTellUpToWhichRadiusAContourStaysWhole) {
+  Shop shop;
+  shop.file("a.nc", "O1204\nG17 G21 G90 G40\nT1 M6\nG0 X5. Y45.\nG1 G41 X0. Y30. D1 F300.\n"
+                    "Y0.\nX10.\nY30.\nG40 X5. Y45.\nM30\n");
+  EXPECT_THAT(shop.run({"check", "--dialect", "fanuc-0m", "--stats", "a.nc"}).err,
+              HasSubstr("a.nc:5: contour on the left, 3 elements, safe up to R5.00"));
+}
+
 TEST(CheckCommand, ColorsAreGivenWhenAskedFor) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());

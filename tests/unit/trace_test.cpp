@@ -58,9 +58,10 @@ private:
   }
 };
 
-std::vector<std::string> traceOf(const char *dialect, const std::string &program) {
+std::vector<std::string> traceOf(const char *dialect, const std::string &program,
+                                 const std::string &machine = "") {
   Written written;
-  test::withProgram(dialect, {{"PART.nc", program}}, "",
+  test::withProgram(dialect, {{"PART.nc", program}}, machine,
                     [&](Project &project, FileUnit &unit) { trace(project, unit, {}, written); });
   return written.lines;
 }
@@ -210,6 +211,38 @@ TEST(Trace, SkippedBlocksAreExecuted) {
               ElementsAre("2 rapid X0 Y0", "3 rapid X10 Y0", "4 end"));
 }
 
+/// The contour of the square's corner from inside: the ways beside its lines cross 5 mm before it.
+TEST(Trace, WithAKnownRadiusTheToolsCentreIsTraced) {
+  const char *tools = R"({"tools": {"1": {"kind": "endmill", "radius": 5}}})";
+  const std::string program = "%O1\nG90 G17 G0 X-20 Y-10 Z5\n"
+                              "G41 G1 X0 Y0 D1 F100\n"
+                              "Y40\n" // an outside corner follows
+                              "X30\n" // an inside one
+                              "Z2\n"
+                              "Y60\n"
+                              "G40 X50\nM30\n%\n";
+  EXPECT_THAT(traceOf("nct-104m", program, tools),
+              ElementsAre("2 rapid X-20 Y-10 Z5", "3 linear X-5 Y0 Z5", "4 linear X-5 Y45 Z5",
+                          "5 linear X25 Y45 Z5", "6 linear X25 Y45 Z2", "7 linear X25 Y60 Z2",
+                          "8 linear X50 Y60 Z2", "9 end"));
+  EXPECT_THAT(traceOf("nct-104m", program),
+              ElementsAre("2 rapid X-20 Y-10 Z5", "3 linear X0 Y0 Z5", "4 linear X0 Y40 Z5",
+                          "5 linear X30 Y40 Z5", "6 linear X30 Y40 Z2", "7 linear X30 Y60 Z2",
+                          "8 linear X50 Y60 Z2", "9 end"));
+}
+
+TEST(Trace, SomeControlsGoRoundOutsideCornersInAnArc) {
+  EXPECT_THAT(traceOf("sinumerik", "$TC_DP6[1,1]=5\nT1 D1 M6\nG90 G17 G0 X-20 Y-10 Z5\n"
+                                   "G41 G1 X0 Y0 F100\n"
+                                   "Y40\nX30\n"
+                                   "G3 X40 Y50 CR=10\n" // tangent
+                                   "G40 G1 X60 Y50\nM30\n"),
+              ElementsAre("2 tool 1", "3 rapid X-20 Y-10 Z5", "4 linear X-5 Y0 Z5",
+                          "5 linear X-5 Y40 Z5", "5 arc X0 Y45 Z5 cw 0/40 0.25",
+                          "6 linear X30 Y45 Z5", "7 arc X35 Y50 Z5 ccw 30/50 0.25",
+                          "8 linear X60 Y50 Z5", "9 end"));
+}
+
 /// The moves without the lines that they come from.
 std::vector<std::string> wayOf(const char *dialect, const std::string &program) {
   std::vector<std::string> way = traceOf(dialect, program);
@@ -240,6 +273,24 @@ TEST(TraceLaws, MirroringTwiceIsNotMirroring) {
                                           "MIRROR\nM30\n"));
   EXPECT_NE(plain,
             wayOf("sinumerik", "G17 G90 G0 X0 Y0 Z5\nMIRROR X0\n" + contour + "MIRROR\nM30\n"));
+}
+
+TEST(TraceLaws, CompensationWithoutARadiusIsNone) {
+  const std::string contour = " X0 Y0 D1 F100\nY40\nX30 ,R4\nY60\nG2 X50 Y80 I20 J0\n";
+  const std::string begin = "O1\nG90 G17 G21\nG0 X-20 Y-10 Z5\n";
+  const char *none = R"({"tools": {"1": {"kind": "endmill", "radius": 0}}})";
+  std::vector<std::string> with, without;
+  with = traceOf("fanuc-0m", begin + "G41 G1" + contour + "G40 G1 X90\nM30\n", none);
+  without = traceOf("fanuc-0m", begin + "G1" + contour + "G1 X90\nM30\n", none);
+  EXPECT_EQ(with, without);
+}
+
+/// A tool of a micrometre runs where the contour is, to a micrometre and what corners make of it.
+TEST(TraceLaws, ASmallRadiusChangesThePathALittle) {
+  const std::string program = "O1\nG90 G17 G21\nG0 X-20 Y-10 Z5\nG41 G1 X0 Y0 D1 F100\nY40\n"
+                              "G2 X20 Y60 I20 J0\nG1 X60\nG40 X90\nM30\n";
+  EXPECT_EQ(traceOf("fanuc-0m", program, R"({"tools": {"1": {"radius": 0.0001}}})"),
+            traceOf("fanuc-0m", program, R"({"tools": {"1": {"radius": 0}}})"));
 }
 
 TEST(TraceLaws, AWayOfIncrementsIsTheWayOfItsPoints) {

@@ -1,0 +1,66 @@
+// The elements of the compensated contour that the blocks executed so far have made.
+#pragma once
+
+#include "analyzer/rule.h"
+#include "interp/contour_fit.h"
+#include "interp/corner_path.h"
+
+namespace ncvet {
+
+/// Follows a compensated contour block by block, through calls and loops, its corners put in. For
+/// each element it tells what stands before and behind, as soon as that is known.
+class ContourTrail {
+public:
+  struct Element {
+    ContourElement line;  ///< or arc
+    SourceRange range;    ///< the words of its block, or the one that asks for it
+    bool corner = false;  ///< a chamfer or rounding behind the block's own move
+    bool certain = false; ///< on every way that the state stands for
+    double left = 0;      ///< mm from it to the tool's centre, below zero on its right
+    Origin tool;          ///< where the tool was called
+  };
+  using Judge = llvm::function_ref<void(const Element &, const Neighbours &)>;
+
+  explicit ContourTrail(const Dialect &dialect);
+
+  /// Takes the motion of the block at hand. A block that does not go on where the last one ended
+  /// begins a trail of its own.
+  void take(const RuleContext &ctx, bool certain, Judge judge);
+
+private:
+  bool isInPlace(const RuleContext &ctx) const;
+  bool goesOn(const RuleContext &ctx) const;
+  double centreLeft(const RuleContext &ctx) const;
+  void begin(const RuleContext &ctx);
+  void end(bool leaves, Judge judge);
+  void add(uint64_t tag, const Move &move, Judge judge);
+
+  const Dialect &dialect_;
+  const CornerWords corners_;
+  AddressMask cornerWords_;
+  std::optional<CornerPath> path_; ///< absent between contours
+  std::array<Axis, 2> plane_{Axis::X, Axis::Y};
+  ContourPlane coordinates_; ///< in that plane
+  Place programmed_;         ///< where the last block ended, as the state has it
+  Place from_;               ///< where the next element begins
+  FrameStack frames_;        ///< under which the last block ran
+  // What the tool's distance depends on.
+  Action side_ = Action::None;
+  std::array<int32_t, 3> tool_{};
+  Variables commons_;
+  /// What is known of a block's elements before their lines are.
+  struct BlockElements {
+    uint64_t tag = 0;
+    Element element;
+    SourceRange cornerRange;
+    bool approach = false; ///< compensation is built up along its move
+  };
+  BlockElements block_, blockBefore_; ///< the one at hand, and the one that its corner waits for
+  uint64_t lastTag_ = 0;              ///< of the block whose element came last
+  std::optional<Element> before_;     ///< of the last one; none: the way on, or not known
+  bool unknownBefore_ = false;
+  std::optional<Element> last_;
+  llvm::SmallVector<Move, 8> moves_;
+};
+
+} // namespace ncvet

@@ -1,0 +1,196 @@
+// Whether a round tool that runs beside a contour reaches each of its elements.
+#include "interp/contour_fit.h"
+
+#include "interp/contour_distance.h"
+
+#include "llvm/ADT/SmallVector.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ncvet {
+
+namespace {
+
+/// Ways whose ends are closer (mm) join: points and centres are written with three digits.
+constexpr double joined = 2e-3;
+/// How much (mm) of a cut a radius that is told as a safe one may make.
+constexpr double safe = 2e-3;
+/// Radii (mm) beyond which no tool is made.
+constexpr double largestTool = 500;
+
+/// The point beside an element's end.
+Vector beside(const ContourElement &element, const Vector &at, double left) {
+  return at + leftOf(element.direction(at)) * left;
+}
+
+/// Length (mm) along the way beside an element between `at` and one of its ends; below zero when
+/// `at` lies beyond that end. `sense`: 1 from `at` on to `end`, -1 from `end` on to `at`.
+double wayTo(const ContourElement &element, const Vector &at, const Vector &end, double left,
+             int sense) {
+  if (!element.arc)
+    return sense * element.direction(element.from).dot(end - at);
+  const Vector a = at - element.centre, b = end - element.centre;
+  const double angle = std::atan2(cross(a, b), a.dot(b)) * sense;
+  return (element.clockwise ? -angle : angle) * element.radiusBeside(left);
+}
+
+bool hasRoom(const ContourElement &element, double left) {
+  return !element.arc || element.radiusBeside(left) > 0;
+}
+
+double lengthBeside(const ContourElement &element, double left) {
+  return element.arc ? element.length() * element.radiusBeside(left) / element.radius()
+                     : element.length();
+}
+
+} // namespace
+
+CornerFit fitCorner(const ContourElement &first, const ContourElement &second, double left) {
+  CornerFit fit;
+  if (!hasRoom(first, left) || !hasRoom(second, left))
+    return fit;
+  const Vector in = first.direction(first.to), out = second.direction(second.from);
+  const Vector a = beside(first, first.to, left), b = beside(second, second.from, left);
+  const double sine = cross(in, out), cosine = in.dot(out);
+  fit.sine = std::fabs(sine);
+  if (cosine > 0 && (a - b).norm() <= joined) {
+    fit.kind = CornerFit::Kind::Smooth;
+    fit.meet = (a + b) / 2;
+    return fit;
+  }
+  if (sine * left <= 0 || cosine <= -1 + 1e-12) {
+    fit.kind = CornerFit::Kind::Outside;
+    constexpr double square = std::numbers::pi / 2; // sharper corners get further points
+    fit.gain =
+        std::fabs(left) * std::tan(std::min(square, std::atan2(std::fabs(sine), cosine)) / 2);
+    return fit;
+  }
+  const auto meet = meetingBeside(first, second, left, first.to);
+  if (!meet) {
+    fit.kind = CornerFit::Kind::Apart;
+    return fit;
+  }
+  fit.kind = CornerFit::Kind::Inside;
+  fit.meet = *meet;
+  fit.ofFirst = wayTo(first, *meet, a, left, 1);
+  fit.ofSecond = wayTo(second, *meet, b, left, -1);
+  return fit;
+}
+
+Misfit misfit(const ContourElement &element, const Neighbours &neighbours, double left, bool exact,
+              double slack) {
+  if (element.arc && element.radiusBeside(left) < -joined)
+    return Misfit::Arc;
+  if (!hasRoom(element, left))
+    return Misfit::Fits; // as round as the tool: it stands still there
+  using Kind = CornerFit::Kind;
+  CornerFit begin, end;
+  if (neighbours.before)
+    begin = fitCorner(*neighbours.before, element, left);
+  if (neighbours.after)
+    end = fitCorner(element, *neighbours.after, left);
+  if (end.kind == Kind::Apart)
+    return Misfit::Corner;
+  const double taken = (begin.kind == Kind::Inside ? begin.ofSecond : 0) +
+                       (end.kind == Kind::Inside ? end.ofFirst : 0);
+  double way = lengthBeside(element, left);
+  if (!exact)
+    way +=
+        (begin.kind == Kind::Outside ? begin.gain : 0) + (end.kind == Kind::Outside ? end.gain : 0);
+  // As much as a corner at an unknown end may give.
+  way += std::fabs(left) * (int(neighbours.unknownBefore) + int(neighbours.unknownAfter));
+  const double back = taken - way; // the tool runs back so far, into what its neighbours cut
+  const double sine = std::max(begin.kind == Kind::Inside ? begin.sine : 0,
+                               end.kind == Kind::Inside ? end.sine : 0);
+  return back * sine > slack ? Misfit::Element : Misfit::Fits;
+}
+
+namespace {
+
+/// The ways beside a contour, cut off in its inside corners, with the arcs round its outside ones.
+llvm::SmallVector<std::pair<size_t, ContourElement>, 0>
+waysBeside(llvm::ArrayRef<ContourElement> contour, double left) {
+  llvm::SmallVector<std::pair<size_t, ContourElement>, 0> ways;
+  using Kind = CornerFit::Kind;
+  CornerFit begin;
+  for (size_t i = 0; i < contour.size(); ++i) {
+    const ContourElement &element = contour[i];
+    const CornerFit end =
+        i + 1 < contour.size() ? fitCorner(element, contour[i + 1], left) : CornerFit();
+    if (hasRoom(element, left)) {
+      ContourElement way = element;
+      way.from = begin.kind == Kind::Inside ? begin.meet : beside(element, element.from, left);
+      way.to = end.kind == Kind::Inside ? end.meet : beside(element, element.to, left);
+      ways.push_back({i, way});
+      if (end.kind == Kind::Outside)
+        ways.push_back({i,
+                        {way.to, beside(contour[i + 1], contour[i + 1].from, left), element.to,
+                         true, left > 0}});
+    }
+    begin = end;
+  }
+  return ways;
+}
+
+bool fitsAlone(llvm::ArrayRef<ContourElement> contour, double left) {
+  for (size_t i = 0; i < contour.size(); ++i)
+    if (misfit(contour[i],
+               {i ? &contour[i - 1] : nullptr, i + 1 < contour.size() ? &contour[i + 1] : nullptr},
+               left, false, safe) != Misfit::Fits)
+      return false;
+  return true;
+}
+
+/// Whether the tool stays clear of all elements that are not next to the one it cuts.
+bool staysClear(llvm::ArrayRef<ContourElement> contour, double left) {
+  constexpr size_t ends = 2;
+  if (contour.size() <= 2 * ends)
+    return true;
+  const double radius = std::fabs(left);
+  for (const auto &[i, way] : waysBeside(contour, left)) {
+    const Box box = boxOf(way);
+    for (size_t k = ends; k + ends < contour.size(); ++k)
+      if ((k + 1 < i || k > i + 1) && gapBetween(box, boxOf(contour[k])) < radius - safe &&
+          distanceBetween(way, contour[k]) < radius - safe)
+        return false;
+  }
+  return true;
+}
+
+/// Largest radius for which `fits` holds, which it does for all smaller ones.
+template <typename Fits>
+std::optional<double> largest(Fits fits) {
+  if (fits(largestTool))
+    return std::nullopt;
+  double low = 0, high = largestTool;
+  constexpr double exactly = 1e-4; // mm
+  while (high - low > exactly) {
+    const double middle = (low + high) / 2;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+} // namespace
+
+std::optional<double> largestFit(llvm::ArrayRef<ContourElement> contour, bool onLeft) {
+  // Each element is looked at with each: beyond this many only neighbours are.
+  constexpr size_t mostCompared = 1000;
+  const double sign = onLeft ? 1 : -1;
+  auto alone = largest([&](double radius) { return fitsAlone(contour, sign * radius); });
+  if (contour.size() > mostCompared || staysClear(contour, sign * alone.value_or(largestTool)))
+    return alone;
+  return largest([&](double radius) {
+    return (!alone || radius <= *alone) && staysClear(contour, sign * radius);
+  });
+}
+
+std::optional<double> largestFit(const ContourElement &element, const Neighbours &neighbours,
+                                 bool onLeft, bool exact) {
+  return largest([&](double radius) {
+    return misfit(element, neighbours, onLeft ? radius : -radius, exact, safe) == Misfit::Fits;
+  });
+}
+
+} // namespace ncvet
