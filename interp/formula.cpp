@@ -46,6 +46,7 @@ public:
       : code_(code), context_(context) {}
 
   Interval run(const Formula &formula) {
+    names_ = formula.names;
     for (const FormulaStep &step : formula.steps)
       this->step(step);
     return stack_.size() == 1 ? stack_.back() : Interval::unknown();
@@ -54,7 +55,7 @@ public:
   bool complete(const Formula &formula) const {
     return llvm::all_of(formula.steps, [&](const FormulaStep &step) {
       return step.op == FormulaOp::Word       ? given(code_.words[step.index]) != Truth::No
-             : step.op == FormulaOp::Address  ? context_.block.has(AddressId(step.index))
+             : step.op == FormulaOp::Address  ? address(step.index).has_value()
              : step.op == FormulaOp::Variable ? given(uint64_t(step.number)) != Truth::No
                                               : true;
     });
@@ -79,6 +80,16 @@ private:
         return std::isnan(words.value[place]) ? Interval::unknown()
                                               : Interval::exactly(words.value[place]);
     return std::nullopt;
+  }
+  /// The word with that address in the block, or kept of an earlier one.
+  std::optional<Interval> address(uint16_t index) const {
+    if (const Word *word = context_.block.find(AddressId(index)))
+      return wordValue(*word, context_.block, context_.before);
+    const CycleWords &words = context_.before.cycle;
+    if (!context_.keptWords || index >= words.value.size() || !(words.present >> index & 1))
+      return std::nullopt;
+    return std::isnan(words.value[index]) ? Interval::unknown()
+                                          : Interval::exactly(words.value[index]);
   }
   Truth given(uint64_t variable) const {
     return assigned(variable) ? Truth::Yes : context_.before.commons.given(variable);
@@ -133,14 +144,12 @@ private:
       return push(Interval::exactly(step.number));
     case FormulaOp::Word:
       return push(word(code_.words[step.index]));
-    case FormulaOp::Address: {
-      const Word *word = context_.block.find(AddressId(step.index));
-      return push(word ? wordValue(*word, context_.block, context_.before) : Interval::unknown());
-    }
+    case FormulaOp::Address:
+      return push(address(step.index).value_or(Interval::unknown()));
     case FormulaOp::Given:
       return push(fromTruth(given(code_.words[step.index])));
     case FormulaOp::GivenAddress:
-      return push(Interval::exactly(context_.block.has(AddressId(step.index))));
+      return push(Interval::exactly(address(step.index).has_value()));
     case FormulaOp::Variable: {
       const Value value = variable(uint64_t(step.number));
       return push(value.kind == Value::Kind::Number ? value.number : Interval::unknown());
@@ -193,6 +202,10 @@ private:
     }
     case FormulaOp::Index:
       return push(Interval::exactly(context_.index));
+    case FormulaOp::Option: {
+      const auto number = context_.machine.number(names_[step.index]);
+      return push(number ? Interval::exactly(*number) : Interval::unknown());
+    }
     case FormulaOp::Sine:
     case FormulaOp::Cosine: {
       const Interval degrees = pop();
@@ -260,6 +273,7 @@ private:
   const CodeInfo &code_;
   const ConditionContext &context_;
   llvm::SmallVector<Interval, 8> stack_;
+  llvm::ArrayRef<std::string> names_; ///< of the formula at hand
 };
 
 } // namespace
@@ -278,6 +292,15 @@ std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
   if (!evaluator.complete(formula))
     return std::nullopt;
   return evaluator.run(formula);
+}
+
+std::optional<Interval> valueOfGiven(const Formula &formula, const CodeInfo &code,
+                                     const ConditionContext &context) {
+  Evaluator evaluator(code, context);
+  const Interval value = evaluator.run(formula);
+  if (value.isUnknown() && !evaluator.complete(formula))
+    return std::nullopt;
+  return value;
 }
 
 } // namespace ncvet

@@ -12,6 +12,10 @@ Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionConte
 std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
                                 const ConditionContext &context);
 
+/// The same of a formula that may do without some of its words: none when the missing ones decide.
+std::optional<Interval> valueOfGiven(const Formula &formula, const CodeInfo &code,
+                                     const ConditionContext &context);
+
 /// Value of a formula in which words that are not given count as not known.
 Interval levelOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context);
 

@@ -1,6 +1,7 @@
 // Codes of a dialect out of its merged JSON: names, groups, words, notices, variants.
 #include "formats/dialect/code_name.h"
 #include "formats/dialect/dialect_builder.h"
+#include "formats/dialect/measure.h"
 #include "formats/dialect/variable_key.h"
 #include "formats/dialect/vocabulary.h"
 
@@ -18,7 +19,7 @@ llvm::ArrayRef<llvm::StringRef> codeKeys() {
       "notices",      "variants", "switch",   "alone",        "exclusive",    "twoBlock",
       "source",       "waits",    "ownMove",  "arguments",    "foreign",      "endsMotion",
       "cancelsCalls", "family",   "stores",   "stopsSpindle", "levels",       "frame",
-      "places"};
+      "places",       "measures", "traits"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -142,6 +143,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   readStores(value, info);
   readLevels(value, info);
   readPlaces(value, info);
+  readMeasures(value, info);
   return info;
 }
 
@@ -288,6 +290,32 @@ void DialectBuilder::readPlaces(const Json &value, CodeInfo &info) {
     return in_.fail(*places, "\"count\", \"first\" and \"second\" are expected");
   info.count = formula(*count);
   info.places = {formula(*first), formula(*second)};
+}
+
+/// `"measures": {"run-out": "floor(P / 100)"}, "traits": ["returns-by-axes"]`
+void DialectBuilder::readMeasures(const Json &value, CodeInfo &info) {
+  info.measures.clear();
+  info.traits = 0;
+  if (const Json *measures = in_.member(value, "measures"); measures && in_.isObject(*measures)) {
+    for (auto entry = measures->begin(); entry != measures->end(); ++entry) {
+      const auto names = measureNames();
+      const auto *name = llvm::find(names, llvm::StringRef(entry.key()));
+      if (name == names.end())
+        in_.fail(*entry, "no measure has this name");
+      else if (!entry->is_null())
+        info.measures.push_back({Measure(name - names.begin()), formula(*entry)});
+    }
+  }
+  if (const Json *traits = in_.member(value, "traits")) {
+    for (const std::string &trait : in_.texts(*traits)) {
+      const auto names = cycleTraitNames();
+      const auto *name = llvm::find(names, llvm::StringRef(trait));
+      if (name == names.end())
+        in_.fail(*traits, "no trait of a cycle has the name \"" + trait + "\"");
+      else
+        info.traits |= 1u << (name - names.begin());
+    }
+  }
 }
 
 WordSpec DialectBuilder::readWord(const std::string &name, const Json &value) {

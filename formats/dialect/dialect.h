@@ -230,6 +230,15 @@ struct Store {
   Formula when;          ///< empty: always
 };
 
+enum class Measure : uint8_t; // formats/dialect/measure.h
+enum class CycleTrait : uint8_t;
+
+/// A quantity of a cycle, for its motions.
+struct CycleMeasure {
+  Measure what{};
+  Formula formula;
+};
+
 struct Variant {
   Condition when;
   CodeIndex code = noCode; ///< the code's meaning then, an entry of `Dialect::codes`
@@ -272,8 +281,10 @@ struct CodeInfo {
   /// Of a cycle along the tool axis: level from which it feeds and the one to which it feeds, where
   /// they are no word of their own (empty: the words with the roles Retract and Depth).
   Formula approach, bottom;
-  Formula count;                 ///< of the places of a pattern; empty: they are not known
-  std::array<Formula, 2> places; ///< their coordinates in the plane, by `index()`
+  std::vector<CycleMeasure> measures; ///< of a cycle's motions
+  uint32_t traits = 0;                ///< bit per `CycleTrait`: what the cycle does its own way
+  Formula count;                      ///< of the places of a pattern; empty: they are not known
+  std::array<Formula, 2> places;      ///< their coordinates in the plane, by `index()`
   /// Sets of words that exclude each other, each pair of masks.
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
   std::vector<Notice> notices;

@@ -139,6 +139,7 @@ private:
     case FormulaOp::Place:
     case FormulaOp::Origin:
     case FormulaOp::Index:
+    case FormulaOp::Option:
       return 0;
     case FormulaOp::Negate:
     case FormulaOp::Absolute:
@@ -228,6 +229,11 @@ private:
       }
     if (name == "key") {
       emit(FormulaOp::Number, 0, double(variableKey(takeName())));
+      return take(")") || fail("lacks a \")\"");
+    }
+    if (name == "option") {
+      emit(FormulaOp::Option, uint16_t(formula.names.size()));
+      formula.names.push_back(takeName().str());
       return take(")") || fail("lacks a \")\"");
     }
     if (name == "given" && take("$")) {

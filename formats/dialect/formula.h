@@ -34,6 +34,7 @@ enum class FormulaOp : uint8_t {
   Place,         ///< of axis `index` before the block
   Origin,        ///< number of the work offset in force: 3 of G54.03
   Index,         ///< of the place in a pattern, from 0
+  Option,        ///< number of the machine profile's option `names[index]`
   Add,
   Subtract,
   Multiply,
@@ -64,6 +65,7 @@ struct FormulaStep {
 /// `given(DP) and given(DPR) and abs(RFP - DPR - DP) > 0.001`. Empty: no condition.
 struct Formula {
   std::vector<FormulaStep> steps;
+  std::vector<std::string> names; ///< of options
 
   bool empty() const { return steps.empty(); }
 };
@@ -77,8 +79,8 @@ struct FormulaName {
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
 /// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) floor(x) sin(x)
 /// cos(x) select(x,y,z) index() given(NAME) toolRadius() tool() level() feed() speed() note()
-/// origin() key(SYMBOL) length(NAME) here(NAME) bare(ADDRESS) place(AXIS)`. None, with `error` set,
-/// when it cannot.
+/// origin() key(SYMBOL) option(NAME) length(NAME) here(NAME) bare(ADDRESS) place(AXIS)`. None, with
+/// `error` set, when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,
