@@ -4,6 +4,7 @@
 #include "analyzer/engine.h"
 #include "interp/arc.h"
 #include "interp/compensated_path.h"
+#include "interp/contour_cycle.h"
 #include "interp/corner_path.h"
 #include "interp/tool_data.h"
 
@@ -13,11 +14,61 @@ namespace ncvet {
 
 namespace {
 
+/// Contours with more motions are not roughed: the memory that they take is bounded.
+constexpr size_t mostContourMoves = 100000;
+
+/// Gathers the contour that a cycle reads, with its corners put in.
+class ContourCollector {
+public:
+  explicit ContourCollector(const Dialect &dialect) : corners_(dialect) {}
+
+  void begin(const ExecutedBlock &executed, const ContourCycle &cycle) {
+    moves_.clear();
+    readsCorners_ = !cycle.has(CycleTrait::IgnoresCorners);
+    path_.emplace(executed.dialect);
+    axes_ = 0;
+    first_ = true;
+    add(cycle.start, {}, {Axis::Z, Axis::X});
+  }
+  void take(const ExecutedBlock &executed, llvm::ArrayRef<Move> moves) {
+    const CornerRequest corner = readsCorners_ ? corners_.read(executed) : CornerRequest();
+    const std::array<Axis, 2> plane =
+        arcWords(executed.dialect, executed.after, executed.block).axes;
+    for (const Move &move : moves)
+      if (move.kind <= MoveKind::Thread && moves_.size() < mostContourMoves)
+        add(move, corner, plane);
+    if (std::exchange(first_, false))
+      for (const Event &event : executed.outcome.events)
+        axes_ |= event.kind == EventKind::Motion ? event.axes : 0;
+  }
+  llvm::ArrayRef<Move> end(ContourCycle &cycle) {
+    path_->finish([&](uint64_t, const Move &move) { moves_.push_back(move); });
+    constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
+    cycle.bothAxes = (axes_ & both) == both;
+    return moves_.empty() || moves_.size() >= mostContourMoves
+               ? llvm::ArrayRef<Move>()
+               : llvm::ArrayRef<Move>(moves_).drop_front(); // the cycle's own start
+  }
+
+private:
+  void add(const Move &move, const CornerRequest &corner, const std::array<Axis, 2> &plane) {
+    path_->add(0, move, corner, plane,
+               [&](uint64_t, const Move &given) { moves_.push_back(given); });
+  }
+
+  const CornerWords corners_;
+  std::optional<CornerPath> path_;
+  llvm::SmallVector<Move, 0> moves_;
+  bool readsCorners_ = true, first_ = true;
+  uint16_t axes_ = 0; ///< that the first block names
+};
+
 /// Makes motions of the blocks that are executed.
 class Tracer : public BlockWatcher {
 public:
   Tracer(Project &project, FileUnit &unit, TraceSink &sink, TracedPath path)
-      : project_(project), sink_(sink), corners_(project.dialect()), path_(project.dialect()) {
+      : project_(project), sink_(sink), corners_(project.dialect()), path_(project.dialect()),
+        contour_(project.dialect()) {
     if (path == TracedPath::ToolCentre && !project.dialect().isLathe())
       compensated_.emplace(project.dialect(), outsideCorner(unit));
   }
@@ -25,20 +76,24 @@ public:
   void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after) override {
     constexpr uint8_t readAsData = 1, run = 2;
-    if (before.profile == readAsData)
-      return;
-    ran_ |= before.profile == run;
     const ExecutedBlock executed{*unit.dialect, unit.machine, block, outcome, before, after};
     moves_.clear();
-    if (returns_)
-      appendReturn(executed, moves_);
-    returns_ = false;
     appendMoves(executed, moves_);
+    const uint64_t tag = uint64_t(unit.source.id()) << 32 | block.begin;
+    if (before.profile == readAsData)
+      return contour_.take(executed, moves_);
+    if (before.profile == run && cycle_)
+      for (Move &move : moves_)
+        shiftByRest(*cycle_, move);
+    if (auto cycle = contourCycle(executed)) {
+      cycle_ = std::move(cycle);
+      cycleTag_ = tag;
+      contour_.begin(executed, *cycle_);
+    }
     if (moves_.empty())
       return;
     const CornerRequest corner = corners_.read(executed);
     const std::array<Axis, 2> plane = arcWords(*unit.dialect, after, block).axes;
-    const uint64_t tag = uint64_t(unit.source.id()) << 32 | block.begin;
     if (after.compensation == phaseOn) {
       const int8_t side = compensatedSide(*unit.dialect, after);
       const auto radius = compensationRadius(*unit.dialect, unit.machine, after);
@@ -49,8 +104,7 @@ public:
       }
     }
     for (const Move &move : moves_)
-      path_.add(tag, move, corner, plane,
-                [&](uint64_t from, const Move &m) { compensate(from, m); });
+      add(tag, move, corner, plane);
   }
 
   void lost(SourceRange where, llvm::StringRef why) override {
@@ -58,8 +112,21 @@ public:
     sink_.lost(unitOf(where.file), where, why);
   }
 
-  /// Behind a contour that it ran, the tool goes back to where the cycle began.
-  void profileEnds() override { returns_ = std::exchange(ran_, false); }
+  /// Behind a contour the tool goes back to where the cycle began.
+  void profileEnds() override {
+    if (!cycle_)
+      return;
+    const auto write = [&](const Move &move) { add(cycleTag_, move, {}, {Axis::Z, Axis::X}); };
+    const llvm::ArrayRef<Move> contour = contour_.end(*cycle_);
+    if (cycle_->kind == CycleKind::Contour) {
+      millContour(*cycle_, contour, write);
+    } else {
+      if (cycle_->kind != CycleKind::Finish)
+        roughContour(*cycle_, contour, write);
+      returnToStart(*cycle_, last_, write);
+    }
+    cycle_.reset();
+  }
 
   void finish() {
     path_.finish([&](uint64_t from, const Move &move) { compensate(from, move); });
@@ -68,6 +135,12 @@ public:
   }
 
 private:
+  void add(uint64_t tag, const Move &move, const CornerRequest &corner,
+           const std::array<Axis, 2> &plane) {
+    last_ = move.to;
+    path_.add(tag, move, corner, plane,
+              [&](uint64_t from, const Move &m) { compensate(from, m); });
+  }
   const FileUnit &unitOf(FileId file) { return project_.unit(project_.sources().get(file)); }
   static OutsideCorner outsideCorner(const FileUnit &unit) {
     const auto own = unit.machine.option("outsideCorner");
@@ -92,8 +165,10 @@ private:
   const CornerWords corners_;
   CornerPath path_;
   std::optional<CompensatedPath> compensated_;
-  bool ran_ = false;     ///< the blocks at hand are a contour that a cycle runs
-  bool returns_ = false; ///< the last blocks were one
+  ContourCollector contour_;
+  std::optional<ContourCycle> cycle_; ///< whose contour is read, or run
+  uint64_t cycleTag_ = 0;
+  Place last_; ///< where the last motion ends, without what corners change
   llvm::SmallVector<Move, 16> moves_;
 };
 

@@ -1,6 +1,8 @@
 // The motions of canned cycles: which file takes a cycle apart.
 #include "interp/cycle_moves.h"
 
+#include "interp/contour_cycle.h"
+
 namespace ncvet {
 
 namespace {
@@ -29,7 +31,8 @@ void appendCycleMoves(const ExecutedBlock &executed, const Event &event,
                                   executed.outcome, executed.before, executed.after},
                                  *cycle, moves);
     }
-    if (appendTurningMoves(executed, *cycle, moves))
+    if (contourCycle(executed) || appendTurningMoves(executed, *cycle, moves) ||
+        appendThreadMoves(executed, *cycle, moves) || appendAreaMoves(executed, *cycle, moves))
       return;
   }
   Move &move = moves.emplace_back();

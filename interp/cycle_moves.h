@@ -13,6 +13,12 @@ void appendCycleMoves(const ExecutedBlock &executed, const Event &event,
 /// Drilling, tapping, boring at each of the block's places.
 void appendDrillingMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                          llvm::SmallVectorImpl<Move> &moves);
+/// Threads cut by turning; false when the cycle is none, or a parameter block.
+bool appendThreadMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
+                       llvm::SmallVectorImpl<Move> &moves);
+/// Pockets, slots, faces, islands as their envelope; false when the table does not say where.
+bool appendAreaMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
+                     llvm::SmallVectorImpl<Move> &moves);
 /// Single passes and grooves; false when the cycle is none of these.
 bool appendTurningMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                         llvm::SmallVectorImpl<Move> &moves);

@@ -42,6 +42,8 @@ const WordSpec *CycleWordReader::spec(Role role) const {
 
 /// A word that the active cycle keeps from an earlier block.
 std::optional<Interval> CycleWordReader::kept(unsigned place, bool length) const {
+  if (cycle_.twoBlock) // the words kept are those of the parameter block, which mean other things
+    return std::nullopt;
   const CycleWords &words = executed_.after.cycle;
   if (place >= words.value.size() || !(words.present >> place & 1))
     return std::nullopt;

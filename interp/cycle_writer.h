@@ -13,10 +13,12 @@ protected:
   CycleWriter(const ExecutedBlock &executed, const CodeInfo &cycle,
               llvm::SmallVectorImpl<Move> &moves)
       : executed_(executed), cycle_(cycle), words_(executed, cycle), at_(executed.before.position),
-        machineAxes_(executed.before.machineAxes), moves_(moves) {}
+        machineAxes_(executed.before.machineAxes), moves_(moves), most_(moves.size() + mostMoves) {}
 
   /// A motion, or what stands between two, with the tool at `at_`.
   Move &go(MoveKind kind) {
+    if (moves_.size() >= most_)
+      return spare_ = Move();
     Move &move = moves_.emplace_back();
     move.kind = kind;
     move.to = at_;
@@ -31,6 +33,15 @@ protected:
     return go(kind);
   }
 
+  /// Whether the word gives a place along the axis.
+  bool namesAxis(const WordSpec &spec, Axis axis) const {
+    for (unsigned letter = 0; letter < 26; ++letter)
+      if (spec.any >> letter & 1 && executed_.dialect.addresses[letter].axis == axis &&
+          maskOf(AddressId(letter)) & executed_.dialect.axisWords)
+        return true;
+    return false;
+  }
+
   /// No cycle makes more steps than this: smaller ones are an error that rules report.
   static constexpr unsigned mostSteps = 10000;
   static constexpr double tolerance = 1e-9; ///< mm
@@ -42,7 +53,12 @@ protected:
   uint32_t machineAxes_;
 
 private:
+  /// A cycle with more of them is not followed further than so many.
+  static constexpr size_t mostMoves = 50000;
+
   llvm::SmallVectorImpl<Move> &moves_;
+  const size_t most_;
+  Move spare_; ///< takes what is not followed
 };
 
 } // namespace ncvet

@@ -1,4 +1,5 @@
 // Canned cycles: when they start, run and end, and where they leave the tool.
+#include "formats/dialect/measure.h"
 #include "interp/execution.h"
 #include "interp/formula.h"
 
@@ -256,9 +257,10 @@ bool Execution::patternPlaces(const CodeInfo &code) {
   return true;
 }
 
-/// Where a cycle that is called with arguments leaves the tool.
+/// Where a cycle that is called with arguments leaves the tool, or one that mills an area.
 void Execution::endOfCall(const CodeInfo &code) {
-  if (!block_.has(argumentAddress))
+  const bool called = block_.has(argumentAddress);
+  if (!called && (code.cycle < CycleKind::Face || code.cycle == CycleKind::Measure))
     return;
   state_.fedFrom = Interval::unknown();
   const Interval factor = lengthFactor();
@@ -281,6 +283,11 @@ void Execution::endOfCall(const CodeInfo &code) {
   unsigned axis = 0; // the centre is given by the first and the second axis of the plane
   constexpr Axis order[][2] = {{Axis::X, Axis::Y}, {Axis::Z, Axis::X}, {Axis::Y, Axis::Z}};
   const auto &axes = tool == Axis::Z ? order[0] : tool == Axis::Y ? order[1] : order[2];
+  for (const CycleMeasure &measure : code.measures)
+    if (measure.what == Measure::Back)
+      state_.at(tool) = factor.isConstant()
+                            ? levelOf(measure.formula, code, context_) * factor.value()
+                            : Interval::unknown();
   for (const WordSpec &spec : code.words) {
     const Word *word = wordFor(block_, spec);
     if (spec.role == Role::Height && word)

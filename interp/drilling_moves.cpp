@@ -1,5 +1,6 @@
 // The motions of cycles that make holes, by the shape that the table gives each.
 #include "interp/cycle_moves.h"
+#include "interp/cycle_parameters.h"
 #include "interp/cycle_writer.h"
 #include "interp/formula.h"
 
@@ -15,11 +16,15 @@ class DrillingMoves : private CycleWriter {
 public:
   DrillingMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                 llvm::SmallVectorImpl<Move> &moves)
-      : CycleWriter(executed, cycle, moves), tool_(toolAxis(executed.dialect, executed.after)) {}
+      : CycleWriter(executed, cycle, moves), parameters_(executed, cycle),
+        tool_(toolAxis(executed.dialect, executed.after)) {}
 
-  /// The cycle's motions at each place to which the block takes it.
+  /// The cycle's motions at each place to which the block takes it; where the tool stands when the
+  /// cycle is called.
   void run() {
     const auto tool = size_t(tool_);
+    if (executed_.outcome.holes.empty())
+      return drill();
     for (const Place &hole : executed_.outcome.holes) {
       Place place = hole;
       place[tool] = at_[tool];
@@ -43,12 +48,21 @@ private:
     move.value = executed_.after.speed;
   }
   void dwell() {
+    if (const auto time = parameters_.number(Measure::Dwell)) {
+      if (*time != Interval::exactly(0))
+        stay(*time);
+      return;
+    }
     for (const Role role : {Role::Dwell, Role::Time})
       if (const auto time = words_.value(role)) {
         go(MoveKind::Dwell).value =
             executed_.dialect.dwellInMilliseconds && dwellIsWhole() ? *time * 0.001 : *time;
         return;
       }
+  }
+  /// Seconds, or turns of the spindle below zero.
+  void stay(const Interval &time) {
+    go(MoveKind::Dwell).value = time.lo >= 0 ? time : Interval::unknown();
   }
   bool dwellIsWhole() const {
     const WordSpec *spec = words_.spec(Role::Dwell);
@@ -200,52 +214,80 @@ private:
     spindle(turning);
   }
 
-  /// Depths of the passes, one below the other. Without a known step only the last one.
-  void peck(const Interval &approach, const Interval &bottom) {
+  /// The first peck: its level, and the depth from which the later ones take their measure.
+  struct FirstPeck {
+    double level = 0, depth = 0;
+  };
+  std::optional<FirstPeck> firstPeck(double approach, double sign) const {
+    const auto level = parameters_.length(Measure::FirstDepth);
+    const auto top = parameters_.length(Measure::Top);
+    if (level && top)
+      return level->isConstant() && top->isConstant()
+                 ? std::optional(
+                       FirstPeck{level->value(), std::fabs(level->value() - top->value())})
+                 : std::nullopt;
     const auto step = words_.value(Role::Peck);
     const auto first = words_.value(Role::PeckFirst);
-    const bool known = approach.isConstant() && bottom.isConstant() && (step || first) &&
-                       (!step || step->isConstant()) && (!first || first->isConstant());
-    if (!known)
+    if ((!step && !first) || (step && !step->isConstant()) || (first && !first->isConstant()))
+      return std::nullopt;
+    const double depth = std::fabs(first ? first->value() : step->value());
+    return FirstPeck{approach + sign * depth, depth};
+  }
+
+  /// Depths of the passes, one below the other. Without a known step only the last one.
+  void peck(const Interval &approach, const Interval &bottom) {
+    const bool known = approach.isConstant() && bottom.isConstant();
+    const double end = known ? bottom.value() : 0;
+    const double sign = known && end < approach.value() ? -1 : 1;
+    const auto first = known ? firstPeck(approach.value(), sign) : std::nullopt;
+    if (!first)
       return toLevel(MoveKind::Linear, bottom);
-    const double end = bottom.value(), sign = end < approach.value() ? -1 : 1;
-    double length = std::fabs(first ? first->value() : step->value());
-    double level = approach.value();
+    double level = first->level, length = first->depth;
     for (unsigned pass = 0; pass < mostSteps && length > tolerance; ++pass) {
-      level += sign * length;
       if ((end - level) * sign <= tolerance)
         break;
       toLevel(MoveKind::Linear, Interval::exactly(level));
       lift(approach, level, sign);
-      length = nextPeck(length, first.has_value());
+      length = nextPeck(length);
+      level += sign * length;
     }
     toLevel(MoveKind::Linear, bottom);
   }
   /// Between two passes: out of the hole and back to a little above the bottom, or only a little
   /// up.
   void lift(const Interval &approach, double level, double sign) {
-    const auto clearance = words_.value(Role::PeckClearance);
+    const auto word = words_.value(Role::PeckClearance);
+    const auto clearance = word ? word : parameters_.length(Measure::Retract);
     const Interval above =
         clearance ? Interval::exactly(level) + *clearance * -sign : Interval::unknown();
-    if (cycle_.cycle == CycleKind::Peck && !liftsOnly())
+    if (cycle_.cycle == CycleKind::Peck && !liftsOnly()) {
       toLevel(MoveKind::Rapid, approach);
+      if (const auto time = parameters_.number(Measure::DwellTop);
+          time && *time != Interval::exactly(0))
+        stay(*time);
+    }
     toLevel(MoveKind::Rapid, above);
   }
   /// The cycle's method says that the chip is broken only.
   bool liftsOnly() const {
+    if (const auto breaks = parameters_.number(Measure::ChipBreak))
+      return *breaks != Interval::exactly(0);
     const auto method = words_.value(Role::Method);
     return method && method->isConstant() && method->value() == 1;
   }
-  double nextPeck(double length, bool afterFirst) const {
+  double nextPeck(double length) const {
     const auto step = words_.value(Role::Peck);
-    const auto by = words_.value(Role::PeckStep), least = words_.value(Role::PeckLeast);
+    const auto word = words_.value(Role::PeckStep), least = words_.value(Role::PeckLeast);
+    const auto by = word ? word : parameters_.length(Measure::Reduction);
     if (by && by->isConstant()) { // less by so much, down to the least one, or to so much itself
       const double smaller = std::fabs(by->value());
       return std::max(length - smaller, least && least->isConstant() ? least->value() : smaller);
     }
+    const bool afterFirst = words_.value(Role::PeckFirst).has_value();
     return afterFirst && step && step->isConstant() ? std::fabs(step->value()) : length;
   }
 
+  const CycleParameters parameters_;
   const Axis tool_;
 };
 

@@ -1,5 +1,6 @@
 // The motions of turning cycles: single passes, and grooves.
 #include "interp/cycle_moves.h"
+#include "interp/cycle_parameters.h"
 #include "interp/cycle_writer.h"
 
 #include <cmath>
@@ -18,7 +19,6 @@ public:
     switch (cycle_.cycle) {
     case CycleKind::TurnPass:
     case CycleKind::FacePass:
-    case CycleKind::ThreadPass:
       pass();
       return true;
     case CycleKind::GrooveFace:
@@ -33,13 +33,13 @@ public:
   }
 
 private:
-  /// One pass of turning, facing or threading: in, along, out, back.
+  /// One pass of turning or facing: in, along, out, back.
   void pass() {
     const bool facing = cycle_.cycle == CycleKind::FacePass;
     const Place start = at_;
     const auto target = [&](Axis axis) {
       for (const WordSpec &spec : cycle_.words) {
-        if (spec.role == Role::Taper || !names(spec, axis))
+        if (spec.role == Role::Taper || !namesAxis(spec, axis))
           continue;
         const auto value = words_.value(spec);
         if (value)
@@ -49,8 +49,6 @@ private:
     };
     const Interval x = target(Axis::X), z = target(Axis::Z);
     const auto taper = words_.value(Role::Taper).value_or(Interval::exactly(0));
-    const MoveKind along =
-        cycle_.cycle == CycleKind::ThreadPass ? MoveKind::Thread : MoveKind::Linear;
     Interval &atX = at_[size_t(Axis::X)], &atZ = at_[size_t(Axis::Z)];
     if (facing)
       atZ = z + taper;
@@ -59,16 +57,16 @@ private:
     go(MoveKind::Rapid);
     atX = x;
     atZ = z;
-    go(along);
+    go(MoveKind::Linear);
     (facing ? atZ : atX) = start[size_t(facing ? Axis::Z : Axis::X)];
-    go(along == MoveKind::Thread ? MoveKind::Rapid : MoveKind::Linear);
+    go(MoveKind::Linear);
     at_ = start;
     go(MoveKind::Rapid);
   }
   /// Where the cycle's word leads along an axis, from `start`.
   std::optional<Interval> leadsTo(Axis axis, const Interval &start) const {
     for (const WordSpec &spec : cycle_.words)
-      if ((spec.role == Role::Target || spec.role == Role::Depth) && names(spec, axis))
+      if ((spec.role == Role::Target || spec.role == Role::Depth) && namesAxis(spec, axis))
         if (const Word *word = wordFor(executed_.block, spec); word && names(*word, axis))
           if (const auto value = words_.value(spec))
             return words_.isIncrement(spec) ? start + *value : *value;
@@ -96,6 +94,7 @@ private:
     const double by = std::copysign(step.isConstant() ? std::fabs(step.value()) : 0, way);
     for (unsigned groove = 0; groove < mostSteps; ++groove) {
       cutGroove(along, start[size_t(along)], *bottom);
+      relieve(across, start[size_t(across)], last);
       at_[size_t(along)] = start[size_t(along)];
       go(MoveKind::Rapid);
       if (!known || std::fabs(end - place) < tolerance || way == 0)
@@ -129,20 +128,23 @@ private:
     at = bottom;
     go(MoveKind::Linear);
   }
-  /// How far the tool goes back to break the chip: R of the parameter block, else a setting.
-  Interval chipBreak() const {
-    const CycleWords &words = executed_.before.cycle;
-    if (executed_.before.pendingCycle == noCode || !words.has('R') || std::isnan(words.get('R')))
-      return Interval::unknown();
-    return Interval::exactly(words.get('R'));
+  /// At the bottom away from the wall, against the direction in which the grooves follow.
+  void relieve(Axis across, const Interval &first, const std::optional<Interval> &last) {
+    const auto relief = words_.value(Role::Relief);
+    if (!relief || *relief == Interval::exactly(0) || !last)
+      return;
+    const bool known = first.isConstant() && last->isConstant();
+    const double unit = executed_.dialect.lengthsPerUnit(across);
+    const double sign = !known ? 0 : first.value() < last->value() ? -1 : 1;
+    Interval &at = at_[size_t(across)];
+    at = known ? at + *relief * (sign * unit) : Interval::unknown();
+    go(MoveKind::Rapid);
   }
-
-  bool names(const WordSpec &spec, Axis axis) const {
-    for (unsigned letter = 0; letter < 26; ++letter)
-      if (spec.any >> letter & 1 && executed_.dialect.addresses[letter].axis == axis &&
-          maskOf(AddressId(letter)) & executed_.dialect.axisWords)
-        return true;
-    return false;
+  /// How far the tool goes back to break the chip.
+  Interval chipBreak() const {
+    return CycleParameters(executed_, cycle_)
+        .length(Measure::Retract, Role::Retract)
+        .value_or(Interval::unknown());
   }
 };
 

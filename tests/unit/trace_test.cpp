@@ -58,6 +58,7 @@ private:
   }
 };
 
+/// `machine` is the text of a machine profile, or empty.
 std::vector<std::string> traceOf(const char *dialect, const std::string &program,
                                  const std::string &machine = "") {
   Written written;
@@ -171,6 +172,224 @@ TEST(Trace, ATurningPassReturnsToItsStart) {
   EXPECT_THAT(traceOf("fanuc-0t", "G0 X50. Z60.\nG77 X36. Z20. R-4. F0.2\nG0 X60. Z80.\n"),
               ElementsAre("1 rapid X50 Z60", "2 rapid X28 Z60", "2 linear X36 Z20",
                           "2 linear X50 Z20", "2 rapid X50 Z60", "3 rapid X60 Z80"));
+}
+
+/// The levels are those that the manual's sample gives: radii of 27.15, 19.15 and 11.15, and 8.65
+/// where the contour ends. Z goes back first, because the contour ends outside the start.
+TEST(Trace, RoughingCutsLevelsDownToTheContour) {
+  EXPECT_THAT(traceOf("haas-lathe",
+                      "G54 G00 X70. Z3.\n"
+                      "G71 P10 Q20 U0.3 W0.1 D8. F0.3\n"
+                      "N10 G00 X17.\n"
+                      "G01 X17. Z0\n"
+                      "X28. Z-15.\n"
+                      "Z-23.\n"
+                      "G02 X44. Z-31. R8.\n"
+                      "G01 Z-39.\n"
+                      "X70. Z-65.\n"
+                      "N20 G00 X74.\n"
+                      "M30\n",
+                      R"({"dialect": "haas-lathe", "options": {"setting73": 0.5}})"),
+              ElementsAre("1 rapid X70 Z3", "2 rapid X70.3 Z3.1", "2 rapid X54.3 Z3.1",
+                          "2 linear X54.3 Z-48.9", "2 rapid X55.3 Z-48.4", "2 rapid X55.3 Z3.1",
+                          "2 rapid X38.3 Z3.1", "2 linear X38.3 Z-30.316", "2 rapid X39.3 Z-29.816",
+                          "2 rapid X39.3 Z3.1", "2 rapid X22.3 Z3.1", "2 linear X22.3 Z-6.718",
+                          "2 rapid X23.3 Z-6.218", "2 rapid X23.3 Z3.1", "2 rapid X17.3 Z3.1",
+                          "2 linear X17.3 Z0.1", "2 rapid X18.3 Z0.6", "2 rapid X18.3 Z3.1",
+                          "2 rapid X17.3 Z3.1", "2 linear X17.3 Z0.1", "2 linear X28.3 Z-14.9",
+                          "2 linear X28.3 Z-22.9", "2 arc X44.3 Z-30.9 cw -22.9/44.3 0.25",
+                          "2 linear X44.3 Z-38.9", "2 linear X70.3 Z-64.9", "2 rapid X74.3 Z-64.9",
+                          "2 rapid X74.3 Z3", "2 rapid X70 Z3", "11 end"));
+}
+
+/// Without the setting only the withdrawal between the passes is not known.
+TEST(Trace, RoughingWithoutTheSettingKeepsItsLevels) {
+  EXPECT_THAT(traceOf("haas-lathe", "G54 G00 X20. Z2.\nG71 P10 Q20 U0. W0. D3. F0.3\n"
+                                    "N10 G00 X10.\nG01 Z-5.\nN20 X20.\nM30\n"),
+              ElementsAre("1 rapid X20 Z2", "2 rapid X14 Z2", "2 linear X14 Z-5", "2 rapid",
+                          "2 rapid Z2", "2 rapid X10 Z2", "2 linear X10 Z-5", "2 rapid",
+                          "2 rapid Z2", "2 rapid X10 Z2", "2 linear X10 Z-5", "2 linear X20 Z-5",
+                          "2 rapid X20 Z-5", "2 rapid X20 Z2", "6 end"));
+}
+
+/// A pocket behind a shoulder is cut level by level from above; the tool crosses the shoulder above
+/// it. The control runs the contour itself behind the cycle.
+TEST(Trace, APocketIsRoughedBehindItsShoulder) {
+  EXPECT_THAT(
+      traceOf("nct-104t", "%O1\nG0 X30 Z2\nG71 U5 R1\nG71 P10 Q20 U0 W0 F0.2\n"
+                          "N10 G0 X20 Z2\nG1 Z-10\nX10 Z-15\nZ-20\nN20 X30\nM30\n%\n"),
+      ElementsAre("2 rapid X30 Z2", "4 rapid X20 Z2", "4 linear X20 Z-20", "4 rapid X22 Z-19",
+                  "4 rapid X22 Z2", "4 rapid X22 Z2", "4 rapid X22 Z-15", "4 linear X10 Z-15",
+                  "4 linear X10 Z-20", "4 rapid X12 Z-19", "4 rapid X22 Z-19", "4 rapid X22 Z2",
+                  "4 rapid X20 Z2", "4 linear X20 Z-10", "4 linear X10 Z-15", "4 linear X10 Z-20",
+                  "4 linear X30 Z-20", "4 rapid X30 Z2", "5 rapid X20 Z2", "6 linear X20 Z-10",
+                  "7 linear X10 Z-15", "8 linear X10 Z-20", "9 linear X30 Z-20", "10 end"));
+}
+
+TEST(Trace, FacingPassesLieSideBySide) {
+  EXPECT_THAT(traceOf("fanuc-0t", "G0 X40. Z2.\nG72 W3. R1.\nG72 P10 Q20 U0 W0 F0.2\n"
+                                  "N10 G0 Z-5.\nG1 X20.\nN20 Z2.\nM30\n"),
+              ElementsAre("1 rapid X40 Z2", "3 rapid X40 Z-1", "3 linear X20 Z-1", "3 rapid X22 Z0",
+                          "3 rapid X40 Z0", "3 rapid X40 Z-4", "3 linear X20 Z-4",
+                          "3 rapid X22 Z-3", "3 rapid X40 Z-3", "3 rapid X40 Z-5",
+                          "3 linear X20 Z-5", "3 rapid X22 Z-4", "3 rapid X40 Z-4",
+                          "3 rapid X40 Z-5", "3 linear X20 Z-5", "3 linear X20 Z2",
+                          "3 rapid X40 Z2", "7 end"));
+}
+
+/// The stock is divided by the number of passes.
+TEST(Trace, AContourIsRepeatedFromFarToNear) {
+  EXPECT_THAT(traceOf("nct-104t", "%O1\nG0 X140 Z80\nG73 U14 W14 R3\nG73 P10 Q20 U4 W4 F0.3\n"
+                                  "N10 G0 X40 Z64\nG1 Z50\nN20 G0 X200\nM30\n%\n"),
+              ElementsAre("2 rapid X140 Z80", "4 rapid X162.667 Z93.333", "4 rapid X62.667 Z77.333",
+                          "4 linear X62.667 Z63.333", "4 rapid X222.667 Z63.333",
+                          "4 rapid X153.333 Z88.667", "4 rapid X53.333 Z72.667",
+                          "4 linear X53.333 Z58.667", "4 rapid X213.333 Z58.667",
+                          "4 rapid X144 Z84", "4 rapid X44 Z68", "4 linear X44 Z54",
+                          "4 rapid X204 Z54", "4 rapid X140 Z80", "5 rapid X40 Z64",
+                          "6 linear X40 Z50", "7 rapid X200 Z50", "8 end"));
+}
+
+/// On the Haas the distances are those between the first and the last pass.
+TEST(Trace, TheFirstRepeatedContourLiesAsFarAsItsWordsSay) {
+  EXPECT_THAT(traceOf("haas-lathe", "G54 G00 X30. Z5.\nG73 P10 Q20 U0.4 W0.1 I3. K2. D3. F0.2\n"
+                                    "N10 G00 X10. Z1.\nN20 G01 Z-5.\nM30\n"),
+              ElementsAre("1 rapid X30 Z5", "2 rapid X36.4 Z7.1", "2 rapid X16.4 Z3.1",
+                          "2 linear X16.4 Z-2.9", "2 rapid X33.4 Z6.1", "2 rapid X13.4 Z2.1",
+                          "2 linear X13.4 Z-3.9", "2 rapid X30.4 Z5.1", "2 rapid X10.4 Z1.1",
+                          "2 linear X10.4 Z-4.9", "2 rapid X30 Z-4.9", "2 rapid X30 Z5", "5 end"));
+}
+
+std::vector<std::string> only(const std::vector<std::string> &lines, llvm::StringRef kind) {
+  std::vector<std::string> list;
+  for (const std::string &line : lines)
+    if (llvm::StringRef(line).contains(kind))
+      list.push_back(line);
+  return list;
+}
+
+/// Depths of first cut times the root of the pass, at least the smallest cut, two finishing passes:
+/// the manual's thread of 3.407 depth (its cycle runs Q0.6, least 0.3, allowance 0.05).
+TEST(Trace, AThreadIsCutInPassesThatGetSmaller) {
+  const auto passes = only(traceOf("nct-104t", "%O1\nS600 M3\nG0 X52 Z10\n"
+                                               "G76 R0.05 P020060 Q0.3\n"
+                                               "G76 X41.185 Z-55 F5 P3.407 Q0.6\nM30\n%\n"),
+                           "thread");
+  EXPECT_THAT(passes,
+              ElementsAre("5 thread X46.799 Z-55", "5 thread X46.199 Z-55", "5 thread X45.599 Z-55",
+                          "5 thread X44.999 Z-55", "5 thread X44.399 Z-55", "5 thread X43.799 Z-55",
+                          "5 thread X43.199 Z-55", "5 thread X42.599 Z-55", "5 thread X41.999 Z-55",
+                          "5 thread X41.399 Z-55", "5 thread X41.285 Z-55", "5 thread X41.185 Z-55",
+                          "5 thread X41.185 Z-55"));
+}
+
+/// Micrometres, and a run-out of 1.2 leads taken off the end.
+TEST(Trace, AThreadRunsOutInFrontOfItsEnd) {
+  EXPECT_THAT(traceOf("fanuc-0t", "S600 M3\nG0 X30. Z4.\nG78 P011200 Q100 R0.\n"
+                                  "G78 X18. Z-20. P1000 Q1000 F2.\nM30\n"),
+              ElementsAre("2 rapid X30 Z4", "4 rapid X18 Z4", "4 thread X18 Z-17.6",
+                          "4 thread X22.8 Z-20", "4 rapid X30 Z-20", "4 rapid X30 Z4",
+                          "4 rapid X18 Z4", "4 thread X18 Z-17.6", "4 thread X22.8 Z-20",
+                          "4 rapid X30 Z-20", "4 rapid X30 Z4", "5 end"));
+}
+
+/// D times the root of the pass down to what setting 86 leaves for the last one.
+TEST(Trace, TheMethodSaysHowAThreadIsCut) {
+  const char *settings =
+      R"({"dialect": "haas-lathe", "options": {"setting86": 0.1, "setting99": 0.01}})";
+  const std::string head = "S600 M3\nG54 G00 X22. Z4.\nG76 X18. Z-20. K1. D0.4 F2. A60 P";
+  EXPECT_THAT(only(traceOf("haas-lathe", head + "2\nM30\n", settings), "thread"),
+              ElementsAre("3 thread X19.2 Z-20", "3 thread X18.869 Z-20", "3 thread X18.614 Z-20",
+                          "3 thread X18.4 Z-20", "3 thread X18.211 Z-20", "3 thread X18.2 Z-20",
+                          "3 thread X18 Z-20"));
+  EXPECT_THAT(only(traceOf("haas-lathe", head + "4\nM30\n", settings), "thread"),
+              ElementsAre("3 thread X19.2 Z-20", "3 thread X18.4 Z-20", "3 thread X18.2 Z-20",
+                          "3 thread X18 Z-20"));
+}
+
+constexpr const char *endmillOfTen = R"({"dialect": "sinumerik", "tools": {"1": {"radius": 5}}})";
+
+/// From its centre the tool goes along the walls, less its radius; depths of at most so much may be
+/// smaller than that.
+TEST(Trace, APocketIsItsOutlineAtEachDepth) {
+  EXPECT_THAT(traceOf("sinumerik",
+                      "G17 G90 T1 M6 D1 S1000 M3\nG0 X0 Y0 Z60\n"
+                      "POCKET1(50,0,2,-5,,60,40,8,10,20,0,100,300,3,3,0,0,3,200,2500)\n"
+                      "M30\n",
+                      endmillOfTen),
+              ElementsAre("1 tool 1", "2 rapid X0 Y0 Z60", "3 rapid X10 Y20 Z50",
+                          "3 rapid X10 Y20 Z2", "3 linear X10 Y20", "3 linear X35 Y20",
+                          "3 linear X35 Y32", "3 arc X32 Y35 ccw 32/32 0.25", "3 linear X-12 Y35",
+                          "3 arc X-15 Y32 ccw -12/32 0.25", "3 linear X-15 Y8",
+                          "3 arc X-12 Y5 ccw -12/8 0.25", "3 linear X32 Y5",
+                          "3 arc X35 Y8 ccw 32/8 0.25", "3 linear X35 Y20", "3 linear X10 Y20",
+                          "3 linear X10 Y20 Z-5", "3 linear X35 Y20 Z-5", "3 linear X35 Y32 Z-5",
+                          "3 arc X32 Y35 Z-5 ccw 32/32 0.25", "3 linear X-12 Y35 Z-5",
+                          "3 arc X-15 Y32 Z-5 ccw -12/32 0.25", "3 linear X-15 Y8 Z-5",
+                          "3 arc X-12 Y5 Z-5 ccw -12/8 0.25", "3 linear X32 Y5 Z-5",
+                          "3 arc X35 Y8 Z-5 ccw 32/8 0.25", "3 linear X35 Y20 Z-5",
+                          "3 linear X10 Y20 Z-5", "3 rapid X10 Y20 Z50", "4 end"));
+}
+
+TEST(Trace, WithoutItsRadiusTheToolIsSomewhereInThePocket) {
+  EXPECT_THAT(traceOf("sinumerik", "G17 G90 S1000 M3\nG0 X0 Y0 Z60\n"
+                                   "POCKET2(50,0,2,-5,,20,7,8,100,300,9,3,0,0,2,200,2500)\nM30\n"),
+              ElementsAre("2 rapid X0 Y0 Z60", "3 rapid X7 Y8 Z50", "3 rapid X7 Y8 Z2",
+                          "3 linear X7 Y8 Z-5", "3 linear Z-5", "3 linear X7 Y8 Z-5",
+                          "3 rapid X7 Y8 Z50", "4 end"));
+}
+
+/// On the ECS depths are steps of INI from RAP on, and the tool ends over the point.
+TEST(Trace, AnIslandIsMilledFromOutside) {
+  EXPECT_THAT(traceOf("ecs",
+                      "N10 G17 G90 <CFF=CFZ> T1 M6\nN20 S1000 M3 F300\nN30 G0 X0 Y0 Z50\n"
+                      "N40 G188 <ENT=-6><RAP=0><RAL=5><DIA=30><ROT=2><SME=2><ANA=0><KFD=0.5>"
+                      "<DRA=1><INI=4><ASF=0>\nN50 X40 Y40\nN60 G150 Z50\nN70 M30\n",
+                      R"({"dialect": "ecs", "tools": {"1": {"radius": 5}}})"),
+              ElementsAre("1 tool 1", "3 rapid X0 Y0 Z50", "5 rapid X40 Y40 Z50", "5 rapid Z50",
+                          "5 rapid Z0", "5 linear Z-4", "5 linear X61 Y40 Z-4",
+                          "5 arc X61 Y40 Z-4 cw 40/40 1", "5 linear Z-6", "5 linear X61 Y40 Z-6",
+                          "5 arc X61 Y40 Z-6 cw 40/40 1", "5 rapid Z5", "5 rapid X40 Y40 Z5",
+                          "6 rapid X40 Y40 Z50", "7 end"));
+}
+
+/// Finishing leads along the contour itself; where it begins and ends nobody knows.
+TEST(Trace, AContourIsMilledLevelByLevel) {
+  Written written;
+  test::withProgram("sinumerik",
+                    {{"PART.MPF", "G17 G90 S1000 M3\nG0 X-40 Y-40 Z50\n"
+                                  "CYCLE72(\"KONT\",50,0,2,-6,3,0,0,300,150,12,41,2,15)\nM30\n"},
+                     {"KONT.SPF", "G90 G0 X0 Y0\nG1 Y60\nG2 X20 Y80 CR=20\nM17\n"}},
+                    "",
+                    [&](Project &project, FileUnit &unit) { trace(project, unit, {}, written); });
+  EXPECT_THAT(written.lines, ElementsAre("2 rapid X-40 Y-40 Z50", "3 rapid Z2", "3 linear Z-6",
+                                         "3 linear X0 Y0 Z-6", "3 linear X0 Y60 Z-6",
+                                         "3 arc X20 Y80 Z-6 cw 20/60 0.25", "3 linear Z-6",
+                                         "3 rapid Z50", "4 end"));
+}
+
+/// The first depth from the reference plane, each next one smaller by so much, none smaller than
+/// that; outside the hole the tool waits.
+TEST(Trace, PecksGetSmaller) {
+  EXPECT_THAT(traceOf("sinumerik", "G17 G90 S1000 M3 F100\nG0 X0 Y0 Z50\n"
+                                   "CYCLE83(50,0,2,-24,,-10,,4,1,0.5,1,1)\nM30\n"),
+              ElementsAre("2 rapid X0 Y0 Z50", "3 rapid X0 Y0 Z2", "3 linear X0 Y0 Z-10",
+                          "3 rapid X0 Y0 Z2", "3 dwell 0.5", "3 rapid X0 Y0", "3 linear X0 Y0 Z-16",
+                          "3 rapid X0 Y0 Z2", "3 dwell 0.5", "3 rapid X0 Y0", "3 linear X0 Y0 Z-20",
+                          "3 rapid X0 Y0 Z2", "3 dwell 0.5", "3 rapid X0 Y0", "3 linear X0 Y0 Z-24",
+                          "3 dwell 1", "3 rapid X0 Y0 Z50", "4 end"));
+  EXPECT_THAT(traceOf("sinumerik", "G17 G90 S1000 M3 F100\nG0 X0 Y0 Z50\n"
+                                   "CYCLE83(50,0,2,-14,,,10,4,0,0,1,0)\nM30\n"),
+              ElementsAre("2 rapid X0 Y0 Z50", "3 rapid X0 Y0 Z2", "3 linear X0 Y0 Z-10",
+                          "3 rapid X0 Y0", "3 linear X0 Y0 Z-14", "3 rapid X0 Y0 Z50", "4 end"));
+}
+
+/// However small the cut, the passes end.
+TEST(Trace, AMillionPassesAreNotFollowed) {
+  const auto lines = traceOf("fanuc-0t", "G0 X50. Z2.\nG73 U.00001 R1.\nG73 P10 Q20 U0 W0 F0.2\n"
+                                         "N10 G0 X10.\nG1 Z-5.\nN20 X50.\nM30\n");
+  EXPECT_LT(lines.size(), 300000u);
+  EXPECT_EQ(lines.back(), "7 end");
 }
 
 /// A centre under incremental input, and a ratio without a point, may mean several things.

@@ -1,0 +1,36 @@
+// What a cycle's formulas and words give, from its block and the parameter block in front of it.
+#pragma once
+
+#include "formats/dialect/measure.h"
+#include "interp/moves.h"
+
+#include <optional>
+
+namespace ncvet {
+
+class CycleParameters {
+public:
+  CycleParameters(const ExecutedBlock &executed, const CodeInfo &cycle);
+
+  /// Value of the formula as it stands; none when the cycle has no such formula, or a word that it
+  /// names is not given.
+  std::optional<Interval> number(Measure what) const;
+  /// The same of a length, in millimetres.
+  std::optional<Interval> length(Measure what) const;
+  /// Length (mm) of the word with that role.
+  std::optional<Interval> length(Role role) const;
+  std::optional<Interval> length(Measure what, Role role) const {
+    const auto value = length(what);
+    return value ? value : length(role);
+  }
+  /// Millimetres per unit of a length.
+  Interval lengthFactor() const;
+
+private:
+  const CodeInfo *parameterBlock() const;
+
+  const ExecutedBlock &executed_;
+  const CodeInfo &cycle_;
+};
+
+} // namespace ncvet
