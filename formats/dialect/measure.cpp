@@ -16,8 +16,9 @@ constexpr llvm::StringLiteral measures[] = {
     "feed-down",      "feed-along"};
 static_assert(std::size(measures) == size_t(Measure::FeedAlong) + 1);
 
-constexpr llvm::StringLiteral traits[] = {"follows-contour", "returns-by-axes", "ignores-corners"};
-static_assert(std::size(traits) == size_t(CycleTrait::IgnoresCorners) + 1);
+constexpr llvm::StringLiteral traits[] = {"follows-contour", "returns-by-axes", "ignores-corners",
+                                          "wants-hole"};
+static_assert(std::size(traits) == size_t(CycleTrait::WantsHole) + 1);
 } // namespace
 
 llvm::ArrayRef<llvm::StringLiteral> measureNames() { return measures; }

@@ -61,7 +61,8 @@ llvm::ArrayRef<llvm::StringLiteral> measureNames();
 enum class CycleTrait : uint8_t {
   FollowsContour, ///< each roughing pass ends along the contour, up to the pass before
   ReturnsByAxes,  ///< back to the start the axis that leaves the work goes first
-  IgnoresCorners  ///< corners and lines by angle in the contour do not count
+  IgnoresCorners, ///< corners and lines by angle in the contour do not count
+  WantsHole       ///< goes straight down where a hole must be
 };
 llvm::ArrayRef<llvm::StringLiteral> cycleTraitNames();
 

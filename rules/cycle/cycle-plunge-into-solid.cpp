@@ -1,16 +1,88 @@
 // A tool is fed down where material stands.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
+#include "formats/dialect/measure.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
 
 class CyclePlungeIntoSolid final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onNotices(id); }
-  void on(const Event &event, RuleContext &ctx) override { ctx.reportNotices(id, event); }
+  void listen(Subscriptions &to) override {
+    to.onNotices(id);
+    wantsHoles_ = llvm::any_of(
+        to.dialect().codes, [](const CodeInfo &code) { return has(code, CycleTrait::WantsHole); });
+    if (!wantsHoles_)
+      return;
+    to.on(EventKind::CycleRun);
+    to.onMoves({MotionKind::Feed});
+  }
+
+  void on(const Event &event, RuleContext &ctx) override {
+    ctx.reportNotices(id, event);
+    if (!wantsHoles_)
+      return;
+    if (event.kind == EventKind::Motion)
+      return madeByHand(event, ctx);
+    if (event.kind != EventKind::CycleRun || event.code == noCode)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (has(code, CycleTrait::WantsHole))
+      return wanted(event, ctx);
+    if (makesHole(code.cycle) || code.cycle == CycleKind::Pocket ||
+        code.cycle == CycleKind::Pattern)
+      for (const Place &place : ctx.outcome().holes)
+        made(inPlane(place, ctx));
+  }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-plunge-into-solid"};
+  /// Holes beyond so many are not told apart any more.
+  static constexpr size_t mostHoles = 4096;
+  using Place = std::array<Interval, axisCount>;
+
+  static std::array<Interval, 2> inPlane(const Place &place, RuleContext &ctx) {
+    const auto axes = planeOrder(ctx.dialect(), ctx.after());
+    return {place[size_t(axes[0])], place[size_t(axes[1])]};
+  }
+
+  void made(const std::array<Interval, 2> &place) {
+    if (!place[0].isConstant() || !place[1].isConstant() || holes_.size() >= mostHoles)
+      anywhere_ = true;
+    else
+      holes_.push_back({place[0].value(), place[1].value()});
+  }
+
+  /// A feed along the tool's axis alone.
+  void madeByHand(const Event &event, RuleContext &ctx) {
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    if (event.axes == uint16_t(1u << unsigned(tool)))
+      made(inPlane(ctx.after().position, ctx));
+  }
+
+  void wanted(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const auto [x, y] = inPlane(state.position, ctx);
+    if (anywhere_ || !x.isConstant() || !y.isConstant() || state.transforms[0] ||
+        state.may(Fact::UnknownCode) || ctx.callDepth() > 0 || isMade(x.value(), y.value()))
+      return;
+    if (auto finding = ctx.report(event, /*certain=*/false))
+      finding.message(
+          "`{0}` goes straight down and wants a hole there: this program has drilled none",
+          ctx.code(event).name);
+  }
+
+  bool isMade(double x, double y) const {
+    constexpr double near = 0.01; // mm
+    return llvm::any_of(holes_, [&](const std::array<double, 2> &hole) {
+      return std::hypot(hole[0] - x, hole[1] - y) < near;
+    });
+  }
+
+  bool wantsHoles_ = false; ///< the control has cycles that go down into a hole
+  bool anywhere_ = false;   ///< a hole was made at a place that is not known
+  std::vector<std::array<double, 2>> holes_;
 };
 
 } // namespace
