@@ -20,9 +20,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    ctx.reportNotices(id, event);
-    if (!wantsHoles_)
-      return;
+    if (event.kind == EventKind::Code)
+      return ctx.reportNotices(id, event);
     if (event.kind == EventKind::Motion)
       return madeByHand(event, ctx);
     if (event.kind != EventKind::CycleRun || event.code == noCode)
