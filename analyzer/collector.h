@@ -11,7 +11,7 @@ namespace ncvet {
 
 /// A step of the way to a block; a list that grows at its head and is shared by all states.
 struct PathNode {
-  enum class Kind : uint8_t { Call, Jump, NoJump, Skip, LoopPass } kind;
+  enum class Kind : uint8_t { Call, ModalCall, Jump, NoJump, Skip, LoopPass } kind;
   SourceRange range;
   int64_t number = 0;
   unsigned length = 1;

@@ -340,7 +340,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         dispatcher_.dispatchMove(unit, block_, outcome_, before, live.state, region.depth);
       else if (outcome_.kinds & dispatcher_.kinds())
         dispatcher_.dispatch(unit, block_, outcome_, before, live.state, region.depth);
-      const int32_t macro = outcome_.macroAfterMove;
+      const Truth modal = outcome_.callsModally;
       if (lastOfProfile) {
         activation.exits.push_back({std::move(live), notSet});
         continue;
@@ -348,7 +348,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       if (region.kind == Kind::Profile && outcome_.flow.kind != FlowKind::Next &&
           outcome_.flow.kind != FlowKind::End && outcome_.flow.kind != FlowKind::Return)
         outcome_.flow = Flow(); // a profile is contour data: nothing is called or jumped to from it
-      if (outcome_.flow.kind == FlowKind::Next && macro == notSet) {
+      if (outcome_.flow.kind == FlowKind::Next && modal == Truth::No) {
         if (single) {
           stays = true;
           if (!outcome_.setupChanged)
@@ -358,10 +358,12 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         onward.push_back(std::move(live));
         continue;
       }
-      if (macro != notSet) {
-        callMacro(activation, live, macro, before);
+      if (outcome_.flow.kind == FlowKind::Next) {
+        callModally(activation, live, at, before);
         continue;
       }
+      if (modal != Truth::No) // in front of what the block itself calls
+        forget(live, *unit.dialect);
       leave(activation, live, at, before);
     }
     collector_.endStop();
@@ -381,7 +383,7 @@ void Engine::runOut(Activation &activation, Lives &lives) {
   collector_.beginStop();
   for (Live &live : lives) {
     collector_.beginVisit(live.path);
-    if (activation.executedAny)
+    if (activation.executedAny && !inForeignLanguage(*region.unit.dialect, live.state))
       issue(region.kind == Kind::Main ? FlowIssue::MainRunsOut : FlowIssue::SubprogramRunsOut,
             activation, live, live.state, where);
     // Without a return the control goes on with whatever stands behind: nothing is known of it.

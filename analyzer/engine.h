@@ -80,9 +80,17 @@ private:
     std::optional<Variables> locals;        ///< of the caller, when the body has its own
     std::optional<MachineState> modes;      ///< of the caller, when the body gives them back
     llvm::SmallVector<uint64_t, 2> written; ///< variables of the caller that the body may write
+    ModalCalls modal;                       ///< the modal call that runs the body
 
     void setCount(const Value &repeat);
   };
+  /// An argument of a call.
+  struct Given {
+    bool left = true; ///< nothing is given
+    Value value;
+    uint64_t variable = 0; ///< key of the variable that it is
+  };
+  using GivenArguments = llvm::SmallVector<Given, 8>;
   struct Targets {
     llvm::SmallVector<const Argument *, 3> arguments;
     bool fallsThrough = false; ///< perhaps none of them is taken
@@ -160,8 +168,11 @@ private:
   bool isRunning(const FileUnit &unit, uint32_t start, Kind kind, uint32_t end = ~0u) const;
   bool recurs(const Region &region, const Callee &callee) const;
   void bindPositions(const Item &call, const MachineState &caller, MachineState &state);
-  void bindArguments(const Callee &callee, const Item &call, const MachineState &caller,
+  GivenArguments givenTo(const Item &call, const MachineState &caller) const;
+  void bindArguments(const Callee &callee, llvm::ArrayRef<Given> given, const MachineState &caller,
                      MachineState &state, Passes &passes);
+  bool mayEnter(Activation &activation, const Live &live, const MachineState &before,
+                const Callee &callee);
   static void restoreModes(MachineState &state, const MachineState &caller);
   void runPasses(Activation &activation, const Region &body, Live live, const MachineState &before,
                  const Passes &passes);
@@ -171,7 +182,12 @@ private:
   bool neverLeft(FileUnit &unit, uint32_t target, uint32_t at);
   uint32_t endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const;
   void call(Activation &activation, Live &live, uint32_t at, const MachineState &before);
-  void callMacro(Activation &activation, Live &live, int32_t program, const MachineState &before);
+  void goOnUnknown(Activation &activation, Live &live);
+  void beginModalCall(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  void callModally(Activation &activation, Live &live, uint32_t at, const MachineState &before);
+  std::optional<Callee> modalCallee(Activation &activation, const ModalCall &call,
+                                    const Block &made, const Item *&item);
+  static void restoreModalCall(MachineState &state, const Passes &passes);
   void contour(Activation &activation, Live &live, const MachineState &before);
   bool runsForReal(const Activation &activation, Head &head) const;
   bool entersStructure(const Region &region, uint32_t from, uint32_t target);

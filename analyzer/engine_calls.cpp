@@ -68,7 +68,7 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
     return std::nullopt;
   };
   Callee callee{&unit, &region.program, 0, Kind::Subprogram, notSet};
-  if (flow.kind == FlowKind::CallNamed) {
+  if (flow.kind == FlowKind::CallNamed || (flow.kind == FlowKind::CallModal && flow.item >= 0)) {
     const Item &item = block_.items[size_t(flow.item)];
     std::string name = unit.source.text(item.nameBegin, item.nameEnd).str();
     SourceRange range{unit.source.id(), item.nameBegin, item.nameEnd};
@@ -101,7 +101,9 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
     std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
     if (!callee.program) {
       const Defined *known = unit.index.definition(region.program, name);
-      if (item.external || (known && known->kind == ItemKind::Macro))
+      const CodeIndex own = unit.dialect->keyword(name);
+      if (item.external || (known && known->kind == ItemKind::Macro) ||
+          (own != noCode && unit.dialect->codes[own].isProgram))
         return std::nullopt; // it need not lie here
       return missing(FlowIssue::UnknownProgram, range);
     }
@@ -172,47 +174,55 @@ bool Engine::recurs(const Region &region, const Callee &callee) const {
          (callee.unit == &unit_ && callee.program == &unit_.index.programs().front());
 }
 
-void Engine::call(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
+/// Behind a call of which nothing is known.
+void Engine::goOnUnknown(Activation &activation, Live &live) {
+  const FileUnit &unit = activation.region.unit;
+  lose(flowRange(unit), "what is called here is not known");
+  const Variables locals = live.state.locals;
+  forget(live, *unit.dialect);
+  if (unit.dialect->variableRanges.namedLocal) // no call changes those of its caller
+    live.state.locals = locals;
+  add(activation, block_.next, std::move(live));
+}
+
+/// Whether a call is followed into its program.
+bool Engine::mayEnter(Activation &activation, const Live &live, const MachineState &before,
+                      const Callee &callee) {
   const Region &region = activation.region;
-  FileUnit &unit = region.unit;
-  const Flow flow = outcome_.flow;
-  const SourceRange where = flowRange(unit);
-  const uint32_t next = block_.next;
-  const auto goOnUnknown = [&] {
-    lose(where, "what is called here is not known");
-    const Variables locals = live.state.locals;
-    forget(live, *unit.dialect);
-    if (unit.dialect->variableRanges.namedLocal) // no call changes those of its caller
-      live.state.locals = locals;
-    add(activation, next, std::move(live));
-  };
-  const std::optional<Callee> callee = this->callee(activation, live, at, before);
-  if (!callee)
-    return goOnUnknown();
-  if (recurs(region, *callee)) {
+  const SourceRange where = flowRange(region.unit);
+  if (recurs(region, callee)) {
     // Without a condition nothing ends it; with one it is followed until the control's levels end.
-    const ProgramInfo &program = *callee->program;
-    const llvm::StringRef body = callee->unit->source.text(program.begin, program.end);
+    const ProgramInfo &program = *callee.program;
+    const llvm::StringRef body = callee.unit->source.text(program.begin, program.end);
     const bool conditional = body.contains_insensitive("IF") ||
                              body.contains_insensitive("WHILE") ||
                              body.contains_insensitive("GOTO");
     if (!conditional || region.depth + 1 >= limits_.callDepth) {
       issue(FlowIssue::Recursion, activation, live, before, where,
-            {callee->unit->source.id(), callee->start, callee->start + 1});
-      return goOnUnknown();
+            {callee.unit->source.id(), callee.start, callee.start + 1});
+      return false;
     }
   }
-  const unsigned allowed = unit.dialect->limits.callDepth;
+  const unsigned allowed = region.unit.dialect->limits.callDepth;
   if (allowed && region.depth + 1 > allowed)
     issue(FlowIssue::TooDeep, activation, live, before, where);
-  if (region.depth + 1 >= limits_.callDepth)
-    return goOnUnknown();
+  return region.depth + 1 < limits_.callDepth;
+}
+
+void Engine::call(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
+  const Region &region = activation.region;
+  FileUnit &unit = region.unit;
+  const Flow flow = outcome_.flow;
+  const SourceRange where = flowRange(unit);
+  const std::optional<Callee> callee = this->callee(activation, live, at, before);
+  if (!callee || !mayEnter(activation, live, before, *callee))
+    return goOnUnknown(activation, live);
   const PathNode *path = live.path;
   live.path = step(path, PathNode::Kind::Call, where, callee->number);
   live.state.restoresModes = false;
   Passes passes;
   passes.at = at;
-  passes.next = next;
+  passes.next = block_.next;
   passes.path = path;
   passes.setCount(flow.repeat);
   if (flow.macro) {
@@ -228,7 +238,7 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
       bindPositions(item, caller, live.state);
     } else {
       checkArguments(activation, live, before, *callee, item);
-      bindArguments(*callee, item, caller, live.state, passes);
+      bindArguments(*callee, givenTo(item, caller), caller, live.state, passes);
     }
   }
   runPasses(activation,
@@ -318,16 +328,30 @@ void Engine::bindPositions(const Item &call, const MachineState &caller, Machine
   state.commons.set(sharedVariableKey("_value_returned"), Value::of(0));
 }
 
+/// The arguments of a call of the block at hand.
+Engine::GivenArguments Engine::givenTo(const Item &call, const MachineState &caller) const {
+  GivenArguments given;
+  for (const Argument &argument : block_.argumentsOf(call)) {
+    Given &one = given.emplace_back();
+    one.left = argument.kind == ArgumentKind::Empty;
+    if (argument.expression == noExpression)
+      continue;
+    one.left = false;
+    one.value = evaluate(block_, argument.expression, caller, nullptr);
+    one.variable = block_.variableOf(argument.expression);
+  }
+  return given;
+}
+
 /// The called program's parameters get the values of the call. What it gives back, and whether the
 /// caller's modes come back, goes into `passes`.
-void Engine::bindArguments(const Callee &callee, const Item &call, const MachineState &caller,
-                           MachineState &state, Passes &passes) {
+void Engine::bindArguments(const Callee &callee, llvm::ArrayRef<Given> given,
+                           const MachineState &caller, MachineState &state, Passes &passes) {
   Block head;
   callee.unit->reader->read(callee.program->body, head);
   for (uint32_t at = callee.program->body;
        head.isEmpty() && head.next < callee.program->end && head.next > at; at = head.next)
     callee.unit->reader->read(head.next, head);
-  const llvm::ArrayRef<Argument> given = block_.argumentsOf(call);
   for (const Item &item : head.items) {
     if (item.kind != ItemKind::Parameters)
       continue;
@@ -336,17 +360,16 @@ void Engine::bindArguments(const Callee &callee, const Item &call, const Machine
     const llvm::ArrayRef<Argument> taken = head.argumentsOf(item);
     for (size_t i = 0; i < taken.size(); ++i) {
       Value value = Value::unknown();
-      if (i < given.size() && given[i].expression != noExpression)
-        value = evaluate(block_, given[i].expression, caller, nullptr);
-      else if (i >= given.size() || given[i].kind == ArgumentKind::Empty)
+      if (i < given.size() && !given[i].left)
+        value = given[i].value;
+      else
         value = taken[i].expression == noExpression
                     ? Value::of(0)
                     : evaluate(head, taken[i].expression, caller, nullptr);
       const llvm::StringRef name = callee.unit->source.text(taken[i].begin, taken[i].end);
       state.locals.set(variableKey(name), value);
-      if (taken[i].byReference && i < given.size() && given[i].expression != noExpression)
-        if (const uint64_t key = block_.variableOf(given[i].expression))
-          passes.written.push_back(key);
+      if (taken[i].byReference && i < given.size() && given[i].variable)
+        passes.written.push_back(given[i].variable);
     }
   }
 }
@@ -395,6 +418,7 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
         if (exit.target != notSet) {
           // M99 P: the caller goes on at that block.
           exit.live.path = passes.path;
+          restoreModalCall(exit.live.state, passes);
           if (passes.locals)
             exit.live.state.locals = *passes.locals;
           if (const auto offset = region.unit.index.block(region.program, exit.target, passes.at)) {
@@ -421,6 +445,7 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
   activation.forks += current.size() > 1;
   for (Live &one : current) {
     one.path = passes.path;
+    restoreModalCall(one.state, passes);
     if (passes.locals)
       one.state.locals = *passes.locals;
     for (const uint64_t key : passes.written)
@@ -554,32 +579,6 @@ uint32_t Engine::endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const
       break;
   }
   return last;
-}
-
-/// The call that a modal macro (G66) makes behind a move.
-void Engine::callMacro(Activation &activation, Live &live, int32_t program,
-                       const MachineState &before) {
-  Flow flow;
-  flow.kind = FlowKind::Call;
-  flow.macro = true;
-  flow.begin = block_.begin;
-  flow.end = block_.end;
-  flow.target = program >= 0 ? Value::of(program) : Value::unknown();
-  if (const auto *p = project_.findProgram(activation.region.unit, program).second; !p) {
-    lose(blockRange(activation.region.unit), "what is called here is not known");
-    forget(live, *activation.region.unit.dialect);
-    live.state.modalMacro = program;
-    add(activation, block_.next, std::move(live));
-    return;
-  }
-  outcome_.flow = flow;
-  live.state.modalMacro = notSet; // moves inside the macro do not call it again
-  const uint32_t next = block_.next;
-  call(activation, live, block_.begin, before);
-  const auto waiting = activation.pending.find(next);
-  if (waiting != activation.pending.end())
-    for (Live &one : waiting->second)
-      one.state.modalMacro = program;
 }
 
 /// A milling cycle reads a program as the contour that it works along.

@@ -28,6 +28,10 @@ bool Engine::leave(Activation &activation, Live &live, uint32_t at, const Machin
   const Region &region = activation.region;
   const Flow flow = outcome_.flow;
   const SourceRange where = flowRange(region.unit);
+  // Jumps in the text of another control are not seen: this block may be passed.
+  if (outcome_.foreign && region.unit.source.text(region.program.begin, region.program.end)
+                              .contains_insensitive("GOTO"))
+    add(activation, block_.next, live);
   switch (flow.kind) {
   case FlowKind::Next:
     add(activation, block_.next, std::move(live));
@@ -50,6 +54,9 @@ bool Engine::leave(Activation &activation, Live &live, uint32_t at, const Machin
   case FlowKind::LoopBegin:
   case FlowKind::LoopEnd:
     loop(activation, live, at, before);
+    return true;
+  case FlowKind::CallModal:
+    beginModalCall(activation, live, at, before);
     return true;
   case FlowKind::Call:
   case FlowKind::CallLocal:

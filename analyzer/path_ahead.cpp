@@ -18,7 +18,7 @@ double dot(const std::array<double, 2> &a, const std::array<double, 2> &b) {
 }
 
 bool goesOn(const Outcome &outcome) {
-  return outcome.flow.kind == FlowKind::Next && outcome.macroAfterMove == notSet;
+  return outcome.flow.kind == FlowKind::Next && outcome.callsModally == Truth::No;
 }
 
 /// Whether lengths are the same inside of the frames and outside.

@@ -1,6 +1,7 @@
 // The files of one analysis: the program at hand and those that it calls from elsewhere.
 #include "analyzer/project.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
 
@@ -25,6 +26,20 @@ int64_t numberOfName(llvm::StringRef name) {
   if (stem.empty() || stem.size() > 9 || stem.getAsInteger(10, number))
     return -1;
   return number;
+}
+
+/// `EXTERN NAME`: the program says that it calls one of its own.
+bool declares(llvm::StringRef text, llvm::StringRef name) {
+  constexpr llvm::StringLiteral word = "EXTERN";
+  for (size_t at = text.find_insensitive(word); at != llvm::StringRef::npos;
+       at = text.find_insensitive(word, at + 1)) {
+    const llvm::StringRef behind = text.drop_front(at + word.size()).ltrim(" \t");
+    if (behind.startswith_insensitive(name) &&
+        (behind.size() == name.size() ||
+         !(llvm::isAlnum(behind[name.size()]) || behind[name.size()] == '_')))
+      return true;
+  }
+  return false;
 }
 
 int64_t numberOfHeader(llvm::StringRef text) {
@@ -54,8 +69,12 @@ Project::Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, Mac
 
 FileUnit &Project::unit(const SourceFile &file) {
   auto &unit = units_[file.id()];
-  if (!unit)
+  if (!unit) {
     unit = std::make_unique<FileUnit>(file, dialect_, machine_);
+    if (!dialect_->hiddenPrograms.empty())
+      unit->reader->setHidesProgram(
+          [this, &from = *unit](llvm::StringRef name) { return hidesProgram(from, name); });
+  }
   return *unit;
 }
 
@@ -103,17 +122,21 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
   return programs;
 }
 
-Project::Found
-Project::searchFolders(FileUnit &from,
-                       llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
-                       llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
+std::vector<std::string> Project::foldersOf(const FileUnit &from) const {
   std::vector<std::string> folders;
   if (!from.source.path().empty()) {
     const llvm::StringRef parent = llvm::sys::path::parent_path(from.source.path());
     folders.push_back(parent.empty() ? "." : parent.str());
   }
   folders.insert(folders.end(), searchFolders_.begin(), searchFolders_.end());
-  for (const std::string &path : folders) {
+  return folders;
+}
+
+Project::Found
+Project::searchFolders(FileUnit &from,
+                       llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
+                       llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
+  for (const std::string &path : foldersOf(from)) {
     const std::string name = fileOf(folders_->programs(path));
     if (name.empty())
       continue;
@@ -168,6 +191,29 @@ Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
         return found == programs.byName.end() ? std::string() : found->second;
       },
       [name](const FileIndex &index) { return index.find(name); });
+}
+
+bool Project::hidesProgram(FileUnit &from, llvm::StringRef name) {
+  const std::string key = name.upper();
+  const auto [known, fresh] = from.hides.try_emplace(key, false);
+  if (!fresh)
+    return known->second;
+  const auto isProgramFile = [&](llvm::StringRef path) {
+    llvm::StringRef ending = llvm::sys::path::extension(path);
+    ending.consume_front(".");
+    const auto same = [&](const std::string &one) { return ending.equals_insensitive(one); };
+    return llvm::any_of(dialect_->mainExtensions, same) ||
+           llvm::any_of(dialect_->subprogramExtensions, same);
+  };
+  bool hides = from.index.find(name) || declares(from.source.text(), name);
+  for (const std::string &folder : foldersOf(from)) {
+    if (hides)
+      break;
+    const ProgramFolders::Programs &programs = folders_->programs(folder);
+    const auto file = programs.byName.find(key);
+    hides = file != programs.byName.end() && isProgramFile(file->second);
+  }
+  return from.hides[key] = hides;
 }
 
 } // namespace ncvet

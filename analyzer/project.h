@@ -25,6 +25,7 @@ struct FileUnit {
   std::unique_ptr<Reader> reader;
   FileIndex index;
   Executor executor;
+  llvm::StringMap<bool> hides; ///< names of the control's programs, as far as they were asked for
 };
 
 /// Which programs lie in which folder; each folder is read once. Safe for several threads.
@@ -57,11 +58,16 @@ public:
   Found findProgram(FileUnit &from, int64_t number);
   /// The same for program `name`. A path in front of it is not followed.
   Found findProgram(FileUnit &from, llvm::StringRef name);
+  /// Whether a program of the project is called where `from` names this program of the control: one
+  /// of the same file or folder, or one that the file declares.
+  bool hidesProgram(FileUnit &from, llvm::StringRef name);
   const Dialect &dialect() const { return *dialect_; }
   const MachineProfile &machine() const { return machine_; }
   SourceSet &sources() { return sources_; }
 
 private:
+  /// The folder of a file, then those that are searched for every file.
+  std::vector<std::string> foldersOf(const FileUnit &from) const;
   /// Looks through the folders; `fileOf` picks a folder's file, `programOf` the program in it.
   Found searchFolders(FileUnit &from,
                       llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,

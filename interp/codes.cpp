@@ -61,8 +61,9 @@ void Execution::applyModal(const CodeUse &use) {
     break; // positions are kept in millimetres
   case Action::MacroModal:
     break;
-  case Action::MacroCancel:
-    state_.modalMacro = notSet;
+  case Action::MacroCancel: // the innermost one
+    if (state_.modalCalls)
+      state_.modalCalls = ModalCalls(state_.modalCalls->outer);
     break;
   case Action::MachineMove:
     machineMove_ = true;
@@ -81,7 +82,7 @@ void Execution::applyModal(const CodeUse &use) {
         return; // each family has a cancel of its own
       cancelCycle(use.code, use.word);
       if (code.cancelsCalls && !callsModally_)
-        state_.modalMacro = notSet;
+        state_.modalCalls = nullptr;
       cancelled_ = true;
       if (code.group != noGroup)
         activate(code, use.word);
@@ -384,7 +385,7 @@ void Execution::reset(const Word &word) {
   state_.switchMay &= stays;
   state_.switchMust &= stays;
   state_.cycle.present = 0;
-  state_.modalMacro = notSet;
+  state_.modalCalls = nullptr;
   state_.fedFrom = Interval::unknown();
   for (Interval &shift : state_.localShift)
     shift = Interval::unknown();

@@ -115,6 +115,7 @@ enum class FlowKind : uint8_t {
   Structure, ///< a bracket of structured flow, `item`; `condition` as its kind asks
   Repeat,    ///< the blocks between the arguments of `item` again, `repeat` times
   CallNamed, ///< the program that `item` names, `repeat` times
+  CallModal, ///< on to the next block; from here on a program runs behind every move
   CallLocal, ///< blocks from number `target` to the next return, in this program
   Return,    ///< to the caller, at its block `target` when that is known
   End,       ///< the program ends
@@ -150,7 +151,8 @@ struct Outcome {
   bool setupChanged = false; ///< something besides `MotionState` may have changed
   /// Nothing but numbers for axes, under G00 or G01: the block changes positions, and facts.
   bool plainMove = false;
-  int32_t macroAfterMove = notSet; ///< program that a modal macro calls after this block
+  Truth callsModally = Truth::No; ///< whether the modal call in force runs behind this block
+  bool foreign = false;           ///< the block is another control's language: nothing is known
   /// The point that the words give where the motion does not end there: on the way to the reference
   /// point, and of a line by its angle. Of no meaning in other blocks.
   std::array<Interval, axisCount> via;
@@ -166,7 +168,8 @@ struct Outcome {
     holes.clear();
     setupChanged = false;
     plainMove = false;
-    macroAfterMove = notSet;
+    callsModally = Truth::No;
+    foreign = false;
   }
   Event &emit(EventKind kind) {
     kinds |= bitOf(kind);

@@ -64,7 +64,7 @@ Executor::Executor(const Dialect &dialect, const MachineProfile &machine, FileId
 ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
     : motion(dialect.group(StandardGroup::Motion)), cycle(dialect.group(StandardGroup::Cycle)),
       units(dialect.group(StandardGroup::Units)), distance(dialect.group(StandardGroup::Distance)),
-      polar(dialect.group(StandardGroup::Polar)) {
+      polar(dialect.group(StandardGroup::Polar)), language(dialect.group(StandardGroup::Language)) {
   const auto members = [&](GroupIndex group, Action action) {
     uint64_t mask = 0;
     if (group != noGroup)
@@ -78,6 +78,9 @@ ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
   metric = members(units, Action::Metric);
   incremental = members(distance, Action::Incremental);
   polarOn = members(polar, Action::PolarOn);
+  if (language != noGroup && dialect.groups[language].initial != 0xFF)
+    foreign = ((uint64_t(1) << dialect.groups[language].members.size()) - 1) &
+              ~(uint64_t(1) << dialect.groups[language].initial);
   pointlessIsIncrement = machine.option("decimalPoint") == llvm::StringRef("increment");
 }
 
@@ -106,7 +109,7 @@ void Executor::execute(const Block &block, const MachineState &before, MachineSt
 bool Execution::runPlainMove() {
   if ((block_.addresses & ~(dialect_.axisWords | maskOf('F'))) ||
       !(block_.addresses & dialect_.axisWords) || state_.compensation != phaseOff ||
-      state_.modalMacro != notSet || state_.pendingCycle != noCode || masks_.motion == noGroup ||
+      state_.modalCalls || state_.pendingCycle != noCode || masks_.motion == noGroup ||
       polarMayBeOn())
     return false;
   if (masks_.cycle != noGroup && (state_.group[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
@@ -164,6 +167,8 @@ bool Execution::runPlainMove() {
 }
 
 void Execution::run(bool guardHolds) {
+  if (inForeignLanguage())
+    return foreignBlock();
   outcome_.emit(EventKind::Block);
   for (size_t i = 0; i < block_.issues.size(); ++i)
     outcome_.emit(EventKind::Syntax).number = int64_t(i);
@@ -474,10 +479,8 @@ void Execution::finish() {
   } else {
     state_.idleBlocks = 0;
   }
-  if (state_.modalMacro != notSet)
-    for (const Event &event : outcome_.events)
-      if (event.kind == EventKind::Motion)
-        outcome_.macroAfterMove = state_.modalMacro;
+  if (state_.modalCalls)
+    outcome_.callsModally = firesModalCall();
 }
 
 } // namespace ncvet

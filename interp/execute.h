@@ -7,11 +7,12 @@ namespace ncvet {
 
 /// What the transfer function asks of tables and profile with every block, looked up once.
 struct ModeMasks {
-  GroupIndex motion, cycle, units, distance, polar;
+  GroupIndex motion, cycle, units, distance, polar, language;
   uint64_t cancelled = 0; ///< members of the cycle group that mean "no cycle"
   uint64_t inch = 0, metric = 0;
   uint64_t incremental = 0;
   uint64_t polarOn = 0;
+  uint64_t foreign = 0; ///< members of the language group that are not the control's own
   bool pointlessIsIncrement = false; ///< the profile reads `X100` as 0.1 mm
 
   ModeMasks(const Dialect &dialect, const MachineProfile &machine);
@@ -42,6 +43,8 @@ private:
   ModeMasks masks_;
 };
 
+/// Whether the text is read, or may be, in the language of another control.
+bool inForeignLanguage(const Dialect &dialect, const MachineState &state);
 /// Axes of the active plane as a bit mask over `Axis`; the usual plane of the machine's kind when
 /// no plane code was stated.
 uint16_t planeAxes(const Dialect &dialect, const MachineState &state);

@@ -23,6 +23,7 @@ public:
 
 private:
   // execute.cpp: the order of things
+  bool inForeignLanguage() const;
   bool runPlainMove();
   void wordIssues();
   void wordDomains();
@@ -57,6 +58,13 @@ private:
   // flow.cpp: calls, returns, ends
   void applyFlow(const CodeUse &use);
   void callProgram(const CodeUse &use, bool macro);
+  void callModally(const CodeUse &use);
+  void callModally(const Item &item);
+  Truth firesModalCall() const;
+  bool motionCodeAlone() const;
+
+  // foreign.cpp: text in the language of another control
+  void foreignBlock();
 
   // motion.cpp: axis words
   void moveAxes();

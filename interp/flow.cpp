@@ -112,6 +112,87 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
   }
 }
 
+/// G66 P: the call that was in force before runs behind the moves of this one's program.
+void Execution::callModally(const CodeUse &use) {
+  callProgram(use, true);
+  Flow &flow = outcome_.flow;
+  const Value number = flow.target;
+  flow.kind = number.isVacant() ? FlowKind::Next : FlowKind::CallModal;
+  const bool deep = state_.modalCalls && state_.modalCalls->depth() >= maxModalCalls;
+  if (!number.isConstant() || !(number.number.value() >= 0 && number.number.value() < 1e9) ||
+      deep || (state_.modalCalls && !state_.modalCalls->known)) {
+    state_.modalCalls = unknownModalCall();
+    return;
+  }
+  auto *call = new ModalCall;
+  call->code = use.code;
+  call->file = file_;
+  call->at = block_.begin;
+  call->program = int64_t(number.number.value());
+  call->repeat = flow.repeat;
+  call->arguments = flow.arguments;
+  call->outer = state_.modalCalls;
+  state_.modalCalls = call;
+}
+
+/// `MCALL NAME(..)`: takes the place of the one before.
+void Execution::callModally(const Item &item) {
+  callsModally_ = true;
+  auto *call = new ModalCall;
+  for (const Word &word : block_.words)
+    if (word.address == keywordAddress && dialect_.codes[CodeIndex(word.mantissa)].cancelsCalls)
+      call->code = CodeIndex(word.mantissa);
+  call->file = file_;
+  call->at = block_.begin;
+  if (item.count != noExpression)
+    call->repeat = evaluate(block_, item.count, state_, &outcome_);
+  const llvm::ArrayRef<Argument> given = block_.argumentsOf(item);
+  for (size_t i = 0; i < given.size(); ++i)
+    if (given[i].kind != ArgumentKind::Empty)
+      call->arguments.set(i + 1, given[i].expression == noExpression
+                                     ? Value::unknown()
+                                     : evaluate(block_, given[i].expression, state_, &outcome_));
+  state_.modalCalls = call;
+}
+
+/// `G0`, alone or with other codes of its kind.
+bool Execution::motionCodeAlone() const {
+  bool motion = false;
+  for (const Word &word : block_.words) {
+    if (word.address != letterAddress('G') && word.address != keywordAddress)
+      return false;
+    motion |= llvm::any_of(outcome_.codes, [&](const CodeUse &use) {
+      return use.word == &word &&
+             (info(use).action == Action::Rapid || info(use).action == Action::Linear);
+    });
+  }
+  return motion;
+}
+
+/// Whether the modal call in force runs behind this block.
+Truth Execution::firesModalCall() const {
+  const ModalCall &call = *state_.modalCalls;
+  if (callsModally_ || before_.modalCalls != state_.modalCalls) // the block that makes it
+    return Truth::No;
+  const CodeInfo *code = call.known && call.code != noCode ? &dialect_.codes[call.code] : nullptr;
+  if (code && code->firesOnEveryBlock) // the words are arguments of a call
+    return block_.words.empty() ? Truth::No : Truth::Unknown;
+  Truth moves = Truth::No;
+  for (const Event &event : outcome_.events)
+    if (event.kind == EventKind::Motion || (event.kind == EventKind::CycleRun && call.known)) {
+      const bool known = code && event.certain && event.kind == EventKind::Motion &&
+                         (event.motion != MotionKind::Reference || !code->fires);
+      moves = known && moves != Truth::Unknown ? Truth::Yes : Truth::Unknown;
+    }
+  if (moves != Truth::No || !code || outcome_.flow.kind != FlowKind::Next)
+    return moves;
+  if (code->firesByMotionCode && motionCodeAlone())
+    return Truth::Yes;
+  if (!block_.hasAny(code->fires))
+    return Truth::No;
+  return state_.isActive(dialect_, StandardGroup::Motion, {Action::Rapid, Action::Linear});
+}
+
 void Execution::applyFlow(const CodeUse &use) {
   const CodeInfo &code = info(use);
   Flow &flow = outcome_.flow;
@@ -133,14 +214,9 @@ void Execution::applyFlow(const CodeUse &use) {
     outcome_.emit(EventKind::Call).code = use.code;
     outcome_.events.back().word = use.word;
     break;
-  case Action::MacroModal: {
-    const Word *p = block_.find('P');
-    const Interval number = p ? value(*p) : Interval::unknown();
-    state_.modalMacro = number.isConstant() && number.value() >= 0 && number.value() < 1e9
-                            ? int32_t(number.value())
-                            : notKnown;
+  case Action::MacroModal:
+    callModally(use);
     break;
-  }
   case Action::CallLocal: {
     here(FlowKind::CallLocal);
     flow.target = Value::vacant();

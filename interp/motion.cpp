@@ -510,6 +510,7 @@ void Execution::moveAxes() {
       const CodeIndex cycle = activeCycle();
       const CodeInfo *code = cycle == noCode ? nullptr : &dialect_.codes[cycle];
       const bool fires = code && (code->firesOnEveryBlock || (block_.addresses & code->fires) ||
+                                  (code->firesByMotionCode && motionCodeAlone()) ||
                                   (code->firesInPlane && (axes & planeAxes(dialect_, state_))));
       if (fires || (!code && axes)) {
         runCycle(cycle, axes);

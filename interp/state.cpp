@@ -82,7 +82,7 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
     r.pole[i] = combine(a.pole[i], b.pole[i], wide);
   for (size_t i = 0; i < 2; ++i)
     r.polar[i] = combine(a.polar[i], b.polar[i], wide);
-  r.modalMacro = combine(a.modalMacro, b.modalMacro);
+  r.modalCalls = join(a.modalCalls, b.modalCalls);
   r.seeksBranch = a.seeksBranch || b.seeksBranch;
   r.restoresModes = a.restoresModes || b.restoresModes;
   r.profile = std::max(a.profile, b.profile);
@@ -126,7 +126,8 @@ void visitParts(const MachineState &s, Sink sink) {
     interval(i);
   sink(uint64_t(uint32_t(s.tool)) << 32 | uint32_t(s.toolOffset));
   sink(uint64_t(uint32_t(s.preselected)) << 32 | uint32_t(s.lengthOffset));
-  sink(uint64_t(uint32_t(s.radiusOffset)) << 32 | uint32_t(s.modalMacro));
+  sink(uint64_t(uint32_t(s.radiusOffset)));
+  sink(s.modalCalls ? s.modalCalls->hash() : 0);
   sink(uint64_t(s.spindle) | uint64_t(s.liveTool) << 8 | uint64_t(s.compensation) << 16 |
        uint64_t(s.idleBlocks) << 24 | uint64_t(s.pendingCycle) << 32 | uint64_t(s.profile) << 48 |
        uint64_t(s.seeksBranch) << 56 | uint64_t(s.restoresModes) << 57);
@@ -246,7 +247,8 @@ MachineState unknownState(const Dialect &dialect) {
   state.switchMay = ~0u;
   state.switchAxes.fill(0xFFFF);
   state.roughFirst = state.roughLast = notKnown;
-  state.modalMacro = notKnown;
+  if (dialect.callsModally)
+    state.modalCalls = unknownModalCall();
   state.cycle.present = (1u << 26) - 1;
   state.cycle.value.fill(std::numeric_limits<double>::quiet_NaN());
   state.locals.forget();

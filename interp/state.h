@@ -3,6 +3,7 @@
 
 #include "formats/dialect/dialect.h"
 #include "interp/frame.h"
+#include "interp/modal_call.h"
 #include "interp/variables.h"
 
 #include <array>
@@ -140,7 +141,7 @@ struct SetupState {
           roughLast = notSet;          ///< P and Q of the last roughing not yet finished
   std::array<Interval, 2> roughStart;  ///< X and Z where that roughing began
   std::array<uint8_t, 4> transforms{}; ///< switches of transformations, in the order switched on
-  int32_t modalMacro = notSet;         ///< program that G66 calls after each move
+  ModalCalls modalCalls;               ///< programs that run behind every move
   /// An IF whose condition did not hold looks for its next branch.
   bool seeksBranch = false;
   bool restoresModes = false; ///< the running program gives its caller the modes back
@@ -176,6 +177,11 @@ struct MachineState : ModeState, MotionState, SetupState {
   }
   Truth is(Fact fact) const {
     return must(fact) ? Truth::Yes : may(fact) ? Truth::Unknown : Truth::No;
+  }
+
+  /// Whether a program runs behind every move.
+  Truth callsModally() const {
+    return !modalCalls ? Truth::No : modalCalls->known ? Truth::Yes : Truth::Unknown;
   }
 
   /// Members of a standard group that may be active; `groupUnset` when the dialect has no such

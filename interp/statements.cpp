@@ -173,8 +173,8 @@ bool Execution::runItems(bool guardHolds) {
       break;
     case ItemKind::Call:
       if (item.modal) {
-        callsModally_ = true;
-        state_.modalMacro = notKnown;
+        callModally(item);
+        go(FlowKind::CallModal, i);
         break;
       }
       [[fallthrough]];

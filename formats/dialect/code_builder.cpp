@@ -13,13 +13,23 @@ namespace ncvet {
 namespace {
 
 llvm::ArrayRef<llvm::StringRef> codeKeys() {
-  static constexpr llvm::StringLiteral keys[] = {
-      "title",        "group",    "does",     "cycle",        "cancelsCycle", "takes",
-      "needs",        "fires",    "opposite", "spindle",      "words",        "excludes",
-      "notices",      "variants", "switch",   "alone",        "exclusive",    "twoBlock",
-      "source",       "waits",    "ownMove",  "arguments",    "foreign",      "endsMotion",
-      "cancelsCalls", "family",   "stores",   "stopsSpindle", "levels",       "frame",
-      "places",       "measures", "traits"};
+  static constexpr llvm::StringLiteral keys[] = {"title",        "group",
+                                                 "does",         "cycle",
+                                                 "cancelsCycle", "takes",
+                                                 "needs",        "fires",
+                                                 "opposite",     "spindle",
+                                                 "words",        "excludes",
+                                                 "notices",      "variants",
+                                                 "switch",       "alone",
+                                                 "exclusive",    "twoBlock",
+                                                 "source",       "waits",
+                                                 "ownMove",      "arguments",
+                                                 "foreign",      "endsMotion",
+                                                 "cancelsCalls", "family",
+                                                 "stores",       "stopsSpindle",
+                                                 "levels",       "frame",
+                                                 "places",       "measures",
+                                                 "traits",       "firesByMotionCode"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -117,6 +127,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "stopsSpindle", info.stopsSpindle);
   in_.read(value, "family", info.family);
   in_.read(value, "cancelsCalls", info.cancelsCalls);
+  in_.read(value, "firesByMotionCode", info.firesByMotionCode);
   in_.read(value, "endsMotion", info.endsMotion);
   in_.read(value, "foreign", info.foreign);
   in_.readWhole(value, "arguments", info.arguments, 0, 100);

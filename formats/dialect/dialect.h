@@ -274,9 +274,12 @@ struct CodeInfo {
   bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
   bool waits = false;        ///< a modal cycle that does not run in its own block
   bool cancelsCalls = false; ///< ends a modal call of a program too
-  bool endsMotion = false;   ///< no motion code is in force behind it
-  bool foreign = false;      ///< another control's code: here it is none
-  uint8_t arguments = 0;     ///< most arguments that its call takes; 0: not limited
+  /// What runs behind moves runs behind a motion code without coordinates too.
+  bool firesByMotionCode = false;
+  bool isProgram = false;  ///< a program of the control: one of the same name hides it
+  bool endsMotion = false; ///< no motion code is in force behind it
+  bool foreign = false;    ///< another control's code: here it is none
+  uint8_t arguments = 0;   ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;
   /// Of a cycle along the tool axis: level from which it feeds and the one to which it feeds, where
   /// they are no word of their own (empty: the words with the roles Retract and Depth).
@@ -325,6 +328,7 @@ enum class StandardGroup : uint8_t {
   Scaling,
   Mirror,
   MacroModal,
+  Language,
   ArcDistance,
   Spindle,
   Coolant,
@@ -461,6 +465,7 @@ struct Dialect {
   bool profileRunsThrough = false;  ///< behind a roughing cycle the control runs the profile itself
   bool cycleSurvivesMotion = false; ///< a motion code does not end a drilling cycle
   bool emptyBlocksRun = false;      ///< an active cycle runs in blocks without words too
+  bool callsModally = false;        ///< some code makes a program run behind every later move
   bool endReturns = false;          ///< a program end inside a called program leads back
   bool offsetsOfTool = false;       ///< length and radius belong to the tool, not to numbers
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
@@ -488,7 +493,8 @@ struct Dialect {
   std::vector<std::string> readAhead;   ///< … whose value the control reads too early
   std::vector<std::string> mainExtensions;       ///< file name endings of main programs
   std::vector<std::string> subprogramExtensions; ///< … and of subprograms
-  std::vector<std::string> extensions; ///< file name endings that speak for it, without the dot
+  std::vector<std::string> hiddenPrograms; ///< beginnings of names of the control's own programs
+  std::vector<std::string> extensions;     ///< file name endings that speak for it, without the dot
   llvm::StringMap<RuleOverride> rules;
   llvm::StringMap<std::string> options; ///< options of the machine profile with their defaults
   AddressMask axisWords = 0;            ///< all addresses of kind Axis and Increment

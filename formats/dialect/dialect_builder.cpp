@@ -53,6 +53,7 @@ void DialectBuilder::build() {
                         "controls",
                         "mainExtensions",
                         "subprogramExtensions",
+                        "hiddenPrograms",
                         "lexical",
                         "limits",
                         "options",
@@ -77,6 +78,12 @@ void DialectBuilder::build() {
   for (const CodeInfo &code : dialect_.codes)
     for (const WordSpec &word : code.words)
       dialect_.pointAdvised |= word.pointAdvised.value_or(false) ? word.any : 0;
+  for (CodeInfo &code : dialect_.codes) {
+    dialect_.callsModally |= code.action == Action::MacroModal || code.cancelsCalls;
+    code.isProgram = !code.letter && llvm::any_of(dialect_.hiddenPrograms, [&](const auto &begin) {
+      return llvm::StringRef(code.name).startswith(begin);
+    });
+  }
   bool lengthByTool = false;
   in_.read(root_, "toolChangeGivesLength", lengthByTool);
   if (lengthByTool)
@@ -105,6 +112,8 @@ void DialectBuilder::readHead() {
     dialect_.mainExtensions = in_.texts(*list);
   if (const Json *list = in_.member(root_, "subprogramExtensions"))
     dialect_.subprogramExtensions = in_.texts(*list);
+  if (const Json *list = in_.member(root_, "hiddenPrograms"))
+    dialect_.hiddenPrograms = in_.texts(*list);
   if (const Json *variables = in_.member(root_, "variables")) {
     in_.allowKeys(*variables, {"names", "axes", "readOnly", "machineData", "readAhead", "lastLocal",
                                "lastCommon", "namedLocal", "localsBeginVacant"});

@@ -55,8 +55,8 @@ constexpr llvm::StringLiteral severities[] = {"style", "warning", "error"};
 constexpr llvm::StringLiteral groups[] = {
     "motion",       "plane",         "units",   "distance",     "feed-mode",   "speed-mode",
     "compensation", "length-offset", "cycle",   "return-level", "work-offset", "path-mode",
-    "polar",        "rotation",      "scaling", "mirror",       "macro-modal", "arc-distance",
-    "spindle",      "coolant",       "program"};
+    "polar",        "rotation",      "scaling", "mirror",       "macro-modal", "language",
+    "arc-distance", "spindle",       "coolant", "program"};
 static_assert(std::size(groups) == size_t(StandardGroup::Count));
 } // namespace
 

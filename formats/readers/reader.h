@@ -4,6 +4,7 @@
 #include "formats/dialect/dialect.h"
 #include "formats/readers/block.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,11 @@ public:
   virtual void read(uint32_t offset, Block &block) const = 0;
   /// What identifies a label: the same for all its spellings, and for no other label.
   virtual std::string labelKey(llvm::StringRef label) const { return label.upper(); }
+  /// Told of the name of one of the control's own programs (`CodeInfo::isProgram`); answers whether
+  /// the project has a program of that name, which is called in its place.
+  using HidesProgram = std::function<bool(llvm::StringRef)>;
+  void setHidesProgram(HidesProgram hides) { hides_ = std::move(hides); }
+  bool isHidden(llvm::StringRef name) const { return hides_ && hides_(name); }
   llvm::StringRef text() const { return text_; }
   /// Offset of the first block (behind a byte order mark).
   uint32_t first() const { return text_.startswith("\xEF\xBB\xBF") ? 3 : 0; }
@@ -26,6 +32,9 @@ public:
 protected:
   explicit Reader(llvm::StringRef text) : text_(text) {}
   llvm::StringRef text_;
+
+private:
+  HidesProgram hides_;
 };
 
 /// The reader that the dialect's table names, over `text`.

@@ -158,7 +158,7 @@ void SinumerikScanner::scanModalCall(const char *begin, llvm::StringRef name) {
     return;
   const llvm::StringRef called = identifier();
   const char *const behind = behindBlanks(called.end());
-  const bool isProgram = called.size() > 1 && dialect_.keyword(called) == noCode &&
+  const bool isProgram = called.size() > 1 && codeNamed(called) == noCode &&
                          sinumerikKeyword(called) == Keyword::None && !isEquals(behind) &&
                          (isNameLetter(called[1]) || (called[0] | 32) == 'l');
   if (!isProgram)

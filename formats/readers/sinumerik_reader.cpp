@@ -5,6 +5,12 @@
 
 namespace ncvet {
 
+/// The code that is called by this name; none when a program of the project hides it.
+CodeIndex SinumerikScanner::codeNamed(llvm::StringRef name) const {
+  const CodeIndex code = dialect_.keyword(name);
+  return code != noCode && dialect_.codes[code].isProgram && reader_.isHidden(name) ? noCode : code;
+}
+
 void SinumerikScanner::scan() {
   block_.begin = offset(at_);
   const char *content = at_;
@@ -172,7 +178,7 @@ SinumerikReader::SinumerikReader(const Dialect &dialect, llvm::StringRef text)
 
 void SinumerikReader::read(uint32_t offset, Block &block) const {
   block.clear();
-  SinumerikScanner(dialect_, addresses_, text_, offset, block).scan();
+  SinumerikScanner(*this, dialect_, addresses_, offset, block).scan();
 }
 
 } // namespace ncvet

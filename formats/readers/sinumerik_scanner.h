@@ -3,6 +3,7 @@
 
 #include "formats/dialect/dialect.h"
 #include "formats/readers/block_scanner.h"
+#include "formats/readers/reader.h"
 #include "formats/readers/sinumerik_expression.h"
 #include "formats/readers/sinumerik_keyword.h"
 
@@ -16,9 +17,10 @@ inline bool isSinumerikBlank(char c) { return isLineBlank(c) || c == '&'; }
 /// Reads one block. Each part of the grammar has a file of its own.
 class SinumerikScanner : BlockScanner<isSinumerikBlank> {
 public:
-  SinumerikScanner(const Dialect &dialect, const llvm::StringMap<AddressId> &addresses,
-                   llvm::StringRef text, uint32_t offset, Block &block)
-      : BlockScanner(text, offset, block), dialect_(dialect), addresses_(addresses) {}
+  SinumerikScanner(const Reader &reader, const Dialect &dialect,
+                   const llvm::StringMap<AddressId> &addresses, uint32_t offset, Block &block)
+      : BlockScanner(reader.text(), offset, block), reader_(reader), dialect_(dialect),
+        addresses_(addresses) {}
 
   void scan();
 
@@ -55,6 +57,7 @@ private:
   uint16_t condition() { return parsed(&SinumerikExpression::parseCondition); }
 
   // sinumerik_reader.cpp
+  CodeIndex codeNamed(llvm::StringRef name) const;
   void scanSkip();
   void scanItem();
   void scanComment();
@@ -98,6 +101,7 @@ private:
   void scanParameters(ItemKind kind, const char *begin);
   void scanMacro(const char *begin);
 
+  const Reader &reader_;
   const Dialect &dialect_;
   const llvm::StringMap<AddressId> &addresses_;
 };

@@ -240,7 +240,7 @@ void SinumerikScanner::scanName() {
     at_ = name.end();
     return scanIndexed(begin, noAddress);
   }
-  if (const CodeIndex code = dialect_.keyword(name); code != noCode)
+  if (const CodeIndex code = codeNamed(name); code != noCode)
     return scanCode(code, name);
   // `CR20`: an address of several letters and its number, without the `=`.
   const llvm::StringRef letters = name.take_while([](char c) { return !isNumberDigit(c); });

@@ -31,7 +31,7 @@ public:
     // call are arguments.
     if ((ctx.outcome().kinds & bitOf(EventKind::UnknownCode)) ||
         ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
-        ctx.before().modalMacro != notSet)
+        ctx.before().modalCalls)
       return;
     // Behind another control's cycle its words go on (`X20 Y5`, `R-3.`): the code is the mistake.
     foreign_ |= holdsForeignCode(ctx);

@@ -18,8 +18,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (code.cycle == CycleKind::Pattern) {
       const Truth active = ctx.before().cycleActive(ctx.dialect());
-      if (active == Truth::Yes || ctx.before().modalMacro != notSet ||
-          ctx.before().may(Fact::UnknownCode))
+      if (active == Truth::Yes || ctx.before().modalCalls || ctx.before().may(Fact::UnknownCode))
         return;
       if (auto finding = ctx.report(event, active == Truth::No))
         finding.message("`{0}` moves from place to place, and no modal call runs at any of them",

@@ -20,25 +20,32 @@ public:
     if (ctx.callDepth() > 0)
       return;
     const Truth cycle = state.cycleActive(ctx.dialect());
-    const bool call = state.modalMacro != notSet;
-    if (cycle == Truth::No && !call)
+    const Truth call = state.callsModally();
+    if (cycle == Truth::No && call == Truth::No)
       return;
     // Behind codes that nobody knows only what the program has begun itself is certain.
-    if (state.may(Fact::UnknownCode) && cycle != Truth::Yes && state.modalMacro < 0)
+    if (state.may(Fact::UnknownCode) && cycle != Truth::Yes && call != Truth::Yes)
       return;
-    if (auto finding = ctx.report(event, cycle == Truth::Yes || call))
+    if (auto finding = ctx.report(event, cycle == Truth::Yes || call == Truth::Yes))
       finding
           .message(
               "a modal call is still on {0}: every move from here on runs it again; `{1}` ends "
               "it",
               event.kind == EventKind::ProgramEnd ? "at the program's end" : "at this tool change",
               cancel_)
-          .note(state.origin.cycle, "the modal call begins here")
+          .note(begins(state, cycle), "the modal call begins here")
           .fix(FixSafety::Unsafe, "insert " + cancel_ + " before this block",
                ctx.insertBlockBefore(cancel_));
   }
 
 private:
+  static Origin begins(const MachineState &state, Truth cycle) {
+    const ModalCall *call = state.modalCalls.get();
+    if (cycle != Truth::No || !call || !call->known)
+      return state.origin.cycle;
+    return {call->file, call->at, call->at + 1};
+  }
+
   std::string cancel_;
 };
 

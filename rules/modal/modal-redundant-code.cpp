@@ -65,7 +65,8 @@ private:
     const CodeInfo &code = ctx.code(event);
     if (code.group == noGroup || before.group[code.group] != (uint64_t(1) << code.bit) ||
         !(before.statedMust >> code.group & 1) || !before.must(Fact::MovedSinceTool) ||
-        before.may(Fact::UnknownCode) || isSafeLine(ctx))
+        before.may(Fact::UnknownCode) || isSafeLine(ctx) || before.modalCalls ||
+        ctx.after().modalCalls)
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}`: no cycle is active", code.name)

@@ -8,23 +8,32 @@ class ProgramNameReserved final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     reserved_ = to.dialect().limits.reservedPrograms;
-    to.onCode([](const CodeInfo &code) { return !code.letter && code.action == Action::Cycle; });
+    if (!to.dialect().hiddenPrograms.empty())
+      to.on(EventKind::Statement);
   }
 
-  /// `EXTERN CYCLE81(REAL,REAL)`: the program declares one of its own, which hides the control's.
+  /// A program of the project, or one that this program declares, hides the control's.
   void on(const Event &event, RuleContext &ctx) override {
-    const llvm::StringRef name = ctx.text(*event.word);
-    const Defined *own =
-        ctx.index().definition(ctx.index().programAt(ctx.block().begin), name.upper());
-    if (!own || own->kind != ItemKind::Declaration)
+    if (event.kind != EventKind::Statement)
       return;
-    if (auto finding = ctx.report(event))
-      finding
-          .message("`{0}` calls the program that is declared here, not the control's cycle of that "
-                   "name: one of the two hides the other",
-                   name)
-          .note(SourceRange{ctx.source().id(), own->begin, own->end},
-                "the program is declared here");
+    const Item &call = ctx.block().items[size_t(event.number)];
+    if (call.kind != ItemKind::Call || call.nameBegin == call.nameEnd)
+      return;
+    const SourceRange where{ctx.source().id(), call.nameBegin, call.nameEnd};
+    const llvm::StringRef name = ctx.text(where);
+    const CodeIndex hidden = ctx.dialect().keyword(name);
+    if (hidden == noCode || !ctx.dialect().codes[hidden].isProgram)
+      return;
+    auto finding = ctx.report(where);
+    if (!finding)
+      return;
+    finding.message("`{0}` calls a program of the project, not the control's own of that name: the "
+                    "one hides the other",
+                    name);
+    const Defined *own = ctx.index().definition(ctx.index().programAt(ctx.block().begin), name);
+    if (own && own->kind == ItemKind::Declaration)
+      finding.note(SourceRange{ctx.source().id(), own->begin, own->end},
+                   "the program is declared here");
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {

@@ -49,5 +49,60 @@ TEST(Engine, LoopsThatCountAreFollowed) {
                          "N10M30\n%\n"));
 }
 
+std::vector<std::string> findingsOf(const char *dialect,
+                                    const std::vector<test::ProgramFile> &files) {
+  std::vector<std::string> found;
+  for (const test::Seen &seen : test::analyseProgram(
+           dialect, files, "", [](const Dialect &table) { return RuleSelection::defaults(table); },
+           /*allFiles=*/true))
+    found.push_back((seen.file.empty() ? "" : seen.file + ":") + std::to_string(seen.line) + " " +
+                    seen.rule);
+  return found;
+}
+
+const std::string head = "N10 G54 G17 G71 G90 G94\nN20 T1 D1 M6\nN30 S2000 M3\n"
+                         "N40 G0 X0 Y0\nN50 Z50\n";
+
+/// A program of the same folder that is called like a cycle is the one that runs.
+TEST(Engine, ProgramsHideTheCyclesOfTheirName) {
+  const std::string call = head + "N60 CYCLE81(5)\nN70 G0 Z50 M5\nN80 M30\n";
+  const std::string own = "PROC CYCLE81(REAL DEPTH)\nN10 G0 Z=DEPTH+10\nN20 M17\n";
+  EXPECT_THAT(findingsOf("sinumerik", {{"PART.MPF", call}}),
+              testing::Contains("6 cycle-missing-parameter"));
+  const auto found = findingsOf("sinumerik", {{"PART.MPF", call}, {"CYCLE81.SPF", own}});
+  EXPECT_THAT(found, testing::Not(testing::Contains("6 cycle-missing-parameter")));
+  EXPECT_THAT(found, testing::Contains("6 program-name-reserved"));
+  // In an archive.
+  EXPECT_THAT(
+      findingsOf("sinumerik", {{"PART.ARC", "%_N_PART_MPF\n" + call + "%_N_CYCLE81_SPF\n" + own}}),
+      testing::Not(testing::Contains("7 cycle-missing-parameter")));
+  // One of another kind of file is none.
+  EXPECT_THAT(findingsOf("sinumerik", {{"PART.MPF", call}, {"CYCLE81.TXT", own}}),
+              testing::Contains("6 cycle-missing-parameter"));
+}
+
+/// The arguments of a modal call, its missing program, and what stands behind it.
+TEST(Engine, ModalCallsAreChecked) {
+  const std::string body = head + "N60 MCALL NOTCH(-3)\nN70 X10\nN80 MCALL\nN90 M5\nN95 M30\n";
+  EXPECT_THAT(findingsOf("sinumerik", {{"PART.MPF", body}, {"OTHER.SPF", "N10 G0 X1\nN20 M17\n"}}),
+              testing::Contains("6 flow-undefined-subprogram"));
+  EXPECT_THAT(findingsOf("sinumerik",
+                         {{"PART.MPF", body}, {"NOTCH.SPF", "N10 G0 Z5\nN20 G0 Z50\nN30 M17\n"}}),
+              testing::Contains("6 flow-argument-mismatch"));
+  // The program's own block is reached with the feed that is missing.
+  EXPECT_THAT(
+      findingsOf("sinumerik",
+                 {{"PART.MPF", body},
+                  {"NOTCH.SPF", "PROC NOTCH(REAL DEPTH)\nN10 G1 Z=DEPTH\nN20 G0 Z50\nN30 M17\n"}}),
+      testing::Contains("NOTCH.SPF:2 feed-missing"));
+}
+
+/// A modal call whose program calls itself again ends.
+TEST(Engine, ModalCallsEnd) {
+  EXPECT_TRUE(endsWithin(20'000, "fanuc-0m",
+                         "O0001\nG66P2A1.\nX1.\nM30\n"
+                         "O0002\nG66P2A#1\nX[#1+1.]\nM99\n%\n"));
+}
+
 } // namespace
 } // namespace ncvet

@@ -87,6 +87,54 @@ TEST(Trace, RepeatedCallsRunAsOftenAsTheyAreCalled) {
                           "6 rapid X30 Y0 Z5", "4 end"));
 }
 
+std::vector<std::string> traceOf(const char *dialect, const std::vector<test::ProgramFile> &files) {
+  Written written;
+  test::withProgram(dialect, files, "",
+                    [&](Project &project, FileUnit &unit) { trace(project, unit, {}, written); });
+  return written.lines;
+}
+
+/// Every block with a motion runs the program that `MCALL` names; its own motions do not.
+TEST(Trace, ModalCallsRunBehindMoves) {
+  EXPECT_THAT(traceOf("sinumerik", {{"PART.MPF", "G17 G90 G0 X0 Y0 Z20\n"
+                                                 "MCALL NOTCH(-3)\n"
+                                                 "X10\n"
+                                                 "M8\n"
+                                                 "G1 F200\n"
+                                                 "MCALL\n"
+                                                 "G0 X50\n"
+                                                 "M30\n"},
+                                    {"NOTCH.SPF", "PROC NOTCH(REAL DEPTH)\n"
+                                                  "G1 Z=DEPTH F100\n"
+                                                  "G91 G0 Z23\n"
+                                                  "G90\n"
+                                                  "M17\n"}}),
+              ElementsAre("1 rapid X0 Y0 Z20", "3 rapid X10 Y0 Z20", "2 linear X10 Y0 Z-3",
+                          "3 rapid X10 Y0 Z20", "2 linear X10 Y0 Z-3", "3 rapid X10 Y0 Z20",
+                          "7 rapid X50 Y0 Z20", "8 end"));
+}
+
+/// The last call runs first; behind the motions of its program the one before it runs.
+TEST(Trace, ModalMacrosNest) {
+  EXPECT_THAT(traceOf("fanuc-0m", "%\nO0001\nG90G17G0X0Y0Z50.\n"
+                                  "G66P9100Z-5.R2.\n"
+                                  "X10.\n"
+                                  "G66P9200A3.\n"
+                                  "X20.\n"
+                                  "G67\n"
+                                  "X30.\n"
+                                  "G67\n"
+                                  "X40.\n"
+                                  "M30\n"
+                                  "O9100\nG90G0Z#18\nZ50.\nM99\n"
+                                  "O9200\nG91G0Y#1\nG90\nM99\n%\n"),
+              ElementsAre("3 rapid X0 Y0 Z50", "5 rapid X10 Y0 Z50", "14 rapid X10 Y0 Z2",
+                          "15 rapid X10 Y0 Z50", "7 rapid X20 Y0 Z50", "18 rapid X20 Y3 Z50",
+                          "14 rapid X20 Y3 Z2", "15 rapid X20 Y3 Z50", "9 rapid X30 Y3 Z50",
+                          "14 rapid X30 Y3 Z2", "15 rapid X30 Y3 Z50", "11 rapid X40 Y3 Z50",
+                          "12 end"));
+}
+
 TEST(Trace, DrillingIsTakenApart) {
   EXPECT_THAT(traceOf("nct-104m", "%O0001\nG90 G0 X0 Y0 Z50 S500 M3\n"
                                   "G99 G83 X10 Y0 Z-20 R2 Q8 E1 F80\n"
