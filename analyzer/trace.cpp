@@ -138,8 +138,7 @@ private:
   void add(uint64_t tag, const Move &move, const CornerRequest &corner,
            const std::array<Axis, 2> &plane) {
     last_ = move.to;
-    path_.add(tag, move, corner, plane,
-              [&](uint64_t from, const Move &m) { compensate(from, m); });
+    path_.add(tag, move, corner, plane, [&](uint64_t from, const Move &m) { compensate(from, m); });
   }
   const FileUnit &unitOf(FileId file) { return project_.unit(project_.sources().get(file)); }
   static OutsideCorner outsideCorner(const FileUnit &unit) {
