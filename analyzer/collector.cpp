@@ -62,6 +62,7 @@ Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
   const unsigned length = frame.path ? frame.path->length : 0;
   const auto found = entries_.find(key);
   if (found != entries_.end()) {
+    found->second.uncalled &= uncalled_;
     // Known: a shorter way to it is the better explanation.
     if (length < found->second.pathLength) {
       found->second.pathLength = length;
@@ -73,6 +74,7 @@ Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
     return nullptr;
   Entry &entry = entries_[key];
   entry.pathLength = length;
+  entry.uncalled = uncalled_;
   Finding &finding = entry.finding;
   finding.rule = rule;
   finding.range = range;
@@ -99,11 +101,21 @@ void Collector::settle() {
   }
 }
 
+/// Whether the control, looking for the end of a body that it does not run, stops at what the rule
+/// reports.
+bool Collector::stopsUncalled(RuleId rule) const {
+  const auto table = dialect_.rules.find(allRules()[rule].info.id);
+  return table != dialect_.rules.end() && table->second.numbers.lookup("uncalledStops") != 0;
+}
+
 std::vector<Finding> Collector::take(const SourceSet &sources) {
   std::vector<Finding> all;
   all.reserve(entries_.size());
   for (auto &[key, entry] : entries_) {
     Finding &finding = entry.finding;
+    if (entry.uncalled && !dialect_.loadsWhole && finding.severity == Severity::Error &&
+        !stopsUncalled(finding.rule))
+      finding.severity = Severity::Warning;
     if (selection_.severity.size() > finding.rule && selection_.severity[finding.rule])
       finding.severity = *selection_.severity[finding.rule];
     all.push_back(std::move(finding));

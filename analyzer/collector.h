@@ -48,6 +48,9 @@ public:
   }
   /// While set, only what is certain counts: the entry state is not known.
   void setDefiniteOnly(bool on) { definiteOnly_ = on; }
+  /// While set, nothing calls what is looked at: of a control that reads its text as it runs, an
+  /// error there stops nothing, and is a warning.
+  void setUncalled(bool on) { uncalled_ = on; }
 
   /// A finding to fill in; null when it is not wanted (known already, or over the rule's number).
   Finding *report(RuleId rule, SourceRange range, bool certain);
@@ -71,6 +74,7 @@ private:
   struct Entry {
     Finding finding;
     unsigned pathLength = 0;
+    bool uncalled = false; ///< found only where nothing calls it
   };
   struct AtStop {
     Key key;
@@ -83,6 +87,7 @@ private:
     const PathNode *path = nullptr;
     unsigned visits = 0;
   };
+  bool stopsUncalled(RuleId rule) const;
   void count(Frame &frame, const Key &key, bool certain);
   void settle();
 
@@ -94,6 +99,7 @@ private:
   std::deque<Frame> frames_; ///< a deque: frames stay where they are while inner ones are added
   size_t depth_ = 0;
   bool definiteOnly_ = false;
+  bool uncalled_ = false;
 };
 
 } // namespace ncvet

@@ -1,6 +1,7 @@
 // Runs all programs of a file: the main program, those that nobody calls, and what is never
 // reached.
 #include "analyzer/engine.h"
+#include "interp/zero.h"
 
 #include <algorithm>
 
@@ -53,7 +54,8 @@ void Engine::runOtherPrograms() {
     }
     const bool subprogram = program.kind == ProgramKind::Subprogram || (returns && !ends);
     Lives lives(1);
-    lives[0].state = subprogram ? unknownState(*unit_.dialect) : initialState(*unit_.dialect);
+    lives[0].state =
+        subprogram ? unknownState(*unit_.dialect) : startOn(*unit_.dialect, unit_.machine);
     collector_.setDefiniteOnly(subprogram);
     const Region region{unit_, program, program.body, subprogram ? Kind::Subprogram : Kind::Main,
                         subprogram ? 1u : 0u};
@@ -73,10 +75,12 @@ void Engine::runOtherSubprograms() {
     Lives lives(1);
     lives[0].state = unknownState(*unit_.dialect);
     collector_.setDefiniteOnly(true);
+    collector_.setUncalled(true);
     callerUnknown_ = true;
     execute({unit_, unit_.index.programAt(head), block.next, Kind::LocalSubprogram, 1},
             std::move(lives));
     callerUnknown_ = false;
+    collector_.setUncalled(false);
     collector_.setDefiniteOnly(false);
   }
 }
@@ -125,7 +129,7 @@ void Engine::follow(BlockWatcher &watcher) {
   constexpr uint8_t skipOff = 1;
   const ProgramInfo &main = unit_.index.programs().front();
   Lives lives(1);
-  lives[0].state = initialState(*unit_.dialect);
+  lives[0].state = startOn(*unit_.dialect, unit_.machine);
   lives[0].skip.fill(skipOff);
   execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));
 }
@@ -149,7 +153,8 @@ AnalysisResult Engine::run() {
   Lives lives(1);
   const bool subprogram =
       main.kind == ProgramKind::Unknown ? returns && !ends : main.kind == ProgramKind::Subprogram;
-  lives[0].state = subprogram ? unknownState(*unit_.dialect) : initialState(*unit_.dialect);
+  lives[0].state =
+      subprogram ? unknownState(*unit_.dialect) : startOn(*unit_.dialect, unit_.machine);
   collector_.setDefiniteOnly(subprogram);
   execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));
   collector_.setDefiniteOnly(false);

@@ -51,10 +51,10 @@ void Execution::applyModal(const CodeUse &use) {
   case Action::LengthNegative:
     state_.set(Fact::LengthSinceTool);
     state_.origin.lengthOffset = originOf(*use.word);
-    state_.at(toolAxis(dialect_, state_)) = Interval::unknown();
-    break;
+    [[fallthrough]];
   case Action::LengthOff:
-    state_.at(toolAxis(dialect_, state_)) = Interval::unknown();
+    if (!dialect_.zeros.systems)
+      state_.at(toolAxis(dialect_, state_)) = Interval::unknown();
     break;
   case Action::Inch:
   case Action::Metric:
@@ -107,6 +107,12 @@ void Execution::applyModal(const CodeUse &use) {
     case Action::SkipMove:
     case Action::LocalShift:
     case Action::PresetPosition:
+    case Action::PresetClear:
+    case Action::PresetSuspend:
+    case Action::PresetRestore:
+    case Action::ZeroSet:
+    case Action::ZeroHere:
+    case Action::StorePlace:
     case Action::SpeedLimit:
     case Action::MacroCall:
     case Action::Cycle:
@@ -132,6 +138,9 @@ void Execution::applyModal(const CodeUse &use) {
   case Action::PoleFromPole:
   case Action::LocalShift:
   case Action::PresetPosition:
+  case Action::LengthSet:
+  case Action::LengthAdd:
+  case Action::CurveEnd:
   case Action::MacroModal:
   case Action::PolygonOn:
   case Action::ZoneOn:

@@ -31,6 +31,8 @@ void appendCycleMoves(const ExecutedBlock &executed, const Event &event,
                                   executed.outcome, executed.before, executed.after},
                                  *cycle, moves);
     }
+    if (cycle->cycle == CycleKind::ThreadInfeed)
+      return appendInfeedThreadMoves(executed, *cycle, moves);
     if (contourCycle(executed) || appendTurningMoves(executed, *cycle, moves) ||
         appendThreadMoves(executed, *cycle, moves) || appendAreaMoves(executed, *cycle, moves))
       return;

@@ -19,6 +19,9 @@ bool appendThreadMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
 /// Pockets, slots, faces, islands as their envelope; false when the table does not say where.
 bool appendAreaMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                      llvm::SmallVectorImpl<Move> &moves);
+/// Pass by pass beside a line along Z (CycleKind::ThreadInfeed).
+void appendInfeedThreadMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
+                             llvm::SmallVectorImpl<Move> &moves);
 /// Single passes and grooves; false when the cycle is none of these.
 bool appendTurningMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                         llvm::SmallVectorImpl<Move> &moves);

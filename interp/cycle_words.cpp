@@ -64,7 +64,7 @@ std::optional<Interval> CycleWordReader::value(const WordSpec &spec) const {
   if (spec.variable) {
     for (const uint64_t key : {spec.variable, spec.orVariable})
       if (key && executed_.after.commons.given(key) == Truth::Yes) {
-        const Value value = readVariable(executed_.after, int64_t(key));
+        const Value value = executed_.after.commons.get(key);
         return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
       }
     if (executed_.after.commons.given(spec.variable) == Truth::Unknown)

@@ -62,7 +62,8 @@ void Execution::startCycle(const CodeUse &use) {
   const bool same = before_.group[code.group] == (uint64_t(1) << code.bit);
   storeCycleWords(!same);
   if (!same) {
-    state_.initialLevel = state_.at(toolAxis(dialect_, state_));
+    if (!dialect_.drilling.levelOfRow || before_.cycleActive(dialect_) != Truth::Yes)
+      state_.initialLevel = state_.at(toolAxis(dialect_, state_));
     for (unsigned i = 0; i < 3; ++i)
       state_.cycleStart[i] = state_.position[i];
     state_.clear(Fact::CycleRan);
@@ -185,6 +186,8 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
     else if (!std::isnan(r) && factor.isConstant() && incremental == Truth::Yes)
       level = state_.initialLevel + Interval::exactly(r * factor.value());
   }
+  if (toInitial == Truth::Yes && dialect_.drilling.risesFirst)
+    level = noLowerThanApproach(level);
   state_.at(tool) = level;
   state_.machineAxes &= ~(1u << unsigned(tool));
   state_.set(Fact::AwayFromPart);
@@ -194,6 +197,21 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   } else if (code.spindle == SpindleNeed::StartsItself) {
     state_.spindle = spindleAny;
   }
+}
+
+/// The level to which a cycle withdraws, raised to that of its approach (R).
+Interval Execution::noLowerThanApproach(const Interval &level) const {
+  const Interval factor = lengthFactor();
+  const Truth relative = incremental();
+  if (!state_.cycle.has('R') || std::isnan(state_.cycle.get('R')) || !factor.isConstant() ||
+      relative == Truth::Unknown)
+    return Interval::unknown();
+  Interval approach = Interval::exactly(state_.cycle.get('R') * factor.value());
+  if (relative == Truth::Yes)
+    approach = state_.initialLevel + approach;
+  if (!level.isConstant() || !approach.isConstant())
+    return Interval::unknown();
+  return Interval::exactly(std::max(level.value(), approach.value()));
 }
 
 void Execution::cancelCycle(CodeIndex by, const Word *word) {
@@ -335,6 +353,10 @@ void Execution::runCompound(const CodeUse &use) {
   }
   state_.set(Fact::AwayFromPart);
   endOfCall(code);
+  if (code.cycle == CycleKind::ThreadInfeed)
+    for (const Word &word : block_.words)
+      if (dialect_.axisWords & maskOf(word.address) && !word.has(wordNoValue))
+        storeTarget(word, false);
   for (const WordSpec &spec : code.words)
     if (spec.role == Role::Program && spec.text)
       contourProgram(use, spec);

@@ -23,21 +23,34 @@ public:
   /// cycle is called.
   void run() {
     const auto tool = size_t(tool_);
+    const Interval approach = approachLevel(), bottom = bottomLevel(approach);
     if (executed_.outcome.holes.empty())
-      return drill();
+      return drill(approach, bottom);
+    const bool rises = executed_.dialect.drilling.risesFirst;
+    if (const Interval start = startLevel();
+        rises && start.isConstant() && approach.isConstant() && start.value() < approach.value())
+      toLevel(MoveKind::Rapid, approach);
     for (const Place &hole : executed_.outcome.holes) {
       Place place = hole;
-      place[tool] = at_[tool];
+      place[tool] = rises ? levelAcross(approach) : at_[tool];
       const bool moves = !std::equal(place.begin(), place.end(), at_.begin());
       at_ = place;
       machineAxes_ = (executed_.after.machineAxes & ~(1u << tool)) | (machineAxes_ & (1u << tool));
       if (moves)
         go(MoveKind::Rapid);
-      drill();
+      drill(approach, bottom);
     }
   }
 
 private:
+  /// Level of the way to a hole, for a control that rises: the present one, or where that is not
+  /// above the approach the one to which it withdraws.
+  Interval levelAcross(const Interval &approach) const {
+    const Interval &present = at_[size_t(tool_)];
+    if (!present.isConstant() || !approach.isConstant())
+      return Interval::unknown();
+    return present.value() > approach.value() ? present : executed_.after.at(tool_);
+  }
   void toLevel(MoveKind kind, const Interval &level) {
     if (!same(at_[size_t(tool_)], level))
       go(kind, tool_, level);
@@ -92,13 +105,25 @@ private:
   Interval bottomLevel(const Interval &approach) const {
     if (!cycle_.bottom.empty())
       return formula(cycle_.bottom);
-    const WordSpec *spec = words_.spec(Role::Depth);
+    const auto spec = depthSpec();
     const auto depth = spec ? words_.value(*spec) : std::nullopt;
     if (!depth)
       return Interval::unknown();
     const bool relative =
         words_.isIncrement(*spec) || (incremental() && !spec->variable && !spec->position);
     return relative ? approach + *depth : *depth;
+  }
+  /// The cycle's depth: in another plane it is given along another axis.
+  std::optional<WordSpec> depthSpec() const {
+    const WordSpec *spec = words_.spec(Role::Depth);
+    if (!spec)
+      return std::nullopt;
+    WordSpec depth = *spec;
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+      if (const auto letter = AddressId(letterAddress('X') + size_t(axis));
+          depth.any == maskOf(letter) && axis != tool_)
+        depth.any = maskOf(AddressId(letterAddress('X') + size_t(tool_)));
+    return depth;
   }
   Interval formula(const Formula &what) const {
     return levelOf(what, cycle_,
@@ -110,9 +135,9 @@ private:
                     /*keptWords=*/true});
   }
 
-  void drill() {
-    const Interval approach = approachLevel(), bottom = bottomLevel(approach);
+  void drill(const Interval &approach, const Interval &bottom) {
     const Interval withdraw = executed_.after.at(tool_);
+    const bool feedsOut = executed_.dialect.drilling.feedsOutToLevel;
     if (cycle_.cycle != CycleKind::BackBore)
       toLevel(MoveKind::Rapid, approach);
     const uint8_t turning = executed_.before.spindle;
@@ -132,14 +157,18 @@ private:
       toLevel(MoveKind::Linear, bottom);
       dwell();
       spindle(reversed);
-      toLevel(MoveKind::Linear, approach);
+      toLevel(MoveKind::Linear, feedsOut ? withdraw : approach);
       spindle(turning);
       break;
     case CycleKind::Ream:
-    case CycleKind::ReamDwell:
       toLevel(MoveKind::Linear, bottom);
       dwell();
       toLevel(MoveKind::Linear, approach);
+      break;
+    case CycleKind::ReamDwell:
+      toLevel(MoveKind::Linear, bottom);
+      dwell();
+      toLevel(MoveKind::Linear, feedsOut ? withdraw : approach);
       break;
     case CycleKind::BoreStop:
     case CycleKind::BoreManual:

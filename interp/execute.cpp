@@ -64,7 +64,8 @@ Executor::Executor(const Dialect &dialect, const MachineProfile &machine, FileId
 ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
     : motion(dialect.group(StandardGroup::Motion)), cycle(dialect.group(StandardGroup::Cycle)),
       units(dialect.group(StandardGroup::Units)), distance(dialect.group(StandardGroup::Distance)),
-      polar(dialect.group(StandardGroup::Polar)), language(dialect.group(StandardGroup::Language)) {
+      polar(dialect.group(StandardGroup::Polar)), language(dialect.group(StandardGroup::Language)),
+      diameter(dialect.group(StandardGroup::Diameter)) {
   const auto members = [&](GroupIndex group, Action action) {
     uint64_t mask = 0;
     if (group != noGroup)
@@ -81,6 +82,7 @@ ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
   if (language != noGroup && dialect.groups[language].initial != 0xFF)
     foreign = ((uint64_t(1) << dialect.groups[language].members.size()) - 1) &
               ~(uint64_t(1) << dialect.groups[language].initial);
+  diameterOn = members(diameter, Action::DiameterOn);
   pointlessIsIncrement = machine.option("decimalPoint") == llvm::StringRef("increment");
 }
 
@@ -110,7 +112,8 @@ bool Execution::runPlainMove() {
   if ((block_.addresses & ~(dialect_.axisWords | maskOf('F'))) ||
       !(block_.addresses & dialect_.axisWords) || state_.compensation != phaseOff ||
       state_.modalCalls || state_.pendingCycle != noCode || masks_.motion == noGroup ||
-      polarMayBeOn())
+      polarMayBeOn() || diameterMayBeOn() ||
+      (dialect_.variableRanges.place && !block_.expressions.empty()))
     return false;
   if (masks_.cycle != noGroup && (state_.group[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
     return false;
@@ -200,6 +203,7 @@ void Execution::run(bool guardHolds) {
     settingWords();
   for (const CodeUse &use : outcome_.codes)
     applyEarly(use);
+  applyZeros();
   moveAxes();
   for (const CodeUse &use : outcome_.codes)
     applyLate(use);

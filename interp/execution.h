@@ -9,6 +9,8 @@ namespace ncvet {
 /// Least increment of a metric control, in millimetres.
 constexpr double leastIncrement = 0.001;
 
+struct Zero;
+
 /// One block on its way through the interpreter. Private to interp/.
 class Execution {
 public:
@@ -81,8 +83,21 @@ private:
   void workOffset(const CodeUse &use);
   Interval coordinate(const Word &word) const;
   void storeTarget(const Word &word, bool machineCoordinates);
+  void storeTargets();
   void trackDepth(bool rapid);
   void compensationStep(MotionKind kind, uint16_t axes);
+
+  // zero_codes.cpp: the zero point, where variables hold it
+  void applyZeros();
+  void applyLength(const CodeUse &use);
+  std::array<Interval, axisCount> lengthOfTool() const;
+  void setSystem(const CodeUse &use);
+  void setPreset(bool local);
+  void switchPreset(Action action);
+  void systemMoved(const Zero &before);
+  void fromMachine();
+  std::array<Interval, axisCount> known() const;
+  void moveTo(const std::array<Interval, axisCount> &place);
 
   // polar.cpp: end points by angle and radius
   std::array<Interval, 2> inPlane() const;
@@ -116,6 +131,7 @@ private:
   void endOfCall(const CodeInfo &code);
   bool patternPlaces(const CodeInfo &code);
   void contourProgram(const CodeUse &use, const WordSpec &spec);
+  Interval noLowerThanApproach(const Interval &level) const;
   CodeIndex activeCycle() const;
 
   Origin originOf(const Word &word) const { return {file_, word.offset, block_.endOf(word)}; }
@@ -127,6 +143,9 @@ private:
   Truth incremental() const; ///< distance mode
   bool polarMayBeOn() const {
     return masks_.polar != noGroup && (state_.group[masks_.polar] & masks_.polarOn);
+  }
+  bool diameterMayBeOn() const {
+    return masks_.diameterOn && (state_.group[masks_.diameter] & masks_.diameterOn);
   }
   Truth polarOn() const {
     return state_.group[masks_.polar] & ~masks_.polarOn & ~groupUnset ? Truth::Unknown : Truth::Yes;

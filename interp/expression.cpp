@@ -355,8 +355,11 @@ void Evaluator::step(const ExpressionOp &op) {
   case Op::Exists: {
     // Given a value on some way at least; one that all programs share may have it from elsewhere.
     const auto key = uint64_t(op.value);
-    const bool never = key >= firstNamedVariable && state_.locals.given(key) == Truth::No;
-    stack_.push_back(never ? Value::of(0) : Value::of(Interval{0, 1}));
+    const bool local = key >= firstNamedVariable;
+    const Truth given = local ? state_.locals.given(key) : state_.commons.given(key);
+    stack_.push_back(given == Truth::Yes           ? Value::of(1)
+                     : local && given == Truth::No ? Value::of(0)
+                                                   : Value::of(Interval{0, 1}));
     return;
   }
   default:
@@ -365,6 +368,38 @@ void Evaluator::step(const ExpressionOp &op) {
       stack_.pop_back();
     stack_.push_back(Value::unknown());
   }
+}
+
+/// Coordinate of the tool, as the program would write it.
+Value coordinateOf(const MachineState &state, size_t axis) {
+  const Interval &place = state.position[axis];
+  if (state.machineAxes >> axis & 1 || !place.isConstant())
+    return Value::unknown();
+  const bool isLength = Axis(axis) < Axis::A || Axis(axis) > Axis::C;
+  const uint64_t set = state.ranges.units == noGroup ? groupUnset : state.group[state.ranges.units];
+  if (!isLength || !(set & state.ranges.inch))
+    return Value::of(place.value());
+  constexpr double millimetresPerInch = 25.4;
+  return set & ~state.ranges.inch ? Value::unknown()
+                                  : Value::of(place.value() / millimetresPerInch);
+}
+
+/// Axis whose coordinate the variable holds; none when it holds something else.
+std::optional<size_t> placeOf(const MachineState &state, int64_t number) {
+  if (!state.ranges.place)
+    return std::nullopt;
+  if (const int64_t axis = number - state.ranges.place; axis >= 0 && axis < int64_t(axisCount))
+    return size_t(axis);
+  if (number < int64_t(firstSharedVariable))
+    return std::nullopt;
+  static const auto names = [] {
+    std::array<int64_t, axisCount> keys{};
+    for (size_t i = 0; i < axisCount; ++i)
+      keys[i] = int64_t(sharedVariableKey(std::string("_") + "xyzabcuvw"[i]));
+    return keys;
+  }();
+  const auto found = llvm::find(names, number);
+  return found == names.end() ? std::nullopt : std::optional(size_t(found - names.begin()));
 }
 
 } // namespace
@@ -387,6 +422,8 @@ Truth truthOf(const Value &value) {
 Value readVariable(const MachineState &state, int64_t number) {
   if (number == 0)
     return Value::vacant();
+  if (const auto axis = placeOf(state, number))
+    return coordinateOf(state, *axis);
   if (isLocal(state, number))
     return state.locals.get(uint64_t(number));
   if (isCommon(state, number))

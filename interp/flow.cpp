@@ -84,8 +84,13 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
       flow.repeat = Value::of(double(packed / 10000));
     }
   }
-  if (const Word *l = block_.find('L'))
+  if (const Word *l = block_.find('L')) {
     flow.repeat = valueOf(value(*l));
+    // RS274/NGC takes the count as it is.
+    if (dialect_.lexical.arithmetic == Arithmetic::Ngc && flow.repeat.isConstant() &&
+        flow.repeat.number.value() == 0)
+      flow.kind = FlowKind::Next;
+  }
   if (!macro) {
     if (const Word *q = block_.find('Q'))
       flow.startAt = valueOf(value(*q));

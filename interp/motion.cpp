@@ -1,5 +1,6 @@
 // Axis words: where the block's motion leads, and what it does to compensation.
 #include "interp/execution.h"
+#include "interp/zero.h"
 
 #include <cmath>
 #include <numbers>
@@ -12,6 +13,8 @@ constexpr uint64_t movedFacts =
     bitOf(Fact::Moved) | bitOf(Fact::MovedSinceTool) | bitOf(Fact::MovedSincePreset);
 constexpr uint16_t bit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
 constexpr double millimetresPerInch = 25.4;
+/// Keys under which the last point of a curve waits for its end: no program's.
+constexpr int32_t curvePoint = 0x7FFFFF00;
 } // namespace
 
 Interval Execution::lengthFactor() const {
@@ -47,6 +50,11 @@ Interval Execution::coordinate(const Word &word) const {
     return Interval::unknown();
   if (word.isNumber() && !word.has(wordPoint) && masks_.pointlessIsIncrement)
     result = result * leastIncrement;
+  if (address.axis == Axis::X && diameterMayBeOn()) {
+    if (state_.group[masks_.diameter] & ~masks_.diameterOn)
+      return Interval::unknown();
+    result = result * 0.5;
+  }
   return factor.value() == 1 ? result : result * factor.value();
 }
 
@@ -87,6 +95,28 @@ void Execution::storeTarget(const Word &word, bool machineCoordinates) {
   }
   state_.machineAxes &= ~axis;
   position = relative == Truth::No ? target : Interval::unknown();
+}
+
+/// Stores the end points that the axis words of the block give.
+void Execution::storeTargets() {
+  // A word may read where the tool is: all are read before it moves.
+  const bool readsPlace = dialect_.variableRanges.place && !block_.expressions.empty();
+  const auto start = state_.position;
+  auto end = start;
+  for (const Word &word : block_.words)
+    if (dialect_.axisWords & maskOf(word.address)) {
+      const auto axis = size_t(dialect_.addresses[word.address].axis);
+      if (word.has(wordNoValue))
+        state_.position[axis] = Interval::unknown();
+      else
+        storeTarget(word, false);
+      if (readsPlace) {
+        end[axis] = state_.position[axis];
+        state_.position = start;
+      }
+    }
+  if (readsPlace)
+    state_.position = end;
 }
 
 void Execution::compensationStep(MotionKind kind, uint16_t axes) {
@@ -228,25 +258,28 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   std::array<Interval, 2> from;
   if (polar == Truth::Yes)
     from = inPlane();
-  for (const Word &word : block_.words)
-    if (dialect_.axisWords & maskOf(word.address)) {
-      if (word.has(wordNoValue))
-        state_.at(dialect_.addresses[word.address].axis) = Interval::unknown();
-      else
-        storeTarget(word, false);
-    }
+  storeTargets();
   if (block_.hasAny(dialect_.polarWords))
     polarTarget();
   if (polar == Truth::Yes)
     polarInput(from);
   else if (polar == Truth::Unknown)
     setInPlane({});
+  if (code && code->action == Action::CurvePoint) { // the tool goes to the last one at the end
+    storePlace(state_, curvePoint, state_.position);
+    state_.position = before_.position;
+    return;
+  }
   if (!code) {
     state_.fedFrom = Interval::unknown();
     state_.factsMust |= movedFacts;
     state_.factsMay |= movedFacts | bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool);
     state_.clear(Fact::AtMachinePosition);
     return;
+  }
+  if (code->returns) {
+    outcome_.via = state_.position;
+    state_.position = before_.position;
   }
   if (code->action == Action::Linear)
     angleWords();
@@ -313,6 +346,7 @@ void Execution::machineMove(uint16_t axes) {
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address))
       storeTarget(word, true);
+  fromMachine();
   state_.set(Fact::Moved);
   state_.set(Fact::MovedSinceTool);
   state_.set(Fact::MovedSincePreset);
@@ -333,9 +367,11 @@ void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
   outcome_.via = state_.position;
   for (unsigned i = 0; i < axisCount; ++i)
     if (axes == 0 || (axes >> i & 1)) {
-      state_.position[i] = Interval::unknown();
+      const int32_t stored = info(use).storedAt;
+      state_.position[i] = stored ? storedPlace(state_, stored)[i] : Interval::unknown();
       state_.machineAxes |= 1u << i;
     }
+  fromMachine();
   state_.set(Fact::Moved);
   state_.set(Fact::MovedSinceTool);
   state_.set(Fact::ReferenceReturned);
@@ -357,6 +393,8 @@ void Execution::shiftCoordinates(const CodeUse &use) {
     state_.clear(Fact::MovedSincePreset);
     state_.origin.preset = originOf(*use.word);
   }
+  if (dialect_.zeros.systems)
+    return setPreset(code.action == Action::LocalShift);
   for (const Word &word : block_.words) {
     if (!(dialect_.axisWords & maskOf(word.address)))
       continue;
@@ -394,7 +432,8 @@ void Execution::workOffset(const CodeUse &use) {
   event.code = use.code;
   event.word = use.word;
   state_.fedFrom = Interval::unknown();
-  if (code.group == noGroup || before_.group[code.group] == (uint64_t(1) << code.bit))
+  if (dialect_.zeros.systems || code.group == noGroup ||
+      before_.group[code.group] == (uint64_t(1) << code.bit))
     return; // the same offset as before
   const CodeInfo *old = before_.activeCode(dialect_, StandardGroup::WorkOffset);
   const auto from = old ? machine_.offsets.find(old->name) : machine_.offsets.end();
@@ -431,6 +470,8 @@ void Execution::moveAxes() {
         if (dialect_.dwellInMilliseconds && event.word->isNumber() && !event.word->has(wordPoint))
           event.value = event.value * 0.001;
       }
+      if (dialect_.dwellBesideMove)
+        break;
       return;
     }
     case Action::ReferenceReturn:
@@ -472,7 +513,35 @@ void Execution::moveAxes() {
     case Action::PoleFromPole:
       setPole(action.action);
       return;
+    case Action::PresetClear:
+    case Action::PresetSuspend:
+    case Action::PresetRestore:
+      switchPreset(action.action);
+      break;
+    case Action::ZeroSet:
+    case Action::ZeroHere:
+      setSystem(actionCode_);
+      return;
+    case Action::StorePlace:
+      storePlace(state_, action.storedAt, zeroOf(dialect_, state_).toMachine(known()));
+      break;
+    case Action::LengthSet:
+    case Action::LengthAdd:
+      return;
+    case Action::CurveEnd: {
+      Event &event = outcome_.emit(EventKind::Motion);
+      event.code = actionCode_.code;
+      event.motion = MotionKind::Feed;
+      event.axes = planeAxes(dialect_, state_);
+      moveTo(storedPlace(state_, curvePoint));
+      afterMove(false, event.axes);
+      return;
+    }
     case Action::DataInput:
+      if (dialect_.zeros.systems) { // the tools' lengths: a later G43 takes them
+        state_.commons.set(toolTableWritten, Value::of(1));
+        return;
+      }
       // Offsets may have changed: what was known in work coordinates is no longer.
       for (unsigned i = 0; i < axisCount; ++i)
         if (!(state_.machineAxes >> i & 1))

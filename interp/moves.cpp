@@ -169,16 +169,23 @@ private:
     case MotionKind::ArcCcw:
       return arc(event.motion == MotionKind::ArcCw);
     case MotionKind::Thread:
-      add(MoveKind::Thread);
-      return;
+      return thread(event);
     case MotionKind::Feed:
     case MotionKind::Skip:
       return feed(event);
     }
   }
 
+  void thread(const Event &event) {
+    if (event.code != noCode && dialect_.codes[event.code].returns)
+      add(MoveKind::Thread).to = executed_.outcome.via;
+    add(MoveKind::Thread);
+  }
+
   void feed(const Event &event) {
     const Action action = event.code == noCode ? Action::Linear : dialect_.codes[event.code].action;
+    if (action == Action::CurvePoint)
+      return;
     if (action == Action::CurveTangent) {
       Move &move = add(MoveKind::Arc);
       move.tangential = true;

@@ -89,7 +89,10 @@ void Execution::polarTarget() {
     Interval &part = address.unit == AddressUnit::Angle ? degrees : radius;
     const Interval given = address.unit == AddressUnit::Angle ? value(word) : coordinate(word);
     const bool added = word.has(wordIncremental) || word.reading() == WordReading::Incremental;
-    part = added ? part + given : given;
+    const Truth relative = dialect_.polarByDistance ? incremental() : Truth::No;
+    part = added || relative == Truth::Yes ? part + given
+           : relative == Truth::No         ? given
+                                           : Interval::unknown();
   }
   if (block_.hasAny(dialect_.elementWords)) // a point of the contour's own geometry
     radius = Interval::unknown();

@@ -20,6 +20,8 @@ namespace ncvet {
   X(CurveFeed, "curve")                                                                            \
   X(CurveThrough, "curve-through")                                                                 \
   X(CurveTangent, "curve-tangent")                                                                 \
+  X(CurvePoint, "curve-point")                                                                     \
+  X(CurveEnd, "curve-end")                                                                         \
   X(Dwell, "dwell")                                                                                \
   X(ExactStop, "exact-stop")                                                                       \
   X(PathMode, "path-mode")                                                                         \
@@ -42,9 +44,19 @@ namespace ncvet {
   X(LengthPositive, "length-positive")                                                             \
   X(LengthNegative, "length-negative")                                                             \
   X(LengthOff, "length-off")                                                                       \
+  X(LengthSet, "length-set")                                                                       \
+  X(LengthAdd, "length-add")                                                                       \
   X(SpeedLimit, "speed-limit")                                                                     \
   X(LocalShift, "local-shift")                                                                     \
   X(PresetPosition, "preset-position")                                                             \
+  X(PresetClear, "preset-clear")                                                                   \
+  X(PresetSuspend, "preset-suspend")                                                               \
+  X(PresetRestore, "preset-restore")                                                               \
+  X(ZeroSet, "zero-set")                                                                           \
+  X(ZeroHere, "zero-here")                                                                         \
+  X(StorePlace, "store-place")                                                                     \
+  X(DiameterOn, "diameter-on")                                                                     \
+  X(DiameterOff, "diameter-off")                                                                   \
   X(MachineMove, "machine-move")                                                                   \
   X(WorkOffset, "work-offset")                                                                     \
   X(Absolute, "absolute")                                                                          \
@@ -133,7 +145,8 @@ llvm::ArrayRef<llvm::StringLiteral> actionNames();
 constexpr bool isMotion(Action action) {
   return action == Action::Rapid || action == Action::Linear || action == Action::ArcCw ||
          action == Action::ArcCcw || action == Action::Thread || action == Action::CurveFeed ||
-         action == Action::CurveThrough || action == Action::CurveTangent;
+         action == Action::CurveThrough || action == Action::CurveTangent ||
+         action == Action::CurvePoint;
 }
 constexpr bool isArc(Action action) { return action == Action::ArcCw || action == Action::ArcCcw; }
 

@@ -29,7 +29,8 @@ llvm::ArrayRef<llvm::StringRef> codeKeys() {
                                                  "stores",       "stopsSpindle",
                                                  "levels",       "frame",
                                                  "places",       "measures",
-                                                 "traits",       "firesByMotionCode"};
+                                                 "traits",       "firesByMotionCode",
+                                                 "storedAt",     "returns"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -123,6 +124,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "exclusive", info.exclusive);
   in_.read(value, "twoBlock", info.twoBlock);
   in_.read(value, "waits", info.waits);
+  in_.read(value, "returns", info.returns);
   in_.read(value, "ownMove", info.ownMove);
   in_.read(value, "stopsSpindle", info.stopsSpindle);
   in_.read(value, "family", info.family);
@@ -131,6 +133,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   in_.read(value, "endsMotion", info.endsMotion);
   in_.read(value, "foreign", info.foreign);
   in_.readWhole(value, "arguments", info.arguments, 0, 100);
+  in_.readWhole(value, "storedAt", info.storedAt, 0, 999999);
   in_.readName(value, "does", "action", actionNames(), info.action);
   in_.readName(value, "cycle", "cycle", cycleNames(), info.cycle);
   in_.readName(value, "frame", "frame", frameNames(), info.frame);

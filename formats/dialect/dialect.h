@@ -80,7 +80,8 @@ enum class CycleKind : uint8_t {
   Pocket,
   Slot,
   ThreadMill,
-  Measure ///< touches the work
+  Measure,     ///< touches the work
+  ThreadInfeed ///< threads pass by pass beside a line along Z, each deeper than the one before
 };
 llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
 std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
@@ -272,6 +273,7 @@ struct CodeInfo {
   bool firesInPlane = false;      ///< runs with every move in the plane, in its own block too
   bool stopsSpindle = false;      ///< the spindle stands behind it, unless its block starts it
   bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
+  bool returns = false;      ///< the tool comes back to where the move began
   bool waits = false;        ///< a modal cycle that does not run in its own block
   bool cancelsCalls = false; ///< ends a modal call of a program too
   /// What runs behind moves runs behind a motion code without coordinates too.
@@ -279,6 +281,7 @@ struct CodeInfo {
   bool isProgram = false;  ///< a program of the control: one of the same name hides it
   bool endsMotion = false; ///< no motion code is in force behind it
   bool foreign = false;    ///< another control's code: here it is none
+  int32_t storedAt = 0;    ///< first variable of the place to which it leads or that it stores
   uint8_t arguments = 0;   ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;
   /// Of a cycle along the tool axis: level from which it feeds and the one to which it feeds, where
@@ -330,6 +333,7 @@ enum class StandardGroup : uint8_t {
   MacroModal,
   Language,
   ArcDistance,
+  Diameter,
   Spindle,
   Coolant,
   Program,
@@ -395,6 +399,32 @@ struct VariableRanges {
   int32_t lastLocal = 33;   ///< `#1` up to here belong to the running program
   int32_t lastCommon = 999; ///< from there up to here all programs share them
   bool namedLocal = false;  ///< a variable with a name belongs to the running program
+  int32_t place = 0; ///< of the tool's coordinates in the unit in force, X first; 0: there are none
+  GroupIndex units = noGroup; ///< group of that unit
+  uint64_t inch = 0;          ///< its members that are inches
+};
+
+/// Numbers of the variables in which a control keeps where its coordinates lie, in millimetres and
+/// degrees: each the first of one for every axis, X first. Its programs may read and write them.
+struct ZeroVariables {
+  int32_t systems = 0;  ///< of the first work offset; 0: the control keeps them elsewhere
+  int32_t step = 0;     ///< from one work offset to the next
+  int32_t preset = 0;   ///< of the shift that lies over all work offsets
+  int32_t presetOn = 0; ///< 1 where that shift is in force
+  int32_t length = 0;   ///< of the length offset in force
+
+  /// Behind the axes of a work offset: its angle in the XY plane.
+  int32_t rotation(int32_t system) const { return systems + system * step + 9; }
+};
+
+/// How a control drills, where controls differ.
+struct DrillingHabits {
+  /// The initial level is the one at which a row of cycles began, not the single cycle.
+  bool levelOfRow = false;
+  /// Below the level of approach the tool first rises to it, and it withdraws no lower.
+  bool risesFirst = false;
+  /// Cycles that are fed out are fed to the level to which they withdraw.
+  bool feedsOutToLevel = false;
 };
 
 enum class Semicolon : uint8_t { Comment, EndOfBlock };
@@ -473,6 +503,10 @@ struct Dialect {
   Lexical lexical;
   Limits limits;
   VariableRanges variableRanges;
+  ZeroVariables zeros;
+  DrillingHabits drilling;
+  bool polarByDistance = false;  ///< under incremental distances, words of angle and radius add up
+  bool dwellBesideMove = false;  ///< a block that dwells may move too
   bool loadsWhole = true;        ///< blocks that no way reaches are read all the same at the start
   bool localsBeginVacant = true; ///< false: a main program finds values of the one before it
   std::array<AddressInfo, addressCount> addresses;

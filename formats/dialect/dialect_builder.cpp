@@ -46,6 +46,9 @@ void DialectBuilder::build() {
                         "toolChangeGivesLength",
                         "emptyBlocksRun",
                         "endReturns",
+                        "dwellBesideMove",
+                        "polarByDistance",
+                        "drilling",
                         "loadsWhole",
                         "offsetsOfTool",
                         "toolRadius",
@@ -84,6 +87,12 @@ void DialectBuilder::build() {
       return llvm::StringRef(code.name).startswith(begin);
     });
   }
+  VariableRanges &ranges = dialect_.variableRanges;
+  ranges.units = dialect_.group(StandardGroup::Units);
+  if (ranges.units != noGroup)
+    for (const CodeIndex member : dialect_.groups[ranges.units].members)
+      if (dialect_.codes[member].action == Action::Inch)
+        ranges.inch |= uint64_t(1) << dialect_.codes[member].bit;
   bool lengthByTool = false;
   in_.read(root_, "toolChangeGivesLength", lengthByTool);
   if (lengthByTool)
@@ -106,6 +115,14 @@ void DialectBuilder::readHead() {
   in_.read(root_, "cycleSurvivesMotion", dialect_.cycleSurvivesMotion);
   in_.read(root_, "emptyBlocksRun", dialect_.emptyBlocksRun);
   in_.read(root_, "endReturns", dialect_.endReturns);
+  in_.read(root_, "dwellBesideMove", dialect_.dwellBesideMove);
+  in_.read(root_, "polarByDistance", dialect_.polarByDistance);
+  if (const Json *drilling = in_.member(root_, "drilling")) {
+    in_.allowKeys(*drilling, {"levelOfRow", "risesFirst", "feedsOutToLevel"});
+    in_.read(*drilling, "levelOfRow", dialect_.drilling.levelOfRow);
+    in_.read(*drilling, "risesFirst", dialect_.drilling.risesFirst);
+    in_.read(*drilling, "feedsOutToLevel", dialect_.drilling.feedsOutToLevel);
+  }
   in_.read(root_, "loadsWhole", dialect_.loadsWhole);
   in_.read(root_, "offsetsOfTool", dialect_.offsetsOfTool);
   if (const Json *list = in_.member(root_, "mainExtensions"))
@@ -116,7 +133,7 @@ void DialectBuilder::readHead() {
     dialect_.hiddenPrograms = in_.texts(*list);
   if (const Json *variables = in_.member(root_, "variables")) {
     in_.allowKeys(*variables, {"names", "axes", "readOnly", "machineData", "readAhead", "lastLocal",
-                               "lastCommon", "namedLocal", "localsBeginVacant"});
+                               "lastCommon", "namedLocal", "localsBeginVacant", "zeros", "place"});
     const auto list = [&](const char *key, std::vector<std::string> &target) {
       if (const Json *names = in_.member(*variables, key))
         target = in_.texts(*names);
@@ -129,7 +146,17 @@ void DialectBuilder::readHead() {
     in_.readWhole(*variables, "lastLocal", dialect_.variableRanges.lastLocal, 0, 999999);
     in_.readWhole(*variables, "lastCommon", dialect_.variableRanges.lastCommon, 0, 999999);
     in_.read(*variables, "namedLocal", dialect_.variableRanges.namedLocal);
+    in_.readWhole(*variables, "place", dialect_.variableRanges.place, 0, 999999);
     in_.read(*variables, "localsBeginVacant", dialect_.localsBeginVacant);
+    if (const Json *zeros = in_.member(*variables, "zeros")) {
+      in_.allowKeys(*zeros, {"systems", "step", "preset", "presetOn", "length"});
+      ZeroVariables &to = dialect_.zeros;
+      for (const auto &[key, number] :
+           {std::pair{"systems", &to.systems}, std::pair{"step", &to.step},
+            std::pair{"preset", &to.preset}, std::pair{"presetOn", &to.presetOn},
+            std::pair{"length", &to.length}})
+        in_.readWhole(*zeros, key, *number, 0, 999999);
+    }
   }
   in_.readName(root_, "machine", "machine", machineNames(), dialect_.machine);
   for (const char *key : {"id", "title", "reader", "machine"})

@@ -29,7 +29,8 @@ struct MachineProfile {
   std::optional<double> feedMax, rapid;         ///< mm/min
   bool hasTools = false;                        ///< a tool list was given, even an empty one
   std::map<int, ToolData> tools;
-  /// Machine coordinates of a work offset's origin, by code name ("G54").
+  /// Machine coordinates of a work offset's origin, by code name ("G54"); of the place to which a
+  /// code leads ("G28"); of the shift over all work offsets ("G92").
   std::map<std::string, std::array<std::optional<double>, axisCount>> offsets;
   std::optional<Stock> stock;
   llvm::StringMap<std::string> options; ///< text form of the JSON value

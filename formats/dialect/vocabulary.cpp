@@ -33,8 +33,8 @@ constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "pattern",        "face",
                                           "contour",        "pocket",
                                           "slot",           "thread-mill",
-                                          "measure"};
-static_assert(std::size(cycles) == size_t(CycleKind::Measure) + 1);
+                                          "measure",        "thread-infeed"};
+static_assert(std::size(cycles) == size_t(CycleKind::ThreadInfeed) + 1);
 
 constexpr llvm::StringLiteral needs[] = {"optional", "required", "first"};
 constexpr llvm::StringLiteral points[] = {"any", "required", "forbidden"};
@@ -56,7 +56,7 @@ constexpr llvm::StringLiteral groups[] = {
     "motion",       "plane",         "units",   "distance",     "feed-mode",   "speed-mode",
     "compensation", "length-offset", "cycle",   "return-level", "work-offset", "path-mode",
     "polar",        "rotation",      "scaling", "mirror",       "macro-modal", "language",
-    "arc-distance", "spindle",       "coolant", "program"};
+    "arc-distance", "diameter",      "spindle", "coolant",      "program"};
 static_assert(std::size(groups) == size_t(StandardGroup::Count));
 } // namespace
 

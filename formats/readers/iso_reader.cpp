@@ -60,6 +60,7 @@ private:
   void scanLetter();
   bool scanUnknownWord();
   void scanWord(AddressId address, const char *begin);
+  bool opensExpression(const char *p) const;
   bool scanPlainNumber(Word &word);
   bool scanNumber(Word &word, const char *begin);
   void scanComma();
@@ -227,6 +228,18 @@ bool Scanner::scanUnknownWord() {
   return true;
 }
 
+/// A variable, a bracket, or a function where it may stand without brackets around it: `XSIN[30]`.
+bool Scanner::opensExpression(const char *p) const {
+  if (p < end_ && (*p == '#' || *p == '['))
+    return true;
+  if (lexical_.arithmetic != Arithmetic::Ngc)
+    return false;
+  const char *name = p;
+  while (p < end_ && uint8_t((*p | 32) - 'a') < 26)
+    ++p;
+  return p - name > 1 && behindBlanks(p) < end_ && *behindBlanks(p) == '[';
+}
+
 /// The number or expression behind an address.
 void Scanner::scanWord(AddressId address, const char *begin) {
   Word word;
@@ -252,10 +265,13 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   if (at_ < end_ &&
       (isDigit(*at_) || *at_ == '-' || *at_ == '+' || *at_ == '.' || typographicMinus(at_, end_))) {
     // A sign in front of an expression belongs to it.
-    const char *behind = at_ + ((*at_ == '-' || *at_ == '+') ? 1 : 0);
-    while (behind < end_ && classOf(*behind) == Blank)
-      ++behind;
-    if (!(lexical_.macro && behind < end_ && (*behind == '#' || *behind == '['))) {
+    const bool ngc = lexical_.arithmetic == Arithmetic::Ngc;
+    const char *behind = at_;
+    unsigned signs = 0;
+    while (behind < end_ && (classOf(*behind) == Blank ||
+                             ((*behind == '-' || *behind == '+') && (ngc || signs == 0))))
+      signs += classOf(*behind++) != Blank;
+    if (!(lexical_.macro && (opensExpression(behind) || signs > 1))) {
       if (!scanNumber(word, begin)) {
         word.flags |= wordMalformed | wordNoValue;
       }
@@ -275,7 +291,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
       return;
     }
   }
-  if (lexical_.macro && at_ < end_ && (*at_ == '#' || *at_ == '[' || *at_ == '-' || *at_ == '+')) {
+  if (lexical_.macro && at_ < end_ && (opensExpression(at_) || *at_ == '-' || *at_ == '+')) {
     const uint16_t index = expression(MacroExpression::Form::Operand);
     word.flags |= wordExpression;
     word.mantissa = index;

@@ -25,6 +25,7 @@ class BlockModalGroupConflict final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
+    sameTwice_ = to.option("sameTwice", 0) != 0;
     to.onCode([&](const CodeInfo &code) {
       return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
              code.opposite != noCode ||
@@ -41,7 +42,7 @@ public:
       if (use.word->offset >= event.word->offset) // the later one of a pair reports
         return;
       const CodeInfo &other = ctx.code(use);
-      const char *why = conflict(ctx.dialect(), other, code);
+      const char *why = conflict(ctx.dialect(), other, code, sameTwice_);
       if (!why)
         continue;
       const Word &first = *use.word;
@@ -58,9 +59,12 @@ private:
   static constexpr llvm::StringLiteral id{"block-modal-group-conflict"};
 
   /// Message of the conflict, or null.
-  static const char *conflict(const Dialect &dialect, const CodeInfo &a, const CodeInfo &b) {
-    if (a.letter == b.letter && a.number == b.number)
-      return nullptr; // the same code twice says the same thing
+  static const char *conflict(const Dialect &dialect, const CodeInfo &a, const CodeInfo &b,
+                              bool sameTwice) {
+    if (a.letter == b.letter && a.number == b.number) // the same code twice says the same thing
+      return sameTwice && a.letter == 'G' ? "`{0}` and `{1}`: the interpreter takes one code of a "
+                                            "group, and stops at a second one"
+                                          : nullptr;
     if (a.group != noGroup && a.group == b.group && dialect.groups[a.group].exclusive)
       return "`{0}` and `{1}` belong to one group: only one of them can be in force";
     // An arc that is a code of the machine stands for one of the group.
@@ -85,6 +89,8 @@ private:
     return code.action == Action::Cycle && code.group != noGroup &&
            code.group == dialect.group(StandardGroup::Cycle);
   }
+
+  bool sameTwice_ = false; ///< the control minds a code that stands twice, too
 };
 
 } // namespace

@@ -29,6 +29,10 @@ public:
     const Dialect &dialect = ctx.dialect();
     const MachineState &state = ctx.after();
     const auto unit = millimetresPer(dialect, state);
+    const Axis tool = toolAxis(dialect, state);
+    if (zWord && dialect.addresses[zWord->address].kind == AddressKind::Axis &&
+        dialect.addresses[zWord->address].axis != tool)
+      return; // in this plane it is a coordinate of the hole
     const auto r = kept(state, code, Role::Retract);
     const auto z = kept(state, code, Role::Depth);
     if (!unit || !r || !z || mixed(state.cycle, code, dialect) ||

@@ -1,5 +1,6 @@
 // A programmed value lies outside of the machine.
 #include "analyzer/rule.h"
+#include "interp/zero.h"
 
 #include <utility>
 
@@ -92,6 +93,13 @@ private:
     const Interval place = state.at(axis);
     if (state.inMachineCoordinates(axis))
       return place;
+    if (dialect.zeros.systems) { // the program itself may have moved the zero point
+      Place programmed = state.position;
+      for (unsigned i = 0; i < axisCount; ++i)
+        if (state.inMachineCoordinates(Axis(i)))
+          programmed[i] = Interval::unknown();
+      return zeroOf(dialect, state).toMachine(programmed)[size_t(axis)];
+    }
     if (dialect.isLathe()) // every tool has offsets in both axes
       return Interval::unknown();
     for (const auto &[group, action] : {std::pair(StandardGroup::Rotation, Action::RotationOn),

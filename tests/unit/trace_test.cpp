@@ -566,5 +566,118 @@ TEST(TraceLaws, AWayOfIncrementsIsTheWayOfItsPoints) {
       wayOf("nct-104m", "%O1\nG90 G17 G0 X5 Y5 Z5\nG91 G1 X10 F90\nG3 X10 Y10 I0 J10\nM30\n%\n"));
 }
 
+/// A machine whose offsets are known: G53 and the work offsets are places in one another.
+constexpr char knownOffsets[] =
+    R"({"dialect": "linuxcnc",
+        "offsets": {"G54": {"X": 0, "Y": 0, "Z": 0}, "G55": {"X": 100, "Y": 50, "Z": 0},
+                    "G92": {"X": 0, "Y": 0, "Z": 0}, "G28": {"X": 5, "Y": 6, "Z": 70}},
+        "tools": {"1": {"length": 30}, "2": {"length": 45}}})";
+
+TEST(Trace, WorkOffsetsAreFollowedWhereTheirPlaceIsKnown) {
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "G21 G90 G17 G0 X10 Y10 Z0\n"
+                      "G55 G0 X0\n"
+                      "G53 G0 X0\n"
+                      "G10 L20 P2 X7\n"
+                      "G0 Y0\n"
+                      "G54\n"
+                      "G10 L2 P1 R90\n"
+                      "G0 X20\n"
+                      "M2\n",
+                      knownOffsets),
+              ElementsAre("1 rapid X10 Y10 Z0", "2 rapid X0 Y-40 Z0", "3 rapid X-100 Y-40 Z0",
+                          "5 rapid X7 Y0 Z0", "8 rapid X20 Y0 Z0", "9 end"));
+}
+
+TEST(Trace, ShiftsOverTheWorkOffsetComeAndGo) {
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "G21 G90 G0 X10 Y0 Z0\nG92 X0\nG0 Y1\nG92.2\nG0 Y2\n"
+                      "G92.3\nG0 Y3\nG52 X2\nG0 Y4\nG92.1\nG0 Y5\nM2\n",
+                      knownOffsets),
+              ElementsAre("1 rapid X10 Y0 Z0", "3 rapid X0 Y1 Z0", "5 rapid X10 Y2 Z0",
+                          "7 rapid X0 Y3 Z0", "9 rapid X8 Y4 Z0", "11 rapid X10 Y5 Z0", "12 end"));
+}
+
+TEST(Trace, LengthsOfToolsMoveTheZeroPoint) {
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "G21 G90 G0 X0 Y0 Z100\nT1 M6\nG43\nG0 X1\nG43 H2\nG0 X2\n"
+                      "G43.1 Z10\nG0 X3\nG43.2 H1\nG0 X4\nG49\nG0 X5\nM2\n",
+                      knownOffsets),
+              ElementsAre("1 rapid X0 Y0 Z100", "2 tool 1", "4 rapid X1 Y0 Z70",
+                          "6 rapid X2 Y0 Z55", "8 rapid X3 Y0 Z90", "10 rapid X4 Y0 Z60",
+                          "12 rapid X5 Y0 Z100", "13 end"));
+}
+
+TEST(Trace, StoredPlacesAreOnTheMachine) {
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "G21 G90 G54 G0 X0 Y0 Z10\nG28 Z20\nG30.1\nG0 X50 Z0\nG30\n"
+                      "M2\n",
+                      knownOffsets),
+              ElementsAre("1 rapid X0 Y0 Z10", "2 rapid X0 Y0 Z20", "2 rapid X0 Y0 Z70",
+                          "4 rapid X50 Y0 Z0", "5 rapid X0 Y0 Z70", "6 end"));
+}
+
+/// What a program does not know of its machine stays unknown.
+TEST(Trace, WithoutAProfileOffsetsAreNotKnown) {
+  EXPECT_THAT(traceOf("linuxcnc", "G21 G90 G0 X1 Y1 Z1\nG55\nG0 X2\nG92 Y3\nG0 Z4\nM2\n"),
+              ElementsAre("1 rapid X1 Y1 Z1", "3 rapid X2", "5 rapid X2 Y3 Z4", "6 end"));
+}
+
+/// The initial level is that of the row, also behind another cycle; below R the tool rises.
+TEST(Trace, ARowOfCyclesHasOneInitialLevel) {
+  EXPECT_THAT(traceOf("linuxcnc", "G21 G90 G17 F100 S500 M3 G0 X0 Y0 Z20\n"
+                                  "G99 G81 X1 Y1 Z-3 R2\n"
+                                  "G98 G85 X2 Z-3 R4\n"
+                                  "G80\n"
+                                  "M2\n"),
+              ElementsAre("1 rapid X0 Y0 Z20", "2 rapid X1 Y1 Z20", "2 rapid X1 Y1 Z2",
+                          "2 linear X1 Y1 Z-3", "2 rapid X1 Y1 Z2", "3 rapid X2 Y1 Z20",
+                          "3 rapid X2 Y1 Z4", "3 linear X2 Y1 Z-3", "3 linear X2 Y1 Z4",
+                          "3 rapid X2 Y1 Z20", "5 end"));
+}
+
+TEST(Trace, CyclesOfOtherPlanesDrillAlongTheirAxis) {
+  EXPECT_THAT(traceOf("linuxcnc", "G21 G90 G18 G98 F100 G0 X0 Y20 Z0\n"
+                                  "G83 X1 Z2 Y-3 R1 Q3\n"
+                                  "M2\n"),
+              ElementsAre("1 rapid X0 Y20 Z0", "2 rapid X1 Y20 Z2", "2 rapid X1 Y1 Z2",
+                          "2 linear X1 Y-2 Z2", "2 rapid X1 Y1 Z2", "2 rapid X1 Y-1.746 Z2",
+                          "2 linear X1 Y-3 Z2", "2 rapid X1 Y20 Z2", "3 end"));
+}
+
+TEST(Trace, AThreadIsCutPassByPass) {
+  EXPECT_THAT(traceOf("linuxcnc", "G21 G90 G18 S100 M3 G0 X8 Y0 Z5\n"
+                                  "G76 P1 Z-2 I-1 J0.3 K0.5 L2 E0.4\n"
+                                  "M2\n"),
+              ElementsAre("1 rapid X8 Y0 Z5", "2 rapid X8.2 Y0 Z5", "2 rapid X6.7 Y0 Z5",
+                          "2 thread X6.7 Y0 Z-1.6", "2 thread X7.2 Y0 Z-2", "2 rapid X8.2 Y0 Z-2",
+                          "2 rapid X8 Y0 Z5", "2 rapid X6.5 Y0 Z5", "2 thread X6.5 Y0 Z-1.6",
+                          "2 thread X7 Y0 Z-2", "2 rapid X8 Y0 Z-2", "2 rapid X8 Y0 Z-2", "3 end"));
+}
+
+TEST(Trace, ACurveThroughControlPointsIsMadeAtItsEnd) {
+  EXPECT_THAT(traceOf("linuxcnc", "G21 G90 F100 G0 X0 Y0 Z0\n"
+                                  "G5.2 X1 Y2 P1 L3\n"
+                                  "X3 Y4 P1\n"
+                                  "X5 Y4 P1\n"
+                                  "G5.3\n"
+                                  "M2\n"),
+              ElementsAre("1 rapid X0 Y0 Z0", "5 linear X5 Y4 Z0", "6 end"));
+}
+
+TEST(Trace, DiametersDwellsPlacesAndDistances) {
+  EXPECT_THAT(traceOf("linuxcnc", "G21 G90 G18 F100 G0 X0 Y0 Z0\n"
+                                  "G7 G1 X40\n"
+                                  "G8 G4 P1 X30\n"
+                                  "G17 @10 ^90\n"
+                                  "G91 @5 ^-90\n"
+                                  "G90 X[#5420 + 1] Y[#<_x> + 2]\n"
+                                  "X--5 Y-SIN[30]\n"
+                                  "M2\n"),
+              ElementsAre("1 rapid X0 Y0 Z0", "2 linear X20 Y0 Z0", "3 dwell 1",
+                          "3 linear X30 Y0 Z0", "4 linear X0 Y10 Z0", "5 linear X15 Y0 Z0",
+                          "6 linear X16 Y17 Z0", "7 linear X5 Y-0.5 Z0", "8 end"));
+}
+
 } // namespace
 } // namespace ncvet
