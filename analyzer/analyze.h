@@ -17,6 +17,8 @@ struct RuleSelection {
   std::vector<std::optional<Severity>> severity;
   /// Options that the user set, over those of the dialect.
   llvm::StringMap<llvm::StringMap<double>> options;
+  /// No finding is more severe unless the user set the rule's severity.
+  Severity highest = Severity::Error;
 
   /// Every rule with its own default, changed by the dialect's table.
   static RuleSelection defaults(const Dialect &dialect);

@@ -118,6 +118,8 @@ std::vector<Finding> Collector::take(const SourceSet &sources) {
       finding.severity = Severity::Warning;
     if (selection_.severity.size() > finding.rule && selection_.severity[finding.rule])
       finding.severity = *selection_.severity[finding.rule];
+    else
+      finding.severity = std::min(finding.severity, selection_.highest);
     all.push_back(std::move(finding));
   }
   entries_.clear();

@@ -2,7 +2,7 @@
 #include "analyzer/detect.h"
 
 #include "analyzer/failure.h"
-#include "formats/dialect/json_reader.h"
+#include "formats/dialect/dialect_builder.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Path.h"
@@ -19,43 +19,9 @@ namespace {
 constexpr size_t shownLines = 200;
 constexpr size_t shownBytes = 16 * 1024;
 
-/// An ending that one control alone has says more than one of many.
-constexpr int ownEnding = 3;
+/// An ending that one control alone has is as good as a mark, one of many says little.
+constexpr int ownEnding = 5;
 constexpr int sharedEnding = 1;
-
-struct Settings {
-  std::string fallback;
-  std::vector<std::string> prefer;
-  int minimumScore = 0;
-  ProgramEndings endings;
-};
-
-llvm::Expected<Settings> readSettings() {
-  Settings settings;
-  for (const RulesetFile &file : builtinRulesetFiles()) {
-    if (file.name != "detect.json")
-      continue;
-    auto json = parseJson(file.name, file.text);
-    if (!json)
-      return json.takeError();
-    const JsonLayer layer{file.name.str(), file.text};
-    JsonReader in(layer, *json);
-    in.allowKeys(
-        *json, {"$schema", "fallback", "prefer", "minimumScore", "extensions", "looseExtensions"});
-    in.read(*json, "fallback", settings.fallback);
-    in.readWhole(*json, "minimumScore", settings.minimumScore, 0, 100);
-    const auto list = [&](const char *key, std::vector<std::string> &target) {
-      if (const Json *value = in.member(*json, key))
-        target = in.texts(*value);
-    };
-    list("prefer", settings.prefer);
-    list("extensions", settings.endings.sure);
-    list("looseExtensions", settings.endings.loose);
-    if (llvm::Error wrong = in.takeError())
-      return wrong;
-  }
-  return settings;
-}
 
 std::string endingOf(llvm::StringRef fileName) {
   return llvm::sys::path::extension(fileName).drop_while([](char c) { return c == '.'; }).lower();
@@ -201,6 +167,63 @@ bool isWords(llvm::StringRef line) {
 
 } // namespace
 
+struct Detector::Settings {
+  std::string fallback;
+  std::vector<std::string> prefer;
+  int minimumScore = 0, sureScore = 0;
+  ProgramEndings endings;
+  UnsureReports unsure;
+  std::vector<OtherControl> others;
+
+  void read(JsonReader &in, const Json &json);
+};
+
+void Detector::Settings::read(JsonReader &in, const Json &json) {
+  in.allowKeys(json, {"$schema", "fallback", "prefer", "minimumScore", "sureScore", "extensions",
+                      "looseExtensions", "unsure", "otherControls"});
+  in.read(json, "fallback", fallback);
+  in.readWhole(json, "minimumScore", minimumScore, 0, 100);
+  in.readWhole(json, "sureScore", sureScore, 0, 100);
+  const auto list = [&](const Json &object, const char *key, std::vector<std::string> &target) {
+    if (const Json *value = in.member(object, key))
+      target = in.texts(*value);
+  };
+  list(json, "prefer", prefer);
+  list(json, "extensions", endings.sure);
+  list(json, "looseExtensions", endings.loose);
+  if (const Json *reports = in.member(json, "unsure")) {
+    in.allowKeys(*reports, {"ignore", "highestSeverity"});
+    list(*reports, "ignore", unsure.ignore);
+    std::optional<Severity> highest;
+    in.read(*reports, "highestSeverity", highest);
+    unsure.highest = highest.value_or(Severity::Error);
+  }
+  if (const Json *controls = in.member(json, "otherControls"); controls && in.isObject(*controls))
+    for (auto entry = controls->begin(); entry != controls->end(); ++entry) {
+      OtherControl other{entry.key(), {}};
+      std::vector<std::string> extensions;
+      readDetection(in, *entry, other.marks, extensions);
+      others.push_back(std::move(other));
+    }
+}
+
+llvm::Expected<Detector::Settings> Detector::readSettings() {
+  Settings settings;
+  for (const RulesetFile &file : builtinRulesetFiles()) {
+    if (file.name != "detect.json")
+      continue;
+    auto json = parseJson(file.name, file.text);
+    if (!json)
+      return json.takeError();
+    const JsonLayer layer{file.name.str(), file.text};
+    JsonReader in(layer, *json);
+    settings.read(in, *json);
+    if (llvm::Error wrong = in.takeError())
+      return wrong;
+  }
+  return settings;
+}
+
 llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   auto settings = readSettings();
   if (!settings)
@@ -208,7 +231,10 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   Detector detector;
   detector.fallback_ = settings->fallback;
   detector.minimumScore_ = settings->minimumScore;
+  detector.sureScore_ = settings->sureScore;
   detector.endings_ = settings->endings;
+  detector.unsure_ = settings->unsure;
+  detector.others_ = std::move(settings->others);
   std::vector<DialectSummary> dialects(own.begin(), own.end());
   for (DialectSummary &known : listDialects())
     if (llvm::none_of(own, [&](const DialectSummary &mine) { return mine.id == known.id; }))
@@ -221,7 +247,8 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   llvm::stable_sort(dialects, [&](const DialectSummary &left, const DialectSummary &right) {
     return rank(left) < rank(right);
   });
-  if (llvm::Error wrong = detector.addDialects(std::move(dialects)))
+  detector.dialects_ = std::move(dialects);
+  if (llvm::Error wrong = detector.addMarks())
     return wrong;
   return detector;
 }
@@ -235,62 +262,91 @@ bool Detector::Mark::matches(llvm::ArrayRef<std::string> lines,
   return false;
 }
 
-llvm::Error Detector::addDialects(std::vector<DialectSummary> dialects) {
-  dialects_ = std::move(dialects);
-  llvm::StringMap<size_t> byPattern;
-  for (size_t index = 0; index < dialects_.size(); ++index)
-    for (const DetectMark &mark : dialects_[index].detect) {
-      const auto [known, isNew] = byPattern.try_emplace(mark.pattern, marks_.size());
-      if (isNew) {
-        marks_.push_back({llvm::Regex(mark.pattern), RequiredChars(mark.pattern).take(), {}});
-        std::string why;
-        if (!marks_.back().pattern.isValid(why))
-          return failure("dialect " + dialects_[index].id + ": pattern \"" + mark.pattern +
-                         "\": " + why);
-      }
-      marks_[known->second].votes.push_back({index, mark.score, mark.reason});
-    }
+llvm::Error Detector::addMarks() {
+  for (size_t i = 0; i < dialects_.size(); ++i)
+    if (llvm::Error wrong = addMarks(dialects_[i].detect, i, "dialect " + dialects_[i].id))
+      return wrong;
+  for (size_t i = 0; i < others_.size(); ++i)
+    if (llvm::Error wrong = addMarks(others_[i].marks, dialects_.size() + i, others_[i].name))
+      return wrong;
   return llvm::Error::success();
 }
 
-Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const {
+llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
+                               const llvm::Twine &owner) {
+  for (const DetectMark &mark : marks) {
+    const auto [known, isNew] = markOfPattern_.try_emplace(mark.pattern, marks_.size());
+    if (isNew) {
+      marks_.push_back({llvm::Regex(mark.pattern), RequiredChars(mark.pattern).take(), {}});
+      std::string why;
+      if (!marks_.back().pattern.isValid(why))
+        return failure(owner + ": pattern \"" + mark.pattern + "\": " + why);
+    }
+    marks_[known->second].votes.push_back({candidate, mark.score, mark.reason});
+  }
+  return llvm::Error::success();
+}
+
+std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName,
+                                              llvm::StringRef text) const {
   const std::vector<std::string> lines = firstLines(text);
   std::vector<uint64_t> chars;
   for (const std::string &line : lines)
     chars.push_back(charBits(line));
-  std::vector<int> scores(dialects_.size());
-  std::vector<std::vector<const Mark::Vote *>> reasons(dialects_.size());
+  std::vector<Score> scores(dialects_.size() + others_.size());
   for (const Mark &mark : marks_)
     if (mark.matches(lines, chars))
       for (const Mark::Vote &vote : mark.votes) {
-        scores[vote.dialect] += vote.score;
+        scores[vote.candidate].value += vote.score;
         if (vote.score > 0)
-          reasons[vote.dialect].push_back(&vote);
+          scores[vote.candidate].votes.push_back(&vote);
       }
   const std::string ending = endingOf(fileName);
   std::vector<size_t> claim;
   for (size_t index = 0; index < dialects_.size(); ++index)
     if (!ending.empty() && llvm::is_contained(dialects_[index].extensions, ending))
       claim.push_back(index);
-  for (const size_t index : claim)
-    scores[index] += claim.size() == 1 ? ownEnding : sharedEnding;
-  const auto best = std::max_element(
-      scores.begin(), scores.end()); // the first of equals: those preferred stand first
-  if (best == scores.end() || *best < minimumScore_)
-    return {fallback_, "nothing in it speaks for a control; read as the usual one"};
-  const size_t winner = size_t(best - scores.begin());
-  llvm::stable_sort(reasons[winner], [](const Mark::Vote *left, const Mark::Vote *right) {
+  for (const size_t index : claim) {
+    scores[index].value += claim.size() == 1 ? ownEnding : sharedEnding;
+    scores[index].ending = ending;
+  }
+  return scores;
+}
+
+std::string Detector::Score::reason() const {
+  auto strongest = votes;
+  llvm::stable_sort(strongest, [](const Mark::Vote *left, const Mark::Vote *right) {
     return left->score > right->score;
   });
-  Detection found{dialects_[winner].id, {}};
-  for (const Mark::Vote *vote : llvm::makeArrayRef(reasons[winner]).take_front(3))
-    found.reason += (found.reason.empty() ? "" : "; ") + vote->reason;
-  if (llvm::is_contained(claim, winner))
-    found.reason += (found.reason.empty() ? "" : "; ") + ("ending ." + ending);
+  std::string text;
+  for (const Mark::Vote *vote : llvm::makeArrayRef(strongest).take_front(3))
+    text += (text.empty() ? "" : "; ") + vote->reason;
+  if (!ending.empty())
+    text += (text.empty() ? "" : "; ") + ("ending ." + ending);
+  return text;
+}
+
+Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const {
+  const std::vector<Score> all = scores(fileName, text);
+  const auto less = [](const Score &a, const Score &b) { return a.value < b.value; };
+  // The first of equals: dialects that are preferred stand first.
+  const auto firstOther = all.begin() + ptrdiff_t(dialects_.size());
+  const auto best = std::max_element(all.begin(), firstOther, less);
+  const auto other = std::max_element(firstOther, all.end(), less);
+  Detection found{fallback_, "nothing in it speaks for a control; read as the usual one"};
+  if (best != firstOther && best->value >= minimumScore_)
+    found = {dialects_[size_t(best - all.begin())].id, best->reason(), best->value >= sureScore_};
+  if (other == all.end() || other->value < sureScore_ ||
+      (best != firstOther && other->value < best->value))
+    return found;
+  found.sure = false;
+  found.other = others_[size_t(other - firstOther)].name + ": " + other->reason();
+  found.reason =
+      "written for a control without a table (" + found.other + "); read as " + found.dialect;
   return found;
 }
 
-llvm::Expected<ProgramEndings> programEndings() {
+llvm::Expected<ProgramEndings> Detector::builtinEndings() {
   auto settings = readSettings();
   if (!settings)
     return settings.takeError();

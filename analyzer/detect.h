@@ -10,6 +10,17 @@ namespace ncvet {
 struct Detection {
   std::string dialect; ///< id
   std::string reason;  ///< for --stats: what spoke for it
+  /// False when little speaks for the dialect, or more for a control without a table: what rests on
+  /// facts of the control alone should not be reported.
+  bool sure = false;
+  /// The control without a table that the text is for, with what speaks for it; empty: none.
+  std::string other = {};
+};
+
+/// What is reported of a program whose control is not known for sure.
+struct UnsureReports {
+  std::vector<std::string> ignore; ///< rules and categories that rest on facts of the control
+  Severity highest = Severity::Error;
 };
 
 /// Endings of file names, in lower case, without the dot.
@@ -24,18 +35,21 @@ public:
   /// Compiles the marks of all dialects that can be chosen: the built-in ones and `own`.
   static llvm::Expected<Detector> create(llvm::ArrayRef<DialectSummary> own = {});
 
+  /// Endings of part programs by the built-in tables, without compiling a mark.
+  static llvm::Expected<ProgramEndings> builtinEndings();
   /// The dialect of a program, from its file name's ending and its first blocks.
   Detection detect(llvm::StringRef fileName, llvm::StringRef text) const;
   /// Endings that programs have in folders.
   const ProgramEndings &endings() const { return endings_; }
+  const UnsureReports &unsure() const { return unsure_; }
 
 private:
   struct Mark {
     llvm::Regex pattern;
     llvm::SmallVector<uint64_t, 1> required; ///< sets of characters, one of which a line must hold
-    /// (index of the dialect, score, reason): equal patterns are looked for once.
+    /// (index of the candidate, score, reason): equal patterns are looked for once.
     struct Vote {
-      size_t dialect;
+      size_t candidate;
       int score;
       std::string reason;
     };
@@ -44,17 +58,36 @@ private:
     bool matches(llvm::ArrayRef<std::string> lines, llvm::ArrayRef<uint64_t> chars) const;
   };
 
-  llvm::Error addDialects(std::vector<DialectSummary> dialects);
+  /// What speaks for a candidate.
+  struct Score {
+    int value = 0;
+    std::vector<const Mark::Vote *> votes;
+    std::string ending; ///< of the file's name, when it is one of the candidate's
 
-  std::vector<DialectSummary> dialects_; ///< those that are preferred first
+    std::string reason() const;
+  };
+  /// A control without a table: its marks only say that no table fits.
+  struct OtherControl {
+    std::string name;
+    std::vector<DetectMark> marks;
+  };
+  struct Settings;
+  static llvm::Expected<Settings> readSettings();
+  std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text) const;
+  llvm::Error addMarks();
+  llvm::Error addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
+                       const llvm::Twine &owner);
+
+  /// Candidates are the dialects, those that are preferred first, then the other controls.
+  std::vector<DialectSummary> dialects_;
+  std::vector<OtherControl> others_;
   std::vector<Mark> marks_;
+  llvm::StringMap<size_t> markOfPattern_;
   ProgramEndings endings_;
+  UnsureReports unsure_;
   std::string fallback_;
-  int minimumScore_ = 0;
+  int minimumScore_ = 0, sureScore_ = 0;
 };
-
-/// Endings of part programs by the built-in tables, without compiling a mark.
-llvm::Expected<ProgramEndings> programEndings();
 
 /// True when the first lines of `text` are mostly blocks of words: a letter and a number.
 bool looksLikeProgram(llvm::StringRef text);

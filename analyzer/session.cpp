@@ -153,16 +153,24 @@ llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, con
 }
 
 llvm::Expected<std::shared_ptr<const RuleSelection>>
-Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &config) {
+Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
+                   const UnsureReports *unsure) {
   // A dialect lives as long as the session, so its address is its name.
-  const std::string key =
-      llvm::formatv("{0}\n{1}", static_cast<const void *>(dialect.get()), config.file).str();
+  const std::string key = llvm::formatv("{0}\n{1}\n{2}", static_cast<const void *>(dialect.get()),
+                                        config.file, unsure != nullptr)
+                              .str();
   return keep<std::shared_ptr<const RuleSelection>>(
       selections_, key, [&]() -> llvm::Expected<std::shared_ptr<const RuleSelection>> {
         auto layers = loadProfile(options_.profile.empty() ? config.profile : options_.profile);
         if (!layers)
           return layers.takeError();
         auto selection = std::make_shared<RuleSelection>(RuleSelection::defaults(*dialect));
+        if (unsure) {
+          RuleSettings narrowed;
+          narrowed.ignore = unsure->ignore;
+          applySettings(*selection, narrowed);
+          selection->highest = unsure->highest;
+        }
         for (const RuleSettings &layer : *layers)
           applySettings(*selection, layer);
         applySettings(*selection, config.rules);
@@ -201,6 +209,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
   }
   // Detection compiles expressions, but it runs unlocked: only making the detector needs the lock.
   std::unique_lock<std::mutex> lock(mutex_);
+  const UnsureReports *unsure = nullptr; // kept by the session's detector
   if (dialect.empty()) {
     auto found = detector(*setup.config);
     if (!found)
@@ -210,17 +219,32 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     lock.lock();
     dialect = std::move(detection.dialect);
     setup.reason = std::move(detection.reason);
+    if (!detection.sure) {
+      setup.reason += "; not sure: what rests on facts of the control is not reported";
+      unsure = &(*found)->unsure();
+    }
   }
   auto known = language(dialect, *setup.config, machine);
   if (!known)
     return known.takeError();
   setup.dialect = known->dialect;
   setup.machine = known->machine;
-  auto rules = selection(setup.dialect, *setup.config);
+  auto rules = selection(setup.dialect, *setup.config, unsure);
   if (!rules)
     return rules.takeError();
   setup.rules = *rules;
   return setup;
+}
+
+std::string Session::otherControl(const Config &config, llvm::StringRef fileName,
+                                  llvm::StringRef text) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  auto found = detector(config);
+  lock.unlock();
+  if (found)
+    return (*found)->detect(fileName, text).other;
+  llvm::consumeError(found.takeError());
+  return {};
 }
 
 } // namespace ncvet

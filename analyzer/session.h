@@ -43,6 +43,8 @@ public:
   /// Setup for the file of this name and text. Errors are those of configurations and tables.
   llvm::Expected<FileSetup> setup(llvm::StringRef fileName, llvm::StringRef text);
   const SessionOptions &options() const { return options_; }
+  /// The control without a table that the text is for, with what speaks for it; empty: none.
+  std::string otherControl(const Config &config, llvm::StringRef fileName, llvm::StringRef text);
 
 private:
   struct Language {
@@ -67,8 +69,10 @@ private:
   llvm::Expected<std::shared_ptr<const Detector>> detector(const Config &config);
   llvm::Expected<Language> language(llvm::StringRef dialect, const Config &config,
                                     const MachineSource *machine);
+  /// `unsure`: how the reports are narrowed because the dialect is a guess; null when it is not.
   llvm::Expected<std::shared_ptr<const RuleSelection>>
-  selection(const std::shared_ptr<const Dialect> &dialect, const Config &config);
+  selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
+            const UnsureReports *unsure);
 
   SessionOptions options_;
   std::shared_ptr<ProgramFolders> folders_ = std::make_shared<ProgramFolders>();

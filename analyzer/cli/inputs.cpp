@@ -29,7 +29,7 @@ public:
 
   void addFolder(llvm::StringRef folder) {
     if (!endings_) {
-      auto endings = programEndings();
+      auto endings = Detector::builtinEndings();
       if (!endings) {
         inputs_.errors.push_back(llvm::toString(endings.takeError()));
         return;

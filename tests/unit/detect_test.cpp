@@ -1,5 +1,6 @@
 // Detection of the dialect, and of what is a program at all.
 #include "analyzer/detect.h"
+#include "analyzer/rule_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,58 @@ TEST(Detection, AnyBytesGiveAnAnswer) {
   for (int i = 0; i < 512; ++i)
     bytes.push_back(char(i));
   EXPECT_NE("", detector().detect(bytes, bytes).dialect);
+}
+
+TEST(Detection, IsSureOfAProgramThatBearsMarksOfItsControl) {
+  EXPECT_TRUE(detector().detect("cover.nc", mill).sure);
+  EXPECT_TRUE(detector().detect("arc.mpf", "G0 X0 Y0\nG1 X1 F100\nM30\n").sure);
+  EXPECT_FALSE(detector().detect("x.nc", "G0 X0 Y0\nG1 X1 F100\nM30\n").sure);
+  EXPECT_FALSE(detector().detect("x", "").sure);
+}
+
+TEST(Detection, RemarksInRoundBracketsAreNoSinumerikProgram) {
+  const Detection found = detector().detect(
+      "plate.nc", "(PLATE)\n(T4 D=5 CR=0 - ZMIN=-8 - FLAT END MILL)\nG90 G94\nG17\nG21\nT4\n"
+                  "S5000 M3\nG54\nG0 X8 Y7.75\nZ15\nG1 Z-4 F1000\nM30\n");
+  EXPECT_EQ("fanuc-0m", found.dialect);
+  EXPECT_FALSE(found.sure);
+}
+
+TEST(Detection, ArcCentreCodesAreNoFanucProgram) {
+  const Detection found = detector().detect(
+      "horse.tap", "N100G00G21G17G90G40G49G80\nN110G91.1\nN120T1M06\nN140G00G43Z6H1\n"
+                   "N150S12000M03\nN200G00X44.05Y21.75\nN210G1Z-0.2F600\nM30\n");
+  EXPECT_EQ("linuxcnc", found.dialect);
+  EXPECT_FALSE(found.sure);
+}
+
+TEST(Detection, NamesAControlThatHasNoTable) {
+  struct Sample {
+    const char *text, *control;
+  };
+  for (const Sample &sample : {
+           Sample{"%00201\nN0 T1.1\nN10 M6\nN20 G0 G90 G43 Z10 F10 S1000 M3\nN30 X16 Y25\n",
+                  "Fagor"},
+           Sample{"0 BEGIN PGM PLATE MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 TOOL CALL 1 Z S2000\n",
+                  "Heidenhain"},
+           Sample{"$FLANGE.MIN%\n(FLANGE)\nG50 S2000\nG0 X100 Z10\nT0101\n", "Okuma"},
+           Sample{"%PM\nN9000\nN10 G54\nN20 G99 X105 Z1237\nN180 G13 N1=8001 N2=8011\n", "Philips"},
+           Sample{"%MPF 90\nL100\nN1 @371 R52 K2 K0\nN10 G0 G17 G40 G53 Z631.6 D0\n",
+                  "Sinumerik 810"},
+           Sample{"M104 S200\nG28\nG92 E0\nG1 X10 Y10 E2.5 F1500\n", "3D printer"},
+       }) {
+    const Detection found = detector().detect("x.nc", sample.text);
+    EXPECT_FALSE(found.sure) << sample.control;
+    EXPECT_NE(std::string::npos, found.reason.find(sample.control)) << found.reason;
+  }
+}
+
+TEST(Detection, WhatIsLeftOutOfAGuessIsNamedRight) {
+  const UnsureReports &unsure = detector().unsure();
+  EXPECT_EQ(Severity::Warning, unsure.highest);
+  EXPECT_FALSE(unsure.ignore.empty());
+  for (const std::string &name : unsure.ignore)
+    EXPECT_TRUE(bool(rulesNamed(name))) << name;
 }
 
 TEST(LooksLikeProgram, BlocksDoAndProseDoesNot) {
