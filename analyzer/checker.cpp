@@ -3,6 +3,8 @@
 
 #include "analyzer/block_at.h"
 #include "analyzer/contour_report.h"
+#include "analyzer/foreign_text.h"
+#include "analyzer/repeats.h"
 #include "formats/finding/fingerprint.h"
 
 #include <cmath>
@@ -168,9 +170,12 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);
+  const auto otherControl = [&] { return session.otherControl(*setup->config, name, file.text()); };
+  foldForeignText(project, unit, result.blocks, otherControl, result.findings);
   SuppressionStep(project, unit, *setup->rules).run(result.findings, outcome);
   if (session.options().contours)
     outcome.contours = contourLines(compensatedContours(project, unit, setup->limits), unit);
+  foldRepeats(result.findings);
   Namer namer(project);
   outcome.findings.reserve(result.findings.size());
   for (Finding &finding : result.findings) {

@@ -33,6 +33,8 @@ RulePage readRulePage(const RuleInfo &info) {
     for (const Json &id : *dialects)
       if (id.is_string())
         page.dialects.push_back(id.get<std::string>());
+  if (const auto repeated = json.find("repeated"); repeated != json.end())
+    page.repeated = *repeated == "alike" ? RepeatedFindings::Alike : RepeatedFindings::Same;
   if (const auto options = json.find("options"); options != json.end() && options->is_object())
     for (const auto &[name, value] : options->items()) {
       RuleOption option;

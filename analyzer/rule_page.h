@@ -17,9 +17,13 @@ struct RuleOption {
   std::optional<double> min, max;
 };
 
+/// How findings of a rule that say the same thing of one file are told.
+enum class RepeatedFindings : uint8_t { Each, Same, Alike };
+
 struct RulePage {
   std::vector<std::string> dialects; ///< ids that the page claims to work for
   std::vector<RuleOption> options;
+  RepeatedFindings repeated = RepeatedFindings::Each;
   llvm::StringRef body; ///< Markdown without the metadata
 };
 
