@@ -12,6 +12,8 @@ public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     tolerance_ = to.option("tolerance", 0.01);
+    toleranceInch_ = to.option("toleranceInch", 0);
+    relative_ = to.option("relative", 0);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -30,7 +32,7 @@ public:
         std::hypot((*arc.start)[0] - (*centre)[0], (*arc.start)[1] - (*centre)[1]);
     const double atEnd = std::hypot((*arc.end)[0] - (*centre)[0], (*arc.end)[1] - (*centre)[1]);
     // A centre on the start point is no circle at all: another rule says so.
-    if (std::fabs(atStart - atEnd) <= tolerance_ || atStart == 0)
+    if (atStart == 0 || accepted(atStart, atEnd, ctx))
       return;
     // The centre itself given for its distance: the rule of the centre convention says so.
     if (words.centre[0] && words.centre[1] && arc.centreWords) {
@@ -49,7 +51,19 @@ public:
   }
 
 private:
-  double tolerance_ = 0.01; // mm
+  /// Whether the control takes the arc as a circle: the two distances, in mm, are near enough.
+  bool accepted(double atStart, double atEnd, const RuleContext &ctx) const {
+    // A part of the radius may be accepted beyond the tolerance, but never a gross step.
+    constexpr double mostTolerances = 100;
+    const bool inch = ctx.after().activeAction(ctx.dialect(), StandardGroup::Units) == Action::Inch;
+    const double tolerance = inch && toleranceInch_ > 0 ? toleranceInch_ : tolerance_;
+    const double step = std::fabs(atStart - atEnd);
+    return step <= tolerance ||
+           (step <= relative_ * std::max(atStart, atEnd) && step <= mostTolerances * tolerance);
+  }
+
+  double tolerance_ = 0.01, toleranceInch_ = 0; // mm
+  double relative_ = 0;                         // of the radius
 };
 
 } // namespace

@@ -2,12 +2,17 @@
 #include "analyzer/once.h"
 #include "interp/arc.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
 class ArcWrongCentreWord final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw}); }
+  void listen(Subscriptions &to) override {
+    to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
+    zeroCounts_ = to.option("zeroCounts", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode)
@@ -16,14 +21,15 @@ public:
     const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
     if (!words.foreign || !words.planeKnown)
       return;
-    // A word of value 0 changes nothing, and a post-processor that writes it writes it everywhere.
-    const Interval value = ctx.value(*words.foreign);
-    if (value.isConstant() && value.value() == 0 && words.centre[0] && words.centre[1] &&
-        !once_.speaks(Origin(), ctx))
+    // With both words of the plane it is a habit of the program's writer: told once a plane.
+    const bool complete = words.centre[0] && words.centre[1];
+    const CodeInfo *plane = ctx.after().activeCode(dialect, StandardGroup::Plane);
+    const Origin planeOrigin =
+        plane ? ctx.after().originOf(dialect, StandardGroup::Plane) : Origin();
+    if (complete && !once_[words.foreign->address].speaks(planeOrigin, ctx))
       return;
     const std::string first = dialect.addressName(words.centreAddress[0]);
     const std::string second = dialect.addressName(words.centreAddress[1]);
-    const CodeInfo *plane = ctx.after().activeCode(dialect, StandardGroup::Plane);
     auto finding = ctx.report(*words.foreign, event.certain);
     if (!finding)
       return;
@@ -31,9 +37,11 @@ public:
     finding.message("`{0}` does not belong to an arc {1}: its centre words are {2} and {3}",
                     ctx.text(*words.foreign), where, first, second);
     if (plane)
-      finding.note(ctx.after().originOf(dialect, StandardGroup::Plane),
-                   "`" + plane->name + "` is selected here");
-    if (words.centre[0] && words.centre[1]) {
+      finding.note(planeOrigin, "`" + plane->name + "` is selected here");
+    const Interval value = ctx.value(*words.foreign);
+    if (complete && !zeroCounts_ && value.isConstant() && value.value() == 0)
+      finding.severity(Severity::Style); // changes nothing
+    if (complete) {
       finding.fix(FixSafety::Unsafe, "remove `" + ctx.text(*words.foreign).str() + "`",
                   ctx.remove(*words.foreign));
     } else if (words.hasCentre()) {
@@ -45,7 +53,8 @@ public:
   }
 
 private:
-  OncePerCause once_;
+  std::map<AddressId, OncePerCause> once_; ///< by the letter that does not belong
+  bool zeroCounts_ = false;                ///< the control stops at a word of value 0 too
 };
 
 } // namespace
