@@ -12,7 +12,7 @@ namespace {
 class InfeedThreadMoves : private CycleWriter {
 public:
   InfeedThreadMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
-              llvm::SmallVectorImpl<Move> &moves)
+                    llvm::SmallVectorImpl<Move> &moves)
       : CycleWriter(executed, cycle, moves) {}
 
   void run() {

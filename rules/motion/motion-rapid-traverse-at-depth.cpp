@@ -1,6 +1,8 @@
 // A rapid move in the plane while the tool is still at cutting depth.
 #include "analyzer/rule.h"
 
+#include <array>
+
 namespace ncvet {
 namespace {
 
@@ -27,7 +29,8 @@ public:
       if (auto finding = ctx.report(event))
         finding.message("a rotary axis turns at rapid behind a cut: the tool was not taken away "
                         "in between");
-    if (!(event.axes & plane) || !before.fedFrom.isConstant() || before.compensation != phaseOff)
+    if (!(event.axes & plane) || staysInPlane(before, after) || !before.fedFrom.isConstant() ||
+        before.compensation != phaseOff)
       return;
     const Interval &from = before.at(tool), &to = after.at(tool);
     const double level = before.fedFrom.value();
@@ -41,6 +44,14 @@ public:
   }
 
 private:
+  /// The tool stands there already: post-processors repeat the point at which the next pass begins.
+  static bool staysInPlane(const MachineState &before, const MachineState &after) {
+    return llvm::all_of(std::array{Axis::X, Axis::Y}, [&](Axis axis) {
+      const Interval &from = before.at(axis), &to = after.at(axis);
+      return from.isConstant() && to.isConstant() && from.value() == to.value();
+    });
+  }
+
   bool turns_ = false; ///< turns of rotary axes are looked at
 };
 

@@ -32,6 +32,29 @@ private:
     SourceRange code;
   };
 
+  /// The end of an IF or of a loop in which the end code stands: it does nothing by itself.
+  static bool isOnlyBracket(const Block &block) {
+    return block.words.empty() && !block.items.empty() &&
+           llvm::all_of(block.items, [](const Item &item) {
+             if (item.kind == ItemKind::End)
+               return true;
+             if (item.kind != ItemKind::Structure)
+               return false;
+             switch (item.structure) {
+             case Structure::Else:
+             case Structure::EndIf:
+             case Structure::EndWhile:
+             case Structure::EndFor:
+             case Structure::EndLoop:
+             case Structure::EndTimes:
+             case Structure::EndSub:
+               return true;
+             default:
+               return false;
+             }
+           });
+  }
+
   void behind(const End &end, const FileSummary &file, RuleContext &ctx) {
     const uint32_t stop = file.index.programAt(end.begin).end;
     Block block;
@@ -41,7 +64,7 @@ private:
       file.reader.read(at, block);
       if (block.kind == BlockKind::Tape || block.kind == BlockKind::ProgramHeader)
         break;
-      if (block.isEmpty())
+      if (block.isEmpty() || isOnlyBracket(block))
         continue;
       if (file.isReached(at))
         break;

@@ -1,5 +1,5 @@
 // A comment that is not closed in its block, is nested, or is closed without having been opened.
-#include "analyzer/rule.h"
+#include "analyzer/once.h"
 
 namespace ncvet {
 namespace {
@@ -29,6 +29,9 @@ public:
           finding.text("a `(` inside a comment: the interpreter stops here");
         return;
       }
+      // Who writes brackets into comments does it throughout.
+      if (!once_.speaks(Origin(), ctx))
+        return;
       if (auto finding = ctx.report(range))
         finding
             .message(
@@ -48,6 +51,7 @@ public:
   }
 
 private:
+  OncePerCause once_;
   bool nestedStops_ = false; ///< the control stops at a `(` inside a comment
 };
 

@@ -29,15 +29,19 @@ public:
     const Origin &origin = state.origin.tool;
     if (!once_.speaks(origin, ctx))
       return;
-    // A program that never speaks of length offsets may be for a machine without any.
+    // A program that never speaks of length offsets may be for a machine without any, and with one
+    // tool the zero is where this tool touched the work.
     const bool uses = programUsesOffsets(ctx);
+    const bool first = onlyTool_.value_or(state.tool) == state.tool;
+    if (!uses && !onlyTool_)
+      onlyTool_ = state.tool;
     if (auto finding = ctx.report(ctx.blockRange(), certain && uses)) {
       finding
           .message("the tool moves along its axis before its length offset is on: it goes too deep "
                    "by its length")
           .note(origin, "the tool is changed here");
       if (!uses)
-        finding.severity(Severity::Warning);
+        finding.severity(first ? Severity::Style : Severity::Warning);
     }
   }
 
@@ -56,6 +60,7 @@ private:
     return entry->second;
   }
 
+  std::optional<int32_t> onlyTool_; ///< the first tool of a program without length offsets
   llvm::DenseMap<uint32_t, bool> uses_;
   OncePerCause once_;
 };
