@@ -40,6 +40,10 @@ const WordSpec *CycleWordReader::spec(Role role) const {
   return found;
 }
 
+bool CycleWordReader::inch() const {
+  return executed_.after.activeAction(executed_.dialect, StandardGroup::Units) == Action::Inch;
+}
+
 /// A word that the active cycle keeps from an earlier block.
 std::optional<Interval> CycleWordReader::kept(unsigned place, bool length) const {
   if (cycle_.twoBlock) // the words kept are those of the parameter block, which mean other things
@@ -49,9 +53,7 @@ std::optional<Interval> CycleWordReader::kept(unsigned place, bool length) const
     return std::nullopt;
   if (std::isnan(words.value[place]))
     return Interval::unknown();
-  const bool inch =
-      executed_.after.activeAction(executed_.dialect, StandardGroup::Units) == Action::Inch;
-  return Interval::exactly(words.value[place] * (length && inch ? millimetresPerInch : 1));
+  return Interval::exactly(words.value[place] * (length && inch() ? millimetresPerInch : 1));
 }
 
 std::optional<Interval> CycleWordReader::value(const WordSpec &spec) const {
@@ -59,7 +61,11 @@ std::optional<Interval> CycleWordReader::value(const WordSpec &spec) const {
   if (const Word *word = wordFor(executed_.block, spec)) {
     if (!length || spec.position || spec.variable)
       return wordValue(*word, executed_.block, executed_.after);
-    return lengthOf(*word, executed_.block, executed_.dialect, executed_.machine, executed_.after);
+    const Interval value =
+        lengthOf(*word, executed_.block, executed_.dialect, executed_.machine, executed_.after);
+    // An address that is a length in some codes only: D is a depth of cut, or a number of passes.
+    const bool scaled = executed_.dialect.addresses[word->address].unit == AddressUnit::Length;
+    return scaled || !inch() ? value : value * millimetresPerInch;
   }
   if (spec.variable) {
     for (const uint64_t key : {spec.variable, spec.orVariable})

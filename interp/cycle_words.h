@@ -23,6 +23,7 @@ public:
   bool isIncrement(const WordSpec &spec) const;
 
 private:
+  bool inch() const;
   std::optional<Interval> kept(unsigned place, bool length) const;
 
   const ExecutedBlock &executed_;

@@ -533,6 +533,14 @@ TEST(TraceLaws, AnInchIsTwentyFivePointFourMillimetres) {
                               "G2 X3. Y0. I1. J0.\nM30\n"));
 }
 
+/// The depth of cut is a length, too, where D is also a number of passes.
+TEST(TraceLaws, ADepthOfCutInInchesIsALength) {
+  EXPECT_EQ(wayOf("haas-lathe", "G21 G54 G00 X76.2 Z2.54\nG71 P10 Q20 U0. W0. D12.7 F0.254\n"
+                                "N10 G00 X25.4\nG01 Z-25.4\nN20 X76.2\nM30\n"),
+            wayOf("haas-lathe", "G20 G54 G00 X3. Z.1\nG71 P10 Q20 U0. W0. D.5 F.01\n"
+                                "N10 G00 X1.\nG01 Z-1.\nN20 X3.\nM30\n"));
+}
+
 TEST(TraceLaws, MirroringTwiceIsNotMirroring) {
   const std::string contour = "G0 X10 Y5\nG1 X30 F100\nG2 X40 Y15 I0 J10\nG0 X0 Y0\n";
   const auto plain = wayOf("sinumerik", "G17 G90 G0 X0 Y0 Z5\n" + contour + "M30\n");
