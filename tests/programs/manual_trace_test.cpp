@@ -27,8 +27,8 @@ std::vector<Way> ways() {
       // Haas lathe: corners and lines by angle have no start of their own, so that only their ends
       // are known.
       {"haas-lathe/g71-type1-outside-o1234.nc", "haas-lathe",
-       "(70,3) (17,3) (17,0) (28,-15) (28,-23) (44,-31) (44,-39) (60,-47) (60,-60) (70,-65) "
-       "(74,-65) (70,3)",
+       "(70,3) (54.3,3.1) (38.3,3.1) (22.3,3.1) (17.3,3.1) (70,3) (17,3) (17,0) (28,-15) (28,-23) "
+       "(44,-31) (44,-39) (60,-47) (60,-60) (70,-65) (74,-65) (74,3) (70,3)",
        false},
       {"haas-lathe/o1-uebung.nc", "haas-lathe",
        "(70,0) (5,0) (-1.6,0) (70,2) (16,2) (16,0) (20,-2) (20,-18) (37,-18) (37,-65) (62,-65) "
@@ -111,6 +111,8 @@ std::vector<Way> ways() {
       {"sinumerik/NAJEZD1.MPF", "sinumerik", "(0,60,-5) (80,60,-5) (80,0,-5) (40,-40) (40,-40,50)"},
       {"sinumerik/KAPSA1.MPF", "sinumerik", "(75,50,50) (75,50,100)"},
       {"sinumerik/KAPSA2.MPF", "sinumerik", "(40,40,50) (40,40,100)"},
+      {"sinumerik/OBRYS72.MPF", "sinumerik",
+       "(-40,-40,50) (0,0,-6) (0,60,-6) (60,60,-6) (80,40,-6) (80,0,-6) (0,0,-6)", false},
       {"sinumerik/SOUCAST.MPF", "sinumerik", "(10,10) (10,50) (70,10) (70,10,100)"},
       {"sinumerik/ARCHIV1.MPF", "sinumerik", "(30,0,-1) (0,12) (30,12,-1) (0,24,50)"},
       {"sinumerik/STRUKT.MPF", "sinumerik", "(20,0,-2) (40,0,-2) (60,0,-2) (60,10) (60,20)", false},

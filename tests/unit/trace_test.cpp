@@ -533,6 +533,17 @@ TEST(TraceLaws, AnInchIsTwentyFivePointFourMillimetres) {
                               "G2 X3. Y0. I1. J0.\nM30\n"));
 }
 
+/// The setting says how far the tool goes back to break the chip; at the bottom it leaves the wall.
+TEST(Trace, AGrooveIsCutInPecks) {
+  EXPECT_THAT(traceOf("haas-lathe", "G54 G00 X40. Z-10.\nG75 X30. Z-13. I3. K3. D0.2 F0.1\nM30\n",
+                      R"({"dialect": "haas-lathe", "options": {"setting22": 0.5}})"),
+              ElementsAre("1 rapid X40 Z-10", "2 linear X34 Z-10", "2 rapid X35 Z-10",
+                          "2 linear X30 Z-10", "2 rapid X30 Z-9.8", "2 rapid X40 Z-9.8",
+                          "2 rapid X40 Z-13", "2 linear X34 Z-13", "2 rapid X35 Z-13",
+                          "2 linear X30 Z-13", "2 rapid X30 Z-12.8", "2 rapid X40 Z-12.8",
+                          "2 rapid X40 Z-10", "3 end"));
+}
+
 /// The depth of cut is a length, too, where D is also a number of passes.
 TEST(TraceLaws, ADepthOfCutInInchesIsALength) {
   EXPECT_EQ(wayOf("haas-lathe", "G21 G54 G00 X76.2 Z2.54\nG71 P10 Q20 U0. W0. D12.7 F0.254\n"
