@@ -1,6 +1,8 @@
 // The path behind the block at hand, followed in the text for rules that look at two elements.
 #include "analyzer/path_ahead.h"
 
+#include "interp/arc.h"
+
 #include <cmath>
 
 namespace ncvet {
@@ -38,6 +40,39 @@ bool keepsLengths(const FrameStack &frames) {
         return false;
     }
   return true;
+}
+
+/// The block's only move, when it stays in its plane and in its coordinates; else null.
+const Event *moveInPlane(const ExecutedBlock &executed) {
+  const Dialect &dialect = executed.dialect;
+  const MachineState &before = executed.before, &after = executed.after;
+  const uint16_t plane = planeAxes(dialect, after);
+  // A control that mills and turns may read X as a diameter there.
+  if (!dialect.isLathe() && planeOrder(dialect, after)[0] == Axis::Z)
+    return nullptr;
+  if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) || before.profile == 1 ||
+      before.may(Fact::UnknownCode) || planeAxes(dialect, before) != plane ||
+      !(before.frames == after.frames) || !keepsLengths(after.frames))
+    return nullptr;
+  const Event *motion = nullptr;
+  for (const Event &event : executed.outcome.events)
+    if (event.kind == EventKind::Motion) {
+      if (motion)
+        return nullptr;
+      motion = &event;
+    }
+  return motion && motion->certain && motion->code != noCode && !(motion->axes & ~plane) ? motion
+                                                                                         : nullptr;
+}
+
+/// Circle of the arc that the block cuts; none when it is not known.
+std::optional<ArcGeometry::Point> centreOf(const ArcWords &words, const ArcGeometry &arc,
+                                           bool clockwise) {
+  if (words.hasCentre())
+    return arc.centre();
+  if (!arc.radius || !arc.start || !arc.end)
+    return std::nullopt;
+  return centreByRadius(*arc.start, *arc.end, *arc.radius, clockwise);
 }
 
 } // namespace
@@ -84,25 +119,11 @@ std::array<double, 2> StraightElement::direction() const {
 std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
   const Dialect &dialect = executed.dialect;
   const MachineState &before = executed.before, &after = executed.after;
-  const uint16_t plane = planeAxes(dialect, after);
+  const Event *motion = moveInPlane(executed);
+  if (!motion || motion->motion != MotionKind::Feed ||
+      dialect.codes[motion->code].action != Action::Linear)
+    return std::nullopt;
   const std::array<Axis, 2> axes = planeOrder(dialect, after);
-  // A control that mills and turns may read X as a diameter there.
-  if (!dialect.isLathe() && axes[0] == Axis::Z)
-    return std::nullopt;
-  if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) || before.profile == 1 ||
-      before.may(Fact::UnknownCode) || planeAxes(dialect, before) != plane ||
-      !(before.frames == after.frames) || !keepsLengths(after.frames))
-    return std::nullopt;
-  const Event *motion = nullptr;
-  for (const Event &event : executed.outcome.events)
-    if (event.kind == EventKind::Motion) {
-      if (motion)
-        return std::nullopt;
-      motion = &event;
-    }
-  if (!motion || !motion->certain || motion->motion != MotionKind::Feed || motion->code == noCode ||
-      dialect.codes[motion->code].action != Action::Linear || motion->axes & ~plane)
-    return std::nullopt;
   StraightElement result;
   for (size_t i = 0; i < 2; ++i) {
     const Interval &from = before.at(axes[i]), &to = after.at(axes[i]);
@@ -114,6 +135,28 @@ std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
     result.to[i] = to.value() / units;
   }
   return result.length() < shortest ? std::nullopt : std::optional(result);
+}
+
+std::optional<std::array<double, 2>> directionAt(const ExecutedBlock &executed, bool end) {
+  if (const auto line = straightElement(executed))
+    return line->direction();
+  const Event *motion = moveInPlane(executed);
+  if (!motion || (motion->motion != MotionKind::ArcCw && motion->motion != MotionKind::ArcCcw))
+    return std::nullopt;
+  const bool clockwise = motion->motion == MotionKind::ArcCw;
+  const ArcWords words = arcWords(executed.dialect, executed.after, executed.block);
+  const ArcGeometry arc = arcGeometry(words, executed.dialect, executed.machine, executed.block,
+                                      executed.before, executed.after);
+  const auto centre = centreOf(words, arc, clockwise);
+  const auto &place = end ? arc.end : arc.start;
+  if (!centre || !place || words.angle)
+    return std::nullopt;
+  const double x = (*place)[0] - (*centre)[0], y = (*place)[1] - (*centre)[1];
+  const double radius = std::hypot(x, y);
+  if (radius < shortest)
+    return std::nullopt;
+  const double sense = clockwise ? -1 : 1;
+  return std::array<double, 2>{-y / radius * sense, x / radius * sense};
 }
 
 std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,

@@ -48,6 +48,10 @@ struct StraightElement {
 /// or the lengths of its frame are not known.
 std::optional<StraightElement> straightElement(const ExecutedBlock &executed);
 
+/// Direction in which the line or arc that the block cuts in its plane begins, or ends; a vector of
+/// length one, none under the conditions of `straightElement`, or when the circle is not known.
+std::optional<std::array<double, 2>> directionAt(const ExecutedBlock &executed, bool end);
+
 /// What a corner takes away of each of the two lines that meet in it, in millimetres; none when
 /// there is no corner.
 std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,

@@ -10,6 +10,12 @@ namespace ncvet {
 namespace {
 /// Ends of a circle that are closer than this (mm) are one point.
 constexpr double closeBy = 1e-6;
+
+/// A K without a number selects the arc over 180 degrees, where a control has such a flag.
+bool asksForLargerArc(const Block &block) {
+  const Word *flag = block.find('K');
+  return flag && flag->has(wordNoValue);
+}
 } // namespace
 
 ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block &block) {
@@ -73,6 +79,8 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
   };
   if (words.radius)
     result.radius = length(*words.radius);
+  if (result.radius && asksForLargerArc(block))
+    result.radius = -std::fabs(*result.radius);
   if (words.hasCentre()) {
     ArcGeometry::Point point{};
     bool known = true;

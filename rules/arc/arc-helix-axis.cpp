@@ -1,4 +1,5 @@
-// An arc with an axis outside of its plane, on a control that does not say what becomes of it.
+// An arc with an axis outside of its plane, where the control does not say what becomes of it or
+// cannot compensate it.
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -7,7 +8,9 @@ namespace {
 class ArcHelixAxis final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("wanted", 0) != 0)
+    wanted_ = to.option("wanted", 0) != 0;
+    compensated_ = to.option("compensated", 0) != 0;
+    if (wanted_ || compensated_)
       to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
   }
 
@@ -16,18 +19,41 @@ public:
     if (event.code == noCode || event.number || !event.certain || !(event.axes & ~plane) ||
         ctx.after().active(ctx.dialect(), StandardGroup::Plane) == groupUnset)
       return;
+    const bool turned = compensated_ && turnsUnderCompensation(ctx);
+    if (!wanted_ && !turned)
+      return;
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = ctx.dialect().addresses[word.address];
       if ((address.kind != AddressKind::Axis && address.kind != AddressKind::Increment) ||
           (plane >> unsigned(address.axis) & 1))
         continue;
-      if (auto finding = ctx.report(word))
-        finding.message("`{0}` lies outside of the plane of `{1}`: whether the axis moves along "
-                        "with the arc is not stated",
-                        ctx.text(word), ctx.code(event).name);
+      if (auto finding = ctx.report(word)) {
+        if (turned)
+          finding.severity(Severity::Error)
+              .message("`{0}` makes a helix whose axis is not that of the tool's infeed: it cannot "
+                       "be compensated",
+                       ctx.text(word))
+              .note(ctx.before().origin.compensation, "compensation is switched on here");
+        else
+          finding.message("`{0}` lies outside of the plane of `{1}`: whether the axis moves along "
+                          "with the arc is not stated",
+                          ctx.text(word), ctx.code(event).name);
+      }
       return;
     }
   }
+
+private:
+  /// The plane of the arc was selected while compensation was on already.
+  static bool turnsUnderCompensation(const RuleContext &ctx) {
+    const Origin plane = ctx.after().originOf(ctx.dialect(), StandardGroup::Plane);
+    const Origin start = ctx.before().origin.compensation;
+    return ctx.before().compensation == phaseOn && ctx.after().compensation == phaseOn &&
+           plane.known() && start.known() && plane.file == start.file && plane.begin > start.begin;
+  }
+
+  bool wanted_ = false;      ///< the control does not say what a third axis does
+  bool compensated_ = false; ///< it refuses a compensated helix in another plane
 };
 
 } // namespace

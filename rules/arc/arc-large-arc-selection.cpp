@@ -1,4 +1,4 @@
-// A negative radius where the arc over 180 degrees cannot be meant.
+// A negative radius, or the flag in its place, where the arc over 180 degrees cannot be meant.
 #include "analyzer/rule.h"
 #include "interp/arc.h"
 
@@ -33,14 +33,16 @@ public:
     }
     if (!semicircle && !everyNegative_)
       return;
-    if (auto finding = ctx.report(*words.radius, event.certain)) {
+    const Word *flag = ctx.block().find('K');
+    const Word &word = flag && flag->has(wordNoValue) ? *flag : *words.radius;
+    if (auto finding = ctx.report(word, event.certain)) {
       if (semicircle)
-        finding.message("`{0}` asks for the arc over 180 degrees, but this one has 180: the sign "
+        finding.message("`{0}` asks for the arc over 180 degrees, but this one has 180: {1} "
                         "does nothing, rounding decides",
-                        ctx.text(*words.radius));
+                        ctx.text(word), &word == flag ? "the flag" : "the sign");
       else
         finding.message("`{0}` selects the arc over 180 degrees, which is hardly ever turned",
-                        ctx.text(*words.radius));
+                        ctx.text(word));
     }
   }
 

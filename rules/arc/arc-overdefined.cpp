@@ -19,7 +19,10 @@ public:
         finding.message("`{0}` has an opening angle beside {1}: the two need not agree, and the "
                         "control stops",
                         ctx.code(event).name,
-                        words.radius ? "a radius" : "an end point and a centre");
+                        words.radius ? "a radius"
+                        : ctx.block().hasAny(ctx.dialect().lineAngleWords)
+                            ? "the angle of its end"
+                            : "an end point and a centre");
       return;
     }
     if (!words.radius || !centre || words.radius->has(wordNoValue) || centre->has(wordNoValue))

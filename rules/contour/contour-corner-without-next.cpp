@@ -11,6 +11,7 @@ class ContourCornerWithoutNext final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
+    plane_ = to.option("plane", 0) != 0;
     if (corners_.corner())
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
@@ -34,11 +35,12 @@ public:
       if (!next.items.empty() || next.skip >= 0)
         return;
       const uint16_t then = axesOf(ctx, next);
-      const bool leaves = i > 0 && then && !(then & planeAxes(ctx.dialect(), ctx.after()));
+      const bool leaves =
+          (plane_ || i > 0) && then && !(then & planeAxes(ctx.dialect(), ctx.after()));
       if ((then && !leaves) ||
           next.hasAny(corners_.angle | ctx.dialect().elementWords | lettersMask("IJ")))
         return;
-      if (leaves)
+      if (leaves && (!plane_ || i + 1 >= blocksBetween))
         break;
       if (findCode(ctx.dialect(), next,
                    {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
@@ -84,6 +86,7 @@ private:
   }
 
   CornerAddresses corners_;
+  bool plane_ = false; ///< a move out of the plane is passed over like a block without a move
 };
 
 } // namespace

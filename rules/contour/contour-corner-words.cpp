@@ -1,5 +1,8 @@
 // Chamfer and rounding stand together, have the wrong letter or the wrong sign.
 #include "analyzer/corner_words.h"
+#include "analyzer/path_ahead.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
@@ -10,6 +13,7 @@ class ContourCornerWords final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
+    senses_ = to.option("senses", 0) != 0;
     to.onNotices(id);
     if (corners_.corner())
       to.onChange({EventKind::Motion});
@@ -21,8 +25,11 @@ public:
       return;
     }
     const Block &block = ctx.block();
-    if (!block.hasAny(corners_.corner()) || !isLine(ctx, event) ||
-        takenByOther(ctx, corners_.plain))
+    if (!block.hasAny(corners_.corner()))
+      return;
+    if (senses_)
+      sense(ctx);
+    if (!isLine(ctx, event) || takenByOther(ctx, corners_.plain))
       return;
     const Word *chamfer = block.findAny(corners_.chamfer);
     const Word *rounding = block.findAny(corners_.rounding);
@@ -52,6 +59,39 @@ public:
   }
 
 private:
+  /// A rounding whose sign is the side to which it turns: plus to the left.
+  void sense(RuleContext &ctx) const {
+    const Word *word = ctx.block().findAny(corners_.rounding & ~corners_.plain);
+    const ExecutedBlock here = executedBlock(ctx);
+    PathAhead ahead(ctx);
+    if (!word || solved(ctx, ctx.block()) || !ahead.next() || solved(ctx, ahead.block()))
+      return;
+    const auto in = directionAt(here, true), out = directionAt(ahead.executed(), false);
+    const Interval size = ctx.value(*word);
+    if (!in || !out || !size.isConstant() || size.value() == 0)
+      return;
+    const double turn = (*in)[0] * (*out)[1] - (*in)[1] * (*out)[0];
+    constexpr double straight = 1e-3; // sine of the turn below which no side is told
+    const bool left = size.value() > 0;
+    if (std::fabs(turn) < straight || (turn > 0) == left)
+      return;
+    const bool lines = straightElement(here) && straightElement(ahead.executed());
+    if (lines && left && !ctx.text(*word).contains('+'))
+      return; // between two lines the sign may be left out
+    if (auto finding = ctx.report(*word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` turns to the {1}, but the contour turns to the {2} there",
+                   ctx.text(*word), left ? "left" : "right", left ? "right" : "left");
+  }
+
+  /// The control finds the ends of such an element itself: its words are not where it meets the
+  /// next one.
+  bool solved(const RuleContext &ctx, const Block &block) const {
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    return block.hasAny(corners_.angle | ctx.dialect().elementWords) ||
+           !(axesOf(ctx, block) & plane);
+  }
+
   /// The corner word carries the sign of the move that follows.
   void sign(const Event &event, const Word &word, bool onlyX, bool onlyZ, RuleContext &ctx) const {
     if (onlyX == onlyZ)
@@ -85,6 +125,7 @@ private:
   }
 
   CornerAddresses corners_;
+  bool senses_ = false; ///< the sign of a rounding is a side
 };
 
 } // namespace

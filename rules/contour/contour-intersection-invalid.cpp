@@ -1,5 +1,7 @@
 // Two blocks that the control has to intersect are incomplete or do not meet.
 #include "analyzer/corner_words.h"
+#include "analyzer/defined_elements.h"
+#include "analyzer/element_geometry.h"
 
 #include <bit>
 #include <cmath>
@@ -13,8 +15,14 @@ public:
   void listen(Subscriptions &to) override {
     open_ = to.dialect().lineAngleWords != 0;
     elements_ = to.dialect().elementWords;
-    if (open_ || elements_)
+    if (open_)
       to.onChange({EventKind::Motion});
+    if (elements_)
+      to.on(EventKind::Motion);
+    if (open_)
+      to.onAction({Action::Linear, Action::ArcCw, Action::ArcCcw});
+    if (elements_)
+      to.onAction({Action::DefineElement});
     // The block behind names an over-determined element; only controls with an `I` operator do it.
     if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) && to.option("intersects", 0) != 0)
       to.onChange({EventKind::Motion, EventKind::Block});
@@ -25,11 +33,16 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const Block &block = ctx.block();
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    if (event.kind == EventKind::Code && (open_ || elements_))
+      return ctx.code(event).action == Action::DefineElement ? table_.define(ctx)
+                                                             : nothingGiven(ctx);
     if (event.kind == EventKind::Motion) {
       if (open_)
         openLine(event, ctx);
-      if (elements_)
+      if (elements_) {
         outside(event, ctx);
+        joint(ctx);
+      }
     }
     if (ownOnly_)
       return;
@@ -86,9 +99,47 @@ private:
                    ctx.text(*word));
   }
 
-  bool open_ = false;        ///< lines may be given by their direction
-  bool ownOnly_ = false;     ///< no lines that are intersected by a comma word
-  AddressMask elements_ = 0; ///< names of elements
+  /// A motion code and nothing else in a contour, and the next element brings its own: what it
+  /// should have drawn is missing.
+  void nothingGiven(RuleContext &ctx) const {
+    const bool contour = ctx.before().profile == 1 || (ctx.before().compensation == phaseOn &&
+                                                       ctx.after().compensation == phaseOn);
+    Block next;
+    if (!contour || ctx.block().words.size() != 1 || !ctx.block().items.empty() ||
+        !readNext(ctx, next) || !next.items.empty() ||
+        !findCode(ctx.dialect(), next,
+                  {Action::Rapid, Action::Linear, Action::ArcCw, Action::ArcCcw}))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.message("this element of the contour has no data, and the next one cannot give them");
+  }
+
+  /// Two named elements, one behind the other, that have no point in common.
+  void joint(RuleContext &ctx) {
+    const Word *word = ctx.block().findAny(elements_);
+    const ElementGeometry *element = word ? table_.find(*word) : nullptr;
+    if (!element || !ctx.after().frames.empty() || ctx.block().hasAny(ctx.dialect().cornerWords)) {
+      last_.reset();
+      return;
+    }
+    const bool alone = DefinedElements::alone(ctx);
+    if (alone && last_ && last_->switches == element->switches && !meet(*last_, *element))
+      if (auto finding = ctx.report(*word))
+        finding.message("`{0}` and the element in front of it do not meet: they have no point in "
+                        "common",
+                        ctx.text(*word));
+    // Beside a code of compensation an element may be one that is only touched.
+    if (alone || element->kind == ElementGeometry::Kind::Point)
+      last_ = *element;
+    else
+      last_.reset();
+  }
+
+  ElementTable table_;
+  std::optional<ElementGeometry> last_; ///< the block before was this element
+  bool open_ = false;                   ///< lines may be given by their direction
+  bool ownOnly_ = false;                ///< no lines that are intersected by a comma word
+  AddressMask elements_ = 0;            ///< names of elements
   /// What stands in front: the last block with a move.
   static void previous(const Event &event, uint16_t plane, RuleContext &ctx) {
     Block last;

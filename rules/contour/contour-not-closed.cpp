@@ -1,8 +1,63 @@
-// The contour of a pocket or island that does not end where it begins.
+// The contour of a pocket or island that does not end where it begins, and a compensated contour
+// that ends just beside it.
 #include "analyzer/rule.h"
+#include "interp/tool_data.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
+
+using Point = std::array<double, 2>; ///< in the plane, mm
+
+/// A contour as the polygon of its points.
+class Outline {
+public:
+  void begin(const Point &at) { points_.assign(1, at); }
+  void clear() { points_.clear(); }
+  bool known() const { return !points_.empty(); }
+  void add(const Point &at) {
+    if (points_.size() >= most)
+      return clear();
+    if (apart(points_.back(), at) > same)
+      points_.push_back(at);
+  }
+  /// Distance between the ends of a contour that neither comes back to its first element nor runs
+  /// across it; none of one that does, or that is a line.
+  std::optional<double> gap() const {
+    if (points_.size() < 4)
+      return std::nullopt;
+    const Point &a = points_[0], &b = points_[1];
+    for (size_t i = 2; i + 1 < points_.size(); ++i) {
+      const Point &c = points_[i], &d = points_[i + 1];
+      if (reaches(c, d, a) || reaches(c, d, b) || crosses(a, b, c, d))
+        return std::nullopt;
+    }
+    return apart(a, points_.back());
+  }
+
+private:
+  static constexpr double same = 0.001; // mm
+  static constexpr size_t most = 500;   // points, beyond which nothing is said
+
+  static double apart(const Point &a, const Point &b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1]);
+  }
+  /// Positive when `p` lies left of the line from `a` to `b`.
+  static double side(const Point &a, const Point &b, const Point &p) {
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+  }
+  static bool reaches(const Point &c, const Point &d, const Point &p) {
+    const double length = apart(c, d);
+    const double along = ((d[0] - c[0]) * (p[0] - c[0]) + (d[1] - c[1]) * (p[1] - c[1])) / length;
+    return std::fabs(side(c, d, p)) / length <= same && along >= -same && along <= length + same;
+  }
+  static bool crosses(const Point &a, const Point &b, const Point &c, const Point &d) {
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+  }
+
+  std::vector<Point> points_;
+};
 
 class ContourNotClosed final : public Rule {
 public:
@@ -10,13 +65,16 @@ public:
     bool wanted = false;
     for (const CodeInfo &code : to.dialect().codes)
       wanted |= isClosed(code);
-    if (!wanted)
+    usual_ = to.option("gap", 0);
+    if (!wanted && usual_ <= 0)
       return;
     to.onAction({Action::ProfileBegin, Action::ProfileRun, Action::CompensationOff});
     to.on(EventKind::Motion);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (usual_ > 0)
+      follow(event, ctx);
     if (event.kind == EventKind::Motion) {
       if (closed_ && ctx.before().profile == 1 && ctx.before().compensation == phaseOff &&
           ctx.after().compensation != phaseOff) {
@@ -58,6 +116,61 @@ private:
            llvm::any_of(code.words, [](const WordSpec &w) { return w.role == Role::Target; });
   }
 
+  /// The compensated contour, from where the tool engages to where it leaves.
+  void follow(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    if (before.compensation != phaseOn) {
+      outline_.clear();
+      if (const auto at = place(ctx); at && after.compensation == phaseOn)
+        outline_.begin(*at);
+      return;
+    }
+    if (!outline_.known())
+      return;
+    if (after.compensation != phaseOn) {
+      nearlyClosed(ctx);
+      outline_.clear();
+      return;
+    }
+    const auto at = place(ctx);
+    const bool line = event.kind == EventKind::Motion && event.motion == MotionKind::Feed;
+    // What lies between the ends of an arc is not looked at.
+    if (!at || (event.kind == EventKind::Motion && !line))
+      return outline_.clear();
+    outline_.add(*at);
+    if (event.axes & planeAxes(ctx.dialect(), after))
+      last_ = ctx.blockRange();
+  }
+
+  /// Position in the plane; none where it is not known.
+  static std::optional<Point> place(const RuleContext &ctx) {
+    const auto axes = planeOrder(ctx.dialect(), ctx.after());
+    Point result{};
+    for (size_t i = 0; i < 2; ++i) {
+      const Interval &at = ctx.after().at(axes[i]);
+      if (!at.isConstant() || ctx.after().inMachineCoordinates(axes[i]))
+        return std::nullopt;
+      result[i] = at.value() / ctx.dialect().lengthsPerUnit(axes[i]);
+    }
+    return result;
+  }
+
+  void nearlyClosed(RuleContext &ctx) const {
+    const auto gap = outline_.gap();
+    const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), ctx.before());
+    const double radius = tool && tool->radius ? *tool->radius : usual_;
+    if (!gap || *gap >= radius)
+      return;
+    if (auto finding = ctx.report(last_))
+      finding.severity(Severity::Warning)
+          .message(
+              "this contour ends {0:f3} mm beside the point where it begins: a step stays there",
+              *gap);
+  }
+
+  double usual_ = 0; ///< mm that a gap may have where the tool is not known; 0: not looked at
+  Outline outline_;
+  SourceRange last_;    ///< the block with the contour's last element
   bool closed_ = false; ///< such a profile is being recorded
   SourceRange begin_;   ///< the block that attaches; empty: none yet
   std::array<Interval, axisCount> start_;

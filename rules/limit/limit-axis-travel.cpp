@@ -1,5 +1,6 @@
-// A programmed value lies outside of the machine.
+// A programmed value lies outside of the machine, or of the volume that the program keeps to.
 #include "analyzer/rule.h"
+#include "formats/dialect/variable_key.h"
 #include "interp/zero.h"
 
 #include <utility>
@@ -11,7 +12,11 @@ class LimitAxisTravel final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     const MachineProfile &machine = to.machine();
-    if (llvm::any_of(machine.axes, [](const AxisLimits &a) { return a.min || a.max; }))
+    travels_ = llvm::any_of(machine.axes, [](const AxisLimits &a) { return a.min || a.max; });
+    volume_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
+      return llvm::any_of(code.stores, [](const Store &s) { return s.variable == greatest().on; });
+    });
+    if (travels_ || volume_)
       to.on(EventKind::Motion);
     to.on({EventKind::SpeedWord, EventKind::FeedWord});
   }
@@ -23,11 +28,68 @@ public:
     case EventKind::FeedWord:
       return feed(event, ctx);
     default:
-      return travel(event, ctx);
+      if (travels_)
+        travel(event, ctx);
+      if (volume_)
+        volume(event, ctx);
     }
   }
 
 private:
+  /// Keys of the variables in which the table's codes leave one corner of the volume (X Y Z, mm in
+  /// the work offset), and whether it is guarded.
+  struct Corner {
+    std::array<uint64_t, 3> axes;
+    uint64_t on;
+  };
+  static const Corner &least() {
+    static const Corner keys{
+        {variableKey("_LEAST_X"), variableKey("_LEAST_Y"), variableKey("_LEAST_Z")},
+        variableKey("_LEAST_ON")};
+    return keys;
+  }
+  static const Corner &greatest() {
+    static const Corner keys{
+        {variableKey("_GREATEST_X"), variableKey("_GREATEST_Y"), variableKey("_GREATEST_Z")},
+        variableKey("_GREATEST_ON")};
+    return keys;
+  }
+
+  /// The corner's coordinate when it is known and guarded.
+  static std::optional<double> bound(const Corner &corner, unsigned axis,
+                                     const MachineState &state) {
+    const Value on = state.commons.get(corner.on), place = state.commons.get(corner.axes[axis]);
+    if (!on.isConstant() || on.number.value() == 0 || !place.isConstant())
+      return std::nullopt;
+    return place.number.value();
+  }
+
+  static void volume(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (event.motion == MotionKind::Reference || !state.frames.empty() ||
+        ctx.before().profile == 1 || state.commons.get(greatest().on).kind != Value::Kind::Number)
+      return;
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if ((address.kind != AddressKind::Axis && address.kind != AddressKind::Increment) ||
+          unsigned(address.axis) > 2 || state.inMachineCoordinates(address.axis))
+        continue;
+      const Interval &place = state.at(address.axis);
+      const auto min = bound(least(), unsigned(address.axis), state),
+                 max = bound(greatest(), unsigned(address.axis), state);
+      const bool over = max && place.lo > *max;
+      if (!over && !(min && place.hi < *min))
+        continue;
+      // Whether the bare code switches on or off is the machine's; this reading is the likely one.
+      if (auto finding = ctx.report(word, false))
+        finding.severity(Severity::Warning)
+            .message("`{0}` leads to {1:f3}, outside of the volume that ends at {2:f3}: the tool "
+                     "is lifted there, and goes on at rapid",
+                     ctx.text(word), over ? place.lo : place.hi, over ? *max : *min);
+      return;
+    }
+  }
+
   static void speed(const Event &event, RuleContext &ctx) {
     const MachineProfile &machine = ctx.machine();
     // A surface speed is no speed of the spindle; the clamp (`certain` false) is one.
@@ -124,6 +186,9 @@ private:
     return place + Interval::exactly(*origin->second[unsigned(axis)]) +
            state.localShift[unsigned(axis)];
   }
+
+  bool travels_ = false; ///< the machine profile knows the travel of an axis
+  bool volume_ = false;  ///< the control guards a volume
 };
 
 } // namespace

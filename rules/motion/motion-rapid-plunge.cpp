@@ -9,8 +9,9 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
       return;
-    if (to.machine().number("stockTopZ"))
-      top_ = to.machine().number("stockTopZ");
+    const MachineProfile &machine = to.machine();
+    top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
+                                                  : machine.number("stockTopZ");
     wanted_ = to.option("belowZero", 0) != 0;
     if (top_ || wanted_)
       to.onMoves({MotionKind::Rapid});
