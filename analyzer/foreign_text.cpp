@@ -30,18 +30,18 @@ void foldForeignText(Project &project, const FileUnit &unit, uint64_t blocks,
   std::set<uint32_t> unreadable, wrong;
   const Finding *first = nullptr;
   for (const Finding &finding : findings) {
-    if (finding.range.file != file)
+    if (finding.range.file != file || finding.severity == Severity::Style)
       continue;
     const uint32_t line = lines.lineBegin(finding.range.begin);
+    wrong.insert(line);
     if (isSyntax(finding))
       unreadable.insert(line);
-    if (isSyntax(finding) || finding.severity == Severity::Error)
-      wrong.insert(line);
     if (!first || (isSyntax(finding) && !isSyntax(*first)))
       first = &finding;
   }
   std::string other;
-  const bool manyWrong = wrong.size() >= fewestWrong && wrong.size() * wrongPart >= blocks;
+  const bool manyWrong = wrong.size() >= fewestUnreadable ||
+                         (wrong.size() >= fewestWrong && wrong.size() * wrongPart >= blocks);
   if (manyWrong)
     other = otherControl();
   if (other.empty() &&
@@ -49,10 +49,9 @@ void foldForeignText(Project &project, const FileUnit &unit, uint64_t blocks,
     return;
   Finding one = *first;
   const std::set<uint32_t> &counted = other.empty() ? unreadable : wrong;
-  one.message +=
-      llvm::formatv("; {0} blocks are wrong here: the text is for another control", counted.size());
-  if (!other.empty())
-    one.message += " (" + other + ")";
+  one.message += llvm::formatv("; {0} blocks are wrong here: ", counted.size());
+  one.message += other.empty() ? "the text is no program of this control"
+                               : "the text is for another control (" + other + ")";
   one.fix.reset();
   llvm::erase_if(findings, [&](const Finding &finding) { return finding.range.file == file; });
   findings.insert(findings.begin(), std::move(one));

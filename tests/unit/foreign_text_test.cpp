@@ -22,7 +22,7 @@ TEST(ForeignText, ProseIsToldOnce) {
     prose += "clamp the part before you start spindle " + std::to_string(i) + "\nG4 P1000\n";
   const auto findings = check("fanuc-0m", prose + "M30\n");
   ASSERT_EQ(1u, findings.size());
-  EXPECT_NE(std::string::npos, findings[0].finding.message.find("for another control"))
+  EXPECT_NE(std::string::npos, findings[0].finding.message.find("no program of this control"))
       << findings[0].finding.message;
 }
 
@@ -41,7 +41,7 @@ TEST(ForeignText, AFewMistakesAreToldEach) {
                         "G0 Z50.\nM5\nM30\n");
   EXPECT_LE(2u, findings.size());
   for (const CheckedFinding &found : findings)
-    EXPECT_EQ(std::string::npos, found.finding.message.find("for another control"));
+    EXPECT_EQ(std::string::npos, found.finding.message.find("blocks are wrong here"));
 }
 
 TEST(ForeignText, AGuessedControlGivesNoErrorAndNothingThatRestsOnItsFacts) {
