@@ -202,6 +202,8 @@ bool Project::hidesProgram(FileUnit &from, llvm::StringRef name) {
     llvm::StringRef ending = llvm::sys::path::extension(path);
     ending.consume_front(".");
     const auto same = [&](const std::string &one) { return ending.equals_insensitive(one); };
+    if (dialect_->mainExtensions.empty() && dialect_->subprogramExtensions.empty())
+      return ending.empty() || llvm::any_of(dialect_->extensions, same);
     return llvm::any_of(dialect_->mainExtensions, same) ||
            llvm::any_of(dialect_->subprogramExtensions, same);
   };

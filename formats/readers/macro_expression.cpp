@@ -40,8 +40,9 @@ constexpr OperatorName operatorNames[] = {{"EQ", Op::Equal, comparisonStrength},
                                           {"AND", Op::And, productStrength},
                                           {"MOD", Op::Modulo, productStrength}};
 
-/// Of RS274/NGC (LinuxCNC 2.9, section 11.4.6), where logic binds weakest and `**` strongest.
-constexpr unsigned ngcLogic = 1, ngcComparison = 2, ngcSum = 3, ngcProduct = 4, ngcPower = 5;
+/// Of RS274/NGC (LinuxCNC 2.9, section 11.4.6), where logic binds weakest and `**` strongest; what
+/// is between them binds by one more than above.
+constexpr unsigned ngcLogic = 1, ngcPower = 5;
 
 /// Whether `text` begins with this word of capitals, written in any case.
 bool beginsWith(llvm::StringRef text, llvm::StringRef word) {

@@ -8,14 +8,16 @@ class ProgramNameReserved final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     reserved_ = to.dialect().limits.reservedPrograms;
-    if (!to.dialect().hiddenPrograms.empty())
+    if (!to.dialect().hiddenPrograms.empty()) {
       to.on(EventKind::Statement);
+      to.onCode([](const CodeInfo &code) { return code.isProgram; });
+    }
   }
 
   /// A program of the project, or one that this program declares, hides the control's.
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind != EventKind::Statement)
-      return;
+    if (event.kind == EventKind::Code)
+      return library(event, ctx);
     const Item &call = ctx.block().items[size_t(event.number)];
     if (call.kind != ItemKind::Call || call.nameBegin == call.nameEnd)
       return;
@@ -50,6 +52,18 @@ public:
   }
 
 private:
+  /// `L<TRANS>` where the project has a program of that name as well.
+  static void library(const Event &event, RuleContext &ctx) {
+    const llvm::StringRef name = llvm::StringRef(ctx.code(event).name).split('<').second.rtrim('>');
+    if (name.empty() || !ctx.index().reader().isHidden(name))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "`{0}` is a program of the control, and the project has one of the same name: "
+          "the one hides the other",
+          ctx.text(*event.word));
+  }
+
   /// Programs with names: one that is called like a word or a cycle of the control.
   static void named(const FileSummary &file, RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
