@@ -278,7 +278,8 @@ bool Execution::patternPlaces(const CodeInfo &code) {
 /// Where a cycle that is called with arguments leaves the tool, or one that mills an area.
 void Execution::endOfCall(const CodeInfo &code) {
   const bool called = block_.has(argumentAddress);
-  if (!called && (code.cycle < CycleKind::Face || code.cycle == CycleKind::Measure))
+  if (!called && (code.cycle < CycleKind::Face || code.cycle == CycleKind::Measure ||
+                  code.cycle == CycleKind::ThreadInfeed))
     return;
   state_.fedFrom = Interval::unknown();
   const Interval factor = lengthFactor();
