@@ -171,7 +171,7 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);
   const auto otherControl = [&] { return session.otherControl(*setup->config, name, file.text()); };
-  foldForeignText(project, unit, result.blocks, otherControl, result.findings);
+  foldForeignText(project, unit, {result.blocks, setup->detected, otherControl}, result.findings);
   SuppressionStep(project, unit, *setup->rules).run(result.findings, outcome);
   if (session.options().contours)
     outcome.contours = contourLines(compensatedContours(project, unit, setup->limits), unit);

@@ -22,8 +22,7 @@ bool isSyntax(const Finding &finding) {
 
 } // namespace
 
-void foldForeignText(Project &project, const FileUnit &unit, uint64_t blocks,
-                     llvm::function_ref<std::string()> otherControl,
+void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &origin,
                      std::vector<Finding> &findings) {
   const FileId file = unit.source.id();
   const LineIndex &lines = project.sources().get(file).lines();
@@ -41,11 +40,11 @@ void foldForeignText(Project &project, const FileUnit &unit, uint64_t blocks,
   }
   std::string other;
   const bool manyWrong = wrong.size() >= fewestUnreadable ||
-                         (wrong.size() >= fewestWrong && wrong.size() * wrongPart >= blocks);
+                         (wrong.size() >= fewestWrong && wrong.size() * wrongPart >= origin.blocks);
   if (manyWrong)
-    other = otherControl();
-  if (other.empty() &&
-      (unreadable.size() < fewestUnreadable || unreadable.size() * unreadablePart < blocks))
+    other = origin.otherControl();
+  if (other.empty() && (!origin.detected || unreadable.size() < fewestUnreadable ||
+                        unreadable.size() * unreadablePart < origin.blocks))
     return;
   Finding one = *first;
   const std::set<uint32_t> &counted = other.empty() ? unreadable : wrong;

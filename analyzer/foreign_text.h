@@ -5,12 +5,19 @@
 
 namespace ncvet {
 
-/// Folds the findings of `unit` into one when they have one cause: much of the file's text cannot
-/// be read, or several blocks are wrong and the text bears the marks of another control. `blocks`:
-/// blocks with content in the file. `otherControl` is asked only where it matters; it names the
-/// control that the text is for, or nothing.
-void foldForeignText(Project &project, const FileUnit &unit, uint64_t blocks,
-                     llvm::function_ref<std::string()> otherControl,
+/// What is known of a text as a whole.
+struct TextOrigin {
+  uint64_t blocks = 0;   ///< with content
+  bool detected = false; ///< its control was found out, nobody named it
+  /// Names the control that the text is for by its own marks, or nothing; asked only where it
+  /// matters.
+  llvm::function_ref<std::string()> otherControl;
+};
+
+/// Folds the findings of `unit` into one when they have one cause: several blocks are wrong and the
+/// text bears the marks of another control, or its control was a guess and much of it cannot be
+/// read. Where somebody named the control every block that it cannot read is told.
+void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &origin,
                      std::vector<Finding> &findings);
 
 } // namespace ncvet

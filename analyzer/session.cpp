@@ -219,6 +219,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     lock.lock();
     dialect = std::move(detection.dialect);
     setup.reason = std::move(detection.reason);
+    setup.detected = true;
     if (!detection.sure) {
       setup.reason += "; not sure: what rests on facts of the control is not reported";
       unsure = &(*found)->unsure();

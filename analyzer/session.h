@@ -30,7 +30,8 @@ struct FileSetup {
   std::shared_ptr<const RuleSelection> rules;
   std::shared_ptr<ProgramFolders> folders; ///< for programs that it calls
   AnalysisLimits limits;
-  std::string reason; ///< why this dialect
+  std::string reason;    ///< why this dialect
+  bool detected = false; ///< the dialect was found out from the file, nobody named it
 };
 
 /// Finds and keeps configurations, dialects and machine profiles. Safe for several threads.

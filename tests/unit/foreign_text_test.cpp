@@ -16,14 +16,22 @@ std::vector<CheckedFinding> check(const std::string &dialect, const std::string 
   return std::move(outcome.findings);
 }
 
-TEST(ForeignText, ProseIsToldOnce) {
+std::string proseOfTwentyLines() {
   std::string prose = "O0001 (NOTES)\n";
   for (int i = 0; i < 20; ++i)
     prose += "clamp the part before you start spindle " + std::to_string(i) + "\nG4 P1000\n";
-  const auto findings = check("fanuc-0m", prose + "M30\n");
+  return prose + "M30\n";
+}
+
+TEST(ForeignText, ProseIsToldOnceWhereNobodyNamedItsControl) {
+  const auto findings = check("auto", proseOfTwentyLines());
   ASSERT_EQ(1u, findings.size());
   EXPECT_NE(std::string::npos, findings[0].finding.message.find("no program of this control"))
       << findings[0].finding.message;
+}
+
+TEST(ForeignText, WhatANamedControlCannotReadIsToldBlockByBlock) {
+  EXPECT_LE(20u, check("fanuc-0m", proseOfTwentyLines()).size());
 }
 
 TEST(ForeignText, AProgramOfAnotherControlIsToldOnceByItsName) {
