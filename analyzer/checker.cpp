@@ -150,7 +150,8 @@ std::vector<std::string> contourLines(llvm::ArrayRef<CompensatedContour> contour
 
 } // namespace
 
-FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file) {
+FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
+                      const std::atomic<bool> *cancel) {
   FileOutcome outcome;
   const std::string &name = file.path().empty() ? file.display() : file.path();
   auto setup = session.setup(name, file.text());
@@ -166,7 +167,7 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                   setup->folders);
   FileUnit &unit = project.unit(file);
-  AnalysisResult result = analyze(project, unit, *setup->rules, setup->limits);
+  AnalysisResult result = analyze(project, unit, *setup->rules, setup->limits, cancel);
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);

@@ -30,7 +30,8 @@ struct FileOutcome {
 };
 
 /// Checks `file`, a file of `sources`. Findings may lie in other files that it calls; these are
-/// added to `sources`.
-FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file);
+/// added to `sources`. `cancel`, when given, ends the check early, with what was found so far.
+FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
+                      const std::atomic<bool> *cancel = nullptr);
 
 } // namespace ncvet

@@ -28,13 +28,19 @@ std::string describe(const PathNode &node) {
 }
 
 void fillPath(Finding &finding, const PathNode *path) {
-  finding.path.clear();
-  for (const PathNode *node = path; node; node = node->before)
-    finding.path.push_back({node->range, describe(*node)});
-  std::reverse(finding.path.begin(), finding.path.end());
+  const std::vector<PathStep> steps = stepsOf(path);
+  finding.path.assign(steps.begin(), steps.end());
 }
 
 } // namespace
+
+std::vector<PathStep> stepsOf(const PathNode *path) {
+  std::vector<PathStep> steps;
+  for (const PathNode *node = path; node; node = node->before)
+    steps.push_back({node->range, describe(*node)});
+  std::reverse(steps.begin(), steps.end());
+  return steps;
+}
 
 Collector::Collector(const RuleSelection &selection, const Dialect &dialect,
                      const AnalysisLimits &limits)

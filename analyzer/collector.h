@@ -18,6 +18,9 @@ struct PathNode {
   const PathNode *before = nullptr;
 };
 
+/// The steps in words, from the begin of the way on.
+std::vector<PathStep> stepsOf(const PathNode *path);
+
 /// Findings of one analysis. A block may be looked at several times at one stop, once for each
 /// state that is kept apart (`beginStop`, then one `beginVisit` per state, then `endStop`): what
 /// every state breaks for certain is definite, the rest possible. Stops nest: what a called program

@@ -331,6 +331,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       unit.executor.execute(block_, before, live.state, outcome_, guardHolds);
       if (watcher_ && !stopped_)
         watcher_->executed(unit, block_, outcome_, before, live.state);
+      if (at == observedAt_ && unit.source.id() == observedFile_)
+        note(before, live);
       collector_.beginVisit(live.path);
       if (region.kind == Kind::Main && block_.number >= 0 && &unit == &unit_ &&
           localTargets_.count(at))

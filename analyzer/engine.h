@@ -4,6 +4,7 @@
 #include "analyzer/block_watcher.h"
 #include "analyzer/dispatch.h"
 #include "analyzer/flow_shape.h"
+#include "analyzer/states_at.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/DenseSet.h"
@@ -34,6 +35,8 @@ public:
   /// Runs the file's first program along one way only: block skip off, and no further than to where
   /// something unknown decides. No findings are made.
   void follow(BlockWatcher &watcher);
+  /// Runs as `run` does, and gives the states that came by the block at `offset` of `file`.
+  StatesAt observe(FileId file, uint32_t offset);
 
 private:
   /// One state on its way, and how it came there.
@@ -248,6 +251,10 @@ private:
   bool complete_ = true;
   std::vector<std::string> cuts_;
   BlockWatcher *watcher_ = nullptr; ///< of the one way that is followed
+  void note(const MachineState &before, const Live &live);
+  FileId observedFile_ = 0;
+  uint32_t observedAt_ = ~0u; ///< block whose states are wanted; none
+  StatesAt observed_;
 };
 
 } // namespace ncvet

@@ -134,6 +134,29 @@ void Engine::follow(BlockWatcher &watcher) {
   execute({unit_, main, main.body, Kind::Main, 0}, std::move(lives));
 }
 
+/// Keeps a state that came by the observed block.
+void Engine::note(const MachineState &before, const Live &live) {
+  constexpr size_t mostWays = 8; // more nobody reads
+  for (StateOnWay &known : observed_.ways)
+    if (equal(known.before, before))
+      return;
+  if (observed_.ways.size() == mostWays) {
+    StateOnWay &last = observed_.ways.back();
+    last.before = join(last.before, before);
+    last.after = join(last.after, live.state);
+    observed_.joined = true;
+    return;
+  }
+  observed_.ways.push_back({before, live.state, stepsOf(live.path)});
+}
+
+StatesAt Engine::observe(FileId file, uint32_t offset) {
+  observedFile_ = file;
+  observedAt_ = offset;
+  observed_.complete = run().complete;
+  return std::move(observed_);
+}
+
 AnalysisResult Engine::run() {
   const llvm::ArrayRef<ProgramInfo> programs = unit_.index.programs();
   const ProgramInfo &main = programs.front();

@@ -79,6 +79,17 @@ std::unique_ptr<SourceFile> SourceFile::fromText(FileId id, llvm::StringRef disp
                      llvm::MemoryBuffer::getMemBufferCopy(text, display)));
 }
 
+std::unique_ptr<SourceFile> SourceFile::fromShared(FileId id, llvm::StringRef display,
+                                                   std::shared_ptr<const std::string> text,
+                                                   llvm::StringRef path) {
+  assert(text->size() <= std::numeric_limits<uint32_t>::max() && "offsets are 32 bit");
+  auto file = std::unique_ptr<SourceFile>(new SourceFile(
+      id, path.str(), llvm::sys::path::convert_to_slash(display),
+      llvm::MemoryBuffer::getMemBuffer(*text, display, /*RequiresNullTerminator=*/false)));
+  file->shared_ = std::move(text);
+  return file;
+}
+
 Encoding SourceFile::encoding() const {
   if (!encoding_) {
     encoding_ = guessEncoding(text_);

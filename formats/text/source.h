@@ -51,6 +51,11 @@ public:
   static std::unique_ptr<SourceFile> fromText(FileId id, llvm::StringRef display,
                                               llvm::StringRef text, llvm::StringRef path = {});
 
+  /// The same over text that others hold as well; it is not copied.
+  static std::unique_ptr<SourceFile> fromShared(FileId id, llvm::StringRef display,
+                                                std::shared_ptr<const std::string> text,
+                                                llvm::StringRef path = {});
+
   FileId id() const { return id_; }
   /// Name shown in reports: as given on the command line, `/` as separator.
   const std::string &display() const { return display_; }
@@ -90,6 +95,7 @@ private:
   FileId id_;
   std::string path_;
   std::string display_;
+  std::shared_ptr<const std::string> shared_; ///< what the buffer is a view of; or null
   std::unique_ptr<llvm::MemoryBuffer> buffer_;
   llvm::StringRef text_;
   LineIndex lines_;

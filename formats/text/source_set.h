@@ -4,6 +4,7 @@
 #include "formats/text/source.h"
 
 #include <deque>
+#include <map>
 #include <mutex>
 
 namespace ncvet {
@@ -13,16 +14,26 @@ namespace ncvet {
 /// one thread at a time. Ids are given out in the order of arrival: they must not reach output.
 class SourceSet {
 public:
+  /// Texts that stand in place of the files of these paths: what an editor has not saved yet.
+  using Overlay = std::map<std::string, std::shared_ptr<const std::string>>;
+
+  SourceSet() = default;
+  explicit SourceSet(std::shared_ptr<const Overlay> overlay) : overlay_(std::move(overlay)) {}
+
   /// Adds the file at `path`; errors as those of `SourceFile::open`, and nothing is added then.
   llvm::Expected<const SourceFile *> open(llvm::StringRef path, llvm::StringRef display);
   llvm::Expected<const SourceFile *> open(llvm::StringRef path) { return open(path, path); }
   /// Adds text that is already in memory; see `SourceFile::fromText`.
   const SourceFile &add(llvm::StringRef display, llvm::StringRef text, llvm::StringRef path = {});
+  /// Adds text that others hold as well; see `SourceFile::fromShared`.
+  const SourceFile &add(llvm::StringRef display, std::shared_ptr<const std::string> text,
+                        llvm::StringRef path);
   /// The file of an id that this set gave out.
   const SourceFile &get(FileId id) const;
   size_t size() const;
 
 private:
+  std::shared_ptr<const Overlay> overlay_;
   mutable std::mutex mutex_;
   std::deque<std::unique_ptr<SourceFile>> files_;
 };

@@ -1,0 +1,58 @@
+// One version of a document: its setup, and its text cut into blocks.
+#include "lsp/features/snapshot.h"
+
+#include <algorithm>
+
+namespace ncvet::lsp {
+
+llvm::Expected<std::unique_ptr<Snapshot>>
+Snapshot::make(Session &session, std::shared_ptr<const SourceSet::Overlay> open,
+               llvm::StringRef path, std::shared_ptr<const std::string> text) {
+  auto setup = session.setup(path, *text);
+  if (!setup)
+    return setup.takeError();
+  std::unique_ptr<Snapshot> snapshot(new Snapshot(std::move(*setup), std::move(open)));
+  snapshot->source_ = &snapshot->sources_.add(path, std::move(text), path);
+  const FileSetup &known = snapshot->setup_;
+  snapshot->project_ = std::make_unique<Project>(snapshot->sources_, known.dialect, *known.machine,
+                                                 known.config->searchFolders, known.folders);
+  snapshot->unit_ = &snapshot->project_->unit(*snapshot->source_);
+  return snapshot;
+}
+
+FileUnit *Snapshot::unitOf(llvm::StringRef path) {
+  for (size_t i = 0; i < sources_.size(); ++i)
+    if (sources_.get(FileId(i)).path() == path)
+      return &project_->unit(sources_.get(FileId(i)));
+  auto opened = sources_.open(path);
+  if (opened)
+    return &project_->unit(**opened);
+  llvm::consumeError(opened.takeError());
+  return nullptr;
+}
+
+llvm::ArrayRef<uint32_t> Snapshot::blocks() {
+  if (!blocks_.empty())
+    return blocks_;
+  Block block;
+  for (uint32_t at = unit_->reader->first(); at < text().size(); at = block.next) {
+    blocks_.push_back(at);
+    unit_->reader->read(at, block);
+    if (block.next <= at)
+      break;
+  }
+  return blocks_;
+}
+
+void Snapshot::readAt(uint32_t offset, Block &block) {
+  const llvm::ArrayRef<uint32_t> all = blocks();
+  const auto behind = std::upper_bound(all.begin(), all.end(), offset);
+  if (behind == all.begin()) {
+    block.clear();
+    block.begin = block.end = block.next = offset;
+    return;
+  }
+  unit_->reader->read(*(behind - 1), block);
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,48 @@
+// One version of a document with all that its control makes of it: what every feature looks at.
+#pragma once
+
+#include "analyzer/session.h"
+
+namespace ncvet::lsp {
+
+/// One version of a text under its setup: dialect, machine, index, reader, and the project in which
+/// other files are found, texts of the editor before those on disk. It never changes, but keeps what
+/// it found out: one thread at a time may use it.
+class Snapshot {
+public:
+  /// `path` says where the text would stand on disk; it is not read. Errors are those of
+  /// configurations and tables.
+  static llvm::Expected<std::unique_ptr<Snapshot>>
+  make(Session &session, std::shared_ptr<const SourceSet::Overlay> open, llvm::StringRef path,
+       std::shared_ptr<const std::string> text);
+
+  Snapshot(const Snapshot &) = delete;
+  Snapshot &operator=(const Snapshot &) = delete;
+
+  const SourceFile &source() const { return *source_; }
+  llvm::StringRef text() const { return source_->text(); }
+  const FileSetup &setup() const { return setup_; }
+  const Dialect &dialect() const { return *setup_.dialect; }
+  Project &project() { return *project_; }
+  FileUnit &unit() { return *unit_; }
+  /// A further file as this document's programs see it; null when it cannot be read.
+  FileUnit *unitOf(llvm::StringRef path);
+
+  /// Begins of all blocks, ascending, empty ones included; made when first asked for.
+  llvm::ArrayRef<uint32_t> blocks();
+  /// Reads the block that holds byte `offset`; an empty one behind the last.
+  void readAt(uint32_t offset, Block &block);
+
+private:
+  Snapshot(FileSetup setup, std::shared_ptr<const SourceSet::Overlay> open)
+      : setup_(std::move(setup)), sources_(std::move(open)) {}
+
+  FileSetup setup_;
+  SourceSet sources_;
+  const SourceFile *source_ = nullptr;
+  std::unique_ptr<Project> project_;
+  FileUnit *unit_ = nullptr;
+  std::vector<uint32_t> blocks_;
+};
+
+} // namespace ncvet::lsp
