@@ -2,9 +2,9 @@
 #include "analyzer/cli/check.h"
 
 #include "analyzer/baseline.h"
-#include "analyzer/cli/inputs.h"
 #include "analyzer/cli/progress.h"
 #include "analyzer/fix.h"
+#include "analyzer/inputs.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report.h"
 #include "formats/text/diff.h"

@@ -3,6 +3,7 @@
 
 #include "analyzer/cli/check.h"
 #include "analyzer/cli/explain.h"
+#include "analyzer/cli/lsp.h"
 #include "analyzer/cli/trace.h"
 #include "formats/dialect/json_reader.h"
 
@@ -15,9 +16,6 @@ namespace cl = llvm::cl;
 
 namespace {
 
-/// Subcommands that are fixed by name but not part of this build.
-constexpr llvm::StringLiteral notBuilt[] = {"lsp"};
-
 constexpr llvm::StringLiteral usage =
     R"(ncvet checks NC part programs before they run.
 
@@ -26,6 +24,7 @@ constexpr llvm::StringLiteral usage =
     ncvet explain RULE        the page of a rule
     ncvet rules               all rules
     ncvet dialects            all controls
+    ncvet lsp                 serve an editor on standard input and output
 
 `ncvet COMMAND --help` shows a command's options. Exit code: 0 nothing found, 1 findings,
 2 wrong usage or something that cannot be read.
@@ -79,15 +78,14 @@ int runCommandLine(int argc, const char *const *argv) {
     llvm::outs().flush();
     return exitClean;
   }
-  if (llvm::is_contained(notBuilt, first))
-    return fail("this build has no \"" + first + "\" yet");
 
   CheckCommand check;
   TraceCommand trace;
   ExplainCommand explain;
   RulesCommand rules;
   DialectsCommand dialects;
-  Command *const commands[] = {&check, &trace, &explain, &rules, &dialects};
+  LspCommand lsp;
+  Command *const commands[] = {&check, &trace, &explain, &rules, &dialects, &lsp};
   Command *const *const wanted = llvm::find_if(
       commands, [&](Command *command) { return command->subcommand().getName() == first; });
   if (wanted == std::end(commands))

@@ -3,7 +3,7 @@
 
 #include "analyzer/session.h"
 
-namespace ncvet::cli {
+namespace ncvet {
 
 struct Input {
   std::string path;    ///< `-`: standard input
@@ -20,4 +20,4 @@ struct Inputs {
 /// is what the configuration excludes.
 Inputs collectInputs(llvm::ArrayRef<std::string> paths, Session &session);
 
-} // namespace ncvet::cli
+} // namespace ncvet

@@ -1,12 +1,12 @@
 // Inputs: walking folders for part programs.
-#include "analyzer/cli/inputs.h"
+#include "analyzer/inputs.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
 
 #include <set>
 
-namespace ncvet::cli {
+namespace ncvet {
 
 namespace {
 
@@ -149,4 +149,4 @@ Inputs collectInputs(llvm::ArrayRef<std::string> paths, Session &session) {
   return inputs;
 }
 
-} // namespace ncvet::cli
+} // namespace ncvet

@@ -1,0 +1,15 @@
+// Comments that silence a rule, in the document's own form of comment.
+#pragma once
+
+#include "formats/text/edit.h"
+#include "lsp/features/snapshot.h"
+
+namespace ncvet::lsp {
+
+/// A line in front of the block at `offset` that allows `rule` there; none when the control has no
+/// form of comment that stands alone.
+std::optional<TextEdit> allowHere(Snapshot &snapshot, uint32_t offset, llvm::StringRef rule);
+/// A line that allows `rule` in the whole file, behind the head of its first program.
+std::optional<TextEdit> allowInFile(Snapshot &snapshot, llvm::StringRef rule);
+
+} // namespace ncvet::lsp

@@ -1,0 +1,188 @@
+// Code actions: fixes of findings, of a rule and of a file; suppressions; the page of a rule.
+#include "analyzer/fix.h"
+#include "lsp/features/suppression_edit.h"
+#include "lsp/protocol/uri.h"
+#include "lsp/server/bindings.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+bool wants(const Json &context, llvm::StringRef kind) {
+  const auto only = context.find("only");
+  if (only == context.end() || !only->is_array())
+    return true;
+  // A kind asks for all kinds below it as well.
+  return llvm::any_of(*only, [&](const Json &wanted) {
+    if (!wanted.is_string())
+      return false;
+    const llvm::StringRef name = wanted.get_ref<const std::string &>();
+    return name.empty() || kind == name || (kind.startswith(name) && kind[name.size()] == '.');
+  });
+}
+
+Json action(std::string title, llvm::StringRef kind, Json changes) {
+  return {{"title", std::move(title)},
+          {"kind", kind.str()},
+          {"edit", {{"changes", std::move(changes)}}}};
+}
+
+/// Adds the edits of one fix to those of others; false when they touch the same text.
+class Gathered {
+public:
+  bool add(const Json &changes) {
+    for (const auto &[uri, edits] : changes.items())
+      for (const Json &edit : edits)
+        if (llvm::any_of(changes_[uri], [&](const Json &other) { return touch(edit, other); }))
+          return false;
+    for (const auto &[uri, edits] : changes.items())
+      for (const Json &edit : edits)
+        changes_[uri].push_back(edit);
+    ++count_;
+    return true;
+  }
+  unsigned count() const { return count_; }
+  Json take() { return std::move(changes_); }
+
+private:
+  using Place = std::pair<uint32_t, uint32_t>;
+  static Place place(const Json &position) { return {position["line"], position["character"]}; }
+  static bool touch(const Json &a, const Json &b) {
+    const Json &one = a["range"], &other = b["range"];
+    return place(one["start"]) <= place(other["end"]) && place(other["start"]) <= place(one["end"]);
+  }
+
+  Json changes_ = Json::object();
+  unsigned count_ = 0;
+};
+
+void fixesOfFinding(const Problem &problem, const CheckResult &result, Json &actions) {
+  if (problem.fixTitle.empty())
+    return;
+  Json fix = action(problem.fixTitle, "quickfix", problem.changes);
+  fix["diagnostics"] = {problem.diagnostic};
+  fix["isPreferred"] = problem.safe;
+  actions.push_back(std::move(fix));
+  if (!problem.safe)
+    return;
+  Gathered all;
+  for (const Problem &other : result.problems)
+    if (other.rule == problem.rule && other.safe)
+      all.add(other.changes);
+  if (all.count() > 1)
+    actions.push_back(action(
+        ("Fix all " + llvm::Twine(all.count()) + " findings of " + allRules()[problem.rule].info.id)
+            .str(),
+        "quickfix", all.take()));
+}
+
+void suppressions(const Problem &problem, View &view, Json &actions) {
+  const llvm::StringRef rule = allRules()[problem.rule].info.id;
+  const auto offer = [&](const llvm::Twine &title, const std::optional<TextEdit> &edit) {
+    if (!edit)
+      return;
+    Json silence =
+        action(title.str(), "quickfix", {{view.document.uri, editsJson(view.positions, *edit)}});
+    silence["diagnostics"] = {problem.diagnostic};
+    actions.push_back(std::move(silence));
+  };
+  offer("Allow " + rule + " here", allowHere(view.snapshot, problem.begin, rule));
+  offer("Allow " + rule + " in this file", allowInFile(view.snapshot, rule));
+}
+
+/// All safe fixes of the file, as far as none makes room for a new finding.
+void fixAll(View &view, Session &session, Json &actions) {
+  const FixedText fixed = fixText(session, view.snapshot.source(), /*unsafe=*/false);
+  if (fixed.applied == 0)
+    return;
+  // One edit from the first byte that differs to the last.
+  const llvm::StringRef before = view.snapshot.text(), after = fixed.text;
+  size_t front = 0;
+  while (front < before.size() && front < after.size() && before[front] == after[front])
+    ++front;
+  front = view.snapshot.source().lines().lineBegin(uint32_t(front));
+  size_t back = 0;
+  while (back < before.size() - front && back < after.size() - front &&
+         before[before.size() - 1 - back] == after[after.size() - 1 - back])
+    ++back;
+  // Never between the bytes of one character.
+  while (back > 0 && (uint8_t(before[before.size() - back]) & 0xC0) == 0x80)
+    --back;
+  const TextEdit edit{
+      {view.snapshot.source().id(), uint32_t(front), uint32_t(before.size() - back)},
+      after.slice(front, after.size() - back).str()};
+  actions.push_back(action(("Apply all " + llvm::Twine(fixed.applied) + " safe fixes").str(),
+                           "source.fixAll.ncvet",
+                           {{view.document.uri, editsJson(view.positions, edit)}}));
+}
+
+Json actionsAt(Context &context, View &view, Session &session, const Json &params) {
+  Json actions = Json::array();
+  const auto result = context.checks->wait(view.document, view.cancelled);
+  if (!result)
+    return actions;
+  const auto [begin, end] = view.range(params);
+  const Json &asked = params.at("context");
+  for (const Problem &problem : result->problems) {
+    if (problem.path != view.document.path || problem.begin > end || problem.end < begin)
+      continue;
+    if (wants(asked, "quickfix")) {
+      fixesOfFinding(problem, *result, actions);
+      suppressions(problem, view, actions);
+    }
+    if (wants(asked, "source.explain.ncvet")) {
+      const RuleInfo &rule = allRules()[problem.rule].info;
+      actions.push_back(
+          {{"title", ("Explain " + rule.id).str()},
+           {"kind", "source.explain.ncvet"},
+           {"command",
+            {{"title", "Explain"}, {"command", "ncvet.explain"}, {"arguments", {rule.id.str()}}}}});
+    }
+  }
+  if (wants(asked, "source.fixAll.ncvet"))
+    fixAll(view, session, actions);
+  return actions;
+}
+
+/// Shows the page of a rule; without a way to open files its summary.
+void explain(Context &context, const Json &arguments, Reply reply) {
+  const std::string id = arguments.at(0);
+  for (const RuleEntry &entry : allRules()) {
+    if (entry.info.id != id)
+      continue;
+    const std::string page = rulePageUri(entry.info);
+    context.rpc.request(
+        "window/showDocument", {{"uri", page}, {"takeFocus", true}},
+        [&context, &entry](const Json &, bool failed) {
+          if (failed)
+            context.rpc.notify(
+                "window/showMessage",
+                {{"type", 3}, {"message", entry.info.id.str() + ": " + entry.info.summary.str()}});
+        });
+    return reply(nullptr);
+  }
+  reply.fail(RpcError::InvalidParams, "there is no rule " + id);
+}
+
+} // namespace
+
+void bindActions(Context &context) {
+  context.rpc.onRequest("textDocument/codeAction", [&context](const Json &params, Reply reply) {
+    const std::string uri = params.at("textDocument").at("uri");
+    const Document *document = context.documents.find(uri);
+    if (!document)
+      return reply.fail(RpcError::InvalidParams, "the document is not open: " + uri);
+    context.answerFor(*document, std::move(reply),
+                      [&context, params, session = context.session(*document)](View &view) {
+                        return actionsAt(context, view, *session, params);
+                      });
+  });
+  context.rpc.onRequest("workspace/executeCommand", [&context](const Json &params, Reply reply) {
+    const std::string command = params.at("command");
+    if (command == "ncvet.explain")
+      return explain(context, params.at("arguments"), std::move(reply));
+    reply.fail(RpcError::InvalidParams, "there is no command " + command);
+  });
+}
+
+} // namespace ncvet::lsp

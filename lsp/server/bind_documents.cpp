@@ -1,0 +1,114 @@
+// Documents as the client opens, changes and closes them; settings and files that change.
+#include "lsp/protocol/uri.h"
+#include "lsp/server/bindings.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// Programs that call the document's text are checked again with it.
+void checkWithUsers(Context &context, const Document &document) {
+  context.check(document);
+  for (const std::string &user : context.problems.usersOf(document.path))
+    for (const auto &[uri, other] : context.documents.all())
+      if (other.path == user)
+        context.check(other);
+}
+
+void open(Context &context, const Json &params) {
+  const Json &item = params.at("textDocument");
+  Document document;
+  document.uri = item.at("uri");
+  document.path = pathOfUri(document.uri);
+  document.language = item.value("languageId", "");
+  document.version = item.value("version", int64_t(0));
+  document.text = std::make_shared<const std::string>(item.at("text").get<std::string>());
+  checkWithUsers(context, context.documents.open(std::move(document)));
+}
+
+void change(Context &context, const Json &params) {
+  const Json &item = params.at("textDocument");
+  const std::string uri = item.at("uri");
+  const Document *document =
+      context.documents.change(uri, item.value("version", int64_t(0)), params.at("contentChanges"));
+  if (document)
+    checkWithUsers(context, *document);
+  else
+    context.log("a change of a document that is not open: " + uri);
+}
+
+void close(Context &context, const Json &params) {
+  const std::string uri = params.at("textDocument").at("uri");
+  const Document *document = context.documents.find(uri);
+  if (!document)
+    return;
+  const std::string path = document->path;
+  const std::vector<std::string> users = context.problems.usersOf(path);
+  context.documents.close(uri);
+  context.checks->drop(path);
+  context.problems.closed(path);
+  for (const std::string &user : users)
+    for (const auto &[otherUri, other] : context.documents.all())
+      if (other.path == user)
+        context.check(other);
+}
+
+void fetchSettings(Context &context) {
+  Json items = Json::array();
+  items.push_back({{"section", "ncvet"}});
+  context.rpc.request("workspace/configuration", {{"items", std::move(items)}},
+                      [&context](const Json &answer, bool failed) {
+                        if (failed || !answer.is_array() || answer.empty() ||
+                            !answer[0].is_object())
+                          return;
+                        std::vector<std::string> wrong;
+                        Settings settings = readSettings(answer[0], wrong);
+                        for (const std::string &why : wrong)
+                          context.warn(why);
+                        context.renew(std::move(settings));
+                      });
+}
+
+void configure(Context &context, const Json &params) {
+  if (context.client.configuration)
+    return fetchSettings(context);
+  if (!params.is_object() || !params.contains("settings"))
+    return;
+  const Json &all = params["settings"];
+  if (!all.is_object() || !all.contains("ncvet"))
+    return;
+  std::vector<std::string> wrong;
+  Settings settings = readSettings(all["ncvet"], wrong);
+  for (const std::string &why : wrong)
+    context.warn(why);
+  context.renew(std::move(settings));
+}
+
+void changeFolders(Context &context, const Json &params) {
+  const Json &event = params.at("event");
+  for (const Json &removed : event.at("removed"))
+    llvm::erase_value(context.folders, pathOfUri(removed.at("uri").get<std::string>()));
+  for (const Json &added : event.at("added"))
+    context.folders.push_back(pathOfUri(added.at("uri").get<std::string>()));
+}
+
+} // namespace
+
+void bindDocuments(Context &context) {
+  Rpc &rpc = context.rpc;
+  rpc.onNotification("textDocument/didOpen", [&](const Json &params) { open(context, params); });
+  rpc.onNotification("textDocument/didChange",
+                     [&](const Json &params) { change(context, params); });
+  rpc.onNotification("textDocument/didClose", [&](const Json &params) { close(context, params); });
+  // A saved text may be called by programs that are open, and a new file answers a call.
+  rpc.onNotification("textDocument/didSave",
+                     [&](const Json &) { context.renew(context.settings); });
+  rpc.onNotification("workspace/didChangeWatchedFiles",
+                     [&](const Json &) { context.renew(context.settings); });
+  rpc.onNotification("workspace/didChangeConfiguration",
+                     [&](const Json &params) { configure(context, params); });
+  rpc.onNotification("workspace/didChangeWorkspaceFolders",
+                     [&](const Json &params) { changeFolders(context, params); });
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,163 @@
+// Checks of open documents: when each begins, what ends it, and its findings made ready to be sent.
+#include "lsp/server/checks.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// A check that takes no longer than a frame of the screen needs no delay.
+constexpr double oneFrame = 0.016;
+constexpr std::chrono::milliseconds longestDelay(200);
+/// A waiting request looks for its cancellation so often.
+constexpr std::chrono::milliseconds patience(20);
+
+Problem problemOf(const Finding &finding, const SourceSet &sources, DiagnosticWriter &writer) {
+  const RuleInfo &rule = allRules()[finding.rule].info;
+  Problem problem;
+  problem.path = sources.get(finding.range.file).path();
+  problem.begin = finding.range.begin;
+  problem.end = finding.range.end;
+  problem.rule = finding.rule;
+  problem.diagnostic = writer.diagnostic(finding, rule);
+  if (finding.fix) {
+    problem.fixTitle = finding.fix->description;
+    problem.safe = finding.fix->safety == FixSafety::Safe;
+    problem.changes = writer.changes(*finding.fix);
+  }
+  return problem;
+}
+
+} // namespace
+
+std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = std::make_shared<CheckResult>();
+  result->document = job.document;
+  SourceSet sources(job.overlay);
+  const SourceFile &file = sources.add(job.document.path, job.document.text, job.document.path);
+  const FileOutcome outcome = checkFile(*job.session, sources, file, cancel);
+  if (cancel && *cancel)
+    return nullptr;
+  result->error = outcome.error;
+  result->complete = outcome.complete;
+  DiagnosticWriter writer(sources, job.encoding, job.support);
+  for (const CheckedFinding &checked : outcome.findings)
+    if (!checked.finding.suppressed)
+      result->problems.push_back(problemOf(checked.finding, sources, writer));
+  for (size_t i = 0; i < sources.size(); ++i) {
+    const std::string &path = sources.get(FileId(i)).path();
+    auto &text = result->files[path];
+    if (const auto open = job.overlay->find(path); open != job.overlay->end())
+      text = open->second;
+  }
+  result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+Checks::Checks(Done done) : done_(std::move(done)), thread_([this] { run(); }) {}
+
+Checks::~Checks() { stop(); }
+
+void Checks::stop() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+    cancel_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable())
+    thread_.join();
+}
+
+Checks::Clock::duration Checks::delayAfter(double seconds) {
+  if (seconds <= oneFrame)
+    return {};
+  const auto delay = std::chrono::duration<double>(seconds / 2);
+  return std::min(std::chrono::duration_cast<Clock::duration>(delay),
+                  std::chrono::duration_cast<Clock::duration>(longestDelay));
+}
+
+void Checks::schedule(CheckJob job) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::string &path = job.document.path;
+    waiting_.remove_if([&](const Waiting &other) { return other.job.document.path == path; });
+    if (running_ == path)
+      cancel_ = true;
+    const auto last = results_.find(path);
+    const auto delay =
+        last == results_.end() ? Clock::duration() : delayAfter(last->second->seconds);
+    waiting_.push_back({std::move(job), Clock::now() + delay});
+  }
+  changed_.notify_all();
+}
+
+void Checks::drop(const std::string &path) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.remove_if([&](const Waiting &other) { return other.job.document.path == path; });
+    if (running_ == path)
+      cancel_ = true;
+    results_.erase(path);
+  }
+  changed_.notify_all();
+}
+
+std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
+                                                const std::atomic<bool> &cancelled) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stopping_ && !cancelled) {
+    const auto known = results_.find(document.path);
+    if (known != results_.end() && known->second->document.text == document.text)
+      return known->second;
+    bool coming = running_ == document.path && runningText_ == document.text && !cancel_;
+    for (Waiting &waiting : waiting_)
+      if (waiting.job.document.path == document.path &&
+          waiting.job.document.text == document.text) {
+        waiting.due = Clock::now(); // somebody waits for it
+        coming = true;
+        changed_.notify_all();
+      }
+    if (!coming)
+      return nullptr;
+    changed_.wait_for(lock, patience);
+  }
+  return nullptr;
+}
+
+void Checks::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stopping_) {
+    if (waiting_.empty()) {
+      changed_.wait(lock);
+      continue;
+    }
+    const auto next =
+        std::min_element(waiting_.begin(), waiting_.end(),
+                         [](const Waiting &a, const Waiting &b) { return a.due < b.due; });
+    if (next->due > Clock::now()) {
+      changed_.wait_until(lock, Clock::time_point(next->due));
+      continue;
+    }
+    const CheckJob job = std::move(next->job);
+    waiting_.erase(next);
+    running_ = job.document.path;
+    runningText_ = job.document.text;
+    cancel_ = false;
+    lock.unlock();
+    std::shared_ptr<const CheckResult> result = check(job, &cancel_);
+    lock.lock();
+    const bool stale = cancel_;
+    running_.clear();
+    runningText_.reset();
+    if (result && !stale) {
+      results_[job.document.path] = result;
+      lock.unlock();
+      done_(std::move(result));
+      lock.lock();
+    }
+    changed_.notify_all();
+  }
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,89 @@
+// Checks of open documents, one after the other on a thread of their own.
+#pragma once
+
+#include "analyzer/checker.h"
+#include "lsp/protocol/diagnostic.h"
+#include "lsp/server/documents.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <list>
+#include <thread>
+
+namespace ncvet::lsp {
+
+/// One finding, ready to be sent. It may lie in another file than the one that was checked.
+struct Problem {
+  std::string path;
+  uint32_t begin = 0, end = 0; ///< offsets in the text of that file
+  RuleId rule = 0;
+  Json diagnostic;
+  std::string fixTitle; ///< empty: there is no fix
+  bool safe = false;
+  Json changes; ///< edits of the fix by URI
+};
+
+/// What a check of one version of a document gave.
+struct CheckResult {
+  Document document;
+  std::vector<Problem> problems;
+  /// Every file that was looked at with the text that the editor had of it; null: the one on disk.
+  std::map<std::string, std::shared_ptr<const std::string>> files;
+  std::string error; ///< not empty: it could not be checked
+  bool complete = true;
+  double seconds = 0;
+};
+
+/// What a check needs; all of it is held by the job alone.
+struct CheckJob {
+  Document document;
+  std::shared_ptr<Session> session;
+  std::shared_ptr<const SourceSet::Overlay> overlay;
+  PositionEncoding encoding = PositionEncoding::Utf16;
+  DiagnosticSupport support;
+};
+
+/// Checks one version of a document, on the caller's thread; null when it was cancelled.
+std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel);
+
+/// Checks documents when they change. A newer version of a document takes the place of the older
+/// one, whose check is ended. Quick checks begin at once, slow ones wait until typing pauses.
+class Checks {
+public:
+  using Done = std::function<void(std::shared_ptr<const CheckResult>)>;
+
+  /// `done` is told of every check that was finished, on the thread of the checks.
+  explicit Checks(Done done);
+  ~Checks();
+
+  void schedule(CheckJob job);
+  /// The document is closed.
+  void drop(const std::string &path);
+  /// Waits for the check of this text, which has been scheduled; null when a newer one took its
+  /// place, it was dropped, or `cancelled` is set.
+  std::shared_ptr<const CheckResult> wait(const Document &document,
+                                          const std::atomic<bool> &cancelled);
+  void stop();
+
+private:
+  using Clock = std::chrono::steady_clock;
+  struct Waiting {
+    CheckJob job;
+    Clock::time_point due;
+  };
+  void run();
+  static Clock::duration delayAfter(double seconds);
+
+  Done done_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::list<Waiting> waiting_;
+  std::string running_; ///< path of the document that is being checked; empty: none
+  std::shared_ptr<const std::string> runningText_;
+  std::atomic<bool> cancel_ = false;
+  bool stopping_ = false;
+  std::map<std::string, std::shared_ptr<const CheckResult>> results_; ///< the last of each path
+  std::thread thread_; // last: it uses all of the above
+};
+
+} // namespace ncvet::lsp

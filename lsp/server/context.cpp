@@ -1,0 +1,137 @@
+// What all parts of the server share: sessions, snapshots, checks, and the way of a request to
+// both.
+#include "lsp/server/context.h"
+
+#include "lsp/protocol/uri.h"
+
+#include "llvm/Support/raw_ostream.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// Snapshots that are kept: a few documents are at work at a time.
+constexpr size_t mostSnapshots = 4;
+/// Languages that name a control begin so: `ncvet-haas-lathe`.
+constexpr llvm::StringLiteral languagePrefix = "ncvet-";
+
+} // namespace
+
+Context::Context(MessageWriter &writer)
+    : rpc(writer),
+      problems([this](const std::string &path, std::optional<int64_t> version, Json diagnostics) {
+        if (client.pullsDiagnostics) {
+          wantsRefresh = true;
+          return;
+        }
+        Json params = {{"uri", uriOfPath(path)}, {"diagnostics", std::move(diagnostics)}};
+        if (version)
+          params["version"] = *version;
+        rpc.notify("textDocument/publishDiagnostics", std::move(params));
+      }) {
+  features = std::make_unique<Worker>();
+  checks = std::make_unique<Checks>([this](std::shared_ptr<const CheckResult> result) {
+    if (!result->error.empty())
+      log(result->document.path + ": " + result->error);
+    problems.take(std::move(result));
+    if (wantsRefresh.exchange(false) && client.refreshesDiagnostics)
+      rpc.request("workspace/diagnostic/refresh", nullptr, nullptr);
+  });
+}
+
+Context::~Context() {
+  // Both threads use what is above them.
+  checks->stop();
+  features->stop();
+}
+
+void Context::log(const llvm::Twine &line) const { llvm::errs() << "ncvet: " + line + "\n"; }
+
+void Context::warn(const llvm::Twine &message) {
+  log(message);
+  rpc.notify("window/showMessage", {{"type", 2}, {"message", message.str()}});
+}
+
+std::shared_ptr<Session> Context::session(const Document &document) {
+  SessionOptions options = settings.session;
+  llvm::StringRef language = document.language;
+  if (options.dialect == "auto" && language.consume_front(languagePrefix) &&
+      builtinDialects()(language))
+    options.dialect = language.str();
+  std::shared_ptr<Session> &session = sessions_[options.dialect];
+  if (!session)
+    session = std::make_shared<Session>(options);
+  return session;
+}
+
+CheckJob Context::job(const Document &document) {
+  return {document, session(document), documents.overlay(), client.encoding, client.diagnostics};
+}
+
+void Context::check(const Document &document) {
+  problems.opened(document);
+  checks->schedule(job(document));
+}
+
+void Context::checkAll() {
+  for (const auto &[uri, document] : documents.all())
+    check(document);
+}
+
+void Context::renew(Settings next) {
+  settings = std::move(next);
+  sessions_.clear();
+  checkAll();
+}
+
+llvm::Expected<std::shared_ptr<Snapshot>> Context::snapshotOf(const CheckJob &job) {
+  for (auto at = kept_.begin(); at != kept_.end(); ++at)
+    if (at->text == job.document.text && at->session == job.session && at->overlay == job.overlay &&
+        at->snapshot->source().path() == job.document.path) {
+      kept_.splice(kept_.begin(), kept_, at);
+      return at->snapshot;
+    }
+  auto made = Snapshot::make(*job.session, job.overlay, job.document.path, job.document.text);
+  if (!made)
+    return made.takeError();
+  kept_.remove_if(
+      [&](const Kept &old) { return old.snapshot->source().path() == job.document.path; });
+  if (kept_.size() >= mostSnapshots)
+    kept_.pop_back();
+  kept_.push_front({job.document.text, job.session, job.overlay, std::move(*made)});
+  return kept_.front().snapshot;
+}
+
+void Context::answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer) {
+  // A task is copied, a reply is not.
+  auto held = std::make_shared<Reply>(std::move(reply));
+  features->post(
+      [this, held, job = job(document), answer = std::move(answer), settings = settings]() {
+        if (held->cancelled())
+          return held->fail(RpcError::RequestCancelled, "cancelled");
+        auto snapshot = snapshotOf(job);
+        if (!snapshot)
+          return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
+        Positions positions((*snapshot)->source(), client.encoding);
+        View view{job.document, **snapshot, positions, settings, client, held->cancelled()};
+        try {
+          (*held)(answer(view));
+        } catch (const Json::exception &) {
+          held->fail(RpcError::InvalidParams, "the parameters are wrong");
+        }
+      });
+}
+
+void Context::onDocument(llvm::StringRef method,
+                         std::function<Json(View &, const Json &params)> answer) {
+  rpc.onRequest(method, [this, answer = std::move(answer)](const Json &params, Reply reply) {
+    const std::string uri = params.at("textDocument").at("uri");
+    const Document *document = documents.find(uri);
+    if (!document)
+      return reply.fail(RpcError::InvalidParams, "the document is not open: " + uri);
+    answerFor(*document, std::move(reply),
+              [answer, params](View &view) { return answer(view, params); });
+  });
+}
+
+} // namespace ncvet::lsp

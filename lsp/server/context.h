@@ -1,0 +1,91 @@
+// What all parts of the server share, and how a request comes to the text that it is about.
+#pragma once
+
+#include "lsp/features/snapshot.h"
+#include "lsp/server/problem_board.h"
+#include "lsp/server/settings.h"
+#include "lsp/server/worker.h"
+#include "lsp/transport/rpc.h"
+
+namespace ncvet::lsp {
+
+/// What the client said at the start that the server's answers depend on.
+struct ClientSupport {
+  PositionEncoding encoding = PositionEncoding::Utf16;
+  DiagnosticSupport diagnostics;
+  bool pullsDiagnostics = false;
+  bool refreshesDiagnostics = false;
+  bool progress = false;
+  bool configuration = false;
+  bool watchesFiles = false;
+  bool snippets = false;
+  bool markdown = false;
+  bool nestedSymbols = false;
+  bool lineFoldingOnly = false;
+  bool refreshesTokens = false, refreshesHints = false, refreshesLenses = false;
+};
+
+/// A document under its setup, for the time of one request.
+struct View {
+  const Document &document;
+  Snapshot &snapshot;
+  Positions &positions;
+  const Settings &settings;
+  const ClientSupport &client;
+  const std::atomic<bool> &cancelled;
+
+  uint32_t offset(const Json &params) const {
+    return positions.offset(positionOf(params.at("position")));
+  }
+  std::pair<uint32_t, uint32_t> range(const Json &params) const {
+    return offsetsOf(positions, params.at("range"));
+  }
+};
+
+/// The server's parts. All members belong to the thread that takes messages, but for those that
+/// say that they are safe for several.
+class Context {
+public:
+  Context(MessageWriter &writer);
+  ~Context();
+
+  /// Binds a request about one document: `answer` runs on the thread of features.
+  void onDocument(llvm::StringRef method, std::function<Json(View &, const Json &params)> answer);
+  /// Runs `answer` for `document` on the thread of features and gives what it returns.
+  void answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer);
+  /// Begins the check of a document, as it is now.
+  void check(const Document &document);
+  void checkAll();
+  /// Settings, configurations or files have changed: everything is read again.
+  void renew(Settings settings);
+  /// The session for a document: of its own when its language names a control.
+  std::shared_ptr<Session> session(const Document &document);
+  CheckJob job(const Document &document);
+  void log(const llvm::Twine &line) const;
+  /// `window/showMessage` with a warning.
+  void warn(const llvm::Twine &message);
+
+  Rpc rpc; ///< answers and notifications may be sent from any thread
+  ClientSupport client;
+  std::vector<std::string> folders; ///< paths of the workspace's folders
+  Documents documents{PositionEncoding::Utf16};
+  Settings settings;
+  ProblemBoard problems; ///< safe for several threads
+  std::atomic<bool> wantsRefresh = false;
+  std::unique_ptr<Checks> checks;
+  std::unique_ptr<Worker> features;
+
+private:
+  struct Kept {
+    std::shared_ptr<const std::string> text;
+    std::shared_ptr<Session> session;
+    std::shared_ptr<const SourceSet::Overlay> overlay;
+    std::shared_ptr<Snapshot> snapshot;
+  };
+  /// Of the thread of features: the snapshots that were used last.
+  llvm::Expected<std::shared_ptr<Snapshot>> snapshotOf(const CheckJob &job);
+  std::list<Kept> kept_;
+  std::map<std::string, std::shared_ptr<Session>> sessions_; ///< by dialect
+};
+
+} // namespace ncvet::lsp

@@ -1,0 +1,45 @@
+// The documents that the client has open.
+#pragma once
+
+#include "formats/text/source_set.h"
+#include "lsp/protocol/json.h"
+
+#include "llvm/ADT/StringMap.h"
+
+namespace ncvet::lsp {
+
+/// One version of an open document. Values of it are kept and handed to other threads.
+struct Document {
+  std::string uri, path;
+  std::string language; ///< id that the client gives it
+  int64_t version = 0;
+  std::shared_ptr<const std::string> text;
+};
+
+/// Belongs to the thread that takes messages.
+class Documents {
+public:
+  explicit Documents(PositionEncoding encoding) : encoding_(encoding) {}
+
+  void setEncoding(PositionEncoding encoding) { encoding_ = encoding; }
+  const Document &open(Document document);
+  /// Applies `TextDocumentContentChangeEvent`s; null when no such document is open. Throws
+  /// `Json::exception` when they have another form; the document is then as it was.
+  const Document *change(llvm::StringRef uri, int64_t version, const Json &changes);
+  void close(llvm::StringRef uri);
+  const Document *find(llvm::StringRef uri) const;
+  const std::map<std::string, Document> &all() const { return byUri_; }
+  /// The texts of all open documents by path; the same object until one of them changes.
+  std::shared_ptr<const SourceSet::Overlay> overlay();
+
+private:
+  PositionEncoding encoding_;
+  std::map<std::string, Document> byUri_;
+  std::shared_ptr<const SourceSet::Overlay> overlay_;
+};
+
+/// `text` with the changes, one after the other.
+std::shared_ptr<const std::string> changed(std::shared_ptr<const std::string> text,
+                                           const Json &changes, PositionEncoding encoding);
+
+} // namespace ncvet::lsp

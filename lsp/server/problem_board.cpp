@@ -1,0 +1,108 @@
+// All problems by the file in which they lie: which of them count, and what the client must be
+// told.
+#include "lsp/server/problem_board.h"
+
+namespace ncvet::lsp {
+
+bool ProblemBoard::isPresent(const std::string &path,
+                             const std::shared_ptr<const std::string> &text) const {
+  const auto document = documents_.find(path);
+  return document == documents_.end() ? !text : document->second.text == text;
+}
+
+Json ProblemBoard::collect(const std::string &path) const {
+  Json all = Json::array();
+  std::set<std::tuple<uint32_t, uint32_t, RuleId>> known;
+  for (const auto &[checked, result] : results_) {
+    const auto file = result->files.find(path);
+    if (file == result->files.end() || !isPresent(path, file->second))
+      continue;
+    for (const Problem &problem : result->problems)
+      if (problem.path == path && known.emplace(problem.begin, problem.end, problem.rule).second)
+        all.push_back(problem.diagnostic);
+  }
+  return all;
+}
+
+void ProblemBoard::send(const std::string &path) {
+  Json diagnostics = collect(path);
+  const auto document = documents_.find(path);
+  const bool open = document != documents_.end();
+  if (diagnostics.empty() && !sent_.count(path) && !open)
+    return;
+  if (diagnostics.empty())
+    sent_.erase(path);
+  else
+    sent_.insert(path);
+  send_(path, open ? std::optional(document->second.version) : std::nullopt,
+        std::move(diagnostics));
+}
+
+void ProblemBoard::opened(const Document &document) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  documents_[document.path] = document;
+}
+
+void ProblemBoard::closed(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::set<std::string> changed{path};
+  if (const auto result = results_.find(path); result != results_.end())
+    for (const auto &[file, text] : result->second->files)
+      changed.insert(file);
+  results_.erase(path);
+  documents_.erase(path);
+  for (const std::string &file : changed)
+    send(file);
+}
+
+void ProblemBoard::take(std::shared_ptr<const CheckResult> result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string path = result->document.path;
+  if (!isPresent(path, result->document.text))
+    return;
+  std::set<std::string> changed{path};
+  const auto note = [&](const CheckResult &of) {
+    for (const Problem &problem : of.problems)
+      changed.insert(problem.path);
+  };
+  note(*result);
+  auto &kept = results_[path];
+  if (kept)
+    note(*kept);
+  kept = std::move(result);
+  for (const std::string &file : changed)
+    send(file);
+}
+
+Json ProblemBoard::diagnostics(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return collect(path);
+}
+
+std::vector<std::string> ProblemBoard::relatedTo(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::set<std::string> files;
+  if (const auto result = results_.find(path); result != results_.end())
+    for (const Problem &problem : result->second->problems)
+      if (problem.path != path)
+        files.insert(problem.path);
+  return {files.begin(), files.end()};
+}
+
+std::vector<std::string> ProblemBoard::usersOf(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<std::string> users;
+  for (const auto &[checked, result] : results_)
+    if (checked != path && result->files.count(path))
+      users.push_back(checked);
+  return users;
+}
+
+std::shared_ptr<const CheckResult> ProblemBoard::result(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = results_.find(path);
+  return found != results_.end() && isPresent(path, found->second->document.text) ? found->second
+                                                                                  : nullptr;
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,47 @@
+// All problems that the checks found, put together by the file in which they lie.
+#pragma once
+
+#include "lsp/server/checks.h"
+
+#include <set>
+
+namespace ncvet::lsp {
+
+/// What is known of the problems of each file. A file's problems come from its own check and from
+/// those of the programs that call it; only those that were found in its present text count. Safe
+/// for several threads.
+class ProblemBoard {
+public:
+  /// Sends the diagnostics of a file; null `version`: the document is not open.
+  using Send = std::function<void(const std::string &path, std::optional<int64_t> version,
+                                  Json diagnostics)>;
+  explicit ProblemBoard(Send send) : send_(std::move(send)) {}
+
+  /// A document has this text now; what was found in another text of it no longer counts.
+  void opened(const Document &document);
+  void closed(const std::string &path);
+  /// Takes the result of a check and sends what has changed by it; does nothing when the document
+  /// has another text by now.
+  void take(std::shared_ptr<const CheckResult> result);
+  /// The diagnostics of a file.
+  Json diagnostics(const std::string &path);
+  /// Files other than `path` itself in which its check found problems.
+  std::vector<std::string> relatedTo(const std::string &path);
+  /// Open documents whose check looked at the file.
+  std::vector<std::string> usersOf(const std::string &path);
+  /// The last result of an open document; null when there is none of its present text.
+  std::shared_ptr<const CheckResult> result(const std::string &path);
+
+private:
+  bool isPresent(const std::string &path, const std::shared_ptr<const std::string> &text) const;
+  Json collect(const std::string &path) const;
+  void send(const std::string &path);
+
+  Send send_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Document> documents_; ///< by path
+  std::map<std::string, std::shared_ptr<const CheckResult>> results_;
+  std::set<std::string> sent_; ///< files of which the client shows problems
+};
+
+} // namespace ncvet::lsp

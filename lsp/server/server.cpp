@@ -1,0 +1,189 @@
+// The language server: initialization, what it can do, and the loop that takes messages.
+#include "lsp/server/server.h"
+
+#include "lsp/protocol/uri.h"
+#include "lsp/server/bindings.h"
+
+#include <csignal>
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// A member of nested objects; null when one of them is absent.
+Json lookUp(const Json &object, std::initializer_list<const char *> names) {
+  const Json *at = &object;
+  for (const char *name : names) {
+    if (!at->is_object())
+      return nullptr;
+    const auto found = at->find(name);
+    if (found == at->end())
+      return nullptr;
+    at = &*found;
+  }
+  return *at;
+}
+
+bool says(const Json &object, std::initializer_list<const char *> names) {
+  const Json value = lookUp(object, names);
+  return value.is_boolean() && value.get<bool>();
+}
+
+ClientSupport readSupport(const Json &capabilities) {
+  ClientSupport client;
+  const auto has = [&](std::initializer_list<const char *> names) {
+    return says(capabilities, names);
+  };
+  // The client names them in the order of its preference.
+  for (const Json &name : lookUp(capabilities, {"general", "positionEncodings"}))
+    if (name.is_string())
+      if (const auto known = parsePositionEncoding(name.get<std::string>())) {
+        client.encoding = *known;
+        break;
+      }
+  client.diagnostics.related = has({"textDocument", "publishDiagnostics", "relatedInformation"}) ||
+                               has({"textDocument", "diagnostic", "relatedInformation"});
+  client.diagnostics.tags =
+      lookUp(capabilities, {"textDocument", "publishDiagnostics", "tagSupport"}).is_object() ||
+      lookUp(capabilities, {"textDocument", "diagnostic", "tagSupport"}).is_object();
+  client.diagnostics.codeLink =
+      has({"textDocument", "publishDiagnostics", "codeDescriptionSupport"}) ||
+      has({"textDocument", "diagnostic", "codeDescriptionSupport"});
+  client.pullsDiagnostics = lookUp(capabilities, {"textDocument", "diagnostic"}).is_object();
+  client.refreshesDiagnostics = has({"workspace", "diagnostics", "refreshSupport"});
+  client.progress = has({"window", "workDoneProgress"});
+  client.configuration = has({"workspace", "configuration"});
+  client.watchesFiles = has({"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
+  client.snippets = has({"textDocument", "completion", "completionItem", "snippetSupport"});
+  for (const Json &format : lookUp(capabilities, {"textDocument", "hover", "contentFormat"}))
+    client.markdown |= format == "markdown";
+  client.nestedSymbols =
+      has({"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
+  client.lineFoldingOnly = has({"textDocument", "foldingRange", "lineFoldingOnly"});
+  client.refreshesTokens = has({"workspace", "semanticTokens", "refreshSupport"});
+  client.refreshesHints = has({"workspace", "inlayHint", "refreshSupport"});
+  client.refreshesLenses = has({"workspace", "codeLens", "refreshSupport"});
+  return client;
+}
+
+Json capabilities(const ClientSupport &client) {
+  Json can = {
+      {"positionEncoding", toString(client.encoding).str()},
+      {"textDocumentSync",
+       {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
+      {"hoverProvider", true},
+      {"codeActionProvider",
+       {{"codeActionKinds", {"quickfix", "source.fixAll.ncvet", "source.explain.ncvet"}}}},
+      {"executeCommandProvider", {{"commands", {"ncvet.explain"}}}},
+      {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
+  };
+  if (client.pullsDiagnostics)
+    can["diagnosticProvider"] = {
+        {"identifier", "ncvet"}, {"interFileDependencies", true}, {"workspaceDiagnostics", true}};
+  return can;
+}
+
+class Server {
+public:
+  Server(int in, int out, llvm::StringRef version)
+      : reader_(in), writer_(out), context_(writer_), version_(version.str()) {
+    bindLifeCycle();
+    bindDocuments(context_);
+    bindDiagnostics(context_);
+    bindActions(context_);
+    bindHover(context_);
+  }
+
+  int run() {
+    std::string body;
+    while (!exited_) {
+      switch (reader_.read(body)) {
+      case MessageReader::Result::Message:
+        context_.rpc.handle(body);
+        break;
+      case MessageReader::Result::Bad:
+        context_.rpc.complain(RpcError::ParseError, body);
+        break;
+      case MessageReader::Result::End:
+        exited_ = true;
+        break;
+      }
+      if (writer_.isBroken())
+        exited_ = true;
+    }
+    return shutdown_ ? 0 : 1;
+  }
+
+private:
+  void bindLifeCycle() {
+    Rpc &rpc = context_.rpc;
+    rpc.setGate([this](llvm::StringRef method, Reply &reply) {
+      if (shutdown_ && method != "shutdown") // some clients say it twice
+        reply.fail(RpcError::InvalidRequest, "the server has been shut down");
+      else if (!initialized_ && method != "initialize")
+        reply.fail(RpcError::ServerNotInitialized, "initialize comes first");
+      else
+        return false;
+      return true;
+    });
+    rpc.onRequest("initialize", [this](const Json &params, Reply reply) {
+      initialize(params, std::move(reply));
+    });
+    rpc.onNotification("initialized", [this](const Json &) { registerWatchers(); });
+    rpc.onRequest("shutdown", [this](const Json &, Reply reply) {
+      shutdown_ = true;
+      context_.checks->stop();
+      reply(nullptr);
+    });
+    rpc.onNotification("exit", [this](const Json &) { exited_ = true; });
+    rpc.onNotification("$/setTrace", [](const Json &) {});
+  }
+
+  void initialize(const Json &params, Reply reply) {
+    if (initialized_)
+      return reply.fail(RpcError::InvalidRequest, "initialize comes once");
+    context_.client = readSupport(lookUp(params, {"capabilities"}));
+    context_.documents.setEncoding(context_.client.encoding);
+    for (const Json &folder : lookUp(params, {"workspaceFolders"}))
+      if (const Json uri = lookUp(folder, {"uri"}); uri.is_string())
+        context_.folders.push_back(pathOfUri(uri.get<std::string>()));
+    if (const Json root = lookUp(params, {"rootUri"}); context_.folders.empty() && root.is_string())
+      context_.folders.push_back(pathOfUri(root.get<std::string>()));
+    std::vector<std::string> wrong;
+    context_.settings = readSettings(lookUp(params, {"initializationOptions"}), wrong);
+    initialized_ = true;
+    reply({{"capabilities", capabilities(context_.client)},
+           {"serverInfo", {{"name", "ncvet"}, {"version", version_}}}});
+    for (const std::string &why : wrong)
+      context_.warn(why);
+  }
+
+  void registerWatchers() {
+    if (!context_.client.watchesFiles)
+      return;
+    Json watchers = Json::array();
+    watchers.push_back({{"globPattern", "**/*"}});
+    context_.rpc.request("client/registerCapability",
+                         {{"registrations",
+                           {{{"id", "ncvet-files"},
+                             {"method", "workspace/didChangeWatchedFiles"},
+                             {"registerOptions", {{"watchers", std::move(watchers)}}}}}}},
+                         nullptr);
+  }
+
+  MessageReader reader_;
+  MessageWriter writer_;
+  Context context_;
+  std::string version_;
+  bool initialized_ = false, shutdown_ = false, exited_ = false;
+};
+
+} // namespace
+
+int serve(int in, int out, llvm::StringRef version) {
+  // A client that goes away is seen when it is written to.
+  std::signal(SIGPIPE, SIG_IGN);
+  return Server(in, out, version).run();
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,36 @@
+// A thread that does one task after the other.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace ncvet::lsp {
+
+/// Tasks are done in the order in which they come. What is left at the end is dropped.
+class Worker {
+public:
+  using Task = std::function<void()>;
+
+  Worker() : thread_([this] { run(); }) {}
+  ~Worker() { stop(); }
+  Worker(const Worker &) = delete;
+  Worker &operator=(const Worker &) = delete;
+
+  void post(Task task);
+  /// Waits for the task at work; nothing is done behind it.
+  void stop();
+
+private:
+  void run();
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<Task> tasks_;
+  bool stopping_ = false;
+  std::thread thread_; // last: it uses all of the above
+};
+
+} // namespace ncvet::lsp

@@ -1,0 +1,183 @@
+// JSON-RPC: takes messages apart, and puts answers together.
+#include "lsp/transport/rpc.h"
+
+#include <exception>
+
+namespace ncvet::lsp {
+
+namespace {
+
+const Json nothing;
+
+const Json &member(const Json &object, const char *name) {
+  const auto found = object.find(name);
+  return found == object.end() ? nothing : *found;
+}
+
+bool isId(const Json &id) { return id.is_number_integer() || id.is_string(); }
+
+/// Whether arrays and objects nest deeper than any message needs: the parser calls itself for each.
+bool nestsTooDeep(llvm::StringRef text) {
+  constexpr unsigned deepest = 200;
+  unsigned depth = 0;
+  bool inString = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString) {
+      if (c == '\\')
+        ++i;
+      else
+        inString = c != '"';
+    } else if (c == '"') {
+      inString = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > deepest)
+        return true;
+    } else if ((c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+Reply::~Reply() {
+  // While an exception unwinds, whoever catches it answers.
+  if (rpc_ && std::uncaught_exceptions() == 0)
+    fail(RpcError::InternalError, "the request was not answered");
+}
+
+void Reply::send(llvm::StringRef member, Json value) {
+  Rpc *rpc = std::exchange(rpc_, nullptr);
+  if (!rpc || request_->answered.exchange(true))
+    return;
+  rpc->finished(request_->id.dump());
+  rpc->send({{"jsonrpc", "2.0"}, {"id", request_->id}, {member.str(), std::move(value)}});
+}
+
+void Reply::operator()(Json result) {
+  if (request_->cancelled)
+    fail(RpcError::RequestCancelled, "cancelled");
+  else
+    send("result", std::move(result));
+}
+
+void Reply::fail(RpcError code, const llvm::Twine &why) {
+  send("error", {{"code", int(code)}, {"message", why.str()}});
+}
+
+void Rpc::send(const Json &message) {
+  // Texts of programs may hold any bytes.
+  writer_.write(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void Rpc::complain(RpcError code, const llvm::Twine &why) {
+  send({{"jsonrpc", "2.0"},
+        {"id", nullptr},
+        {"error", {{"code", int(code)}, {"message", why.str()}}}});
+}
+
+void Rpc::notify(llvm::StringRef method, Json params) {
+  send({{"jsonrpc", "2.0"}, {"method", method.str()}, {"params", std::move(params)}});
+}
+
+void Rpc::request(llvm::StringRef method, Json params, AnswerHandler answer) {
+  int64_t id = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    id = ++lastAsked_;
+    asked_[id] = std::move(answer);
+  }
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method.str()}, {"params", std::move(params)}});
+}
+
+void Rpc::finished(const std::string &id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  running_.erase(id);
+}
+
+void Rpc::handle(llvm::StringRef body) {
+  if (nestsTooDeep(body))
+    return complain(RpcError::ParseError, "the message nests too deep");
+  const Json message = Json::parse(body.begin(), body.end(), nullptr, /*allow_exceptions=*/false);
+  if (message.is_discarded())
+    return complain(RpcError::ParseError, "the message is no JSON");
+  if (!message.is_object())
+    return complain(RpcError::InvalidRequest, "the message is no object");
+  take(message);
+}
+
+void Rpc::take(const Json &message) {
+  const Json &method = member(message, "method");
+  const Json &id = member(message, "id");
+  if (method.is_null()) {
+    if (message.contains("result") || message.contains("error"))
+      return takeAnswer(message);
+    return complain(RpcError::InvalidRequest, "the message has no method");
+  }
+  if (!method.is_string() || !(id.is_null() || isId(id)))
+    return complain(RpcError::InvalidRequest, "a method is a string, an id a number or a string");
+  const std::string name = method;
+  const Json &params = member(message, "params");
+  if (!id.is_null())
+    return takeRequest(name, id, params);
+  if (name == "$/cancelRequest") {
+    const Json &which = params.is_object() ? member(params, "id") : nothing;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto running = running_.find(which.dump());
+    if (running != running_.end())
+      running->second->cancelled = true;
+    return;
+  }
+  const auto handler = notifications_.find(name);
+  if (handler == notifications_.end())
+    return; // what is not known may be left aside
+  try {
+    handler->second(params);
+  } catch (const Json::exception &) {
+    complain(RpcError::InvalidParams, llvm::Twine("the parameters of ") + name + " are wrong");
+  }
+}
+
+void Rpc::takeRequest(llvm::StringRef method, const Json &id, const Json &params) {
+  auto request = std::make_shared<OpenRequest>();
+  request->id = id;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    running_[id.dump()] = request;
+  }
+  Reply reply(*this, request);
+  if (gate_ && gate_(method, reply))
+    return;
+  const auto handler = requests_.find(method);
+  if (handler == requests_.end())
+    return reply.fail(RpcError::MethodNotFound, "there is no method " + method);
+  try {
+    handler->second(params, std::move(reply));
+  } catch (const Json::exception &) {
+    Reply(*this, request)
+        .fail(RpcError::InvalidParams, "the parameters of " + method + " are wrong");
+  }
+}
+
+void Rpc::takeAnswer(const Json &message) {
+  const Json &id = member(message, "id");
+  AnswerHandler answer;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto asked = id.is_number_integer() ? asked_.find(id.get<int64_t>()) : asked_.end();
+    if (asked == asked_.end())
+      return;
+    answer = std::move(asked->second);
+    asked_.erase(asked);
+  }
+  if (!answer)
+    return;
+  try {
+    answer(member(message, "result"), message.contains("error"));
+  } catch (const Json::exception &) { // the client's answer has another form than was asked for
+  }
+}
+
+} // namespace ncvet::lsp
