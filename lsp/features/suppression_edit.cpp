@@ -50,8 +50,12 @@ std::optional<TextEdit> allowHere(Snapshot &snapshot, uint32_t offset, llvm::Str
 std::optional<TextEdit> allowInFile(Snapshot &snapshot, llvm::StringRef rule) {
   const FileIndex &index = snapshot.unit().index;
   const ProgramInfo &first = index.programs().front();
+  // Behind the head: some controls want nothing in front of it.
   Block block;
-  snapshot.readAt(std::min<uint32_t>(first.body, uint32_t(snapshot.text().size())), block);
+  snapshot.readAt(first.begin, block);
+  while ((block.kind == BlockKind::Tape || block.kind == BlockKind::ProgramHeader) &&
+         block.next < snapshot.text().size())
+    snapshot.unit().reader->read(block.next, block);
   return lineBefore(snapshot, block.begin, ("ncvet: allow-file " + rule).str());
 }
 

@@ -51,6 +51,7 @@ void ProblemBoard::closed(const std::string &path) {
       changed.insert(file);
   results_.erase(path);
   documents_.erase(path);
+  sent_.insert(path); // it is told in any case
   for (const std::string &file : changed)
     send(file);
 }

@@ -94,7 +94,6 @@ TEST(CheckCommand, WrongUsageIsSaidInOneLine) {
       {{"explain", "feed-mising"}, "did you mean \"feed-missing\""},
       {{"trace", "none.nc"}, "none.nc"},
       {{"trace"}, "Not enough positional"},
-      {{"lsp"}, "lsp"},
   };
   Shop shop;
   shop.file("a.nc", goodProgram());

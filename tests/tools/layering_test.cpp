@@ -46,6 +46,10 @@ const std::vector<Layer> &layers() {
       {"rules/",
        {"analyzer/", "interp/", "formats/readers/", "formats/dialect/", "formats/finding/",
         "formats/text/"}},
+      // What an editor shows, in plain data: it knows nothing of the protocol.
+      {"lsp/features/",
+       {"lsp/features/", "analyzer/", "interp/", "formats/readers/", "formats/dialect/",
+        "formats/finding/", "formats/text/"}},
       {"lsp/",
        {"lsp/", "rules/", "analyzer/", "interp/", "formats/reports/", "formats/readers/",
         "formats/dialect/", "formats/finding/", "formats/text/"}},
@@ -99,8 +103,12 @@ bool forbiddenHeader(std::string_view path, std::string_view header) {
   const bool isHeader = path.size() > 2 && path.substr(path.size() - 2) == ".h";
   // A second of compile time for everybody who includes it: .cpp files only, and the one header
   // that is the plane geometry itself.
-  if (isHeader && (header == "nlohmann/json.hpp" || header.substr(0, 6) == "Eigen/") &&
-      path != "interp/contour_element.h")
+  if (isHeader && header.substr(0, 6) == "Eigen/" && path != "interp/contour_element.h")
+    return true;
+  // The messages of the language server are JSON; its features are not.
+  const bool inFeatures = path.substr(0, 13) == "lsp/features/";
+  const bool inServer = path.substr(0, 4) == "lsp/" && !inFeatures;
+  if (header == "nlohmann/json.hpp" && (inFeatures || (isHeader && !inServer)))
     return true;
   if (path.substr(0, 7) != "interp/")
     return false;

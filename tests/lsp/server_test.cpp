@@ -1,0 +1,263 @@
+// The language server as a client sees it: life cycle, broken messages, diagnostics, actions,
+// hover.
+#include "tests/support/language_client.h"
+#include "tests/support/process.h"
+
+namespace {
+
+using namespace ncvet;
+using test::at;
+using test::documentOf;
+using test::Json;
+using test::LanguageClient;
+using test::Shop;
+
+/// X30. drills again: nobody has cancelled the cycle.
+const char *const boring = "%\nO1 (BORE)\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\n"
+                           "G43 Z50. H01\nG83 X10. Y10. Z-10. R2. Q2. F100.\nG00 X30. Y0.\n"
+                           "G80\nG49\nG91 G28 Z0.\nM30\n%\n";
+
+std::vector<std::string> codes(const Json &diagnostics) {
+  std::vector<std::string> all;
+  for (const Json &diagnostic : diagnostics)
+    all.push_back(std::to_string(diagnostic["range"]["start"]["line"].get<int>() + 1) + " " +
+                  diagnostic["code"].get<std::string>());
+  return all;
+}
+
+TEST(LanguageServer, EndsAsTheProtocolSays) {
+  LanguageClient client;
+  const Json result = client.initialize();
+  EXPECT_EQ(result["serverInfo"]["name"], "ncvet");
+  EXPECT_EQ(result["capabilities"]["positionEncoding"], "utf-16");
+  EXPECT_EQ(client.shutDown(), 0);
+
+  LanguageClient rude;
+  rude.initialize();
+  rude.notify("exit", nullptr);
+  EXPECT_EQ(rude.exitCode(), 1);
+
+  LanguageClient gone;
+  gone.initialize();
+  gone.hangUp();
+  EXPECT_EQ(gone.exitCode(), 1);
+}
+
+TEST(LanguageServer, NothingIsAnsweredBeforeTheStartOrAfterTheEnd) {
+  LanguageClient client;
+  const Json early = client.answer(client.ask("textDocument/hover", Json::object()));
+  EXPECT_EQ(early["error"]["code"], -32002);
+  client.initialize();
+  client.request("shutdown", nullptr);
+  const Json late = client.answer(client.ask("textDocument/hover", Json::object()));
+  EXPECT_EQ(late["error"]["code"], -32600);
+}
+
+TEST(LanguageServer, ABrokenMessageGetsAnErrorAndNoEnd) {
+  LanguageClient client;
+  client.initialize();
+  client.sendBody("{ this is no JSON");
+  EXPECT_EQ(client.complaint()["error"]["code"], -32700);
+  client.sendBody("[1, 2]");
+  EXPECT_EQ(client.complaint()["error"]["code"], -32600);
+  client.sendBody(std::string(100000, '['));
+  EXPECT_EQ(client.complaint()["error"]["code"], -32700);
+  client.sendBytes("Content-Length: many\r\n\r\n");
+  EXPECT_EQ(client.complaint()["error"]["code"], -32700);
+  client.sendBytes("what is this\r\n");
+  EXPECT_EQ(client.complaint()["error"]["code"], -32700);
+  client.sendBody("{\"jsonrpc\":\"2.0\",\"method\":3}");
+  EXPECT_EQ(client.complaint()["error"]["code"], -32600);
+  const Json unknown = client.answer(client.ask("textDocument/nothing", Json::object()));
+  EXPECT_EQ(unknown["error"]["code"], -32601);
+  const Json wrong = client.answer(client.ask("textDocument/hover", {{"textDocument", 5}}));
+  EXPECT_EQ(wrong["error"]["code"], -32602);
+  EXPECT_EQ(client.shutDown(), 0);
+}
+
+TEST(LanguageServer, AFindingIsShownWithItsFurtherPlaceAndGoesWhenItsCauseGoes) {
+  LanguageClient client;
+  client.initialize(
+      Json::parse(R"({"textDocument":{"publishDiagnostics":{"relatedInformation":true}}})"),
+      {{"dialect", "haas-mill"}});
+  client.open("/nowhere/bore.nc", "O1 (BORE)\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
+                                  "G83 X10. Y10. Z-10. R2. Q2. F100.\nG80\nX30. Y0.\nG49\nM30\n");
+  const Json before = client.diagnostics("/nowhere/bore.nc");
+  // Without the G80 of line 6 the cycle drills at the clamp.
+  client.notify(
+      "textDocument/didChange",
+      {{"textDocument", {{"uri", "file:///nowhere/bore.nc"}, {"version", 2}}},
+       {"contentChanges", {{{"range", {{"start", at(5, 0)}, {"end", at(6, 0)}}}, {"text", ""}}}}});
+  const Json after = client.diagnostics("/nowhere/bore.nc", 2);
+  const std::vector<std::string> was = codes(before), is = codes(after);
+  EXPECT_NE(was, is);
+  client.notify("textDocument/didChange",
+                {{"textDocument", {{"uri", "file:///nowhere/bore.nc"}, {"version", 3}}},
+                 {"contentChanges",
+                  {{{"range", {{"start", at(5, 0)}, {"end", at(5, 0)}}}, {"text", "G80\n"}}}}});
+  EXPECT_EQ(codes(client.diagnostics("/nowhere/bore.nc", 3)), was);
+  client.notify("textDocument/didClose", {{"textDocument", documentOf("/nowhere/bore.nc")}});
+  EXPECT_EQ(client.notification("textDocument/publishDiagnostics")["diagnostics"], Json::array());
+}
+
+TEST(LanguageServer, PositionsCountWhatTheClientCounts) {
+  // `ü` is two bytes, the clef four; both are one character in UTF-32, and one and two in UTF-16.
+  const std::string text = "O1\n(Gehäuse 𝄞) G00 G99999 X1.\nM30\n";
+  const std::pair<const char *, int> encodings[] = {{"utf-8", 20}, {"utf-16", 17}, {"utf-32", 16}};
+  for (const auto &[encoding, character] : encodings) {
+    LanguageClient client;
+    const Json result = client.initialize({{"general", {{"positionEncodings", {encoding}}}}},
+                                          {{"dialect", "haas-mill"}});
+    EXPECT_EQ(result["capabilities"]["positionEncoding"], encoding);
+    client.open("/nowhere/a.nc", text);
+    bool found = false;
+    for (const Json &diagnostic : client.diagnostics("/nowhere/a.nc"))
+      if (diagnostic["code"] == "block-unknown-g-code") {
+        found = true;
+        EXPECT_EQ(diagnostic["range"]["start"], at(1, unsigned(character))) << encoding;
+      }
+    EXPECT_TRUE(found) << encoding;
+  }
+}
+
+TEST(LanguageServer, AQuickFixMendsItsFinding) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  const std::string path = "/nowhere/bore.nc";
+  client.open(path, "O1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\nG01 Z-1. F100.\n"
+                    "G00 Z50.\nM30\n");
+  const Json diagnostics = client.diagnostics(path);
+  ASSERT_FALSE(diagnostics.empty());
+  const Json &left = diagnostics[0];
+  ASSERT_EQ(left["code"], "tool-length-offset-left-on");
+  const Json actions = client.request(
+      "textDocument/codeAction", {{"textDocument", documentOf(path)},
+                                  {"range", left["range"]},
+                                  {"context", {{"diagnostics", {left}}, {"only", {"quickfix"}}}}});
+  ASSERT_GE(actions.size(), 3u); // the fix, here, in this file
+  const Json edits = actions[0]["edit"]["changes"]["file://" + path];
+  ASSERT_EQ(edits.size(), 1u);
+  EXPECT_EQ(edits[0]["newText"], "G49\n");
+  client.notify(
+      "textDocument/didChange",
+      {{"textDocument", {{"uri", "file://" + path}, {"version", 2}}},
+       {"contentChanges", {{{"range", edits[0]["range"]}, {"text", edits[0]["newText"]}}}}});
+  EXPECT_EQ(codes(client.diagnostics(path, 2)), std::vector<std::string>());
+}
+
+TEST(LanguageServer, ACommentSilencesAFindingHereAndInTheFile) {
+  const std::string path = "/nowhere/bore.nc";
+  const std::string text = "O1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
+                           "G01 Z-1. F100.\nG00 Z50.\nM30\n";
+  for (const size_t which : {1, 2}) {
+    LanguageClient client;
+    client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+    client.open(path, text);
+    const Json diagnostics = client.diagnostics(path);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    const Json actions =
+        client.request("textDocument/codeAction", {{"textDocument", documentOf(path)},
+                                                   {"range", diagnostics[0]["range"]},
+                                                   {"context", {{"diagnostics", Json::array()}}}});
+    const Json edit = actions[which]["edit"]["changes"]["file://" + path][0];
+    client.notify("textDocument/didChange",
+                  {{"textDocument", {{"uri", "file://" + path}, {"version", 2}}},
+                   {"contentChanges", {{{"range", edit["range"]}, {"text", edit["newText"]}}}}});
+    EXPECT_EQ(codes(client.diagnostics(path, 2)), std::vector<std::string>()) << edit.dump();
+  }
+}
+
+TEST(LanguageServer, HoverTellsTheMachinesState) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  client.open("/nowhere/bore.nc", boring);
+  const Json hover =
+      client.request("textDocument/hover",
+                     {{"textDocument", documentOf("/nowhere/bore.nc")}, {"position", at(6, 5)}});
+  const std::string text = hover["contents"]["value"];
+  EXPECT_NE(text.find("G83"), std::string::npos) << text;
+  EXPECT_NE(text.find("X 10, Y 10"), std::string::npos) << text;
+  EXPECT_NE(text.find("T1"), std::string::npos) << text;
+}
+
+TEST(LanguageServer, AProgramIsCheckedAgainWhenTheTextOfItsSubprogramChanges) {
+  Shop shop;
+  const std::string sub = "O2\nG91 X1.\nM99\n";
+  shop.file("O0001.nc", "").file("O0002.nc", sub);
+  const std::string main = (shop.path() / "O0001.nc").string(),
+                    called = (shop.path() / "O0002.nc").string();
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  client.open(main, "O1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nM98 P2\nM98 P3\nM30\n");
+  const std::vector<std::string> alone = codes(client.diagnostics(main));
+  EXPECT_NE(std::find(alone.begin(), alone.end(), "5 flow-undefined-subprogram"), alone.end())
+      << Json(alone).dump();
+  // The subprogram is opened, and no longer returns.
+  client.open(called, "O2\nG91 X1.\nG90\n");
+  bool told = false;
+  for (int i = 0; i < 3 && !told; ++i)
+    for (const std::string &code : codes(client.diagnostics(called)))
+      told |= code.find("flow") != std::string::npos || code.find("program-") != std::string::npos;
+  EXPECT_TRUE(told);
+}
+
+TEST(LanguageServer, AClientThatPullsGetsDiagnosticsByRequestOnly) {
+  LanguageClient client;
+  const Json can = client.initialize({{"textDocument", {{"diagnostic", Json::object()}}}},
+                                     {{"dialect", "haas-mill"}});
+  EXPECT_TRUE(can["capabilities"].contains("diagnosticProvider"));
+  const std::string path = "/nowhere/a.nc";
+  client.open(path, "O1\nG00 G99999 X1.\nM30\n");
+  const Json report =
+      client.request("textDocument/diagnostic", {{"textDocument", documentOf(path)}});
+  ASSERT_EQ(report["kind"], "full");
+  EXPECT_EQ(codes(report["items"])[0], "2 block-unknown-g-code");
+  const Json again =
+      client.request("textDocument/diagnostic", {{"textDocument", documentOf(path)},
+                                                 {"previousResultId", report["resultId"]}});
+  EXPECT_EQ(again["kind"], "unchanged");
+}
+
+TEST(LanguageServer, TheWorkspaceIsCheckedWhenItIsWanted) {
+  Shop shop;
+  shop.file("good.nc", "O1\nM30\n").file("inner/bad.nc", "O2\nG99999\nM30\n");
+  Json folders = Json::array();
+  folders.push_back({{"uri", "file://" + shop.path().string()}, {"name", "shop"}});
+  LanguageClient client;
+  client.initialize({{"textDocument", {{"diagnostic", Json::object()}}}},
+                    {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}}, folders);
+  const Json report =
+      client.request("workspace/diagnostic", {{"previousResultIds", Json::array()}});
+  ASSERT_EQ(report["items"].size(), 2u);
+  EXPECT_EQ(report["items"][0]["items"].size(), 0u);
+  EXPECT_EQ(codes(report["items"][1]["items"])[0], "2 block-unknown-g-code");
+}
+
+TEST(LanguageServer, AChangedConfigurationCountsAtOnce) {
+  Shop shop;
+  shop.file(".ncvet.json", R"({"dialect": "haas-mill", "ignore": ["block-unknown-g-code"]})");
+  const std::string path = (shop.path() / "a.nc").string();
+  LanguageClient client;
+  client.initialize();
+  client.open(path, "O1\nG99999\nM30\n");
+  EXPECT_EQ(codes(client.diagnostics(path)), std::vector<std::string>());
+  shop.file(".ncvet.json", R"({"dialect": "haas-mill"})");
+  client.notify(
+      "workspace/didChangeWatchedFiles",
+      {{"changes", {{{"uri", "file://" + (shop.path() / ".ncvet.json").string()}, {"type", 2}}}}});
+  EXPECT_EQ(codes(client.diagnostics(path)), std::vector<std::string>{"2 block-unknown-g-code"});
+}
+
+TEST(LanguageServer, WrongSettingsAreSaidAndTheRestCounts) {
+  LanguageClient client;
+  client.initialize(Json::object(),
+                    {{"dialect", "haas-mill"}, {"ignore", {"no-such-rule"}}, {"profile", 5}});
+  const Json first = client.notification("window/showMessage");
+  EXPECT_NE(first["message"].get<std::string>().find("ncvet.profile"), std::string::npos) << first;
+  const Json second = client.notification("window/showMessage");
+  EXPECT_NE(second["message"].get<std::string>().find("no-such-rule"), std::string::npos) << second;
+  client.open("/nowhere/a.nc", "O1\nG99999\nM30\n");
+  EXPECT_EQ(codes(client.diagnostics("/nowhere/a.nc"))[0], "2 block-unknown-g-code");
+}
+
+} // namespace

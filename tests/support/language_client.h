@@ -1,0 +1,205 @@
+// A client of the language server in a test: the real binary, spoken to message by message.
+#pragma once
+
+#include "gtest/gtest.h"
+#include <nlohmann/json.hpp>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <deque>
+#include <functional>
+#include <string>
+
+namespace ncvet::test {
+
+using Json = nlohmann::json;
+
+/// Starts `ncvet lsp` and talks to it. Answers and notifications are waited for with a limit; what
+/// does not come in time is a failure of the test and reads as null.
+class LanguageClient {
+public:
+  explicit LanguageClient(const std::string &binary = NCVET_BINARY) {
+    int toServer[2], fromServer[2];
+    if (::pipe(toServer) || ::pipe(fromServer)) {
+      ADD_FAILURE() << "no pipes";
+      return;
+    }
+    ::signal(SIGPIPE, SIG_IGN);
+    server_ = ::fork();
+    if (server_ == 0) {
+      ::dup2(toServer[0], 0);
+      ::dup2(fromServer[1], 1);
+      for (const int end : {toServer[0], toServer[1], fromServer[0], fromServer[1]})
+        ::close(end);
+      ::execl(binary.c_str(), binary.c_str(), "lsp", nullptr);
+      ::_exit(127);
+    }
+    ::close(toServer[0]);
+    ::close(fromServer[1]);
+    in_ = toServer[1];
+    out_ = fromServer[0];
+  }
+  ~LanguageClient() {
+    if (server_ > 0) {
+      hangUp();
+      ::kill(server_, SIGKILL);
+      ::waitpid(server_, nullptr, 0);
+    }
+    ::close(out_);
+  }
+  LanguageClient(const LanguageClient &) = delete;
+  LanguageClient &operator=(const LanguageClient &) = delete;
+
+  void sendBytes(const std::string &bytes) {
+    for (size_t at = 0; at < bytes.size();) {
+      const ssize_t done = ::write(in_, bytes.data() + at, bytes.size() - at);
+      if (done <= 0)
+        return;
+      at += size_t(done);
+    }
+  }
+  void sendBody(const std::string &body) {
+    sendBytes("Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body);
+  }
+  void send(const Json &message) { sendBody(message.dump()); }
+
+  void notify(const std::string &method, Json params) {
+    send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+  }
+  int64_t ask(const std::string &method, Json params) {
+    send(
+        {{"jsonrpc", "2.0"}, {"id", ++lastId_}, {"method", method}, {"params", std::move(params)}});
+    return lastId_;
+  }
+  /// The whole answer to a request.
+  Json answer(int64_t id) {
+    return next([id](const Json &message) {
+      return !message.contains("method") && message.value("id", Json()) == Json(id);
+    });
+  }
+  /// The result of a request; an error is a failure of the test.
+  Json request(const std::string &method, Json params) {
+    const Json message = answer(ask(method, std::move(params)));
+    if (!message.is_object() || !message.contains("result")) {
+      ADD_FAILURE() << method << ": " << message.dump();
+      return nullptr;
+    }
+    return message["result"];
+  }
+  /// Parameters of the next notification of this method.
+  Json notification(const std::string &method) {
+    const Json message =
+        next([&](const Json &m) { return m.value("method", Json()) == Json(method); });
+    return message.is_object() ? message.value("params", Json()) : Json();
+  }
+  /// The next message that is an error without a request.
+  Json complaint() {
+    return next(
+        [](const Json &m) { return m.contains("error") && m.value("id", Json(0)).is_null(); });
+  }
+
+  Json initialize(Json capabilities = Json::object(), Json options = Json::object(),
+                  Json folders = nullptr) {
+    Json result = request("initialize", {{"processId", nullptr},
+                                         {"rootUri", nullptr},
+                                         {"capabilities", std::move(capabilities)},
+                                         {"initializationOptions", std::move(options)},
+                                         {"workspaceFolders", std::move(folders)}});
+    notify("initialized", Json::object());
+    return result;
+  }
+  void open(const std::string &path, const std::string &text,
+            const std::string &language = "gcode") {
+    notify(
+        "textDocument/didOpen",
+        {{"textDocument",
+          {{"uri", "file://" + path}, {"languageId", language}, {"version", 1}, {"text", text}}}});
+  }
+  /// The diagnostics of the version of a document, once they come.
+  Json diagnostics(const std::string &path, int version = 1) {
+    const Json message = next([&](const Json &m) {
+      return m.value("method", "") == "textDocument/publishDiagnostics" &&
+             m["params"]["uri"] == "file://" + path && m["params"].value("version", 0) == version;
+    });
+    return message.is_object() ? message["params"]["diagnostics"] : Json();
+  }
+
+  /// The exit code; -1 when the server did not end in time.
+  int exitCode() {
+    for (int i = 0; i < 200; ++i) {
+      int status = 0;
+      if (::waitpid(server_, &status, WNOHANG) == server_) {
+        server_ = 0;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+      }
+      ::usleep(50000);
+    }
+    return -1;
+  }
+  int shutDown() {
+    request("shutdown", nullptr);
+    notify("exit", nullptr);
+    return exitCode();
+  }
+  void hangUp() {
+    if (in_ >= 0)
+      ::close(in_);
+    in_ = -1;
+  }
+
+private:
+  Json next(const std::function<bool(const Json &)> &wanted) {
+    for (auto at = kept_.begin(); at != kept_.end(); ++at)
+      if (wanted(*at)) {
+        Json message = std::move(*at);
+        kept_.erase(at);
+        return message;
+      }
+    Json message;
+    while (read(message)) {
+      if (wanted(message))
+        return message;
+      kept_.push_back(std::move(message));
+    }
+    ADD_FAILURE() << "the message that was waited for did not come";
+    return nullptr;
+  }
+
+  /// Reads one message; false at the end or when none comes for half a minute.
+  bool read(Json &message) {
+    constexpr int patience = 30000; // ms
+    while (true) {
+      const size_t header = buffer_.find("\r\n\r\n");
+      if (header != std::string::npos) {
+        const size_t length = std::stoul(buffer_.substr(buffer_.find(':') + 1));
+        if (buffer_.size() >= header + 4 + length) {
+          message = Json::parse(buffer_.substr(header + 4, length), nullptr, false);
+          buffer_.erase(0, header + 4 + length);
+          return true;
+        }
+      }
+      pollfd wait{out_, POLLIN, 0};
+      char piece[65536];
+      const ssize_t got = ::poll(&wait, 1, patience) > 0 ? ::read(out_, piece, sizeof piece) : 0;
+      if (got <= 0)
+        return false;
+      buffer_.append(piece, size_t(got));
+    }
+  }
+
+  pid_t server_ = 0;
+  int in_ = -1, out_ = -1;
+  int64_t lastId_ = 0;
+  std::string buffer_;
+  std::deque<Json> kept_;
+};
+
+/// Offset-free positions for parameters.
+inline Json at(unsigned line, unsigned character) {
+  return {{"line", line}, {"character", character}};
+}
+inline Json documentOf(const std::string &path) { return {{"uri", "file://" + path}}; }
+
+} // namespace ncvet::test
