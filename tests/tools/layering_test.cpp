@@ -51,8 +51,8 @@ const std::vector<Layer> &layers() {
        {"lsp/features/", "analyzer/", "interp/", "formats/readers/", "formats/dialect/",
         "formats/finding/", "formats/text/"}},
       {"lsp/",
-       {"lsp/", "rules/", "analyzer/", "interp/", "formats/reports/", "formats/readers/",
-        "formats/dialect/", "formats/finding/", "formats/text/"}},
+       {"lsp/", "lsp/features/", "rules/", "analyzer/", "interp/", "formats/reports/",
+        "formats/readers/", "formats/dialect/", "formats/finding/", "formats/text/"}},
   };
   return table;
 }
