@@ -716,12 +716,11 @@ void Scanner::scanFlowWord() {
   const llvm::StringRef label(name, size_t(nameEnd - name));
   item.structure = structureOf(word);
   item.label = uint32_t(llvm::xxHash64(flowLabel(label))) | 1;
+  nameItem(item, label);
   switch (word) {
   case FlowWord::Call:
     item.kind = ItemKind::Call;
     item.positional = true;
-    item.nameBegin = offset(name);
-    item.nameEnd = offset(nameEnd);
     item.firstArgument = uint16_t(block_.arguments.size());
     scanCallArguments(item);
     break;

@@ -1,9 +1,23 @@
 // One version of a document: its setup, and its text cut into blocks.
 #include "lsp/features/snapshot.h"
 
+#include "lsp/features/names.h"
+
 #include <algorithm>
 
 namespace ncvet::lsp {
+
+Snapshot::Snapshot(FileSetup setup, std::shared_ptr<const SourceSet::Overlay> open)
+    : setup_(std::move(setup)), sources_(std::move(open)) {}
+
+Snapshot::~Snapshot() = default;
+
+const Names &Snapshot::names(const FileUnit &unit) {
+  auto &names = names_[unit.source.id()];
+  if (!names)
+    names = std::make_unique<Names>(unit);
+  return *names;
+}
 
 llvm::Expected<std::unique_ptr<Snapshot>>
 Snapshot::make(Session &session, std::shared_ptr<const SourceSet::Overlay> open,

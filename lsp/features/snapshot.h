@@ -5,9 +5,11 @@
 
 namespace ncvet::lsp {
 
+class Names; // lsp/features/names.h
+
 /// One version of a text under its setup: dialect, machine, index, reader, and the project in which
-/// other files are found, texts of the editor before those on disk. It never changes, but keeps what
-/// it found out: one thread at a time may use it.
+/// other files are found, texts of the editor before those on disk. It never changes, but keeps
+/// what it found out: one thread at a time may use it.
 class Snapshot {
 public:
   /// `path` says where the text would stand on disk; it is not read. Errors are those of
@@ -16,6 +18,7 @@ public:
   make(Session &session, std::shared_ptr<const SourceSet::Overlay> open, llvm::StringRef path,
        std::shared_ptr<const std::string> text);
 
+  ~Snapshot();
   Snapshot(const Snapshot &) = delete;
   Snapshot &operator=(const Snapshot &) = delete;
 
@@ -32,10 +35,13 @@ public:
   llvm::ArrayRef<uint32_t> blocks();
   /// Reads the block that holds byte `offset`; an empty one behind the last.
   void readAt(uint32_t offset, Block &block);
+  /// All names of the text; made when first asked for.
+  const Names &names() { return names(*unit_); }
+  /// The same of a further file.
+  const Names &names(const FileUnit &unit);
 
 private:
-  Snapshot(FileSetup setup, std::shared_ptr<const SourceSet::Overlay> open)
-      : setup_(std::move(setup)), sources_(std::move(open)) {}
+  Snapshot(FileSetup setup, std::shared_ptr<const SourceSet::Overlay> open);
 
   FileSetup setup_;
   SourceSet sources_;
@@ -43,6 +49,7 @@ private:
   std::unique_ptr<Project> project_;
   FileUnit *unit_ = nullptr;
   std::vector<uint32_t> blocks_;
+  std::map<FileId, std::unique_ptr<Names>> names_;
 };
 
 } // namespace ncvet::lsp

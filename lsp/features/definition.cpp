@@ -1,0 +1,99 @@
+// Where the name at a place of a document is defined, in this file or in another one.
+#include "lsp/features/definition.h"
+
+#include "analyzer/block_at.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// The header's name of a program, empty at its begin when it has none.
+SourceRange headerName(const Names &names, const ProgramInfo &program) {
+  for (const Occurrence &one : names.within(program.headerBegin, program.headerEnd))
+    if (one.kind == NameKind::Program && one.use == NameUse::Definition)
+      return names.range(one);
+  return {names.unit().source.id(), program.begin, program.begin};
+}
+
+std::optional<NameTarget> programTarget(Snapshot &snapshot, FileUnit &from, const Occurrence &one) {
+  const Names &names = snapshot.names(from);
+  const bool numbered = one.kind == NameKind::Program && one.key < firstNamedVariable;
+  const auto [unit, program] = numbered ? snapshot.project().findProgram(from, int64_t(one.key))
+                                        : snapshot.project().findProgram(from, names.text(one));
+  if (!program)
+    return std::nullopt;
+  return NameTarget{unit, program, headerName(snapshot.names(*unit), *program)};
+}
+
+/// A definition in `unit` of what `probe` names.
+std::optional<NameTarget> targetIn(Snapshot &snapshot, FileUnit &unit, const Occurrence &probe) {
+  const Names &names = snapshot.names(unit);
+  const Occurrence *const found = names.definition(probe);
+  if (!found)
+    return std::nullopt;
+  return NameTarget{&unit, &unit.index.programAt(found->begin), names.range(*found)};
+}
+
+/// A block of a program of another file, which the block of `one` names beside it.
+std::optional<NameTarget> blockElsewhere(Snapshot &snapshot, FileUnit &from,
+                                         const Occurrence &one) {
+  const Names &names = snapshot.names(from);
+  const Occurrence *const first = names.all().begin();
+  constexpr ptrdiff_t near = 4; // they stand in one block
+  for (ptrdiff_t i = std::max<ptrdiff_t>(0, &one - first - near);
+       i < std::min<ptrdiff_t>(ptrdiff_t(names.all().size()), &one - first + near); ++i) {
+    if (first[i].kind != NameKind::Program)
+      continue;
+    const auto program = programTarget(snapshot, from, first[i]);
+    if (!program)
+      continue;
+    const Names &other = snapshot.names(*program->unit);
+    Occurrence probe = one;
+    probe.scope = other.programAt(program->program->begin);
+    probe.begin = probe.end = program->program->begin;
+    return targetIn(snapshot, *program->unit, probe);
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+bool isShared(const Occurrence &one) {
+  return one.kind == NameKind::Program || one.kind == NameKind::Subprogram;
+}
+
+std::optional<NameTarget> targetOf(Snapshot &snapshot, FileUnit &from, const Occurrence &one) {
+  if (one.scope == otherFile)
+    return blockElsewhere(snapshot, from, one);
+  if (one.kind == NameKind::Program)
+    return programTarget(snapshot, from, one);
+  if (const auto here = targetIn(snapshot, from, one))
+    return here;
+  if (one.kind != NameKind::Subprogram)
+    return std::nullopt;
+  const auto program = programTarget(snapshot, from, one);
+  if (!program)
+    return std::nullopt;
+  const auto inside = targetIn(snapshot, *program->unit, one);
+  return inside ? inside : program;
+}
+
+std::optional<DefinedPlace> definition(Snapshot &snapshot, uint32_t offset) {
+  const Names &names = snapshot.names();
+  const Occurrence *const one = names.at(offset);
+  if (!one)
+    return std::nullopt;
+  const auto target = targetOf(snapshot, snapshot.unit(), *one);
+  if (!target)
+    return std::nullopt;
+  Block block;
+  if (target->unit == &snapshot.unit())
+    snapshot.readAt(target->name.begin, block);
+  else
+    readBlockAt(target->unit->source, *target->unit->reader, target->name.begin, block);
+  return DefinedPlace{names.range(*one),
+                      target->name,
+                      {target->name.file, block.begin, std::max(block.end, target->name.end)}};
+}
+
+} // namespace ncvet::lsp
