@@ -1,0 +1,236 @@
+// Code lenses: one look at all blocks for calls and tools, one run for the contours.
+#include "lsp/features/code_lens.h"
+
+#include "analyzer/contour_report.h"
+#include "interp/condition.h"
+#include "lsp/features/number_text.h"
+
+#include <map>
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// Lenses of one kind; a text with more is none that a person reads.
+constexpr size_t mostLenses = 2000;
+/// Calls of one program that are listed.
+constexpr size_t mostCallers = 1000;
+
+std::string counted(size_t count, llvm::StringRef one, llvm::StringRef many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many).str();
+}
+
+/// Looks at all blocks of the text once.
+class BlockScan {
+public:
+  explicit BlockScan(Snapshot &snapshot)
+      : snapshot_(snapshot), dialect_(snapshot.dialect()), file_(snapshot.source().id()) {}
+
+  void run() {
+    Block block;
+    const FileIndex &index = snapshot_.unit().index;
+    const bool callees = index.programs().size() > 1 || !index.subprograms().empty();
+    for (const uint32_t at : snapshot_.blocks()) {
+      snapshot_.unit().reader->read(at, block);
+      ++blocks_;
+      tool(block);
+      calls(block, callees);
+    }
+    endTool(blocks_ + 1);
+  }
+
+  std::vector<CodeLens> callers() {
+    std::vector<CodeLens> lenses;
+    const FileIndex &index = snapshot_.unit().index;
+    const ProgramInfo &main = index.programs().front();
+    for (const ProgramInfo &program : index.programs()) {
+      std::vector<SourceRange> places = placesOf(program);
+      if (&program == &main && places.empty() && program.kind != ProgramKind::Subprogram)
+        continue;
+      if (program.hasHeader())
+        add(lenses, {file_, program.headerBegin, program.headerEnd}, std::move(places));
+    }
+    for (auto &[target, places] : local_)
+      add(lenses, {file_, target, snapshot_.source().lines().lineEnd(target)}, std::move(places));
+    for (const uint32_t head : index.subprograms()) {
+      Block block;
+      snapshot_.unit().reader->read(head, block);
+      add(lenses, {file_, block.begin, block.end}, named_[subprogramName(block)]);
+    }
+    return lenses;
+  }
+  std::vector<CodeLens> takeTools() { return std::move(tools_); }
+
+private:
+  llvm::StringRef text(uint32_t begin, uint32_t end) const {
+    return snapshot_.text().slice(begin, end);
+  }
+
+  static void add(std::vector<CodeLens> &lenses, SourceRange range,
+                  std::vector<SourceRange> places) {
+    if (lenses.size() < mostLenses)
+      lenses.push_back(
+          {range, LensKind::Callers,
+           places.empty() ? "no callers in this file" : counted(places.size(), "caller", "callers"),
+           std::move(places)});
+  }
+
+  std::vector<SourceRange> placesOf(const ProgramInfo &program) {
+    std::vector<SourceRange> places;
+    if (program.number >= 0)
+      places = numbered_[program.number];
+    if (!program.name.empty()) {
+      const auto &byName = named_[program.name];
+      places.insert(places.end(), byName.begin(), byName.end());
+    }
+    return places;
+  }
+
+  /// `o100 sub`, `o<name> sub`: what a call of it names.
+  std::string subprogramName(const Block &block) const {
+    for (const Item &item : block.items)
+      if (item.kind == ItemKind::Structure && item.structure == Structure::Sub) {
+        llvm::StringRef head = text(item.begin, item.end).drop_front();
+        head = head.take_until([](char c) { return c == ' ' || c == '\t'; });
+        head.consume_front("<");
+        head.consume_back(">");
+        return head.upper();
+      }
+    return {};
+  }
+
+  static void note(std::vector<SourceRange> &places, SourceRange range) {
+    if (places.size() < mostCallers)
+      places.push_back(range);
+  }
+
+  void calls(const Block &block, bool callees) {
+    for (const Item &item : block.items)
+      if (callees && item.kind == ItemKind::Call && item.nameEnd > item.nameBegin)
+        note(named_[text(item.nameBegin, item.nameEnd).upper()], {file_, item.begin, item.end});
+    if (!block.hasAny(maskOf('M') | maskOf('G')))
+      return;
+    for (const Word &word : block.words) {
+      const CodeIndex index = codeOf(dialect_, word);
+      if (index == noCode)
+        continue;
+      switch (dialect_.codes[index].action) {
+      case Action::CallProgram:
+      case Action::MacroCall:
+      case Action::MacroModal:
+        if (const Word *p = callees ? target(block, dialect_.codes[index]) : nullptr)
+          note(numbered_[p->mantissa], {file_, word.offset, block.endOf(*p)});
+        break;
+      case Action::CallLocal:
+        localCall(block, word, dialect_.codes[index]);
+        break;
+      default:
+        break;
+      }
+    }
+  }
+
+  /// The word that names what a code calls, when its text says it.
+  static const Word *target(const Block &block, const CodeInfo &code) {
+    for (const WordSpec &spec : code.words)
+      if (spec.role == Role::Program || spec.role == Role::Sequence)
+        if (const Word *word = wordFor(block, spec); word && word->isNumber() && word->isWhole())
+          return word;
+    return nullptr;
+  }
+
+  void localCall(const Block &block, const Word &word, const CodeInfo &code) {
+    const Word *target = this->target(block, code);
+    if (!target || local_.size() >= mostLenses)
+      return;
+    const FileIndex &index = snapshot_.unit().index;
+    if (const auto at = index.block(index.programAt(block.begin), target->mantissa, block.begin))
+      note(local_[*at], {file_, word.offset, block.endOf(*target)});
+  }
+
+  void tool(const Block &block) {
+    const Word *word = block.find('T');
+    if (!word && !block.has(letterAddress('M')))
+      return;
+    bool changes = dialect_.toolChangeByT && word;
+    for (const Word &other : block.words)
+      if (const CodeIndex index = codeOf(dialect_, other);
+          index != noCode && dialect_.codes[index].action == Action::ToolChange)
+        changes = true;
+    if (word)
+      preselected_ = snapshot_.source().displayText(text(word->offset, block.endOf(*word)));
+    if (!changes || preselected_.empty())
+      return;
+    endTool(blocks_);
+    if (tools_.size() < mostLenses)
+      tools_.push_back({{file_, block.begin, block.end}, LensKind::Tool, preselected_, {}});
+    open_ = true;
+    toolBegins_ = blocks_;
+  }
+
+  /// `next`: the block behind the tool's last one, counted from 1.
+  void endTool(size_t next) {
+    if (!std::exchange(open_, false) || tools_.empty())
+      return;
+    const size_t count = next - toolBegins_;
+    tools_.back().title += ": " + counted(count, "block", "blocks");
+  }
+
+  Snapshot &snapshot_;
+  const Dialect &dialect_;
+  const FileId file_;
+  size_t blocks_ = 0, toolBegins_ = 0;
+  bool open_ = false; ///< the last of `tools_` still waits for its number of blocks
+  std::string preselected_;
+  std::vector<CodeLens> tools_;
+  std::map<int64_t, std::vector<SourceRange>> numbered_;
+  std::map<std::string, std::vector<SourceRange>> named_; ///< in capitals
+  std::map<uint32_t, std::vector<SourceRange>> local_;    ///< by the block that is called
+};
+
+void contours(Snapshot &snapshot, std::vector<CodeLens> &lenses) {
+  size_t count = 0;
+  for (const CompensatedContour &contour :
+       compensatedContours(snapshot.project(), snapshot.unit(), snapshot.setup().limits)) {
+    if (contour.unit != &snapshot.unit() || ++count > mostLenses)
+      continue;
+    Block block;
+    snapshot.readAt(contour.begin, block);
+    std::string title = contour.largest ? "safe up to R" + numberText(*contour.largest)
+                        : contour.whole ? "safe with any radius"
+                                        : "";
+    if (title.empty())
+      continue;
+    if (!contour.whole)
+      title += ", as far as the contour is known";
+    lenses.push_back(
+        {{snapshot.source().id(), block.begin, block.end}, LensKind::Contour, title, {}});
+  }
+}
+
+} // namespace
+
+std::vector<CodeLens> codeLenses(Snapshot &snapshot,
+                                 const std::array<bool, size_t(LensKind::Count)> &on) {
+  std::vector<CodeLens> lenses;
+  const auto append = [&](std::vector<CodeLens> more) {
+    lenses.insert(lenses.end(), std::make_move_iterator(more.begin()),
+                  std::make_move_iterator(more.end()));
+  };
+  const bool callers = on[size_t(LensKind::Callers)], tools = on[size_t(LensKind::Tool)];
+  if (callers || tools) {
+    BlockScan scan(snapshot);
+    scan.run();
+    if (callers)
+      append(scan.callers());
+    if (tools)
+      append(scan.takeTools());
+  }
+  if (on[size_t(LensKind::Contour)])
+    contours(snapshot, lenses);
+  llvm::stable_sort(
+      lenses, [](const CodeLens &a, const CodeLens &b) { return a.range.begin < b.range.begin; });
+  return lenses;
+}
+
+} // namespace ncvet::lsp
