@@ -79,8 +79,6 @@ llvm::ArrayRef<Occurrence> Names::within(uint32_t begin, uint32_t end) const {
   return llvm::makeArrayRef(all_).slice(size_t(first - all_.begin()), size_t(last - first));
 }
 
-/// The first block of the section or profile whose last one is `last`: it stands in the same block,
-/// close by.
 const Occurrence *Names::firstOf(const Occurrence &last) const {
   const auto at = size_t(&last - all_.data());
   if (at >= all_.size())

@@ -76,6 +76,8 @@ public:
   /// Where the name is defined in this file, of several places the one that the control finds from
   /// `one`: a definition, else for a variable the first place that writes it. Null: nowhere here.
   const Occurrence *definition(const Occurrence &one) const;
+  /// Of a profile's or section's last block the name of its first one beside it; null: none.
+  const Occurrence *firstOf(const Occurrence &last) const;
   llvm::StringRef text(const Occurrence &one) const {
     return unit_.source.text().slice(one.begin, one.end);
   }
@@ -89,8 +91,6 @@ public:
   uint32_t programAt(uint32_t offset) const;
 
 private:
-  const Occurrence *firstOf(const Occurrence &last) const;
-
   const FileUnit &unit_;
   std::vector<Occurrence> all_;
   std::vector<Scope> scopes_;
