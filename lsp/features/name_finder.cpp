@@ -449,8 +449,10 @@ void NameFinder::assignment(const Item &item) {
   }
   if (!key)
     return untold(&UntoldNames::variable, item.nameBegin);
-  // `#[100]`, `# 1`: its marks are no part of the name.
-  const llvm::StringRef bare = name.trim("[]<># \t");
+  // `#[100]`, `# 1`, `#<name>`: its marks are no part of the name.
+  llvm::StringRef bare = name.trim("# \t");
+  if (bare.startswith("[") || bare.startswith("<"))
+    bare = bare.trim("[]<> \t");
   const auto begin = uint32_t(bare.begin() - text_.begin());
   if (!bare.empty())
     addVariable(NameUse::Write, key, begin, begin + uint32_t(bare.size()));

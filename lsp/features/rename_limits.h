@@ -1,0 +1,16 @@
+// What may not be renamed, and why.
+#pragma once
+
+#include "lsp/features/names.h"
+#include "lsp/features/snapshot.h"
+
+namespace ncvet::lsp {
+
+/// Why `one`, a name of the document, keeps its name; empty: it may get another one.
+std::string whyNotRenamed(Snapshot &snapshot, const Occurrence &one);
+
+/// Why a name of this kind cannot be spelled so; empty: it can. What the reader makes of it in its
+/// place is another question.
+std::string whyNotSpelled(Snapshot &snapshot, const Occurrence &one, llvm::StringRef name);
+
+} // namespace ncvet::lsp
