@@ -8,6 +8,7 @@
 #include "llvm/Support/Path.h"
 
 #include <algorithm>
+#include <map>
 
 namespace ncvet::lsp {
 
@@ -48,9 +49,11 @@ private:
   Callable local(FileUnit &unit, const Occurrence &definition);
   Callable around(FileUnit &unit, uint32_t offset);
   uint32_t endOfLocal(FileUnit &unit, uint32_t begin);
+  const std::vector<uint32_t> &returns(FileUnit &unit);
   void callers(FileUnit &unit, const Callable &callee, std::vector<CallEdge> &edges);
 
   Snapshot &snapshot_;
+  std::map<const FileUnit *, std::vector<uint32_t>> returns_;
 };
 
 Callable Hierarchy::program(FileUnit &unit, const ProgramInfo &program) {
@@ -76,22 +79,30 @@ Callable Hierarchy::scope(FileUnit &unit, uint32_t index) {
   return callable;
 }
 
-/// Behind the first block that returns, looked for from the block that holds `begin`.
-uint32_t Hierarchy::endOfLocal(FileUnit &unit, uint32_t begin) {
-  const uint32_t end = unit.index.programAt(begin).end;
+/// Ends of the blocks of a file that return, ascending.
+const std::vector<uint32_t> &Hierarchy::returns(FileUnit &unit) {
+  const auto [known, fresh] = returns_.try_emplace(&unit);
+  if (!fresh)
+    return known->second;
   Block block;
-  readBlockAt(unit.source, *unit.reader, begin, block);
-  while (block.next < end) {
+  for (uint32_t at = unit.reader->first(); at < unit.source.text().size(); at = block.next) {
+    unit.reader->read(at, block);
     for (const Word &word : block.words)
       if (const CodeIndex code = codeOf(*unit.dialect, word);
           code != noCode && unit.dialect->codes[code].action == Action::Return)
-        return block.next;
-    const uint32_t at = block.next;
-    unit.reader->read(at, block);
+        known->second.push_back(block.next);
     if (block.next <= at)
       break;
   }
-  return end;
+  return known->second;
+}
+
+/// Behind the first block that returns, looked for from `begin` on.
+uint32_t Hierarchy::endOfLocal(FileUnit &unit, uint32_t begin) {
+  const std::vector<uint32_t> &ends = returns(unit);
+  const auto end = llvm::partition_point(ends, [&](uint32_t e) { return e <= begin; });
+  const uint32_t behind = unit.index.programAt(begin).end;
+  return end == ends.end() ? behind : std::min(behind, *end);
 }
 
 Callable Hierarchy::local(FileUnit &unit, const Occurrence &definition) {

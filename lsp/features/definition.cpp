@@ -17,6 +17,12 @@ SourceRange headerName(const Names &names, const ProgramInfo &program) {
 
 std::optional<NameTarget> programTarget(Snapshot &snapshot, FileUnit &from, const Occurrence &one) {
   const Names &names = snapshot.names(from);
+  // Those of the same file come first, and need no search through all of them.
+  for (const uint32_t i : names.same(one))
+    if (const Occurrence &other = names.all()[i];
+        one.kind == NameKind::Program && other.use == NameUse::Definition)
+      return NameTarget{&from, &from.index.programs()[names.programAt(other.begin)],
+                        names.range(other)};
   const bool numbered = one.kind == NameKind::Program && one.key < firstNamedVariable;
   const auto [unit, program] = numbered ? snapshot.project().findProgram(from, int64_t(one.key))
                                         : snapshot.project().findProgram(from, names.text(one));

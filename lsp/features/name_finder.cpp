@@ -110,9 +110,13 @@ private:
   std::pair<uint32_t, uint32_t> variableAt(uint32_t offset) const;
   /// The whole number that an expression is; none when it is computed.
   std::optional<int64_t> constant(uint16_t expression) const;
-  /// Scope of program `found` of this file, or `otherFile`.
-  uint32_t scopeOf(const ProgramInfo *found) const {
-    return found ? uint32_t(found - unit_.index.programs().begin()) : otherFile;
+  uint32_t scopeOf(const ProgramInfo *program) const {
+    return uint32_t(program - unit_.index.programs().begin());
+  }
+  /// Scope of the first program of this file with a key, or `otherFile`.
+  uint32_t programOf(uint64_t key) const {
+    const auto found = programs_.find(key);
+    return found == programs_.end() ? otherFile : found->second;
   }
 
   const FileUnit &unit_;
@@ -122,7 +126,9 @@ private:
   std::vector<Scope> scopes_;
   std::vector<UntoldNames> untold_;
   std::vector<CodeNames> codes_;
+  llvm::DenseMap<uint64_t, uint32_t> programs_; ///< by key: by number or by name
   std::vector<Return> returns_;
+  uint32_t untoldReturn_ = UntoldNames::nowhere; ///< a return to a computed block of the caller
   llvm::DenseSet<std::pair<uint32_t, uint64_t>> defined_; ///< variables, by program
   llvm::DenseSet<std::pair<uint32_t, uint64_t>> macros_;  ///< by program
   std::vector<bool> callsLocally_;                        ///< by program
@@ -171,8 +177,14 @@ void NameFinder::prepare() {
 FoundNames NameFinder::find() {
   prepare();
   const auto programs = unit_.index.programs();
-  for (const ProgramInfo &program : programs)
-    scopes_.push_back({program.begin, program.end, uint32_t(scopes_.size())});
+  for (const ProgramInfo &program : programs) {
+    const auto index = uint32_t(scopes_.size());
+    scopes_.push_back({program.begin, program.end, index});
+    if (program.hasHeader() && program.number >= 0)
+      programs_.try_emplace(uint64_t(program.number), index);
+    if (!program.name.empty())
+      programs_.try_emplace(programKey(program.name), index);
+  }
   untold_.resize(scopes_.size());
   callsLocally_.resize(scopes_.size());
   for (uint32_t at = unit_.reader->first(); at < text_.size();) {
@@ -324,8 +336,7 @@ void NameFinder::calledProgram() {
   const Word *const q = macro ? nullptr : block_.find('Q');
   if (q && q->isNumber() && q->isWhole() && q->mantissa >= 0)
     add(NameKind::Block, NameUse::First, uint64_t(q->mantissa),
-        firstDigit(q->offset, block_.endOf(*q)), block_.endOf(*q),
-        scopeOf(unit_.index.find(number)));
+        firstDigit(q->offset, block_.endOf(*q)), block_.endOf(*q), programOf(uint64_t(number)));
 }
 
 /// Blocks of this program that words with these addresses number.
@@ -334,10 +345,9 @@ void NameFinder::blocksOf(AddressMask mask, NameUse use) {
   if (!word || word->has(wordNoValue))
     return;
   if (!word->isNumber() || !word->isWhole() || word->mantissa < 0) {
-    for (UntoldNames &program : untold_) // where it returns to, any program may be
-      if (use == NameUse::Return || &program == &untold_[program_])
-        program.target = std::min(program.target, word->offset);
-    return;
+    if (use == NameUse::Return)
+      untoldReturn_ = std::min(untoldReturn_, word->offset);
+    return untold(&UntoldNames::target, word->offset);
   }
   const uint32_t end = block_.endOf(*word);
   if (use == NameUse::Return)
@@ -540,7 +550,7 @@ void NameFinder::jump(const Item &item) {
   if (item.nameEnd > item.nameBegin) {
     const llvm::StringRef name = text_.slice(item.nameBegin, item.nameEnd);
     addProgram(NameUse::Jump, item.nameBegin, item.nameEnd);
-    scope = scopeOf(unit_.index.find(name));
+    scope = programOf(programKey(name));
   }
   const llvm::ArrayRef<Argument> all = block_.argumentsOf(item);
   for (size_t i = 0; i < all.size(); ++i)
@@ -621,13 +631,16 @@ void NameFinder::operations() {
 
 /// `M99 P10` goes on at a block of the caller: of every program of the file that calls this one.
 void NameFinder::resolveReturns() {
+  if (untoldReturn_ != UntoldNames::nowhere)
+    for (UntoldNames &program : untold_) // where it leads back to, any of them may be
+      program.target = std::min(program.target, untoldReturn_);
   if (returns_.empty())
     return;
   std::map<uint32_t, llvm::SmallSetVector<uint32_t, 2>> callers;
   for (const Occurrence &one : all_)
     if (one.kind == NameKind::Program && one.use == NameUse::Call && one.key < firstNamedVariable)
-      if (const ProgramInfo *called = unit_.index.find(int64_t(one.key)))
-        callers[scopeOf(called)].insert(scopeOf(&unit_.index.programAt(one.begin)));
+      if (const uint32_t called = programOf(one.key); called != otherFile)
+        callers[called].insert(scopeOf(&unit_.index.programAt(one.begin)));
   std::vector<Occurrence> further;
   for (const Return &from : returns_) {
     auto &scopes = callers[from.program];

@@ -11,6 +11,9 @@ namespace ncvet::lsp {
 
 namespace {
 
+/// Most targets of local calls and of profiles that are looked for.
+constexpr unsigned mostAsked = 5000;
+
 /// Reads the parts of a document, one block after the other.
 class PartReader {
 public:
@@ -339,9 +342,11 @@ void PartReader::bracketSubprograms() {
 /// From each block that a local call names to the next return.
 void PartReader::localSubprograms() {
   const Names &names = snapshot_.names();
+  unsigned asked = 0;
   std::set<uint32_t> seen;
   for (const Occurrence &one : names.all()) {
-    if (one.kind != NameKind::Block || one.use != NameUse::Call || isFull())
+    if (one.kind != NameKind::Block || one.use != NameUse::Call || isFull() || returns_.empty() ||
+        ++asked > mostAsked)
       continue;
     const Occurrence *const target = names.definition(one);
     if (!target || !seen.insert(target->begin).second)
@@ -363,8 +368,9 @@ void PartReader::localSubprograms() {
 void PartReader::profiles() {
   const Names &names = snapshot_.names();
   std::set<std::pair<uint32_t, uint32_t>> seen;
+  unsigned asked = 0;
   for (const Occurrence &last : names.all()) {
-    if (last.use != NameUse::Last || isFull())
+    if (last.use != NameUse::Last || isFull() || ++asked > mostAsked)
       continue;
     const Occurrence *const first = names.firstOf(last);
     const Occurrence *const begin = first ? names.definition(*first) : nullptr;

@@ -108,19 +108,15 @@ std::string Renaming::compare(const Names &after) const {
 bool Renaming::readsAlike(const FileUnit &after) {
   Block before, now;
   int64_t shift = 0; // of what stands behind the edits so far
-  int64_t blockShift = 0;
-  uint32_t block = UINT32_MAX;
   const auto isSame = [&] {
     return before.words.size() == now.words.size() && before.items.size() == now.items.size() &&
            before.issues.size() == now.issues.size() && before.hasLabel() == now.hasLabel() &&
            (before.number >= 0) == (now.number >= 0) && before.kind == now.kind;
   };
   for (const TextEdit &edit : edits_) {
-    snapshot_.readAt(edit.range.begin, before);
-    if (before.begin != block) {
-      block = before.begin;
-      blockShift = shift;
-      after.reader->read(uint32_t(int64_t(block) + blockShift), now);
+    if (before.next <= edit.range.begin) { // the first one of its block
+      snapshot_.readAt(edit.range.begin, before);
+      after.reader->read(uint32_t(int64_t(before.begin) + shift), now);
       if (!isSame())
         return false;
     }

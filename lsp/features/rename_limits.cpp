@@ -5,6 +5,8 @@
 #include "llvm/Support/Path.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace ncvet::lsp {
 
@@ -232,10 +234,11 @@ std::string RenameLimits::localVariable() {
 std::string RenameLimits::sharedVariable() {
   if (!isFirstWritten())
     return quoted(name_) + " is read before it is written: its value comes from elsewhere";
+  std::set<std::pair<NameKind, uint64_t>> seen;
   for (const Occurrence &other : names_.all()) {
     const bool leaves = (other.kind == NameKind::Program || other.kind == NameKind::Subprogram) &&
                         (other.use == NameUse::Call || other.use == NameUse::Jump);
-    if (!leaves)
+    if (!leaves || !seen.insert({other.kind, other.key}).second)
       continue;
     const bool here = llvm::any_of(
         names_.same(other), [&](uint32_t i) { return names_.all()[i].use == NameUse::Definition; });
@@ -260,7 +263,10 @@ bool RenameLimits::isCovered(uint32_t begin) const {
 
 /// Whether a place lies in a comment or between quotes.
 bool RenameLimits::isRemark(uint32_t offset) {
+  constexpr uint32_t longest = 1 << 16; // bytes; behind it nobody knows
   snapshot_.readAt(offset, block_);
+  if (offset - block_.begin > longest)
+    return false;
   // There some comments show the values of variables.
   if (dialect_.lexical.arithmetic != Arithmetic::Ngc)
     for (const Comment &comment : block_.comments)
@@ -276,7 +282,7 @@ std::string RenameLimits::unseen() {
   const bool marked = one_.kind == NameKind::Variable && one_.begin > 0 &&
                       llvm::StringRef("#<[ ").contains(text_[one_.begin - 1]);
   const auto isPart = [](char c) { return llvm::isAlnum(c) || c == '_'; };
-  constexpr unsigned mostRemarks = 10000; // each of them is read
+  constexpr unsigned mostRemarks = 1000; // each of them is read
   unsigned remarks = 0;
   for (size_t at = text_.find_insensitive(name_, scope.begin);
        at != llvm::StringRef::npos && at < scope.end && !name_.empty();
