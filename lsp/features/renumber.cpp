@@ -1,0 +1,110 @@
+// New numbers for the blocks of a text: every place that names a block gets the number of the block
+// that the control finds from there.
+#include "lsp/features/renumber.h"
+
+#include "lsp/features/names.h"
+
+#include "llvm/ADT/DenseMap.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// Digits of `number`, with leading zeros up to the width of an old number that had some.
+std::string digits(int64_t number, llvm::StringRef old) {
+  std::string text = std::to_string(number);
+  if (old.startswith("0") && text.size() < old.size())
+    text.insert(0, old.size() - text.size(), '0');
+  return text;
+}
+
+class Renumberer {
+public:
+  Renumberer(Snapshot &snapshot, const NumberOptions &options)
+      : snapshot_(snapshot), options_(options), names_(snapshot.unit()) {}
+
+  Renumbering run() {
+    if (options_.first <= 0 || options_.step <= 0)
+      return refuse("numbers begin above 0 and go up", {});
+    if (!refuseUntold() || !number() || !rename())
+      return std::move(result_);
+    return std::move(result_);
+  }
+
+private:
+  Renumbering &refuse(std::string why, SourceRange at) {
+    result_ = {{}, std::move(why), at};
+    return result_;
+  }
+
+  bool refuseUntold() {
+    for (size_t i = 0; i < snapshot_.unit().index.programs().size(); ++i) {
+      const uint32_t at = names_.untold(uint32_t(i)).target;
+      if (at == UntoldNames::nowhere)
+        continue;
+      refuse("the target of a jump is computed: no one knows which block it means",
+             {snapshot_.source().id(), at, snapshot_.source().lines().lineEnd(at)});
+      return false;
+    }
+    return true;
+  }
+
+  static bool isNumber(const Occurrence &one) { return one.kind == NameKind::Block; }
+
+  /// Gives every numbered block its new number, in the order of the text.
+  bool number() {
+    const double most = snapshot_.dialect().addresses[letterAddress('N')].most;
+    uint32_t program = ~0u;
+    int64_t next = options_.first;
+    for (const Occurrence &one : names_.all()) {
+      if (!isNumber(one) || one.use != NameUse::Definition)
+        continue;
+      if (const uint32_t own = names_.programAt(one.begin); own != program) {
+        program = own;
+        next = options_.first;
+      }
+      if (double(next) > most || next > mostNumber) {
+        refuse("the numbers would grow larger than the control allows", names_.range(one));
+        return false;
+      }
+      fresh_[one.begin] = next;
+      next += options_.step;
+    }
+    return true;
+  }
+
+  bool rename() {
+    for (const Occurrence &one : names_.all()) {
+      if (!isNumber(one) || one.scope == otherFile)
+        continue;
+      const Occurrence *block = one.use == NameUse::Definition ? &one : names_.definition(one);
+      const auto number = block ? fresh_.find(block->begin) : fresh_.end();
+      if (number == fresh_.end()) {
+        refuse("block " + names_.text(one).str() + " is named here and does not exist",
+               names_.range(one));
+        return false;
+      }
+      const std::string text = digits(number->second, names_.text(one));
+      if (text != names_.text(one))
+        result_.edits.push_back({names_.range(one), text});
+    }
+    return true;
+  }
+
+  /// Longer numbers no control takes.
+  static constexpr int64_t mostNumber = 99999999;
+
+  Snapshot &snapshot_;
+  const NumberOptions options_;
+  const Names names_;
+  llvm::DenseMap<uint32_t, int64_t> fresh_; ///< new number by where the old one stands
+  Renumbering result_;
+};
+
+} // namespace
+
+Renumbering renumber(Snapshot &snapshot, const NumberOptions &options) {
+  return Renumberer(snapshot, options).run();
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,23 @@
+// New numbers for the blocks of a text, with all that names them.
+#pragma once
+
+#include "lsp/features/snapshot.h"
+
+namespace ncvet::lsp {
+
+struct NumberOptions {
+  int64_t first = 10, step = 10; ///< both above zero; they begin anew in every program
+};
+
+struct Renumbering {
+  std::vector<TextEdit> edits;
+  std::string refusal; ///< not empty: why nothing is changed, one sentence
+  SourceRange at;      ///< the place that is in the way; empty: none
+};
+
+/// Numbers the numbered blocks of every program of the text anew; jumps, calls, profiles and
+/// repeats that name one of them name it afterwards. Refused where a target is computed, or named
+/// and not there: nobody knows then which block is meant.
+Renumbering renumber(Snapshot &snapshot, const NumberOptions &options = {});
+
+} // namespace ncvet::lsp
