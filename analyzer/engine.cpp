@@ -270,7 +270,9 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
 
     // Block skip: the operator's switch decides, once for all blocks of a level.
     if (block_.skip >= 0) {
-      const auto level = size_t(block_.skip <= 1 ? 0 : block_.skip);
+      // A level that no control has shares the last switch.
+      constexpr size_t last = std::tuple_size_v<decltype(Live::skip)> - 1;
+      const auto level = std::min(size_t(block_.skip <= 1 ? 0 : block_.skip), last);
       Lives executing;
       for (Live &live : lives) {
         if (live.skip[level] != 1) {

@@ -478,6 +478,12 @@ TEST(Trace, SkippedBlocksAreExecuted) {
               ElementsAre("2 rapid X0 Y0", "3 rapid X10 Y0", "4 end"));
 }
 
+/// … of a level, too, that no control has.
+TEST(Trace, ALevelOfBlockSkipThatDoesNotExistIsOne) {
+  EXPECT_THAT(traceOf("sinumerik", "G90 G0 X0 Y0\n/127 X10\nM30\n"),
+              ElementsAre("1 rapid X0 Y0", "2 rapid X10 Y0", "3 end"));
+}
+
 /// The contour of the square's corner from inside: the ways beside its lines cross 5 mm before it.
 TEST(Trace, WithAKnownRadiusTheToolsCentreIsTraced) {
   const char *tools = R"({"tools": {"1": {"kind": "endmill", "radius": 5}}})";
