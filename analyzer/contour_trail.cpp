@@ -6,6 +6,14 @@
 
 namespace ncvet {
 
+namespace {
+
+uint64_t tagOf(const RuleContext &ctx) {
+  return uint64_t(ctx.source().id()) << 32 | ctx.block().begin;
+}
+
+} // namespace
+
 ContourTrail::ContourTrail(const Dialect &dialect)
     : dialect_(dialect), corners_(dialect), coordinates_(dialect, plane_) {
   const CornerAddresses corners = cornerAddresses(dialect);
@@ -13,18 +21,21 @@ ContourTrail::ContourTrail(const Dialect &dialect)
 }
 
 bool ContourTrail::isInPlace(const RuleContext &ctx) const {
-  for (const Axis axis : plane_)
-    if (!(ctx.before().at(axis) == programmed_[size_t(axis)]) ||
-        ctx.before().inMachineCoordinates(axis))
+  for (size_t i = 0; i < 2; ++i)
+    if (!(ctx.before().at(plane_[i]) == programmed_[i]) ||
+        ctx.before().inMachineCoordinates(plane_[i]))
       return false;
   return true;
 }
 
 bool ContourTrail::goesOn(const RuleContext &ctx) const {
-  const MachineState &after = ctx.after();
-  return isInPlace(ctx) && ctx.before().compensation == phaseOn && ctx.before().frames == frames_ &&
-         planeOrder(dialect_, after) == plane_ &&
-         after.activeAction(dialect_, StandardGroup::Compensation) == side_ &&
+  const MachineState &before = ctx.before(), &after = ctx.after();
+  const bool samePlane = after.active(dialect_, StandardGroup::Plane) == planeCodes_ ||
+                         planeOrder(dialect_, after) == plane_;
+  const bool sameSide = after.active(dialect_, StandardGroup::Compensation) == sideCodes_ ||
+                        after.activeAction(dialect_, StandardGroup::Compensation) == side_;
+  return samePlane && sameSide && isInPlace(ctx) && before.compensation == phaseOn &&
+         before.frames == frames_ &&
          std::array{after.tool, after.toolOffset, after.radiusOffset} == tool_ &&
          after.commons == commons_;
 }
@@ -38,17 +49,21 @@ void ContourTrail::begin(const RuleContext &ctx) {
   plane_ = planeOrder(dialect_, ctx.after());
   coordinates_ = ContourPlane(dialect_, plane_);
   path_.emplace(dialect_);
+  behind_ = false;
   moves_.clear();
   appendReturn({dialect_, ctx.machine(), ctx.block(), ctx.outcome(), ctx.before(), ctx.after()},
                moves_);
   from_ = workPlace(moves_.front());
   path_->add(0, moves_.front(), {}, plane_, [](uint64_t, const Move &) {});
+  planeCodes_ = ctx.after().active(dialect_, StandardGroup::Plane);
+  sideCodes_ = ctx.after().active(dialect_, StandardGroup::Compensation);
   side_ = ctx.after().activeAction(dialect_, StandardGroup::Compensation);
   tool_ = {ctx.after().tool, ctx.after().toolOffset, ctx.after().radiusOffset};
   commons_ = ctx.after().commons;
   before_.reset();
   last_.reset();
-  unknownBefore_ = true;
+  ends_ = {};
+  ends_.unknownBefore = true;
   lastTag_ = 0;
 }
 
@@ -58,7 +73,7 @@ void ContourTrail::end(bool leaves, Judge judge) {
     return;
   path_->finish([&](uint64_t tag, const Move &move) { add(tag, move, judge); });
   if (last_)
-    judge(*last_, {before_ ? &before_->line : nullptr, nullptr, unknownBefore_, !leaves});
+    judgeLast(nullptr, !leaves, judge);
   path_.reset();
 }
 
@@ -68,15 +83,19 @@ void ContourTrail::take(const RuleContext &ctx, bool certain, Judge judge) {
     return end(!(after.compensation & phaseOn) && isInPlace(ctx), judge);
   if (path_ && !goesOn(ctx))
     end(false, judge);
+  if (path_ && takePlain(ctx, certain, judge))
+    return;
   const double left = path_ ? block_.element.left : centreLeft(ctx);
   if (left == 0)
     return;
   if (!path_)
     begin(ctx);
+  else if (behind_)
+    resume(ctx);
   const Block &block = ctx.block();
   const ExecutedBlock executed{dialect_, ctx.machine(), block, ctx.outcome(), ctx.before(), after};
   blockBefore_ = block_;
-  block_.tag = uint64_t(ctx.source().id()) << 32 | block.begin;
+  block_.tag = tagOf(ctx);
   block_.element = {{}, ctx.blockRange(), false, certain, left, after.origin.tool};
   block_.approach = ctx.before().compensation != phaseOn;
   const Word *corner = block.hasAny(cornerWords_) ? block.findAny(cornerWords_) : nullptr;
@@ -87,8 +106,66 @@ void ContourTrail::take(const RuleContext &ctx, bool certain, Judge judge) {
   for (const Move &move : moves_)
     path_->add(block_.tag, move, request, plane_,
                [&](uint64_t tag, const Move &m) { add(tag, m, judge); });
-  programmed_ = after.position;
   frames_ = after.frames;
+  keepPlace(ctx);
+}
+
+void ContourTrail::keepPlace(const RuleContext &ctx) {
+  for (size_t i = 0; i < 2; ++i)
+    programmed_[i] = ctx.after().at(plane_[i]);
+}
+
+/// A straight move without corner words, by far the most of a long contour: its element is told by
+/// the state alone.
+bool ContourTrail::takePlain(const RuleContext &ctx, bool certain, Judge judge) {
+  if (!ctx.outcome().plainMove || !path_->isIdle() || !frames_.empty())
+    return false;
+  std::array<Interval, 2> start;
+  Vector from, to;
+  for (size_t i = 0; i < 2; ++i) {
+    const Interval &end = ctx.after().at(plane_[i]);
+    start[i] = ctx.before().at(plane_[i]);
+    if (!start[i].isConstant() || !end.isConstant())
+      return false;
+    from(int(i)) = start[i].value() / dialect_.lengthsPerUnit(plane_[i]);
+    to(int(i)) = end.value() / dialect_.lengthsPerUnit(plane_[i]);
+  }
+  const double length = (to - from).norm();
+  constexpr double shortest = 1e-6; // mm; what is no element is left to the path
+  if (length < shortest)
+    return false;
+  behind_ = true;
+  plainFrom_ = start;
+  lastTag_ = tagOf(ctx);
+  keepPlace(ctx);
+  if (ctx.outcome().events.back().motion != MotionKind::Feed) {
+    breakOff(false, judge);
+    return true;
+  }
+  const Vector direction = (to - from) / length;
+  append({{from, to, from, false, false},
+          ctx.blockRange(),
+          false,
+          certain,
+          block_.element.left,
+          ctx.after().origin.tool},
+         direction, direction, judge);
+  return true;
+}
+
+/// The plain moves so far become known to the path.
+void ContourTrail::resume(const RuleContext &ctx) {
+  moves_.clear();
+  appendReturn({dialect_, ctx.machine(), ctx.block(), ctx.outcome(), ctx.before(), ctx.after()},
+               moves_);
+  Move &last = moves_.front();
+  last.kind = MoveKind::Linear;
+  from_ = workPlace(last);
+  Place begin = from_;
+  for (size_t i = 0; i < 2; ++i)
+    begin[size_t(plane_[i])] = plainFrom_[i];
+  path_->resume(begin, last);
+  behind_ = false;
 }
 
 void ContourTrail::add(uint64_t tag, const Move &move, Judge judge) {
@@ -104,26 +181,47 @@ void ContourTrail::add(uint64_t tag, const Move &move, Judge judge) {
     return;
   const bool cuts =
       move.kind == MoveKind::Linear || (move.kind == MoveKind::Arc && move.plane == plane_);
-  if (block.approach || !line || !cuts) {
-    if (last_)
-      judge(*last_, {before_ ? &before_->line : nullptr, nullptr, unknownBefore_, true});
-    before_.reset();
-    last_.reset();
-    unknownBefore_ = !block.approach;
-    return;
-  }
+  if (block.approach || !line || !cuts)
+    return breakOff(block.approach, judge);
   Element element = block.element;
   element.line = *line;
   element.corner = tag == lastTag_;
   if (element.corner)
     element.range = block.cornerRange;
   lastTag_ = tag;
+  append(element, line->direction(line->from), line->direction(line->to), judge);
+}
+
+/// Something stands here that is no element: the way on, or a move that is not known.
+void ContourTrail::breakOff(bool approach, Judge judge) {
+  if (last_)
+    judgeLast(nullptr, true, judge);
+  before_.reset();
+  last_.reset();
+  ends_ = {};
+  ends_.unknownBefore = !approach;
+}
+
+/// `in`, `out`: directions of travel at the element's ends.
+void ContourTrail::append(const Element &element, const Vector &in, const Vector &out,
+                          Judge judge) {
   if (last_) {
-    judge(*last_, {before_ ? &before_->line : nullptr, &element.line, unknownBefore_, false});
-    before_ = last_;
-    unknownBefore_ = false;
+    ends_.end = fitCorner(last_->line, element.line, lastOut_, in, element.left);
+    judgeLast(&element.line, false, judge);
+    before_ = last_->line;
+    ends_.begin = ends_.end;
+    ends_.unknownBefore = false;
   }
   last_ = element;
+  lastOut_ = out;
+}
+
+/// `after`: the element behind it, null when there is none or it is not known.
+void ContourTrail::judgeLast(const ContourElement *after, bool unknownAfter, Judge judge) {
+  if (!after)
+    ends_.end = {};
+  ends_.unknownAfter = unknownAfter;
+  judge(*last_, {before_ ? &*before_ : nullptr, after, ends_.unknownBefore, unknownAfter}, ends_);
 }
 
 } // namespace ncvet

@@ -19,7 +19,9 @@ public:
     double left = 0;      ///< mm from it to the tool's centre, below zero on its right
     Origin tool;          ///< where the tool was called
   };
-  using Judge = llvm::function_ref<void(const Element &, const Neighbours &)>;
+  /// `neighbours` tells of the same corners as `corners`.
+  using Judge = llvm::function_ref<void(const Element &, const Neighbours &neighbours,
+                                        const ElementCorners &corners)>;
 
   explicit ContourTrail(const Dialect &dialect);
 
@@ -33,18 +35,27 @@ private:
   double centreLeft(const RuleContext &ctx) const;
   void begin(const RuleContext &ctx);
   void end(bool leaves, Judge judge);
+  bool takePlain(const RuleContext &ctx, bool certain, Judge judge);
+  void resume(const RuleContext &ctx);
   void add(uint64_t tag, const Move &move, Judge judge);
+  void append(const Element &element, const Vector &in, const Vector &out, Judge judge);
+  void breakOff(bool approach, Judge judge);
+  void judgeLast(const ContourElement *after, bool unknownAfter, Judge judge);
+  void keepPlace(const RuleContext &ctx);
 
   const Dialect &dialect_;
   const CornerWords corners_;
   AddressMask cornerWords_;
   std::optional<CornerPath> path_; ///< absent between contours
+  bool behind_ = false;            ///< plain moves were not added to it
   std::array<Axis, 2> plane_{Axis::X, Axis::Y};
-  ContourPlane coordinates_; ///< in that plane
-  Place programmed_;         ///< where the last block ended, as the state has it
-  Place from_;               ///< where the next element begins
-  FrameStack frames_;        ///< under which the last block ran
+  ContourPlane coordinates_;           ///< in that plane
+  std::array<Interval, 2> programmed_; ///< where the last block ended, as the state has it
+  std::array<Interval, 2> plainFrom_;  ///< where the last plain move began
+  Place from_;                         ///< where the next element begins
+  FrameStack frames_;                  ///< under which the last block ran
   // What the tool's distance depends on.
+  uint64_t planeCodes_ = 0, sideCodes_ = 0;
   Action side_ = Action::None;
   std::array<int32_t, 3> tool_{};
   Variables commons_;
@@ -55,11 +66,12 @@ private:
     SourceRange cornerRange;
     bool approach = false; ///< compensation is built up along its move
   };
-  BlockElements block_, blockBefore_; ///< the one at hand, and the one that its corner waits for
-  uint64_t lastTag_ = 0;              ///< of the block whose element came last
-  std::optional<Element> before_;     ///< of the last one; none: the way on, or not known
-  bool unknownBefore_ = false;
+  BlockElements block_, blockBefore_;    ///< the one at hand, and the one that its corner waits for
+  uint64_t lastTag_ = 0;                 ///< of the block whose element came last
+  std::optional<ContourElement> before_; ///< of the last one; none: the way on, or not known
   std::optional<Element> last_;
+  Vector lastOut_{0, 0}; ///< direction of travel at the last one's end
+  ElementCorners ends_;  ///< of the last one, as far as they are known
   llvm::SmallVector<Move, 8> moves_;
 };
 

@@ -6,7 +6,6 @@
 #include "llvm/ADT/SmallVector.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
@@ -24,15 +23,13 @@ Vector beside(const ContourElement &element, const Vector &at, double left) {
   return at + leftOf(element.direction(at)) * left;
 }
 
-/// Length (mm) along the way beside an element between `at` and one of its ends; below zero when
-/// `at` lies beyond that end. `sense`: 1 from `at` on to `end`, -1 from `end` on to `at`.
-double wayTo(const ContourElement &element, const Vector &at, const Vector &end, double left,
-             int sense) {
-  if (!element.arc)
-    return sense * element.direction(element.from).dot(end - at);
-  const Vector a = at - element.centre, b = end - element.centre;
+/// Length (mm) along the way beside an arc between `at` and one of its ends; below zero when `at`
+/// lies beyond that end. `sense`: 1 from `at` on to `end`, -1 from `end` on to `at`.
+double turnTo(const ContourElement &arc, const Vector &at, const Vector &end, double left,
+              int sense) {
+  const Vector a = at - arc.centre, b = end - arc.centre;
   const double angle = std::atan2(cross(a, b), a.dot(b)) * sense;
-  return (element.clockwise ? -angle : angle) * element.radiusBeside(left);
+  return (arc.clockwise ? -angle : angle) * arc.radiusBeside(left);
 }
 
 bool hasRoom(const ContourElement &element, double left) {
@@ -47,51 +44,64 @@ double lengthBeside(const ContourElement &element, double left) {
 } // namespace
 
 CornerFit fitCorner(const ContourElement &first, const ContourElement &second, double left) {
+  return fitCorner(first, second, first.direction(first.to), second.direction(second.from), left);
+}
+
+CornerFit fitCorner(const ContourElement &first, const ContourElement &second, const Vector &in,
+                    const Vector &out, double left) {
   CornerFit fit;
   if (!hasRoom(first, left) || !hasRoom(second, left))
     return fit;
-  const Vector in = first.direction(first.to), out = second.direction(second.from);
-  const Vector a = beside(first, first.to, left), b = beside(second, second.from, left);
+  const Vector a = first.to + leftOf(in) * left, b = second.from + leftOf(out) * left;
   const double sine = cross(in, out), cosine = in.dot(out);
   fit.sine = std::fabs(sine);
-  if (cosine > 0 && (a - b).norm() <= joined) {
+  if (cosine > 0 && (a - b).squaredNorm() <= joined * joined) {
     fit.kind = CornerFit::Kind::Smooth;
     fit.meet = (a + b) / 2;
     return fit;
   }
   if (sine * left <= 0 || cosine <= -1 + 1e-12) {
     fit.kind = CornerFit::Kind::Outside;
-    constexpr double square = std::numbers::pi / 2; // sharper corners get further points
-    fit.gain =
-        std::fabs(left) * std::tan(std::min(square, std::atan2(std::fabs(sine), cosine)) / 2);
+    // The tangent of half the angle; corners sharper than a square get further points.
+    fit.gain = std::fabs(left) * (cosine > 0 ? fit.sine / (1 + cosine) : 1);
     return fit;
   }
-  const auto meet = meetingBeside(first, second, left, first.to);
+  const bool lines = !first.arc && !second.arc;
+  const auto meet =
+      lines ? intersection(a, in, b, out) : meetingBeside(first, second, left, first.to);
   if (!meet) {
     fit.kind = CornerFit::Kind::Apart;
     return fit;
   }
   fit.kind = CornerFit::Kind::Inside;
   fit.meet = *meet;
-  fit.ofFirst = wayTo(first, *meet, a, left, 1);
-  fit.ofSecond = wayTo(second, *meet, b, left, -1);
+  fit.ofFirst = first.arc ? turnTo(first, *meet, a, left, 1) : in.dot(a - *meet);
+  fit.ofSecond = second.arc ? turnTo(second, *meet, b, left, -1) : out.dot(*meet - b);
   return fit;
 }
 
 Misfit misfit(const ContourElement &element, const Neighbours &neighbours, double left, bool exact,
+              double slack) {
+  ElementCorners corners{{}, {}, neighbours.unknownBefore, neighbours.unknownAfter};
+  if (neighbours.before)
+    corners.begin = fitCorner(*neighbours.before, element, left);
+  if (neighbours.after)
+    corners.end = fitCorner(element, *neighbours.after, left);
+  return misfit(element, corners, left, exact, slack);
+}
+
+Misfit misfit(const ContourElement &element, const ElementCorners &corners, double left, bool exact,
               double slack) {
   if (element.arc && element.radiusBeside(left) < -joined)
     return Misfit::Arc;
   if (!hasRoom(element, left))
     return Misfit::Fits; // as round as the tool: it stands still there
   using Kind = CornerFit::Kind;
-  CornerFit begin, end;
-  if (neighbours.before)
-    begin = fitCorner(*neighbours.before, element, left);
-  if (neighbours.after)
-    end = fitCorner(element, *neighbours.after, left);
+  const CornerFit &begin = corners.begin, &end = corners.end;
   if (end.kind == Kind::Apart)
     return Misfit::Corner;
+  if (begin.kind != Kind::Inside && end.kind != Kind::Inside)
+    return Misfit::Fits;
   const double taken = (begin.kind == Kind::Inside ? begin.ofSecond : 0) +
                        (end.kind == Kind::Inside ? end.ofFirst : 0);
   double way = lengthBeside(element, left);
@@ -99,7 +109,7 @@ Misfit misfit(const ContourElement &element, const Neighbours &neighbours, doubl
     way +=
         (begin.kind == Kind::Outside ? begin.gain : 0) + (end.kind == Kind::Outside ? end.gain : 0);
   // As much as a corner at an unknown end may give.
-  way += std::fabs(left) * (int(neighbours.unknownBefore) + int(neighbours.unknownAfter));
+  way += std::fabs(left) * (int(corners.unknownBefore) + int(corners.unknownAfter));
   const double back = taken - way; // the tool runs back so far, into what its neighbours cut
   const double sine = std::max(begin.kind == Kind::Inside ? begin.sine : 0,
                                end.kind == Kind::Inside ? end.sine : 0);

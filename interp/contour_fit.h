@@ -26,6 +26,9 @@ struct CornerFit {
 
 /// `left`: distance of the tool's centre in mm, below zero on the right.
 CornerFit fitCorner(const ContourElement &first, const ContourElement &second, double left);
+/// As above. `in`, `out`: unit vectors along the first element's end and the second one's begin.
+CornerFit fitCorner(const ContourElement &first, const ContourElement &second, const Vector &in,
+                    const Vector &out, double left);
 
 /// What does not fit.
 enum class Misfit : uint8_t {
@@ -42,6 +45,12 @@ struct Neighbours {
   bool unknownBefore = false, unknownAfter = false; ///< something does, but it is not known
 };
 
+/// What the two corners of an element take of the way beside it.
+struct ElementCorners {
+  CornerFit begin, end;                             ///< None: nothing stands there
+  bool unknownBefore = false, unknownAfter = false; ///< something does, but it is not known
+};
+
 /// A cut that is not deeper (mm) is rounding of a program, not a fault.
 constexpr double shallowCut = 0.01;
 
@@ -49,6 +58,9 @@ constexpr double shallowCut = 0.01;
 /// the contour there, as where it goes down a step that is lower than its radius. `slack`: how far
 /// (mm) it may cut into a neighbour.
 Misfit misfit(const ContourElement &element, const Neighbours &neighbours, double left, bool exact,
+              double slack = shallowCut);
+/// As above, of corners that are known already.
+Misfit misfit(const ContourElement &element, const ElementCorners &corners, double left, bool exact,
               double slack = shallowCut);
 
 /// The largest radius (mm) whose ways fit everywhere beside that contour, on its left or its right;

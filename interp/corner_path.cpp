@@ -195,6 +195,11 @@ void CornerPath::finish(Take take) {
   waiting_.reset();
 }
 
+void CornerPath::resume(const Place &from, const Move &last) {
+  from_ = from;
+  give(0, last, [](uint64_t, const Move &) {});
+}
+
 /// Coordinates that a block leaves as they are, and that only the path knows.
 void CornerPath::carry(Move &move, const CornerRequest &corner) const {
   if (corner.angle)

@@ -44,6 +44,11 @@ public:
            const std::array<Axis, 2> &plane, Take take);
   /// Nothing follows: what waits is given on as it stands.
   void finish(Take take);
+  /// Straight moves to known places, with no corner at their ends, need not be added while this
+  /// holds; `resume` tells where they have led.
+  bool isIdle() const { return !waiting_ && !resolved_; }
+  /// `last`: the last one of the moves that were not added, begun at `from`.
+  void resume(const Place &from, const Move &last);
 
 private:
   struct Waiting {

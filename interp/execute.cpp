@@ -105,15 +105,15 @@ void Executor::execute(const Block &block, const MachineState &before, MachineSt
   Execution(dialect_, machine_, masks_, file_, block, before, state, outcome).run(guardHolds);
 }
 
-/// Axis words and perhaps F under G00 or G01, with no cycle, compensation, polar input or modal
-/// macro about: by far the most blocks of a long program. Does what `moveAxes` would do, with
-/// everything that such a block cannot do left out.
+/// Axis words and perhaps F under G00 or G01, with no cycle, polar input or modal macro about, and
+/// compensation off or built up: by far the most blocks of a long program. Does what `moveAxes`
+/// would do, with everything that such a block cannot do left out.
 bool Execution::runPlainMove() {
   if ((block_.addresses & ~(dialect_.axisWords | maskOf('F'))) ||
-      !(block_.addresses & dialect_.axisWords) || state_.compensation != phaseOff ||
-      state_.modalCalls || state_.pendingCycle != noCode || masks_.motion == noGroup ||
-      polarMayBeOn() || diameterMayBeOn() ||
-      (dialect_.variableRanges.place && !block_.expressions.empty()))
+      !(block_.addresses & dialect_.axisWords) ||
+      (state_.compensation != phaseOff && state_.compensation != phaseOn) || state_.modalCalls ||
+      state_.pendingCycle != noCode || masks_.motion == noGroup || polarMayBeOn() ||
+      diameterMayBeOn() || (dialect_.variableRanges.place && !block_.expressions.empty()))
     return false;
   if (masks_.cycle != noGroup && (state_.group[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
     return false;
@@ -159,13 +159,28 @@ bool Execution::runPlainMove() {
       state_.machineAxes &= ~uint32_t(axisBit(address.axis));
     }
   }
-  outcome_.plainMove = plain && block_.skip < 0 && !block_.lowerCase;
+  const bool idles = state_.compensation == phaseOn && countIdle(axes);
+  outcome_.plainMove = plain && !idles && block_.skip < 0 && !block_.lowerCase;
   const bool rapid = action == Action::Rapid;
   Event &event = outcome_.emit(EventKind::Motion);
   event.code = index;
   event.motion = rapid ? MotionKind::Rapid : MotionKind::Feed;
   event.axes = axes;
+  if (state_.compensation == phaseOn &&
+      !(state_.must(Fact::CompensatedCut) && state_.must(Fact::ContourCompensated)))
+    contourFacts(event.motion, axes);
   afterMove(rapid, axes);
+  return true;
+}
+
+/// Under compensation: counts the blocks without a move in the plane; false when there is nothing
+/// to count.
+bool Execution::countIdle(uint16_t axes) {
+  const bool moved = axes & planeAxes(dialect_, state_);
+  if (moved && !state_.idleBlocks)
+    return false;
+  state_.idleBlocks = moved ? 0 : uint8_t(std::min(255, state_.idleBlocks + 1));
+  outcome_.setupChanged = true;
   return true;
 }
 
@@ -476,10 +491,10 @@ void Execution::finish() {
       state_.origin.pending.begin == before_.origin.pending.begin)
     state_.pendingCycle = noCode;
   if (state_.compensation & phaseOn) {
-    bool moved = false;
+    uint16_t moved = 0;
     for (const Event &event : outcome_.events)
-      moved |= event.kind == EventKind::Motion && (event.axes & planeAxes(dialect_, state_));
-    state_.idleBlocks = moved ? 0 : uint8_t(std::min(255, state_.idleBlocks + 1));
+      moved |= event.kind == EventKind::Motion ? event.axes : 0;
+    countIdle(moved);
   } else {
     state_.idleBlocks = 0;
   }

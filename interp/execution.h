@@ -27,6 +27,7 @@ private:
   // execute.cpp: the order of things
   bool inForeignLanguage() const;
   bool runPlainMove();
+  bool countIdle(uint16_t axes);
   void wordIssues();
   void wordDomains();
   bool runsEmpty() const;

@@ -7,7 +7,8 @@ namespace {
 class CompensationIdleBlocks final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.onChange({EventKind::Block, EventKind::Motion});
+    to.onChange({EventKind::Block});
+    to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::Thread});
     allowed_ = unsigned(to.option("allowed", 1));
     infeeds_ = unsigned(to.option("infeeds", 0));
     severity_ = to.option("advice", 0) != 0 ? std::optional(Severity::Warning) : std::nullopt;
@@ -100,11 +101,10 @@ private:
   }
 
   static void zeroMove(const Event &event, RuleContext &ctx) {
+    if (ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn)
+      return;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (!(event.axes & plane) || event.number == 1 || event.code == noCode ||
-        event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw ||
-        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip ||
-        ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn ||
         ctx.after().profile == 1 || (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
     for (unsigned i = 0; i < axisCount; ++i) {

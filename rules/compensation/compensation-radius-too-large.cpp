@@ -21,14 +21,14 @@ public:
     if ((before.compensation | after.compensation) == phaseOff || before.profile == 1)
       return;
     trail_->take(ctx, event.certain && !after.may(Fact::UnknownCode),
-                 [&](const ContourTrail::Element &element, const Neighbours &neighbours) {
-                   judge(element, neighbours, ctx);
-                 });
+                 [&](const ContourTrail::Element &element, const Neighbours &neighbours,
+                     const ElementCorners &corners) { judge(element, neighbours, corners, ctx); });
   }
 
 private:
-  void judge(const ContourTrail::Element &element, const Neighbours &neighbours, RuleContext &ctx) {
-    const Misfit what = misfit(element.line, neighbours, element.left, exact_);
+  void judge(const ContourTrail::Element &element, const Neighbours &neighbours,
+             const ElementCorners &corners, RuleContext &ctx) {
+    const Misfit what = misfit(element.line, corners, element.left, exact_);
     if (what == Misfit::Fits) {
       squeezed_ = false;
       return;
