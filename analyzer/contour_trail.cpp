@@ -4,6 +4,8 @@
 #include "analyzer/corner_words.h"
 #include "interp/tool_data.h"
 
+#include <cmath>
+
 namespace ncvet {
 
 namespace {
@@ -14,8 +16,9 @@ uint64_t tagOf(const RuleContext &ctx) {
 
 } // namespace
 
-ContourTrail::ContourTrail(const Dialect &dialect)
-    : dialect_(dialect), corners_(dialect), coordinates_(dialect, plane_) {
+ContourTrail::ContourTrail(const Dialect &dialect, const MachineProfile &machine)
+    : dialect_(dialect), habits_(habitsOf(dialect, machine)), corners_(dialect),
+      coordinates_(dialect, plane_) {
   const CornerAddresses corners = cornerAddresses(dialect);
   cornerWords_ = corners.corner();
 }
@@ -96,7 +99,7 @@ void ContourTrail::take(const RuleContext &ctx, bool certain, Judge judge) {
   const ExecutedBlock executed{dialect_, ctx.machine(), block, ctx.outcome(), ctx.before(), after};
   blockBefore_ = block_;
   block_.tag = tagOf(ctx);
-  block_.element = {{}, ctx.blockRange(), false, certain, left, after.origin.tool};
+  block_.element = {{}, ctx.blockRange(), false, certain, false, left, after.origin.tool};
   block_.approach = ctx.before().compensation != phaseOn;
   const Word *corner = block.hasAny(cornerWords_) ? block.findAny(cornerWords_) : nullptr;
   block_.cornerRange = corner ? ctx.range(*corner) : block_.element.range;
@@ -138,7 +141,7 @@ bool ContourTrail::takePlain(const RuleContext &ctx, bool certain, Judge judge) 
   plainFrom_ = start;
   lastTag_ = tagOf(ctx);
   keepPlace(ctx);
-  if (ctx.outcome().events.back().motion != MotionKind::Feed) {
+  if (ctx.outcome().events.back().motion != MotionKind::Feed && !habits_.entryAcross) {
     breakOff(false, judge);
     return true;
   }
@@ -147,6 +150,7 @@ bool ContourTrail::takePlain(const RuleContext &ctx, bool certain, Judge judge) 
           ctx.blockRange(),
           false,
           certain,
+          false,
           block_.element.left,
           ctx.after().origin.tool},
          direction, direction, judge);
@@ -179,11 +183,15 @@ void ContourTrail::add(uint64_t tag, const Move &move, Judge judge) {
   const BlockElements &block = tag == block_.tag ? block_ : blockBefore_;
   if (inPlace)
     return;
-  const bool cuts =
-      move.kind == MoveKind::Linear || (move.kind == MoveKind::Arc && move.plane == plane_);
-  if (block.approach || !line || !cuts)
-    return breakOff(block.approach, judge);
+  const bool straight =
+      move.kind == MoveKind::Linear || (move.kind == MoveKind::Rapid && habits_.entryAcross);
+  const bool cuts = straight || (move.kind == MoveKind::Arc && move.plane == plane_);
+  // An arc that builds compensation up is another one than is programmed.
+  const bool entry = block.approach && habits_.entryAcross && straight;
+  if ((block.approach && !entry) || !line || !cuts)
+    return breakOff(block.approach && !habits_.entryAcross, judge);
   Element element = block.element;
+  element.entry = entry;
   element.line = *line;
   element.corner = tag == lastTag_;
   if (element.corner)
@@ -202,11 +210,24 @@ void ContourTrail::breakOff(bool approach, Judge judge) {
   ends_.unknownBefore = !approach;
 }
 
+/// The corner between the last element and `next`, which begins in the direction `in`.
+CornerFit ContourTrail::cornerTo(const ContourElement &next, const Vector &in, double left) const {
+  CornerFit fit = fitCorner(last_->line, next, lastOut_, in, left);
+  if (habits_.straight > 0 && fit.sine <= std::sin(habits_.straight)) {
+    const bool turnsBack = lastOut_.dot(in) < 0;
+    if (!turnsBack && fit.kind != CornerFit::Kind::None)
+      fit.kind = CornerFit::Kind::Smooth;
+    else if (fit.kind == CornerFit::Kind::Inside)
+      fit.kind = CornerFit::Kind::Outside;
+  }
+  return fit;
+}
+
 /// `in`, `out`: directions of travel at the element's ends.
 void ContourTrail::append(const Element &element, const Vector &in, const Vector &out,
                           Judge judge) {
   if (last_) {
-    ends_.end = fitCorner(last_->line, element.line, lastOut_, in, element.left);
+    ends_.end = cornerTo(element.line, in, element.left);
     judgeLast(&element.line, false, judge);
     before_ = last_->line;
     ends_.begin = ends_.end;

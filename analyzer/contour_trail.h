@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/rule.h"
-#include "interp/contour_fit.h"
+#include "interp/compensated_path.h"
 #include "interp/corner_path.h"
 
 namespace ncvet {
@@ -16,6 +16,7 @@ public:
     SourceRange range;    ///< the words of its block, or the one that asks for it
     bool corner = false;  ///< a chamfer or rounding behind the block's own move
     bool certain = false; ///< on every way that the state stands for
+    bool entry = false;   ///< the way on, where that is an element as others
     double left = 0;      ///< mm from it to the tool's centre, below zero on its right
     Origin tool;          ///< where the tool was called
   };
@@ -23,7 +24,7 @@ public:
   using Judge = llvm::function_ref<void(const Element &, const Neighbours &neighbours,
                                         const ElementCorners &corners)>;
 
-  explicit ContourTrail(const Dialect &dialect);
+  ContourTrail(const Dialect &dialect, const MachineProfile &machine);
 
   /// Takes the motion of the block at hand. A block that does not go on where the last one ended
   /// begins a trail of its own.
@@ -40,10 +41,12 @@ private:
   void add(uint64_t tag, const Move &move, Judge judge);
   void append(const Element &element, const Vector &in, const Vector &out, Judge judge);
   void breakOff(bool approach, Judge judge);
+  CornerFit cornerTo(const ContourElement &next, const Vector &in, double left) const;
   void judgeLast(const ContourElement *after, bool unknownAfter, Judge judge);
   void keepPlace(const RuleContext &ctx);
 
   const Dialect &dialect_;
+  const CompensationHabits habits_;
   const CornerWords corners_;
   AddressMask cornerWords_;
   std::optional<CornerPath> path_; ///< absent between contours

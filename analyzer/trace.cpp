@@ -70,7 +70,7 @@ public:
       : project_(project), sink_(sink), corners_(project.dialect()), path_(project.dialect()),
         contour_(project.dialect()) {
     if (path == TracedPath::ToolCentre && !project.dialect().isLathe())
-      compensated_.emplace(project.dialect(), outsideCorner(unit));
+      compensated_.emplace(project.dialect(), habitsOf(project.dialect(), unit.machine));
   }
 
   void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
@@ -141,14 +141,6 @@ private:
     path_.add(tag, move, corner, plane, [&](uint64_t from, const Move &m) { compensate(from, m); });
   }
   const FileUnit &unitOf(FileId file) { return project_.unit(project_.sources().get(file)); }
-  static OutsideCorner outsideCorner(const FileUnit &unit) {
-    const auto own = unit.machine.option("outsideCorner");
-    const auto usual = unit.dialect->options.find("outsideCorner");
-    const llvm::StringRef said = own                                    ? *own
-                                 : usual == unit.dialect->options.end() ? llvm::StringRef()
-                                                                        : usual->second;
-    return said == "lines" ? OutsideCorner::Lines : OutsideCorner::Arc;
-  }
   void compensate(uint64_t tag, const Move &move) {
     if (compensated_)
       compensated_->add(tag, move, [&](uint64_t from, const Move &m) { give(from, m); });

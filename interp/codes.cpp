@@ -1,6 +1,7 @@
 // The effect of single G and M codes: modal groups, spindle, coolant, tools, switches.
 #include "interp/execution.h"
 #include "interp/formula.h"
+#include "interp/tool_data.h"
 
 #include <cmath>
 
@@ -32,6 +33,8 @@ void Execution::applyModal(const CodeUse &use) {
   case Action::CompensationLeft:
   case Action::CompensationRight:
     state_.origin.compensation = originOf(*use.word);
+    if (cutterOfBlock(dialect_)) // a D of this block is still to come
+      state_.radiusOffset = notSet;
     // Switched on from off: the next move in the plane engages it. While it is on, a change of side
     // takes effect along the path, without an engaging move.
     if (!(state_.compensation & phaseOn))

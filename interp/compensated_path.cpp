@@ -15,14 +15,38 @@ Vector beside(const ContourElement &element, const Vector &at, double left) {
   return at + leftOf(element.direction(at)) * left;
 }
 
+/// The point of a circle that lies towards `point`.
+Vector footOnCircle(const Vector &centre, const Vector &point, double radius) {
+  return centre + (point - centre).normalized() * radius;
+}
+
 } // namespace
+
+CompensationHabits habitsOf(const Dialect &dialect, const MachineProfile &machine) {
+  const auto said = [&](const char *name) -> llvm::StringRef {
+    if (const auto own = machine.option(name))
+      return *own;
+    const auto usual = dialect.options.find(name);
+    return usual == dialect.options.end() ? llvm::StringRef() : llvm::StringRef(usual->second);
+  };
+  CompensationHabits habits;
+  habits.outside = said("outsideCorner") == "lines"         ? OutsideCorner::Lines
+                   : said("outsideCorner") == "arc-of-next" ? OutsideCorner::ArcOfNext
+                                                            : OutsideCorner::Arc;
+  habits.entryAcross = said("compensationEntry") == "across";
+  said("straightCorner").getAsDouble(habits.straight);
+  return habits;
+}
 
 /// The move ends at `end` in its plane.
 void CompensatedPath::give(Tagged &tagged, const Vector &end, Take take) {
   const ContourPlane plane(dialect_, tagged.move.plane);
   plane.set(tagged.move.to, end);
-  if (tagged.move.kind == MoveKind::Arc)
+  if (tagged.move.kind == MoveKind::Arc) {
     plane.retrim(tagged.move, centre_);
+    if (tagged.move.turns.isConstant())
+      tagged.move.turns = Interval::exactly(tagged.move.turns.value() + furtherTurns_);
+  }
   centre_ = workPlace(tagged.move);
   take(tagged.tag, tagged.move);
 }
@@ -62,29 +86,77 @@ void CompensatedPath::goAlongLines(const ContourElement &next, Take take) {
     give(line, goal, take);
 }
 
-/// The waiting move ends where the way beside `next` begins.
-void CompensatedPath::meet(const ContourElement &next, Take take) {
+/// Round the outside corner at the end of `element`, by a move like `like`.
+void CompensatedPath::goRound(const ContourElement &element, const ContourElement &next,
+                              const Tagged &like, Take take) {
+  const Vector goal = beside(next, next.from, left_);
+  const ContourPlane plane(dialect_, like.move.plane);
+  Move move = like.move;
+  for (unsigned i = 0; i < unsigned(Axis::A); ++i) // other axes turn by the corner's block
+    move.to[i] = centre_[i];
+  if (move.kind == MoveKind::Rapid)
+    plane.set(move.to, goal);
+  else
+    move = plane.arc(move, {beside(element, element.to, left_), goal, element.to, true, left_ > 0});
+  centre_ = workPlace(move);
+  take(like.tag, move);
+}
+
+/// Whether the control takes the waiting element and `next` for one line.
+bool CompensatedPath::isStraight(const ContourElement &next) const {
+  if (habits_.straight <= 0)
+    return false;
+  const Vector in = element_->direction(element_->to), out = next.direction(next.from);
+  return std::fabs(std::atan2(cross(in, out), in.dot(out))) <= habits_.straight;
+}
+
+/// The waiting move ends where the way beside `next`, the element of `behind`, begins.
+void CompensatedPath::meet(const ContourElement &next, const Tagged &behind, Take take) {
   if (!element_) {
     give(*waiting_, beside(next, next.from, left_), take);
     return flush(take);
   }
+  const Vector end = beside(*element_, element_->to, left_);
+  if (isStraight(next)) {
+    give(*waiting_, end, take);
+    return flush(take);
+  }
   const CornerFit fit = fitCorner(*element_, next, left_);
   const bool outside = fit.kind == CornerFit::Kind::Outside;
-  if (outside && (corners_ == OutsideCorner::Lines || waiting_->move.kind == MoveKind::Rapid)) {
+  if (outside && habits_.outside == OutsideCorner::ArcOfNext) {
+    const ContourElement element = *element_;
+    give(*waiting_, end, take);
+    flush(take);
+    return goRound(element, next, behind, take);
+  }
+  if (outside &&
+      (habits_.outside == OutsideCorner::Lines || waiting_->move.kind == MoveKind::Rapid)) {
     goAlongLines(next, take);
     return flush(take);
   }
   const bool meets = fit.kind == CornerFit::Kind::Inside || fit.kind == CornerFit::Kind::Smooth;
-  give(*waiting_, meets ? fit.meet : beside(*element_, element_->to, left_), take);
-  if (outside) {
-    const ContourPlane plane(dialect_, waiting_->move.plane);
-    const Move round =
-        plane.arc(waiting_->move, {beside(*element_, element_->to, left_),
-                                   beside(next, next.from, left_), element_->to, true, left_ > 0});
-    centre_ = workPlace(round);
-    take(waiting_->tag, round);
-  }
+  give(*waiting_, meets ? fit.meet : end, take);
+  if (outside)
+    goRound(*element_, next, *waiting_, take);
   flush(take);
+}
+
+/// The element to which a way on that ends square to itself belongs: an arc of which the tool's
+/// centre follows the way beside it from where it stands.
+std::optional<ContourElement>
+CompensatedPath::entryOf(const std::optional<ContourElement> &element) const {
+  if (!habits_.entryAcross || !element || !element->arc)
+    return habits_.entryAcross ? element : std::nullopt;
+  // Programmed is the arc's end and its direction there; it leads through the tool's centre.
+  const Vector end = beside(*element, element->to, left_), chord = element->from - end;
+  const Vector inward = (element->centre - element->to).normalized();
+  const double along = inward.dot(chord);
+  if (along == 0)
+    return std::nullopt;
+  ContourElement entry = *element;
+  entry.centre = end + inward * (chord.squaredNorm() / (2 * along));
+  entry.from = footOnCircle(entry.centre, element->from, (entry.to - entry.centre).norm());
+  return entry;
 }
 
 void CompensatedPath::finish(Take take) {
@@ -128,11 +200,17 @@ void CompensatedPath::add(uint64_t tag, const Move &move, Take take) {
     finish(take);
   } else if (waiting_) {
     left_ = left;
-    meet(*element, take);
+    meet(*element, {tag, move}, take);
   }
-  waiting_ = {tag, move};
-  element_ = wasOn ? element : std::nullopt;
   left_ = left;
+  waiting_ = {tag, move};
+  element_ = wasOn ? element : entryOf(element);
+  furtherTurns_ = 0;
+  if (move.kind == MoveKind::Arc && element && move.turns.isConstant())
+    furtherTurns_ = std::round(move.turns.value() - turnsAround(element->centre, element->from,
+                                                                element->to, element->clockwise));
+  if (element_ && element_->arc && !wasOn)
+    waiting_->move = plane.arc(move, *element_);
 }
 
 } // namespace ncvet

@@ -92,7 +92,8 @@ Misfit misfit(const ContourElement &element, const Neighbours &neighbours, doubl
 
 Misfit misfit(const ContourElement &element, const ElementCorners &corners, double left, bool exact,
               double slack) {
-  if (element.arc && element.radiusBeside(left) < -joined)
+  constexpr double rounding = 1e-9;
+  if (element.arc && element.radiusBeside(left) < (slack > 0 ? -joined : rounding))
     return Misfit::Arc;
   if (!hasRoom(element, left))
     return Misfit::Fits; // as round as the tool: it stands still there

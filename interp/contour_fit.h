@@ -56,7 +56,7 @@ constexpr double shallowCut = 0.01;
 
 /// `exact`: a way beside an element that turns back is a misfit although the tool stays clear of
 /// the contour there, as where it goes down a step that is lower than its radius. `slack`: how far
-/// (mm) it may cut into a neighbour.
+/// (mm) it may cut into a neighbour; with none of it an inside arc has to be larger than the tool.
 Misfit misfit(const ContourElement &element, const Neighbours &neighbours, double left, bool exact,
               double slack = shallowCut);
 /// As above, of corners that are known already.

@@ -9,9 +9,10 @@ namespace ncvet {
 namespace {
 
 /// "$TC_DP6[{tool},{edge}]" with the numbers of `state`; empty when one is not known.
-std::string radiusVariable(const Dialect &dialect, const MachineState &state) {
+std::string radiusVariable(llvm::StringRef source, const Dialect &dialect,
+                           const MachineState &state) {
   std::string name;
-  for (llvm::StringRef rest = dialect.toolRadius.variable; !rest.empty();) {
+  for (llvm::StringRef rest = source; !rest.empty();) {
     const auto [before, from] = rest.split('{');
     name += before;
     const auto [field, behind] = from.split('}');
@@ -30,12 +31,42 @@ std::string radiusVariable(const Dialect &dialect, const MachineState &state) {
   return name;
 }
 
+/// What a program has set a radius to.
+struct SetRadius {
+  bool set = false;
+  std::optional<double> radius; ///< mm; none: not known
+};
+
+/// The radius in the variable of `source`.
+SetRadius radiusIn(llvm::StringRef source, const Dialect &dialect, const MachineState &state) {
+  const bool ofList = source.contains('[');
+  if (ofList && state.commons.given(variableKey(source.split('[').first)) != Truth::No)
+    return {true, std::nullopt}; // some of them was set, it is not known which one
+  const std::string name = radiusVariable(source, dialect, state);
+  const uint64_t key = variableKey(name);
+  if (name.empty() || state.commons.given(key) == Truth::No)
+    return {};
+  const Value value = state.commons.get(key);
+  const bool inch = state.activeAction(dialect, StandardGroup::Units) == Action::Inch;
+  if (!value.isConstant() || (inch && ofList)) // in which unit it was set is not kept
+    return {true, std::nullopt};
+  constexpr double millimetresPerInch = 25.4;
+  return {true, value.number.value() * (inch ? millimetresPerInch : 1)};
+}
+
 } // namespace
+
+bool cutterOfBlock(const Dialect &dialect) {
+  const auto option = dialect.options.find("compensationTool");
+  return option != dialect.options.end() && option->second == "of-block";
+}
 
 const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
                                  const MachineState &state) {
   int32_t number = radiusOffsetNumber(dialect, state);
-  if (dialect.offsetsOfTool) {
+  if (cutterOfBlock(dialect)) {
+    number = number == notSet ? state.tool : number;
+  } else if (dialect.offsetsOfTool) {
     // The list knows a tool's first edge.
     if (number != notSet && number != 1)
       return nullptr;
@@ -56,17 +87,11 @@ std::optional<double> compensationRadius(const Dialect &dialect, const MachinePr
   if (source.unknownWhile != 0xFF && state.switchMayBeOn(source.unknownWhile))
     return std::nullopt;
   if (!source.variable.empty() && !state.commons.empty()) {
-    const llvm::StringRef list = llvm::StringRef(source.variable).split('[').first;
-    if (state.commons.given(variableKey(list)) != Truth::No)
-      return std::nullopt; // some of them was set, it is not known which one
-    const std::string name = radiusVariable(dialect, state);
-    if (const uint64_t key = variableKey(name);
-        !name.empty() && state.commons.given(key) != Truth::No) {
-      const Value value = state.commons.get(key);
-      if (!value.isConstant() || state.activeAction(dialect, StandardGroup::Units) == Action::Inch)
-        return std::nullopt; // in which unit it was set is not kept
-      return value.number.value();
-    }
+    llvm::SmallVector<llvm::StringRef, 2> variables;
+    llvm::StringRef(source.variable).split(variables, '|');
+    for (const llvm::StringRef variable : variables)
+      if (const SetRadius found = radiusIn(variable, dialect, state); found.set)
+        return found.radius;
   }
   const ToolData *tool = compensatingTool(dialect, machine, state);
   return tool ? tool->radius : std::nullopt;

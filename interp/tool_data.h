@@ -11,6 +11,10 @@ inline int32_t radiusOffsetNumber(const Dialect &dialect, const MachineState &st
   return dialect.isLathe() ? state.toolOffset : state.radiusOffset;
 }
 
+/// Whether the number beside the code that switches compensation on is that of a tool, and counts
+/// for that code alone.
+bool cutterOfBlock(const Dialect &dialect);
+
 /// Data of the tool whose radius compensation uses, by the offset's number or, where the tool
 /// brings its data along, by its own; null when the number is not known or not in the
 /// list.

@@ -9,9 +9,16 @@ namespace {
 
 class CompensationEntryTooShort final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::CompensationMove); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CompensationMove);
+    longer_ = to.option("longer", 0) != 0;
+    if (longer_)
+      to.on(EventKind::Motion);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Motion)
+      return besidePlane(event, ctx);
     if (event.code == noCode || (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
     const Dialect &dialect = ctx.dialect();
@@ -36,19 +43,41 @@ public:
         way /= 2;
       squares += way * way;
     }
-    constexpr double rounding = 1e-4; // mm
+    constexpr double rounding = 1e-4, exactly = 1e-9; // mm
     const double way = std::sqrt(squares), radius = std::fabs(*known);
-    if (way >= radius - rounding)
-      return;
     const bool off = ctx.code(event).action == Action::CompensationOff;
+    if (longer_ ? off || way > radius + exactly : way >= radius - rounding)
+      return;
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     if (auto finding = ctx.report(ctx.blockRange(), certain))
       finding
-          .message("the move that {0} compensation is {1:f3} mm long, shorter than the radius of "
+          .message("the move that {0} compensation is {1:f3} mm long, {3} than the radius of "
                    "{2:f3} mm: the control stops, or the tool cuts into the contour",
-                   off ? "removes" : "builds up", way, radius)
+                   off ? "removes" : "builds up", way, radius, longer_ ? "not longer" : "shorter")
           .note(ctx.before().origin.tool, "the tool is called here");
   }
+
+private:
+  /// A control that takes the first move for the one that builds compensation up, whatever its
+  /// axes.
+  static void besidePlane(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (state.compensation != phaseStarting || event.code == noCode || !event.axes ||
+        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
+      return;
+    const auto radius = compensationRadius(ctx.dialect(), ctx.machine(), state);
+    if (!radius || *radius == 0)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), !state.may(Fact::UnknownCode)))
+      finding
+          .message(
+              "the move that builds up compensation has no way in the plane, and the radius is "
+              "{0:f3} mm: the control stops",
+              std::fabs(*radius))
+          .note(state.origin.tool, "the tool is called here");
+  }
+
+  bool longer_ = false; ///< the move on has to be longer than the radius; the one off need not
 };
 
 } // namespace

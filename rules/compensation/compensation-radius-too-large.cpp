@@ -11,8 +11,11 @@ public:
   void listen(Subscriptions &to) override {
     if (to.machine().tools.empty() && to.dialect().toolRadius.variable.empty())
       return;
-    exact_ = to.machine().number("interferenceCheck").value_or(0) != 0;
-    trail_.emplace(to.dialect());
+    exact_ =
+        to.machine().number("interferenceCheck").value_or(0) != 0 || to.option("exact", 0) != 0;
+    slack_ = to.option("exact", 0) != 0 ? 0 : shallowCut;
+    stopsBehind_ = to.option("stopsBehind", 0) != 0;
+    trail_.emplace(to.dialect(), to.machine());
     to.on(EventKind::Motion);
   }
 
@@ -28,7 +31,9 @@ public:
 private:
   void judge(const ContourTrail::Element &element, const Neighbours &neighbours,
              const ElementCorners &corners, RuleContext &ctx) {
-    const Misfit what = misfit(element.line, corners, element.left, exact_);
+    Misfit what = misfit(element.line, corners, element.left, exact_, slack_);
+    if (element.entry && what == Misfit::Element) // it may begin anywhere
+      what = Misfit::Fits;
     if (what == Misfit::Fits) {
       squeezed_ = false;
       return;
@@ -44,7 +49,8 @@ private:
             RuleContext &ctx) const {
     const double radius = std::fabs(at.left);
     const char *does = "the control stops, or the tool cuts into what stands beside it";
-    auto finding = ctx.report(at.range, at.certain);
+    const bool behind = stopsBehind_ && what != Misfit::Arc;
+    auto finding = ctx.report(behind ? placeBehind(ctx) : at.range, at.certain);
     if (!finding)
       return;
     if (what == Misfit::Arc && at.corner)
@@ -54,6 +60,13 @@ private:
     else if (what == Misfit::Arc)
       finding.message("this inside arc has a radius of {0:f3} mm, the tool one of {1:f3} mm: {2}",
                       at.line.radius(), radius, does);
+    else if (behind)
+      finding
+          .message("the tool with its radius of {0:f3} mm does not get into the corner in front "
+                   "of this move: {1}",
+                   radius, does)
+          .note(at.range, what == Misfit::Corner ? "the element before it ends too far off"
+                                                 : "the element before it is too short");
     else if (what == Misfit::Corner)
       finding.message("the tool with its radius of {0:f3} mm does not get into the inside corner "
                       "at the end of this move: {1}",
@@ -65,12 +78,20 @@ private:
     finding.note(at.tool, "the tool is called here");
   }
 
+  /// The move at hand, or the code that has ended the contour in front of it.
+  static SourceRange placeBehind(const RuleContext &ctx) {
+    const Origin end = ctx.after().originOf(ctx.dialect(), StandardGroup::Compensation);
+    return ctx.after().compensation & phaseOn || !end.known() ? ctx.blockRange() : end.range();
+  }
+
   std::string roomFor(const ContourTrail::Element &at, const Neighbours &neighbours) const {
     const auto room = largestFit(at.line, neighbours, at.left > 0, exact_);
     return llvm::formatv("{0:f2}", std::floor(room.value_or(0) * 100) / 100).str();
   }
 
   bool exact_ = false;
+  bool stopsBehind_ = false; ///< told at the block that makes the control stop
+  double slack_ = shallowCut;
   bool squeezed_ = false; ///< the last element was one that does not fit between its neighbours
   std::optional<ContourTrail> trail_;
 };

@@ -6,7 +6,10 @@ namespace {
 
 class CompensationSwitchedOnArc final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::CompensationMove); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CompensationMove);
+    entryArcs_ = to.option("entryArcs", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || event.by == noCode)
@@ -21,9 +24,16 @@ public:
         arc ? ctx.report(*arc->word, event.certain) : ctx.report(ctx.blockRange(), event.certain);
     if (!finding)
       return;
-    finding.message("compensation is switched {0} by `{1}` in an arc (`{2}`): the control needs a "
-                    "straight move for it and stops with an alarm",
-                    off ? "off" : "on", code.name, motion.name);
+    if (entryArcs_ && !off)
+      finding.severity(Severity::Warning)
+          .message("compensation is switched on by `{0}` in an arc (`{1}`): the tool's centre, not "
+                   "its edge, stands at the begin of the arc, and the control changes it",
+                   code.name, motion.name);
+    else
+      finding.message(
+          "compensation is switched {0} by `{1}` in an arc (`{2}`): the control needs a "
+          "straight move for it and stops with an alarm",
+          off ? "off" : "on", code.name, motion.name);
     const CodeUse *here =
         ctx.find({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
     if (!here)
@@ -33,6 +43,9 @@ public:
       finding.note(ctx.after().originOf(ctx.dialect(), StandardGroup::Motion),
                    "`" + motion.name + "` becomes active here and is still in force");
   }
+
+private:
+  bool entryArcs_ = false; ///< an arc may build compensation up
 };
 
 } // namespace

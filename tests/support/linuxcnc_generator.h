@@ -441,18 +441,100 @@ private:
     }
   }
 
+  /// Contours of lines and arcs with outside and inside corners, most of them with room for the
+  /// tool.
   void compensation() {
-    line("T" + std::to_string(1 + below(8)) + " M6");
+    const unsigned tool = 1 + below(8);
+    line("T" + std::to_string(tool) + " M6");
     line("S500 M3");
-    line("G0 X-40 Y-40 Z1");
-    const bool left = chance(50);
-    line(std::string(left ? "G41" : "G42") +
-         (chance(40) ? " D" + std::to_string(1 + below(8)) : ""));
-    line("G1 X-30 Y-20 F300");
-    line(left ? "Y30" : "X30 Y-20");
-    line("X30 Y30");
-    line(left ? "X30 Y-20" : "X-30 Y30");
-    line("G40 G1 X60 Y60");
+    const bool turned = chance(20); // in the ZX plane
+    const auto [first, second, across] =
+        turned ? std::array<size_t, 3>{2, 0, 1} : std::array<size_t, 3>{0, 1, 2};
+    line(turned ? "G18" : "G17");
+    at_ = {length(), length(), length()};
+    line("G0 " + word("X", at_[0]) + word("Y", at_[1]) + word("Z", at_[2]));
+    std::string code = chance(50) ? "G41" : "G42";
+    double radius = 1 + tool * 0.125;
+    if (chance(40)) {
+      const double cutter = positive(8);
+      code += ".1 D" + number(cutter);
+      radius = cutter / 2;
+    } else if (chance(40)) {
+      const unsigned other = 1 + below(8);
+      code += " D" + std::to_string(other);
+      radius = 1 + other * 0.125;
+    }
+    line(code);
+    heading_ = below(360) * degree;
+    straight(chance(20) ? "G0" : "G1", radius * (chance(10) ? 0.7 : 1.2 + below(4)), first, second,
+             across);
+    const unsigned elements = 3 + below(6);
+    for (unsigned i = 0; i < elements; ++i) {
+      if (chance(15))
+        line("G90 " + word(letters_[across], at_[across])); // no way
+      if (chance(60))
+        heading_ += (double(below(2500)) / 10 - 125) * degree;
+      if (chance(35))
+        bow(radius, first, second, across);
+      else
+        straight(chance(8) ? "G0" : "G1", radius * (chance(12) ? 0.3 : 2) + positive(20), first,
+                 second, across);
+      if (chance(12)) {
+        at_[across] += length(3);
+        line(std::string(chance(50) ? "G90 G1 " : "G90 G0 ") + word(letters_[across], at_[across]));
+      }
+      if (chance(8))
+        line("G4 P0.5");
+    }
+    line("G40");
+    line(std::string(chance(50) ? "G90 G1 " : "G90 G0 ") + axes(true));
+  }
+  /// A line in the present direction.
+  void straight(const char *code, double way, size_t first, size_t second, size_t across) {
+    std::array<double, 3> end = at_;
+    end[first] += way * std::cos(heading_);
+    end[second] += way * std::sin(heading_);
+    if (chance(10))
+      end[across] += length(3);
+    go(code, end, end[across] != at_[across], {first, second, across});
+    line("");
+  }
+  /// An arc that begins in the present direction.
+  void bow(double cutter, size_t first, size_t second, size_t across) {
+    static constexpr const char *centres[] = {"I", "J", "K"};
+    const bool clockwise = chance(50);
+    const double radius = chance(15) ? positive(4) : cutter * 1.5 + positive(15);
+    const double sweep = (20 + below(chance(20) ? 320 : 130)) * degree;
+    const double side = clockwise ? -1 : 1;
+    const double toCentre = heading_ + side * std::numbers::pi / 2;
+    const std::array<double, 2> centre{at_[first] + radius * std::cos(toCentre),
+                                       at_[second] + radius * std::sin(toCentre)};
+    heading_ += side * sweep;
+    const double fromCentre = heading_ - side * std::numbers::pi / 2;
+    std::array<double, 3> end = at_;
+    end[first] = centre[0] + radius * std::cos(fromCentre);
+    end[second] = centre[1] + radius * std::sin(fromCentre);
+    if (chance(15))
+      end[across] += length(3);
+    const std::array<double, 3> start = at_;
+    go(clockwise ? "G2" : "G3", end, end[across] != at_[across], {first, second, across});
+    if (chance(30) && sweep < 3)
+      line(word("R", radius));
+    else
+      line(word(centres[first], centre[0] - start[first]) +
+           word(centres[second], centre[1] - start[second]));
+  }
+  /// A block to `end`, without its end of line.
+  void go(const std::string &code, const std::array<double, 3> &end, bool aside,
+          const std::array<size_t, 3> &order) {
+    const bool relative = chance(15);
+    out_ += std::string(relative ? "G91 " : "G90 ") + code + " ";
+    for (const size_t axis : order)
+      if (axis != order[2] || aside)
+        out_ += word(letters_[axis], relative ? end[axis] - at_[axis] : end[axis]);
+    if (!relative && chance(5))
+      out_ += word("A", length(90));
+    at_ = end;
   }
 
   static constexpr double degree = std::numbers::pi / 180;
@@ -461,6 +543,8 @@ private:
   std::string out_, subprograms_;
   bool broke_ = false; ///< a BREAK was written
   std::array<double, 3> at_{};
+  double heading_ = 0; ///< radians from the plane's first axis
+  static constexpr const char *letters_[] = {"X", "Y", "Z"};
 };
 
 } // namespace ncvet::test

@@ -76,9 +76,9 @@ TEST(ContourFit, AStepIsAlarmedAllTheSameWhereTheControlChecksDirections) {
 
 TEST(ContourFit, AnInsideArcIsAsLargeAsTheToolAtLeast) {
   const ContourElement in = arc({0, 0}, {4, 4}, {0, 4}, false);
-  EXPECT_EQ(misfit(in, {}, 4, false), Misfit::Fits);
-  EXPECT_EQ(misfit(in, {}, 4.1, false), Misfit::Arc);
-  EXPECT_EQ(misfit(in, {}, -50, false), Misfit::Fits) << "outside of it any tool runs";
+  EXPECT_EQ(misfit(in, Neighbours(), 4, false), Misfit::Fits);
+  EXPECT_EQ(misfit(in, Neighbours(), 4.1, false), Misfit::Arc);
+  EXPECT_EQ(misfit(in, Neighbours(), -50, false), Misfit::Fits) << "outside of it any tool runs";
 }
 
 TEST(ContourFit, OfAPocketTheSmallestArcCounts) {
