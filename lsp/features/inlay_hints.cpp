@@ -15,6 +15,8 @@ namespace {
 
 /// An editor asks for what it shows; of a larger range the first ones do.
 constexpr size_t mostHints = 20000;
+/// A block with more words is none that a person reads; looking up each of them would take long.
+constexpr size_t mostWords = 300;
 /// Blocks executed again before loops are given up: a fraction of a second.
 constexpr uint64_t repeatedBlocks = 300'000;
 
@@ -25,7 +27,8 @@ public:
 
   void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after) override {
-    if (unit.source.id() != file_ || block.end <= begin_ || block.begin >= end_ || outcome.foreign)
+    if (unit.source.id() != file_ || block.end <= begin_ || block.begin >= end_ ||
+        outcome.foreign || block.words.size() > mostWords)
       return;
     const ExecutedBlock executed{*unit.dialect, unit.machine, block, outcome, before, after};
     for (const Word &word : block.words)

@@ -5,6 +5,8 @@
 #include "lsp/features/names.h"
 
 #include "llvm/ADT/DenseMap.h"
+#include "llvm/ADT/DenseSet.h"
+#include "llvm/ADT/StringExtras.h"
 
 namespace ncvet::lsp {
 
@@ -26,7 +28,10 @@ public:
   Renumbering run() {
     if (options_.first <= 0 || options_.step <= 0)
       return refuse("numbers begin above 0 and go up", {});
-    if (!refuseUntold() || !number() || !rename())
+    areNamed_ = llvm::any_of(names_.all(), [](const Occurrence &one) {
+      return isNumber(one) && one.use != NameUse::Definition && one.scope != otherFile;
+    });
+    if (!refuseUntold() || !number() || !allAreNumbered() || !rename())
       return std::move(result_);
     return std::move(result_);
   }
@@ -63,6 +68,10 @@ private:
         program = own;
         next = options_.first;
       }
+      if (!isWhereTheControlLooks(one)) {
+        refuse("the number of this block cannot be read for certain", names_.range(one));
+        return false;
+      }
       if (double(next) > most || next > mostNumber) {
         refuse("the numbers would grow larger than the control allows", names_.range(one));
         return false;
@@ -71,6 +80,34 @@ private:
       next += options_.step;
     }
     return true;
+  }
+
+  /// Whether the number is digits alone and, where some place names a block, one that the control
+  /// finds: it looks at the begins of lines.
+  bool isWhereTheControlLooks(const Occurrence &one) {
+    if (!llvm::all_of(names_.text(one), llvm::isDigit))
+      return false;
+    if (!areNamed_)
+      return true;
+    const FileIndex &index = snapshot_.unit().index;
+    const llvm::ArrayRef<NumberedBlock> found = index.numbersAsWritten(index.programAt(one.begin));
+    const auto behind = std::upper_bound(
+        found.begin(), found.end(), one.begin,
+        [](uint32_t offset, const NumberedBlock &block) { return offset < block.offset; });
+    return behind != found.begin() && uint64_t((behind - 1)->number) == one.key &&
+           numbered_.insert((behind - 1)->offset).second;
+  }
+
+  /// The control finds no number besides those that are changed.
+  bool allAreNumbered() {
+    size_t found = 0;
+    const FileIndex &index = snapshot_.unit().index;
+    for (const ProgramInfo &program : index.programs())
+      found += areNamed_ ? index.numbersAsWritten(program).size() : 0;
+    if (found <= numbered_.size())
+      return true;
+    refuse("a line begins with a number that is not its block's", {});
+    return false;
   }
 
   bool rename() {
@@ -97,6 +134,8 @@ private:
   Snapshot &snapshot_;
   const NumberOptions options_;
   const Names names_;
+  bool areNamed_ = false;                   ///< some place names a block
+  llvm::DenseSet<uint32_t> numbered_;       ///< blocks that have their new number
   llvm::DenseMap<uint32_t, int64_t> fresh_; ///< new number by where the old one stands
   Renumbering result_;
 };

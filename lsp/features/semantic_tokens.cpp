@@ -310,7 +310,9 @@ private:
   void emit(uint32_t begin, uint32_t end, TokenType type, uint8_t modifiers = 0) {
     constexpr llvm::StringLiteral lineEnds = "\r\n";
     while (begin < end) {
-      const auto stop = uint32_t(std::min<size_t>(text_.find_first_of(lineEnds, begin), end));
+      // Only as far as the token: a line may be as long as the file.
+      const size_t line = at(begin, end).find_first_of(lineEnds);
+      const uint32_t stop = line == llvm::StringRef::npos ? end : begin + uint32_t(line);
       if (stop > begin)
         tokens_.push_back({begin, stop, type, modifiers});
       begin = stop + 1;

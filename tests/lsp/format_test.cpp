@@ -137,6 +137,10 @@ TEST(Renumber, AComputedTargetRefuses) {
   EXPECT_EQ(renumbered("fanuc-0m", "O1\nN1 G00\nGOTO 99\nM30\n").substr(0, 8), "refused:");
 }
 
+TEST(Renumber, ANumberThatCannotBeReadRefuses) {
+  EXPECT_EQ(renumbered("linuxcnc", "N10,5 G0 X1\nM2\n").substr(0, 8), "refused:");
+}
+
 TEST(Renumber, LeadingZerosKeepTheirWidth) {
   EXPECT_EQ(renumbered("haas-mill", "O1\nN0001 G00\nN0002 M30\n"), "O1\nN0010 G00\nN0020 M30\n");
 }

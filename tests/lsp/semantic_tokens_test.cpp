@@ -81,6 +81,14 @@ TEST(SemanticTokens, ARangeGivesTheTokensThatTouchIt) {
   EXPECT_EQ(text->text().slice(tokens[0].begin, tokens[1].end), "Y2.");
 }
 
+TEST(SemanticTokens, ALineAsLongAsTheFileIsReadOnce) {
+  std::string program = "#1=[";
+  for (int i = 0; i < 100000; ++i)
+    program += "#2+";
+  const auto text = test::markedText("fanuc-0m", program + "1]\n");
+  EXPECT_EQ(lsp::semanticTokens(*text).size(), 200003u);
+}
+
 TEST(SemanticTokens, AnyBytesAreTokenised) {
   std::string noise;
   uint32_t seed = 1;
