@@ -136,17 +136,4 @@ TEST(Selections, TakeInNamesAndComments) {
   EXPECT_EQ(selectionOf("fanuc-0m", "G0 (A <|>B) X1.")[0], "(A B)");
 }
 
-TEST(Outline, OfEmptyAndBrokenTexts) {
-  for (const char *dialect : {"haas-lathe", "fanuc-0m", "sinumerik", "ecs", "mefi", "linuxcnc"})
-    for (const char *program : {"<|>", "%<|>", "O", "%\n%<|>", "END1\n<|>ELSE\nENDIF\n",
-                                "o1 endsub\no1 else<|>\no1 if", "IF\nIF\nELSE\nELSE\nENDIF<|>",
-                                "<RPT:N1;N1>\nN1<|>", "G71 P2 Q1\nN1\nN2", "N N\nT\nM6 T"}) {
-      const auto text = test::markedText(dialect, program);
-      documentSymbols(*text);
-      folds(*text);
-      for (const auto &chain : selections(*text, text.marks))
-        EXPECT_FALSE(chain.empty());
-    }
-}
-
 } // namespace
