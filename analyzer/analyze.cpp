@@ -28,8 +28,9 @@ RuleSelection RuleSelection::everything() {
 }
 
 AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
-                       const AnalysisLimits &limits, const std::atomic<bool> *cancel) {
-  return Engine(project, unit, rules, limits, cancel).run();
+                       const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                       StraightRuns *runs) {
+  return Engine(project, unit, rules, limits, cancel, runs).run();
 }
 
 } // namespace ncvet

@@ -8,6 +8,8 @@
 
 namespace ncvet {
 
+class StraightRuns;
+
 /// Which rules run and how severe their findings are. Indexed like `allRules()`.
 struct RuleSelection {
   std::vector<bool> enabled;
@@ -43,9 +45,11 @@ struct AnalysisLimits {
 };
 
 /// Checks the file `unit` of `project` with all that it calls. `cancel`, when given, ends the
-/// analysis early (it is looked at every 256 blocks).
+/// analysis early (it is looked at every 256 blocks). `runs`, when given, holds what earlier
+/// analyses of the file have followed, moved with its text, under the same rules; the result is the
+/// same.
 AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
-                       const AnalysisLimits &limits = {},
-                       const std::atomic<bool> *cancel = nullptr);
+                       const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr,
+                       StraightRuns *runs = nullptr);
 
 } // namespace ncvet

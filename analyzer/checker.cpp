@@ -150,8 +150,31 @@ std::vector<std::string> contourLines(llvm::ArrayRef<CompensatedContour> contour
 
 } // namespace
 
+StraightRuns *CheckMemory::runsFor(const FileSetup &setup, const SourceFile &file,
+                                   const std::shared_ptr<const std::string> &text,
+                                   const FileIndex &index) {
+  std::string programs;
+  for (const ProgramInfo &program : index.programs())
+    programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
+                              program.hasHeader())
+                    .str();
+  const bool same = text_ && dialect_ == setup.dialect && machine_ == setup.machine &&
+                    rules_ == setup.rules && file_ == file.id() && programs_ == programs;
+  if (!same)
+    runs_.clear();
+  else if (text_ != text)
+    runs_.edit(changeBetween(*text_, *text));
+  text_ = text;
+  dialect_ = setup.dialect;
+  machine_ = setup.machine;
+  rules_ = setup.rules;
+  file_ = file.id();
+  programs_ = std::move(programs);
+  return &runs_;
+}
+
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
-                      const std::atomic<bool> *cancel) {
+                      const std::atomic<bool> *cancel, Recheck *again) {
   FileOutcome outcome;
   const std::string &name = file.path().empty() ? file.display() : file.path();
   auto setup = session.setup(name, file.text());
@@ -167,7 +190,9 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                   setup->folders);
   FileUnit &unit = project.unit(file);
-  AnalysisResult result = analyze(project, unit, *setup->rules, setup->limits, cancel);
+  AnalysisResult result =
+      analyze(project, unit, *setup->rules, setup->limits, cancel,
+              again ? again->memory.runsFor(*setup, file, again->text, unit.index) : nullptr);
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/session.h"
+#include "analyzer/straight_runs.h"
 
 namespace ncvet {
 
@@ -29,9 +30,36 @@ struct FileOutcome {
   std::vector<std::pair<std::string, uint32_t>> usedSuppressions;
 };
 
+/// What checks of one file keep for the next one, so that it need only follow what has changed.
+/// Belongs to one thread.
+class CheckMemory {
+public:
+  /// The runs for the text of `file` under this setup, moved from the text that was checked last.
+  StraightRuns *runsFor(const FileSetup &setup, const SourceFile &file,
+                        const std::shared_ptr<const std::string> &text, const FileIndex &index);
+  /// Blocks that the next check need not follow when nothing changes.
+  uint64_t blocks() const { return runs_.blocks(); }
+
+private:
+  StraightRuns runs_;
+  std::shared_ptr<const std::string> text_;
+  std::shared_ptr<const Dialect> dialect_;
+  std::shared_ptr<const MachineProfile> machine_;
+  std::shared_ptr<const RuleSelection> rules_;
+  FileId file_ = 0;
+  std::string programs_; ///< which programs the text held
+};
+
+/// The text of the file that is checked, and what earlier checks of it have left.
+struct Recheck {
+  std::shared_ptr<const std::string> text;
+  CheckMemory &memory;
+};
+
 /// Checks `file`, a file of `sources`. Findings may lie in other files that it calls; these are
 /// added to `sources`. `cancel`, when given, ends the check early, with what was found so far.
+/// `again` changes how long the check takes, never what it finds.
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
-                      const std::atomic<bool> *cancel = nullptr);
+                      const std::atomic<bool> *cancel = nullptr, Recheck *again = nullptr);
 
 } // namespace ncvet

@@ -60,6 +60,7 @@ void Collector::count(Frame &frame, const Key &key, bool certain) {
 }
 
 Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
+  ++reports_;
   if (definiteOnly_ && !certain)
     return nullptr;
   const Key key{rule, range.file, range.begin, range.end};

@@ -55,6 +55,8 @@ public:
   /// error there stops nothing, and is a warning.
   void setUncalled(bool on) { uncalled_ = on; }
 
+  /// How often a rule had something to say, wanted or not.
+  uint64_t reports() const { return reports_; }
   /// A finding to fill in; null when it is not wanted (known already, or over the rule's number).
   Finding *report(RuleId rule, SourceRange range, bool certain);
 
@@ -101,6 +103,7 @@ private:
   std::vector<unsigned> perRule_;
   std::deque<Frame> frames_; ///< a deque: frames stay where they are while inner ones are added
   size_t depth_ = 0;
+  uint64_t reports_ = 0;
   bool definiteOnly_ = false;
   bool uncalled_ = false;
 };

@@ -30,6 +30,13 @@ public:
   /// begins a trail of its own.
   void take(const RuleContext &ctx, bool certain, Judge judge);
 
+  /// Between contours there is nothing to remember; inside of one it is not compared.
+  void remember(RuleMemory &memory) const {
+    struct InContour {};
+    if (path_)
+      memory(InContour());
+  }
+
 private:
   bool isInPlace(const RuleContext &ctx) const;
   bool goesOn(const RuleContext &ctx) const;

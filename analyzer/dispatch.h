@@ -31,6 +31,11 @@ public:
   void callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
                     const MachineState &before, const MachineState &after, unsigned callDepth);
   void finish(const FileSummary &summary, FileUnit &unit);
+  /// What the rules remember at this moment.
+  void remember(RuleMemory &memory) const {
+    for (const Listener &listener : all_)
+      listener.rule->remember(memory);
+  }
 
 private:
   struct Listener {

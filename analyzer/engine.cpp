@@ -1,6 +1,8 @@
 // Follows a program block by block; where states wait for each other, and how they are joined.
 #include "analyzer/engine.h"
 
+#include "analyzer/run_recorder.h"
+
 #include <algorithm>
 #include <new>
 
@@ -12,27 +14,6 @@ namespace {
 constexpr size_t maxLives = 4;
 /// The cancel flag is looked at once in so many blocks (a power of two).
 constexpr uint64_t cancelInterval = 256;
-
-/// Finds blocks that only go on as the block before: what is not told by coordinates is the same.
-struct PlainRun {
-  AddressMask addresses = 0; ///< of the block before; 0: it was no plain move
-  uint32_t machineAxes = 0;
-  uint64_t may = 0, must = 0; ///< facts in front of it
-
-  bool goesOn(const Block &block, const Outcome &outcome, const MachineState &before) {
-    if (!outcome.plainMove) {
-      addresses = 0;
-      return false;
-    }
-    const bool same = addresses == block.addresses && machineAxes == before.machineAxes &&
-                      may == before.factsMay && must == before.factsMust;
-    addresses = block.addresses;
-    machineAxes = before.machineAxes;
-    may = before.factsMay;
-    must = before.factsMust;
-    return same;
-  }
-};
 
 /// What executing a block costs, in plain moves.
 uint64_t workOf(const Block &block) {
@@ -61,8 +42,8 @@ bool endsTheWay(FlowIssue kind) {
 } // namespace
 
 Engine::Engine(Project &project, FileUnit &unit, const RuleSelection &rules,
-               const AnalysisLimits &limits, const std::atomic<bool> *cancel)
-    : project_(project), unit_(unit), limits_(limits), cancel_(cancel),
+               const AnalysisLimits &limits, const std::atomic<bool> *cancel, StraightRuns *runs)
+    : project_(project), unit_(unit), limits_(limits), cancel_(cancel), runs_(runs),
       collector_(rules, *unit.dialect, limits),
       dispatcher_(*unit.dialect, unit.machine, rules, collector_) {}
 
@@ -186,6 +167,11 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
   MachineState before;
   const MachineState *synced = nullptr; // the state of which `before` is a copy, set-up part too
   PlainRun plainRun;
+  const bool recorded = runs_ && &unit == &unit_ && region.kind == Kind::Main &&
+                        region.depth == 0 && callStack_.empty() &&
+                        &region.program == &unit_.index.programs().front();
+  uint32_t observedRunEnd = 0; // a run that holds the observed block is executed
+  RunRecorder recorder(recorded ? runs_ : nullptr, unit, dispatcher_, collector_);
 
   while (!stopped_) {
     if (lives.empty()) {
@@ -218,6 +204,27 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       continue;
     }
 
+    if (recorder.isOn() && at >= observedRunEnd) {
+      // What is not in step with the state begins anew with the next block.
+      const PlainRun present = synced ? plainRun : PlainRun();
+      const bool straight =
+          lives.size() == 1 && activation.pending.empty() && at >= activation.high;
+      const StraightRun *run =
+          straight ? recorder.at(at, lives[0].state, present) : recorder.interrupt();
+      const bool hidesObserved = run && unit.source.id() == observedFile_ &&
+                                 run->begin <= observedAt_ && observedAt_ < run->end;
+      if (hidesObserved) {
+        observedRunEnd = run->end;
+      } else if (run) {
+        follow(*run, activation);
+        lives[0].state = run->exit;
+        before = run->exit;
+        synced = &lives[0].state;
+        plainRun = run->plainExit;
+        at = run->end;
+        continue;
+      }
+    }
     unit.reader->read(at, block_);
     if ((++steps_ & (cancelInterval - 1)) == 0) {
       if (cancel_ && cancel_->load(std::memory_order_relaxed)) {
@@ -241,6 +248,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         ((block_.kind == BlockKind::Tape || block_.kind == BlockKind::ProgramHeader) &&
          block_.isEmpty() && block_.issues.empty())) {
       const bool tape = block_.kind == BlockKind::Tape;
+      if (block_.kind != BlockKind::Empty)
+        recorder.interrupt();
       if (tape && activation.executedAny) {
         // The closing mark of the tape: what stands behind it is no program.
         at = end;
@@ -372,13 +381,34 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
     }
     collector_.endStop();
     at = next;
-    if (stays)
+    if (stays) {
+      recorder.executed(block_);
       continue;
+    }
+    recorder.interrupt();
     lives = std::move(onward);
     synced = nullptr;
   }
   cover(unit, activation.runBegin, activation.runEnd);
   return std::move(activation.exits);
+}
+
+/// Takes over what a run of an earlier analysis has done, but for the state.
+void Engine::follow(const StraightRun &run, Activation &activation) {
+  if (run.begin != activation.runEnd) {
+    cover(activation.region.unit, activation.runBegin, activation.runEnd);
+    activation.runBegin = run.begin;
+  }
+  activation.runEnd = activation.high = run.end;
+  activation.lastBegin = run.lastBegin;
+  activation.lastEnd = run.lastEnd;
+  activation.executedAny = true;
+  blocks_ += run.blocks;
+  steps_ += run.blocks;
+  if (cancel_ && cancel_->load(std::memory_order_relaxed)) {
+    stopped_ = true;
+    cut("cancelled");
+  }
 }
 
 void Engine::runOut(Activation &activation, Lives &lives) {

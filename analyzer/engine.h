@@ -5,6 +5,7 @@
 #include "analyzer/dispatch.h"
 #include "analyzer/flow_shape.h"
 #include "analyzer/states_at.h"
+#include "analyzer/straight_runs.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/DenseSet.h"
@@ -29,7 +30,7 @@ namespace ncvet {
 class Engine {
 public:
   Engine(Project &project, FileUnit &unit, const RuleSelection &rules, const AnalysisLimits &limits,
-         const std::atomic<bool> *cancel);
+         const std::atomic<bool> *cancel, StraightRuns *runs = nullptr);
 
   AnalysisResult run();
   /// Runs the file's first program along one way only: block skip off, and no further than to where
@@ -137,6 +138,7 @@ private:
     unsigned sections; ///< repeated sections around it
   };
   Exits execute(const Region &region, Lives entry);
+  void follow(const StraightRun &run, Activation &activation);
   void add(Activation &activation, uint32_t offset, Live live);
   Lives takePending(Activation &activation, uint32_t &offset);
   void mergeInto(const FileUnit &unit, Lives &lives, Live live);
@@ -227,6 +229,7 @@ private:
   FileUnit &unit_;
   const AnalysisLimits &limits_;
   const std::atomic<bool> *cancel_;
+  StraightRuns *const runs_; ///< null: every block is executed
   Collector collector_;
   Dispatcher dispatcher_;
   llvm::BumpPtrAllocator paths_;

@@ -14,7 +14,7 @@ constexpr size_t maxProfileBlocks = 2000;
 
 bool readFrom(const FileIndex &index, uint32_t offset, uint32_t end, Block &next) {
   while (offset < end) {
-    index.reader().read(offset, next);
+    index.read(offset, next);
     if (next.kind == BlockKind::Tape && next.isEmpty())
       return false;
     if (!next.isEmpty())
@@ -52,7 +52,7 @@ bool readPrevious(const RuleContext &ctx, Block &previous) {
   uint32_t at = ctx.block().begin;
   while (at > first) {
     at = std::max(first, ctx.source().lines().lineBegin(at - 1));
-    ctx.index().reader().read(at, previous);
+    ctx.index().read(at, previous);
     if (!previous.isEmpty())
       return previous.next <= ctx.block().begin;
   }
@@ -107,7 +107,7 @@ Profile readProfile(const RuleContext &ctx) {
   constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
   for (uint32_t offset = *first; offset <= *last && profile.blocks.size() < maxProfileBlocks;) {
     ProfileBlock &entry = profile.blocks.emplace_back();
-    ctx.index().reader().read(offset, entry.block);
+    ctx.index().read(offset, entry.block);
     offset = entry.block.next;
     if (entry.block.isEmpty()) {
       profile.blocks.pop_back();

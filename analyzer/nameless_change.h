@@ -26,6 +26,12 @@ public:
            seen_.count({state.origin.tool.file, state.origin.tool.begin});
   }
 
+  void remember(RuleMemory &memory) const {
+    for (const auto &[file, offset] : seen_)
+      memory.place(file, offset);
+    memory(seen_.size());
+  }
+
 private:
   std::set<std::pair<FileId, uint32_t>> seen_;
 };

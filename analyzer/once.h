@@ -18,6 +18,19 @@ public:
     return spoken_.try_emplace(cause, here).first->second == here;
   }
 
+  void remember(RuleMemory &memory) const {
+    // In the order of the text, wherever the table keeps them.
+    const std::map<uint64_t, uint64_t> sorted(spoken_.begin(), spoken_.end());
+    for (const auto &[cause, block] : sorted) {
+      if (cause == nowhere)
+        memory(cause);
+      else
+        memory.place(FileId(cause >> 32), uint32_t(cause));
+      memory.place(FileId(block >> 32), uint32_t(block));
+    }
+    memory(sorted.size());
+  }
+
 private:
   static constexpr uint64_t nowhere = ~uint64_t(0) - 2; // DenseMap keeps the two largest for itself
   llvm::DenseMap<uint64_t, uint64_t> spoken_;

@@ -64,6 +64,12 @@ public:
     return !inside;
   }
 
+  /// See `Rule::remember`.
+  template <typename Memory>
+  void remember(Memory &memory) const {
+    memory(points_, known_);
+  }
+
 private:
   /// What lies nearer to the outline counts as on it, millimetres.
   static constexpr double least = 0.01;

@@ -157,6 +157,7 @@ bool byNumber(const NumberedBlock &a, const NumberedBlock &b) { return a.number 
 } // namespace
 
 llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) const {
+  looks_.anywhere = true;
   const llvm::ArrayRef<NumberedBlock> written = numbersAsWritten(program);
   Numbers &numbers = numbers_[program.begin];
   if (numbers.ascending)
@@ -169,6 +170,7 @@ llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) con
 }
 
 llvm::ArrayRef<NumberedBlock> FileIndex::numbersAsWritten(const ProgramInfo &program) const {
+  looks_.anywhere = true;
   const auto found = numbers_.find(program.begin);
   if (found != numbers_.end())
     return found->second.asWritten;
@@ -209,6 +211,7 @@ std::optional<uint32_t> FileIndex::block(const ProgramInfo &program, int64_t num
 }
 
 const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
+  looks_.anywhere = true;
   const auto [known, fresh] = labels_.try_emplace(program.begin);
   Labels &labels = known->second;
   if (!fresh)
@@ -223,6 +226,7 @@ const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
 }
 
 const FileIndex::Definitions &FileIndex::definitions(const ProgramInfo &program) const {
+  looks_.anywhere = true;
   const auto [known, fresh] = definitions_.try_emplace(program.begin);
   Definitions &definitions = known->second;
   if (!fresh)

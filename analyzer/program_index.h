@@ -88,9 +88,27 @@ public:
   /// Offsets of the lines that open a subprogram between brackets (`o100 sub`), ascending.
   llvm::ArrayRef<uint32_t> subprograms() const { return subprograms_; }
   const SourceFile &source() const { return source_; }
-  const Reader &reader() const { return reader_; }
+  /// Reads a block of the text that is not the one at hand.
+  void read(uint32_t offset, Block &block) const {
+    reader_.read(offset, block);
+    looks_.from = std::min(looks_.from, offset);
+    looks_.to = std::max(looks_.to, block.next);
+  }
+  /// For any reading of the text; who looks at one block says so by `read`.
+  const Reader &reader() const {
+    looks_.anywhere = true;
+    return reader_;
+  }
+  /// What was looked at beside the blocks at hand.
+  struct Looks {
+    uint32_t from = ~0u, to = 0;
+    bool anywhere = false; ///< it cannot be said where
+  };
+  /// What has been looked at since the last call.
+  Looks takeLooks() const { return std::exchange(looks_, Looks()); }
 
 private:
+  mutable Looks looks_;
   const SourceFile &source_;
   const Reader &reader_;
   std::vector<ProgramInfo> programs_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program_index.h"
+#include "analyzer/rule_memory.h"
 #include "formats/finding/finding.h"
 #include "interp/condition.h"
 #include "interp/event.h"
@@ -268,6 +269,9 @@ public:
   virtual ~Rule() = default;
   virtual void listen(Subscriptions &to) = 0;
   virtual void on(const Event &, RuleContext &) {}
+  /// Gives all that `on` has changed in the rule and that decides what it does later. Rules that
+  /// remember nothing leave it out.
+  virtual void remember(RuleMemory &) const {}
   /// Called once, when all flow is known; only findings that the whole file decides.
   virtual void finish(const FileSummary &, RuleContext &) {}
 };

@@ -6,12 +6,13 @@
 namespace ncvet {
 
 StatesAt statesAt(Project &project, FileUnit &entry, const FileUnit &unit, uint32_t offset,
-                  const AnalysisLimits &limits, const std::atomic<bool> *cancel) {
+                  const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                  StraightRuns *runs) {
   RuleSelection none;
   none.enabled.resize(allRules().size());
   none.asked.resize(allRules().size());
   none.severity.resize(allRules().size());
-  return Engine(project, entry, none, limits, cancel).observe(unit.source.id(), offset);
+  return Engine(project, entry, none, limits, cancel, runs).observe(unit.source.id(), offset);
 }
 
 } // namespace ncvet

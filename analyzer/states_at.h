@@ -20,6 +20,7 @@ struct StatesAt {
 /// The states on entry of and behind the block of `unit` that begins at `offset`, when the file
 /// `entry` runs with all that it calls. At most eight ways are told apart.
 StatesAt statesAt(Project &project, FileUnit &entry, const FileUnit &unit, uint32_t offset,
-                  const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr);
+                  const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr,
+                  StraightRuns *runs = nullptr);
 
 } // namespace ncvet

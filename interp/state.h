@@ -19,6 +19,7 @@ struct Origin {
   uint32_t end = 0; ///< 0: nowhere
   bool known() const { return end != 0; }
   SourceRange range() const { return {file, begin, end}; }
+  friend bool operator==(const Origin &, const Origin &) = default;
 };
 
 /// Yes/no facts of the past that rules ask for. Each is kept as "may" and "must".
@@ -157,7 +158,22 @@ struct OriginState {
   std::array<Origin, maxSwitches> switched;
   Origin tool, spindle, speed, feed, cycle, compensation, pending, preset, rough, lengthOffset,
       radiusOffset;
+
+  friend bool operator==(const OriginState &, const OriginState &) = default;
 };
+
+/// Calls `visit` with each place of the state.
+template <typename Origins, typename Visit>
+void forEachOrigin(Origins &origins, const Visit &visit) {
+  for (auto &origin : origins.group)
+    visit(origin);
+  for (auto &origin : origins.switched)
+    visit(origin);
+  for (auto *origin : {&origins.tool, &origins.spindle, &origins.speed, &origins.feed,
+                       &origins.cycle, &origins.compensation, &origins.pending, &origins.preset,
+                       &origins.rough, &origins.lengthOffset, &origins.radiusOffset})
+    visit(*origin);
+}
 
 struct MachineState : ModeState, MotionState, SetupState {
   Variables locals{Value::vacant()};

@@ -11,7 +11,7 @@ void bindHover(Context &context) {
     view.snapshot.readAt(offset, block);
     if (offset < block.begin || offset > block.end || block.isEmpty())
       return nullptr;
-    const std::string state = machineState(view.snapshot, offset, &view.cancelled);
+    const std::string state = machineState(view.snapshot, offset, &view.cancelled, view.runs);
     if (state.empty())
       return nullptr;
     return {{"contents",

@@ -29,13 +29,18 @@ Problem problemOf(const Finding &finding, const SourceSet &sources, DiagnosticWr
 
 } // namespace
 
-std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel) {
+std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel,
+                                         CheckMemory *memory) {
   const auto start = std::chrono::steady_clock::now();
   auto result = std::make_shared<CheckResult>();
   result->document = job.document;
   SourceSet sources(job.overlay);
   const SourceFile &file = sources.add(job.document.path, job.document.text, job.document.path);
-  const FileOutcome outcome = checkFile(*job.session, sources, file, cancel);
+  std::optional<Recheck> again;
+  if (memory)
+    again.emplace(Recheck{job.document.text, *memory});
+  const FileOutcome outcome =
+      checkFile(*job.session, sources, file, cancel, again ? &*again : nullptr);
   if (cancel && *cancel)
     return nullptr;
   result->error = outcome.error;
@@ -99,6 +104,7 @@ void Checks::drop(const std::string &path) {
     if (running_ == path)
       cancel_ = true;
     results_.erase(path);
+    dropped_.insert(path);
   }
   changed_.notify_all();
 }
@@ -126,8 +132,11 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
 }
 
 void Checks::run() {
+  std::map<std::string, CheckMemory> memories; // by path
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
+    for (const std::string &path : std::exchange(dropped_, {}))
+      memories.erase(path);
     if (waiting_.empty()) {
       changed_.wait(lock);
       continue;
@@ -145,7 +154,7 @@ void Checks::run() {
     runningText_ = job.document.text;
     cancel_ = false;
     lock.unlock();
-    std::shared_ptr<const CheckResult> result = check(job, &cancel_);
+    std::shared_ptr<const CheckResult> result = check(job, &cancel_, &memories[job.document.path]);
     lock.lock();
     const bool stale = cancel_;
     running_.clear();

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <list>
+#include <set>
 #include <thread>
 
 namespace ncvet::lsp {
@@ -43,8 +44,10 @@ struct CheckJob {
   DiagnosticSupport support;
 };
 
-/// Checks one version of a document, on the caller's thread; null when it was cancelled.
-std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel);
+/// Checks one version of a document, on the caller's thread; null when it was cancelled. `memory`,
+/// when given, is that of the document's earlier checks.
+std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel,
+                                         CheckMemory *memory = nullptr);
 
 /// Checks documents when they change. A newer version of a document takes the place of the older
 /// one, whose check is ended. Quick checks begin at once, slow ones wait until typing pauses.
@@ -83,7 +86,8 @@ private:
   std::atomic<bool> cancel_ = false;
   bool stopping_ = false;
   std::map<std::string, std::shared_ptr<const CheckResult>> results_; ///< the last of each path
-  std::thread thread_; // last: it uses all of the above
+  std::set<std::string> dropped_; ///< documents whose memory is to be given back
+  std::thread thread_;            // last: it uses all of the above
 };
 
 } // namespace ncvet::lsp

@@ -105,21 +105,23 @@ llvm::Expected<std::shared_ptr<Snapshot>> Context::snapshotOf(const CheckJob &jo
 void Context::answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer) {
   // A task is copied, a reply is not.
   auto held = std::make_shared<Reply>(std::move(reply));
-  features->post(
-      [this, held, job = job(document), answer = std::move(answer), settings = settings]() {
-        if (held->cancelled())
-          return held->fail(RpcError::RequestCancelled, "cancelled");
-        auto snapshot = snapshotOf(job);
-        if (!snapshot)
-          return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
-        Positions positions((*snapshot)->source(), client.encoding);
-        View view{job.document, **snapshot, positions, settings, client, held->cancelled()};
-        try {
-          (*held)(answer(view));
-        } catch (const Json::exception &) {
-          held->fail(RpcError::InvalidParams, "the parameters are wrong");
-        }
-      });
+  features->post([this, held, job = job(document), answer = std::move(answer),
+                  settings = settings]() {
+    if (held->cancelled())
+      return held->fail(RpcError::RequestCancelled, "cancelled");
+    auto snapshot = snapshotOf(job);
+    if (!snapshot)
+      return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
+    Positions positions((*snapshot)->source(), client.encoding);
+    StraightRuns *runs = memories_[job.document.path].runsFor(
+        (*snapshot)->setup(), (*snapshot)->source(), job.document.text, (*snapshot)->unit().index);
+    View view{job.document, **snapshot, positions, settings, client, held->cancelled(), runs};
+    try {
+      (*held)(answer(view));
+    } catch (const Json::exception &) {
+      held->fail(RpcError::InvalidParams, "the parameters are wrong");
+    }
+  });
 }
 
 void Context::onDocument(llvm::StringRef method,

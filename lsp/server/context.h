@@ -33,6 +33,7 @@ struct View {
   const Settings &settings;
   const ClientSupport &client;
   const std::atomic<bool> &cancelled;
+  StraightRuns *runs; ///< of states without rules, see `statesAt`
 
   uint32_t offset(const Json &params) const {
     return positions.offset(positionOf(params.at("position")));
@@ -85,6 +86,7 @@ private:
   /// Of the thread of features: the snapshots that were used last.
   llvm::Expected<std::shared_ptr<Snapshot>> snapshotOf(const CheckJob &job);
   std::list<Kept> kept_;
+  std::map<std::string, CheckMemory> memories_;              ///< by path; for states only
   std::map<std::string, std::shared_ptr<Session>> sessions_; ///< by dialect
 };
 

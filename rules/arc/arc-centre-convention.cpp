@@ -68,6 +68,7 @@ public:
                       "reads them as its distance from the start point",
                       ctx.text(*words.centre[0]), ctx.text(*words.centre[1]));
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   /// The distance of the centre given where the control reads its coordinates.

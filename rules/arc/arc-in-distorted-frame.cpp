@@ -29,6 +29,7 @@ public:
               ctx.code(event).name)
           .note(distorted_, "the factors are programmed here");
   }
+  void remember(RuleMemory &memory) const override { memory(distorted_); }
 
 private:
   /// The two axes of the plane have different factors; an axis that is not named has 1.

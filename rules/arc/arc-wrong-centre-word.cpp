@@ -51,6 +51,7 @@ public:
                   ctx.replace(letter, missing));
     }
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   std::map<AddressId, OncePerCause> once_; ///< by the letter that does not belong

@@ -25,6 +25,7 @@ public:
     }
     toolByItself(event, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(lastTool_); }
 
 private:
   static constexpr llvm::StringLiteral id{"block-option-required"};

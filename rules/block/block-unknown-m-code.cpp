@@ -29,6 +29,7 @@ public:
                       "what it does is not known",
                       ctx.text(*event.word));
   }
+  void remember(RuleMemory &memory) const override { memory(first_); }
 
 private:
   double above_ = -1; ///< codes up to here may be the machine builder's

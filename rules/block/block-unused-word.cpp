@@ -56,6 +56,7 @@ public:
             .fix(FixSafety::Unsafe, "delete the word", ctx.remove(word));
     }
   }
+  void remember(RuleMemory &memory) const override { memory(foreign_); }
 
 private:
   static constexpr llvm::StringLiteral id{"block-unused-word"};

@@ -50,6 +50,7 @@ public:
       side(event, ctx);
     }
   }
+  void remember(RuleMemory &memory) const override { memory(lower_); }
 
 private:
   /// What the address takes whatever stands beside it.

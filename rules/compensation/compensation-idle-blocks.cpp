@@ -23,6 +23,7 @@ public:
         infeed(ctx);
     }
   }
+  void remember(RuleMemory &memory) const override { memory(behindInfeed_, inARow_); }
 
 private:
   /// Moves of the infeed axis alone, one behind the other: the path has no next corner to turn to.
@@ -70,7 +71,7 @@ private:
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     uint32_t at = ctx.block().next;
     for (unsigned i = 0; i < lookAhead && at < program.end; ++i, at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       bool resets = false;
       for (const Word &word : block.words) {
         if (word.address != letterAddress('G') && word.address != letterAddress('M'))

@@ -37,6 +37,7 @@ public:
         leftOn(event, "the program returns", std::nullopt, ctx);
     }
   }
+  void remember(RuleMemory &memory) const override { memory(profiles_); }
 
 private:
   static std::string nameOf(RuleContext &ctx) {

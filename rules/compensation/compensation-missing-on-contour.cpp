@@ -18,6 +18,7 @@ public:
     else
       atMotion(event, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(contourFile_, contourEnd_, reported_); }
 
 private:
   void atMotion(const Event &event, RuleContext &ctx) {

@@ -27,6 +27,7 @@ public:
                  [&](const ContourTrail::Element &element, const Neighbours &neighbours,
                      const ElementCorners &corners) { judge(element, neighbours, corners, ctx); });
   }
+  void remember(RuleMemory &memory) const override { memory(squeezed_, trail_); }
 
 private:
   void judge(const ContourTrail::Element &element, const Neighbours &neighbours,

@@ -53,6 +53,7 @@ public:
                ctx.insertBlockBefore(off));
     }
   }
+  void remember(RuleMemory &memory) const override { memory(begun_); }
 
 private:
   /// Whether the block at hand is the one that makes the cycle active.

@@ -134,7 +134,7 @@ private:
     Block block;
     uint32_t first = program.body;
     for (; first < ctx.block().begin; first = block.next) {
-      ctx.index().reader().read(first, block);
+      ctx.index().read(first, block);
       if (!block.isEmpty())
         return; // another block comes before
     }

@@ -25,6 +25,7 @@ public:
       return;
     check(code, event, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   void check(const CodeInfo &code, const Event &event, RuleContext &ctx) {

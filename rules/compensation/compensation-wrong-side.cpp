@@ -23,6 +23,7 @@ public:
     else
       firstElement(event, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(known_, from_, to_, entry_); }
 
 private:
   /// Looks at the first element behind the entry. Cut towards the chuck, an outside contour grows

@@ -67,6 +67,7 @@ public:
     }
     previous(event, plane, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(last_); }
 
 private:
   /// A line of which only the direction is given ends where the next element begins.
@@ -195,7 +196,7 @@ private:
     if (last.begin == 0)
       return std::nullopt;
     Block before;
-    ctx.index().reader().read(ctx.source().lines().lineBegin(last.begin - 1), before);
+    ctx.index().read(ctx.source().lines().lineBegin(last.begin - 1), before);
     uint16_t changed = 0;
     for (const Word &word : last.words) {
       const AddressInfo &address = ctx.dialect().addresses[word.address];

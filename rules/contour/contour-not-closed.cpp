@@ -16,6 +16,7 @@ public:
   void begin(const Point &at) { points_.assign(1, at); }
   void clear() { points_.clear(); }
   bool known() const { return !points_.empty(); }
+  void remember(RuleMemory &memory) const { memory(points_); }
   void add(const Point &at) {
     if (points_.size() >= most)
       return clear();
@@ -107,6 +108,9 @@ public:
     if (auto finding = ctx.report(begin))
       finding.message("this contour does not end where it begins: it encloses nothing")
           .note(ctx.blockRange(), "it ends in front of this block");
+  }
+  void remember(RuleMemory &memory) const override {
+    memory(outline_, last_, closed_, begin_, start_);
   }
 
 private:

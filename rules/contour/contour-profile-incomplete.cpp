@@ -46,6 +46,7 @@ public:
       finding.message("the contour ends here without an element behind its start: there is nothing "
                       "to mill along");
   }
+  void remember(RuleMemory &memory) const override { memory(begun_, attached_, pieces_, begin_); }
 
 private:
   /// A piece of a profile that is recorded.

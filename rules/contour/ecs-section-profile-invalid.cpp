@@ -38,6 +38,7 @@ public:
     elements_ = 0;
     start_ = {};
   }
+  void remember(RuleMemory &memory) const override { memory(elements_, section_, first_, start_); }
 
 private:
   static constexpr llvm::StringLiteral id{"ecs-section-profile-invalid"};
@@ -54,6 +55,10 @@ private:
     Interval from[2], to[2]; ///< along the axes of the plane
     bool known = false;
     SourceRange where;
+
+    void remember(RuleMemory &memory) const {
+      memory(from[0], from[1], to[0], to[1], known, where);
+    }
   };
 
   /// Axes of the plane, the first one first; none when it is not one of three.

@@ -39,6 +39,7 @@ public:
       finding.message("scaling is on: it changes the depth of this move too")
           .note(origin, "scaling begins here");
   }
+  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   /// An element keeps the shift and rotation that were on when it was defined.

@@ -25,6 +25,7 @@ public:
       finding.message(
           "the common offset of this machine is X{0} Z{1}: every position is shifted by it", x, z);
   }
+  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   bool reported_ = false; ///< the first move in work coordinates is looked at

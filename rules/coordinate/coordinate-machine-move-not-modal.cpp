@@ -34,6 +34,7 @@ public:
           "this value looks like a machine position, but the machine coordinates of the "
           "block before do not hold: it is driven in work coordinates");
   }
+  void remember(RuleMemory &memory) const override { memory(next_); }
 
 private:
   /// The very next block goes on with another axis, as far as no work goes.

@@ -47,6 +47,7 @@ public:
       break;
     }
   }
+  void remember(RuleMemory &memory) const override { memory(names_); }
 
 private:
   static constexpr llvm::StringLiteral id{"coordinate-matrix-invalid"};

@@ -47,6 +47,7 @@ public:
                       "read in whatever unit was in force",
                       ctx.text(*event.word));
   }
+  void remember(RuleMemory &memory) const override { memory(back_); }
 
 private:
   std::pair<Action, FileId> back_{Action::None, 0}; ///< unit before the change that was reported

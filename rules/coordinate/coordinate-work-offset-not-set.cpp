@@ -36,6 +36,7 @@ public:
         .fix(FixSafety::Unsafe, "write `" + offset + "` in front of it",
              ctx.insertBefore(word->offset, offset + " "));
   }
+  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   /// `G54`, or `G54.01` where the origins have numbers.

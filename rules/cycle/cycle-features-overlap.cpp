@@ -42,6 +42,10 @@ public:
     else if (action == Action::ProfileBegin || action == Action::ProfileRun)
       next(event, ctx);
   }
+  void remember(RuleMemory &memory) const override {
+    memory(profiles_, begin_, pocketBegin_, attach_, pocket_, current_, points_, circles_,
+           startName_, circle_);
+  }
 
 private:
   /// A profile that encloses something has a point from which the tool comes.

@@ -27,6 +27,9 @@ public:
       repeatedHere(event, ctx);
     }
   }
+  void remember(RuleMemory &memory) const override {
+    memory(call_, calledAt_, places_, list_, file_, depth_);
+  }
 
 private:
   /// A repeat count with absolute positions, or with none.

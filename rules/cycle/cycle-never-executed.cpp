@@ -77,6 +77,7 @@ public:
       for (const ProgramInfo &program : file.index.programs())
         orphans(file, program, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(stored_, storedIn_); }
 
 private:
   /// A frame that is set once per pass.
@@ -94,7 +95,7 @@ private:
       const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
       Block block;
       for (uint32_t at = program.body; at < program.end; at = block.next) {
-        ctx.index().reader().read(at, block);
+        ctx.index().read(at, block);
         if (block.next <= at || llvm::any_of(block.items, [](const Item &i) {
               return i.kind == ItemKind::Repeat || i.kind == ItemKind::Jump ||
                      i.kind == ItemKind::Call;

@@ -68,6 +68,7 @@ public:
                    code.name)
           .note(state.originOf(ctx.dialect(), StandardGroup::Plane), "G18 is selected here");
   }
+  void remember(RuleMemory &memory) const override { memory(said_); }
 
 private:
   /// The machine profile's `arcMacroPlanes`: arcs of the machine's own that work in one plane.

@@ -34,6 +34,7 @@ public:
       for (const Place &place : ctx.outcome().holes)
         made(inPlane(place, ctx));
   }
+  void remember(RuleMemory &memory) const override { memory(holes_); }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-plunge-into-solid"};

@@ -47,6 +47,7 @@ public:
       meant_[spec.variable] = code.base;
     }
   }
+  void remember(RuleMemory &memory) const override { memory(meant_); }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-stale-parameter"};

@@ -62,6 +62,7 @@ public:
         .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
              ctx.insertBlockBefore(cancel));
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   /// A parameter of the active cycle gets another value between its holes.

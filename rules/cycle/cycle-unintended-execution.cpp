@@ -237,7 +237,7 @@ private:
     uint32_t at = ctx.source().lines().lineBegin(origin.begin);
     double x = NAN, y = NAN;
     for (unsigned i = 0; i < lookback && at <= ctx.block().begin; ++i, at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       bool moved = false;
       for (const Word &word : block.words) {
         if (word.address != letterAddress('X') && word.address != letterAddress('Y'))

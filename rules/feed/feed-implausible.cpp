@@ -48,6 +48,7 @@ public:
                 "`" + mode->name + "` becomes active here")
           .note(carried ? state.origin.feed : Origin(), "the feed is programmed here");
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   static bool cuts(const Event &event) {

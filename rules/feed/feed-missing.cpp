@@ -39,6 +39,7 @@ public:
           .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                 "`" + code.name + "` becomes active here");
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   /// A feed among the cycle's own words, or among the variables that it reads.

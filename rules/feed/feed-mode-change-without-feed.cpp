@@ -43,6 +43,7 @@ public:
           .note(mode, "the unit changes here")
           .note(feed, "the feed is programmed here");
   }
+  void remember(RuleMemory &memory) const override { memory(tap_, reported_); }
 
 private:
   /// The feed per revolution that the block of a tapping cycle switched on is still in force.

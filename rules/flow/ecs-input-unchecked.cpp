@@ -64,7 +64,7 @@ private:
     Block next;
     uint32_t at = *to;
     for (unsigned i = 0; i < readable && at < ctx.source().text().size(); ++i, at = next.next) {
-      ctx.index().reader().read(at, next);
+      ctx.index().read(at, next);
       for (const ExpressionOp &op : next.operations)
         if (op.op == Op::Variable && uint64_t(op.value) == key) {
           if (auto finding = ctx.report(range))

@@ -98,7 +98,7 @@ private:
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     Block block;
     for (uint32_t at = program.body; at < ctx.block().begin; at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       const bool runs = !block.words.empty() || llvm::any_of(block.items, [&](const Item &i) {
         return item.kind == ItemKind::Parameters ||
                (i.kind != ItemKind::Definition && i.kind != ItemKind::Declaration &&

@@ -31,11 +31,11 @@ public:
     if (!ctx.dialect().codes[ctx.code(event).base].twoBlock && !ctx.code(event).twoBlock)
       return;
     Block next;
-    ctx.index().reader().read(ctx.block().begin, next);
+    ctx.index().read(ctx.block().begin, next);
     do {
       if (next.next >= ctx.source().text().size() || next.next <= next.begin)
         return;
-      ctx.index().reader().read(next.next, next);
+      ctx.index().read(next.next, next);
     } while (next.isEmpty() && next.kind != BlockKind::ProgramHeader);
     if (next.skip == ctx.block().skip)
       return;
@@ -86,7 +86,7 @@ private:
       const auto at = blockNamed(ctx.index(), block, target, block.begin);
       if (!at)
         continue;
-      ctx.index().reader().read(*at, named);
+      ctx.index().read(*at, named);
       if (named.skip < 0)
         continue;
       const SourceRange where{ctx.source().id(), target.begin, target.end};

@@ -51,6 +51,7 @@ public:
                                         : "above zero");
     }
   }
+  void remember(RuleMemory &memory) const override { memory(choices_, decided_); }
 
 private:
   struct Choice {

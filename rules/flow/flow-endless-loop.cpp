@@ -24,6 +24,7 @@ public:
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");
   }
+  void remember(RuleMemory &memory) const override { memory(seen_); }
 
 private:
   /// A choice that leads back, over blocks that write nothing of what it looks at and lead nowhere
@@ -46,7 +47,7 @@ private:
       return;
     Block block;
     for (uint32_t at = *back; at < here.begin; at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       for (const Item &inner : block.items)
         if (inner.kind != ItemKind::Assignment)
           return;
@@ -75,7 +76,7 @@ private:
     // What the program gives no value may be changed from outside.
     std::set<uint64_t> given;
     for (uint32_t at = program.body; at < here.begin; at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       if (block.next <= at)
         return;
       for (const Item &other : block.items)
@@ -86,7 +87,7 @@ private:
       return;
     unsigned depth = 0;
     for (uint32_t at = here.next; at < program.end && at - here.begin < readable; at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       if (block.next <= at || mayChange(block, read, ctx))
         return;
       for (const Item &inner : block.items) {

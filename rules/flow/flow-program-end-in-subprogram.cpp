@@ -34,6 +34,7 @@ public:
                    ctx.text(ctx.flowRange()))
           .fix(FixSafety::Unsafe, "write `" + back + "`", ctx.replace(ctx.flowRange(), back));
   }
+  void remember(RuleMemory &memory) const override { memory(first_); }
 
 private:
   SourceRange first_; ///< end of a subprogram without a caller

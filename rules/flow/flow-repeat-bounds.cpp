@@ -35,6 +35,7 @@ public:
       finding.message("`{0}` repeats the one block of its label: it takes no second one",
                       ctx.text(range));
   }
+  void remember(RuleMemory &memory) const override { memory(sections_); }
 
 private:
   void atEnd(const Event &event, RuleContext &ctx) {

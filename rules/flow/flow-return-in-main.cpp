@@ -39,6 +39,7 @@ public:
               ctx.text(ctx.flowRange()))
           .fix(FixSafety::Unsafe, "write `M30`", ctx.replace(ctx.flowRange(), "M30"));
   }
+  void remember(RuleMemory &memory) const override { memory(opened_); }
 
 private:
   bool opens_ = false;  ///< main programs open with a code that resets the control

@@ -54,6 +54,7 @@ public:
       return;
     }
   }
+  void remember(RuleMemory &memory) const override { memory(targets_); }
 
 private:
   struct Target {

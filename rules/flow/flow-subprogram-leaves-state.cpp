@@ -111,7 +111,7 @@ private:
   static bool givesBack(const ProgramInfo &program, const RuleContext &ctx) {
     Block head;
     for (uint32_t at = program.body; at < program.end; at = head.next) {
-      ctx.index().reader().read(at, head);
+      ctx.index().read(at, head);
       if (!head.isEmpty() || head.next <= at)
         break;
     }

@@ -34,7 +34,7 @@ std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const Machine
     const uint32_t at =
         line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1);
     Block block;
-    ctx.index().reader().read(at, block);
+    ctx.index().read(at, block);
     Zone zone;
     zone.origin = origin;
     for (unsigned axis = 0; axis < 3; ++axis) {

@@ -37,6 +37,7 @@ public:
                    plane->name)
           .note(origin, "`" + plane->name + "` becomes active here");
   }
+  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   static constexpr llvm::StringLiteral id{"modal-left-changed-at-end"};
@@ -50,7 +51,7 @@ private:
     uint32_t at = line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1);
     Block block;
     for (unsigned i = 0; i < 3 && at < text.size(); ++i) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       for (const Word &word : block.words)
         if (word.address == letterAddress('G') && word.isNumber()) {
           const CodeIndex code = ctx.dialect().find('G', word.codeNumber());

@@ -35,6 +35,7 @@ public:
       finding.message("{0} short moves in a row under `{1}`: it stops at their corners", inARow_,
                       ctx.dialect().codes[group.members[group.initial]].name);
   }
+  void remember(RuleMemory &memory) const override { memory(length_, inARow_, behind_, said_); }
 
 private:
   bool isShort(const Event &event, const RuleContext &ctx) const {

@@ -22,6 +22,7 @@ public:
       return overContour(event, ctx);
     LeftOnRule::on(event, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(moves_); }
 
 private:
   /// An exact stop that the program has switched on stops at every block of the contour.

@@ -54,6 +54,7 @@ public:
       return;
     }
   }
+  void remember(RuleMemory &memory) const override { memory(clamped_); }
 
 private:
   void clamped(const Event &event, RuleContext &ctx) const {

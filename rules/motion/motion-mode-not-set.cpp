@@ -35,6 +35,7 @@ public:
           .fix(FixSafety::Unsafe, "write `G0` in front of it",
                ctx.insertBefore(word->offset, "G0 "));
   }
+  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   /// The power-on mode is documented, and it feeds: whoever leaves the code out rarely knows.

@@ -63,7 +63,7 @@ private:
     const Dialect &dialect = ctx.dialect();
     Block block;
     for (uint32_t at = ctx.block().next, i = 0; i < 6 && at < ctx.source().text().size(); ++i) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       if (block.next <= at || !block.items.empty() || block.hasAny(dialect.axisWords))
         return false;
       at = block.next;

@@ -42,6 +42,7 @@ public:
       return;
     corrected_ = ctx.blockRange();
   }
+  void remember(RuleMemory &memory) const override { memory(corrected_); }
 
 private:
   static std::optional<double> valueOfRole(RuleContext &ctx, const CodeInfo &code, Role role) {

@@ -33,6 +33,7 @@ public:
           .message("`{0}` measures, and nothing has switched the probe on: `{1}` does", code.name,
                    ctx.dialect().codes[switch_].name);
   }
+  void remember(RuleMemory &memory) const override { memory(on_); }
 
 private:
   CodeIndex switch_ = noCode; ///< code that switches the probe on, by the machine profile

@@ -36,6 +36,7 @@ public:
             .note(end_, "the series ends here");
     end_ = {};
   }
+  void remember(RuleMemory &memory) const override { memory(end_, feed_); }
 
 private:
   /// A code that ends a series of measurements.

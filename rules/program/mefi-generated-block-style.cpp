@@ -29,6 +29,7 @@ public:
       technologyBefore = generated.isTechnology();
     });
   }
+  void remember(RuleMemory &memory) const override { memory(seenLong_, seenShort_); }
 
 private:
   /// One family of names for feed and speed in a file.

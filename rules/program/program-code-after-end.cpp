@@ -24,6 +24,7 @@ public:
       if (end.file == file.source.id())
         behind(end, file, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(ends_); }
 
 private:
   struct End {

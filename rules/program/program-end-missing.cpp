@@ -47,6 +47,7 @@ public:
     finding.fix(FixSafety::Unsafe, "end the program here",
                 ctx.insertBefore(where.end, (lineEnd + opened + end_).str()));
   }
+  void remember(RuleMemory &memory) const override { memory(headSeen_); }
 
 private:
   std::string end_;

@@ -41,6 +41,7 @@ public:
       finding.message(
           "the program ends with the tool at depth: the next one begins inside the work");
   }
+  void remember(RuleMemory &memory) const override { memory(job_); }
 
 private:
   SourceRange job_; ///< what has left the tool somewhere, until its axis moves

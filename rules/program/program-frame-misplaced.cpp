@@ -27,7 +27,7 @@ public:
     Block block;
     for (uint32_t at = ctx.index().programAt(ctx.block().begin).body; at < ctx.block().begin;
          at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       if (block.isEmpty())
         continue;
       if (auto finding = ctx.report(event))

@@ -42,6 +42,7 @@ public:
     if (wantsEndMark_)
       endMark(*end, file, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(ends_); }
 
 private:
   /// The first block that says anything resets the control.

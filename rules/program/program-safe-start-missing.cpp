@@ -41,6 +41,7 @@ public:
           "was left in",
           ctx.text(*event.word), modes(ctx.dialect(), group));
   }
+  void remember(RuleMemory &memory) const override { memory(moved_, turned_); }
 
 private:
   /// The first move asks for dimensions and units, the first arc, cycle or compensation for a

@@ -58,6 +58,7 @@ public:
         }
     }
   }
+  void remember(RuleMemory &memory) const override { memory(tap_, once_); }
 
 private:
   /// The code that stopped the spindle besides doing its own work; null: a tapping cycle did.

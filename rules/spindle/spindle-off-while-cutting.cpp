@@ -77,6 +77,7 @@ public:
           .note(origin, "the spindle is stopped here");
     }
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   OncePerCause once_;

@@ -40,6 +40,7 @@ public:
                    longest_)
           .note(first_, "the chain begins here");
   }
+  void remember(RuleMemory &memory) const override { memory(count_, last_, first_); }
 
 private:
   unsigned longest_ = 3;

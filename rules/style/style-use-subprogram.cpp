@@ -39,6 +39,7 @@ public:
     for (const ProgramInfo &program : file.index.programs())
       look(program, file, ctx);
   }
+  void remember(RuleMemory &memory) const override { memory(said_, lines_); }
 
 private:
   struct Line {

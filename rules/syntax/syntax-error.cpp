@@ -60,6 +60,7 @@ public:
     if (auto finding = ctx.report(range))
       finding.message(what, ctx.source().displayText(ctx.text(range)));
   }
+  void remember(RuleMemory &memory) const override { memory(behindText_); }
 
 private:
   /// Arguments of one instruction that are separated by `;` and by `,`.

@@ -63,6 +63,7 @@ public:
       return;
     }
   }
+  void remember(RuleMemory &memory) const override { memory(quoteSpoken_); }
 
 private:
   bool quoteSpoken_ = false;

@@ -49,6 +49,7 @@ public:
       return;
     }
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   OncePerCause once_;

@@ -52,6 +52,7 @@ public:
           finding.message("`{0}`: this control has no address {1}, the block is refused",
                           ctx.text(word), ctx.dialect().addressName(word.address));
   }
+  void remember(RuleMemory &memory) const override { memory(axes_); }
 
 private:
   /// A code of the block has something to say of just this address.

@@ -58,6 +58,7 @@ public:
     else
       finding.message("`{0}` is no name that the control knows", ctx.text(range));
   }
+  void remember(RuleMemory &memory) const override { memory(spoken_); }
 
 private:
   /// A value for a name that a main program does not define. What it is called by may have defined

@@ -44,6 +44,7 @@ public:
         finding.severity(first ? Severity::Style : Severity::Warning);
     }
   }
+  void remember(RuleMemory &memory) const override { memory(onlyTool_, uses_, once_); }
 
 private:
   /// Whether the file names a code of the length offset's group anywhere; looked up once a file.

@@ -32,6 +32,7 @@ public:
                       "its old data",
                       ctx.code(event).name);
   }
+  void remember(RuleMemory &memory) const override { memory(nameless_); }
 
 private:
   NamelessChanges nameless_;

@@ -31,6 +31,7 @@ public:
                         ctx.text(named_));
     }
   }
+  void remember(RuleMemory &memory) const override { memory(nameless_, named_); }
 
 private:
   /// A tool that is got ready while another one cuts is usual; the program has changed in none yet.

@@ -38,6 +38,7 @@ public:
                    state.tool)
           .note(state.origin.tool, "the tool is called here");
   }
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   /// The length of the tool is switched off, and its axis moves.

@@ -46,7 +46,7 @@ private:
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     Block block;
     for (uint32_t at = program.body; at < program.end; at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       if (block.begin == ctx.block().begin || !block.has(letterAddress('P')))
         continue;
       const Word *p = block.find('P');

@@ -16,7 +16,7 @@ public:
       return;
     // The cycle's own words tell whether it left anything.
     Block block;
-    ctx.index().reader().read(ctx.source().lines().lineBegin(origin.begin), block);
+    ctx.index().read(ctx.source().lines().lineBegin(origin.begin), block);
     bool leaves = false;
     std::string name = ctx.source().text(origin.begin, origin.end).str();
     for (const CodeIndex index : codesOf(ctx.dialect(), block))

@@ -25,7 +25,7 @@ public:
       return;
     }
     Block block;
-    ctx.index().reader().read(first.begin, block);
+    ctx.index().read(first.begin, block);
     SourceRange range{first.file, block.end, block.begin};
     for (const Word &word : block.words) {
       range.begin = std::min(range.begin, word.offset);

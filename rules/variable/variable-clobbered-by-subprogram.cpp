@@ -24,7 +24,7 @@ public:
     Block next;
     uint32_t at = ctx.block().next;
     for (unsigned i = 0; i < readable && at < ctx.source().text().size(); ++i, at = next.next) {
-      ctx.index().reader().read(at, next);
+      ctx.index().read(at, next);
       for (const ExpressionOp &op : next.operations) {
         const auto key = uint64_t(op.value);
         if (op.op != Op::Variable || !seen.insert(key).second || !isNumbered(op, ctx) ||

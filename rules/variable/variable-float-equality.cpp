@@ -88,7 +88,7 @@ private:
     Block block;
     for (uint32_t at = ctx.index().programAt(ctx.block().begin).body; at < ctx.block().begin;
          at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       for (const Item &item : block.items)
         if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == variable &&
             item.value != noExpression)

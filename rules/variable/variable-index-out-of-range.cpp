@@ -63,7 +63,7 @@ private:
     if (!defined || !defined->array)
       return;
     Block block;
-    ctx.index().reader().read(ctx.source().lines().lineBegin(defined->begin), block);
+    ctx.index().read(ctx.source().lines().lineBegin(defined->begin), block);
     for (const Item &definition : block.items) {
       if (definition.kind != ItemKind::Definition || definition.nameBegin != defined->begin ||
           definition.arguments != 1)

@@ -38,7 +38,7 @@ private:
     const ProgramInfo &program = ctx.index().programAt(at);
     for (unsigned i = 0; i < lookBack && at > program.body; ++i) {
       at = ctx.source().lines().lineBegin(at - 1);
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       if (block.hasLabel() || ctx.text(SourceRange{ctx.source().id(), block.begin, block.end})
                                   .contains_insensitive("STOPRE"))
         return false;

@@ -48,6 +48,7 @@ public:
                       "earlier program left there",
                       name);
   }
+  void remember(RuleMemory &memory) const override { memory(known_, main_, reported_, names_); }
 
 private:
   /// `#<name>` does not exist before it has been given a value.
@@ -84,7 +85,7 @@ private:
     Block block;
     for (uint32_t at = program.body; at < program.end && at - program.body < 1u << 20;
          at = block.next) {
-      ctx.index().reader().read(at, block);
+      ctx.index().read(at, block);
       if (llvm::any_of(block.items, [](const Item &i) { return i.kind == ItemKind::Parameters; }))
         return false;
       main_ |=

@@ -143,6 +143,7 @@ public:
     notify("exit", nullptr);
     return exitCode();
   }
+  pid_t process() const { return server_; }
   void hangUp() {
     if (in_ >= 0)
       ::close(in_);

@@ -1,0 +1,146 @@
+// A check that remembers the one before finds what a fresh one finds, whatever was edited.
+#include "lsp/server/checks.h"
+#include "tests/support/random_edits.h"
+
+#include "gtest/gtest.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace {
+
+using namespace ncvet;
+using lsp::CheckJob;
+using lsp::CheckResult;
+using test::RandomEdit;
+using test::RandomEdits;
+
+std::string told(const CheckResult &result) {
+  std::string all = result.error + (result.complete ? "complete\n" : "cut\n");
+  for (const lsp::Problem &problem : result.problems)
+    all += problem.path + " " +
+           problem.diagnostic.dump(-1, ' ', false, lsp::Json::error_handler_t::replace) + "\n" +
+           problem.changes.dump(-1, ' ', false, lsp::Json::error_handler_t::replace) + "\n";
+  return all;
+}
+
+/// A document that is edited; every version is checked with memory and without.
+class Edited {
+public:
+  Edited(const std::string &dialect, const std::string &path) {
+    SessionOptions options;
+    options.dialect = dialect;
+    job_.session = std::make_shared<Session>(std::move(options));
+    job_.overlay = std::make_shared<SourceSet::Overlay>();
+    job_.document.path = path;
+    job_.support.related = true;
+  }
+  /// What differs between the two; empty: nothing.
+  std::string difference(const std::string &text) {
+    job_.document.text = std::make_shared<const std::string>(text);
+    const std::string again = told(*lsp::check(job_, nullptr, &memory_));
+    const std::string fresh = told(*lsp::check(job_, nullptr));
+    return again == fresh ? "" : "with memory:\n" + again + "fresh:\n" + fresh;
+  }
+
+private:
+  CheckJob job_;
+  CheckMemory memory_;
+};
+
+void editAndCompare(const std::string &dialect, const std::string &path, std::string text,
+                    unsigned edits, unsigned seed) {
+  Edited edited(dialect, path);
+  RandomEdits random(seed);
+  ASSERT_EQ(edited.difference(text), "") << path;
+  for (unsigned i = 0; i < edits; ++i) {
+    const RandomEdit edit = random.next(text);
+    const std::string before = text;
+    text = edit.applied(text);
+    ASSERT_EQ(edited.difference(text), "")
+        << path << ", edit " << i << ": " << edit.begin << "-" << edit.end << " \"" << edit.text
+        << "\" for \"" << before.substr(edit.begin, edit.end - edit.begin) << "\"";
+  }
+}
+
+/// Tools that mill lines and arcs, drill, and call a subprogram between long runs of plain moves.
+std::string machining(unsigned moves) {
+  std::string text = "%\nO1 (PART)\nG17 G40 G80 G90\n";
+  for (unsigned tool = 1; tool <= 4; ++tool) {
+    text += "T" + std::to_string(tool) + " M06\nG54 G00 X0. Y0. S2000 M03\nG43 H" +
+            std::to_string(tool) + " Z50.\nG01 Z-1. F" + std::to_string(100 * tool) + ".\n";
+    for (unsigned i = 0; i < moves; ++i) {
+      text += "X" + std::to_string(i % 90) + "." + std::to_string(i % 7) + " Y" +
+              std::to_string((i * 7) % 60) + ".\n";
+      if (i % 211 == 210)
+        text += "G00 Z5.\nX10. Y10.\nG01 Z-1. F150.\n";
+      if (i % 97 == 0)
+        text += "N" + std::to_string(10 * i) + " G02 X10. Y10. I5. J0.\nG01\n";
+    }
+    text += "G00 Z50.\nG83 X5. Y5. Z-9. R2. Q3. F80.\nX15.\nG80\nM98 P2\nG91 G28 Z0.\nG90 G49\n";
+  }
+  return text + "M30\nO2\nG91 X1.\nX2.\nG90\nM99\n%\n";
+}
+
+TEST(Incremental, EditsOfALongProgramGiveWhatAFreshCheckGives) {
+  for (unsigned seed = 0; seed < 4; ++seed)
+    editAndCompare("haas-mill", "/nowhere/O0001.nc", machining(700), 60, seed);
+}
+
+TEST(Incremental, TheSecondCheckTakesOverMostOfTheFirst) {
+  SessionOptions options;
+  options.dialect = "haas-mill";
+  Session session(std::move(options));
+  const auto text = std::make_shared<const std::string>(machining(4000));
+  CheckMemory memory;
+  Recheck again{text, memory};
+  SourceSet sources;
+  checkFile(session, sources, sources.add("a.nc", text, "/nowhere/a.nc"), nullptr, &again);
+  EXPECT_GT(memory.blocks(), 12000u);
+}
+
+TEST(Incremental, WhatARuleRemembersAtTheStartCanBeCompared) {
+  for (const DialectSummary &summary : listDialects()) {
+    if (summary.abstract)
+      continue;
+    const auto dialect = llvm::cantFail(loadDialect(summary.id, builtinDialects()));
+    const MachineProfile machine;
+    for (const RuleEntry &entry : allRules()) {
+      const std::unique_ptr<Rule> rule = entry.make();
+      Subscriptions subscriptions(*dialect, machine, nullptr);
+      rule->listen(subscriptions);
+      RuleMemory memory(0);
+      rule->remember(memory);
+      EXPECT_TRUE(memory.isComparable()) << summary.id << " " << entry.info.id.str();
+    }
+  }
+}
+
+class RealPrograms : public ::testing::TestWithParam<const char *> {};
+
+TEST_P(RealPrograms, EditsGiveWhatAFreshCheckGives) {
+  namespace fs = std::filesystem;
+  const fs::path folder =
+      fs::path(NCVET_SOURCE_DIR) / ".." / "shared" / "corpus" / "real" / GetParam();
+  if (!fs::exists(folder))
+    GTEST_SKIP() << "no programs in " << folder;
+  std::vector<fs::path> files;
+  for (const auto &entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.file_size() < 300000)
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  constexpr size_t most = 12;
+  const size_t step = std::max<size_t>(1, files.size() / most);
+  for (size_t i = 0; i < files.size(); i += step) {
+    std::ifstream in(files[i], std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    editAndCompare("auto", files[i].string(), text, 12, unsigned(i));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RealPrograms,
+                         ::testing::Values("cam_iso", "fanuc_lathe", "fanuc_mill", "haas_lathe",
+                                           "haas_mill", "linuxcnc", "sinumerik", "iso_generic"));
+
+} // namespace
