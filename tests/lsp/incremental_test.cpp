@@ -76,7 +76,7 @@ std::string machining(unsigned moves) {
       if (i % 211 == 210)
         text += "G00 Z5.\nX10. Y10.\nG01 Z-1. F150.\n";
       if (i % 97 == 0)
-        text += "N" + std::to_string(10 * i) + " G02 X10. Y10. I5. J0.\nG01\n";
+        text += "N" + std::to_string(10 * i) + " G01 X10. Y10.\nG02 X10. Y10. I5. J0.\nG01\n";
     }
     text += "G00 Z50.\nG83 X5. Y5. Z-9. R2. Q3. F80.\nX15.\nG80\nM98 P2\nG91 G28 Z0.\nG90 G49\n";
   }
@@ -97,7 +97,7 @@ TEST(Incremental, TheSecondCheckTakesOverMostOfTheFirst) {
   Recheck again{text, memory};
   SourceSet sources;
   checkFile(session, sources, sources.add("a.nc", text, "/nowhere/a.nc"), nullptr, &again);
-  EXPECT_GT(memory.blocks(), 12000u);
+  EXPECT_GT(memory.blocks(), 14000u);
 }
 
 TEST(Incremental, WhatARuleRemembersAtTheStartCanBeCompared) {
