@@ -160,7 +160,9 @@ StraightRuns *CheckMemory::runsFor(const FileSetup &setup, const SourceFile &fil
                     .str();
   const bool same = text_ && dialect_ == setup.dialect && machine_ == setup.machine &&
                     rules_ == setup.rules && file_ == file.id() && programs_ == programs;
-  if (!same)
+  // On some controls a program of one's own may hide one of the control's.
+  const bool hides = !setup.dialect->hiddenPrograms.empty() && folders_ != setup.folders;
+  if (!same || hides)
     runs_.clear();
   else if (text_ != text)
     runs_.edit(changeBetween(*text_, *text));
@@ -168,6 +170,7 @@ StraightRuns *CheckMemory::runsFor(const FileSetup &setup, const SourceFile &fil
   dialect_ = setup.dialect;
   machine_ = setup.machine;
   rules_ = setup.rules;
+  folders_ = setup.folders;
   file_ = file.id();
   programs_ = std::move(programs);
   return &runs_;

@@ -46,6 +46,7 @@ private:
   std::shared_ptr<const Dialect> dialect_;
   std::shared_ptr<const MachineProfile> machine_;
   std::shared_ptr<const RuleSelection> rules_;
+  std::shared_ptr<ProgramFolders> folders_;
   FileId file_ = 0;
   std::string programs_; ///< which programs the text held
 };

@@ -179,13 +179,17 @@ Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &
       });
 }
 
+void Session::forgetFolders() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  folders_ = std::make_shared<ProgramFolders>();
+}
+
 llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringRef text) {
   auto config = this->config(path::parent_path(fileName));
   if (!config)
     return config.takeError();
   FileSetup setup;
   setup.config = *config;
-  setup.folders = folders_;
   setup.limits = options_.limits;
   const MachineSource *machine = nullptr;
   if (options_.machine)
@@ -209,6 +213,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
   }
   // Detection compiles expressions, but it runs unlocked: only making the detector needs the lock.
   std::unique_lock<std::mutex> lock(mutex_);
+  setup.folders = folders_;
   const UnsureReports *unsure = nullptr; // kept by the session's detector
   if (dialect.empty()) {
     auto found = detector(*setup.config);

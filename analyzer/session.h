@@ -44,6 +44,8 @@ public:
   /// Setup for the file of this name and text. Errors are those of configurations and tables.
   llvm::Expected<FileSetup> setup(llvm::StringRef fileName, llvm::StringRef text);
   const SessionOptions &options() const { return options_; }
+  /// Files were made, removed or written: folders are read again for later setups.
+  void forgetFolders();
   /// The control without a table that the text is for, with what speaks for it; empty: none.
   std::string otherControl(const Config &config, llvm::StringRef fileName, llvm::StringRef text);
 

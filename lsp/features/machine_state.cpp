@@ -174,12 +174,7 @@ std::string pathOf(const StateOnWay &way, Snapshot &snapshot) {
 
 } // namespace
 
-std::string machineState(Snapshot &snapshot, uint32_t offset, const std::atomic<bool> *cancel,
-                         StraightRuns *runs) {
-  Block block;
-  snapshot.readAt(offset, block);
-  const StatesAt states = statesAt(snapshot.project(), snapshot.unit(), snapshot.unit(),
-                                   block.begin, snapshot.setup().limits, cancel, runs);
+std::string machineState(Snapshot &snapshot, const StatesAt &states) {
   if (states.ways.empty())
     return {};
   std::vector<Lines> ways;

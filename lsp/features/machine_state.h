@@ -7,9 +7,8 @@
 namespace ncvet::lsp {
 
 /// Markdown: modal codes, position, tool, offsets, feed, speed, compensation and cycle on entry of
-/// the block that holds `offset`, as sets where ways differ, and the calls that lead there. Empty
-/// when no way leads there. `runs`: see `analyze`.
-std::string machineState(Snapshot &snapshot, uint32_t offset,
-                         const std::atomic<bool> *cancel = nullptr, StraightRuns *runs = nullptr);
+/// the block that the states are of, as sets where ways differ, and the calls that lead there. Empty
+/// when no way leads there.
+std::string machineState(Snapshot &snapshot, const StatesAt &states);
 
 } // namespace ncvet::lsp

@@ -32,15 +32,6 @@ bool isUnnecessary(const RuleInfo &rule) {
 
 } // namespace
 
-Positions &DiagnosticWriter::positions(FileId file) {
-  return positions_.try_emplace(file, sources_.get(file), encoding_).first->second;
-}
-
-Json DiagnosticWriter::location(SourceRange range) {
-  return {{"uri", uriOfPath(sources_.get(range.file).path())},
-          {"range", rangeJson(positions(range.file), range)}};
-}
-
 std::string DiagnosticWriter::lineOf(SourceRange range) {
   const SourceFile &file = sources_.get(range.file);
   return (llvm::sys::path::filename(file.display()) + ":" +
@@ -55,7 +46,7 @@ Json DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) 
   Json related = Json::array();
   const auto further = [&](SourceRange range, const std::string &text) {
     if (support_.related)
-      related.push_back({{"location", location(range)}, {"message", text}});
+      related.push_back({{"location", places_.location(range)}, {"message", text}});
     else
       message += "\n" + lineOf(range) + ": " + text;
   };
@@ -63,7 +54,7 @@ Json DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) 
     further(note.range, note.message);
   for (const PathStep &step : finding.path)
     further(step.range, step.message);
-  Json json = {{"range", rangeJson(positions(finding.range.file), finding.range)},
+  Json json = {{"range", places_.range(finding.range)},
                {"severity", severityNumber(finding.severity)},
                {"code", rule.id.str()},
                {"source", "ncvet"},
@@ -76,16 +67,6 @@ Json DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) 
     if (std::string page = rulePageUri(rule); !page.empty())
       json["codeDescription"] = {{"href", std::move(page)}};
   return json;
-}
-
-Json DiagnosticWriter::changes(const Fix &fix) {
-  std::map<FileId, std::vector<TextEdit>> byFile;
-  for (const TextEdit &edit : fix.edits)
-    byFile[edit.range.file].push_back(edit);
-  Json changes = Json::object();
-  for (const auto &[file, edits] : byFile)
-    changes[uriOfPath(sources_.get(file).path())] = editsJson(positions(file), edits);
-  return changes;
 }
 
 std::string rulePageUri(const RuleInfo &rule) {

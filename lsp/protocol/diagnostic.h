@@ -2,8 +2,7 @@
 #pragma once
 
 #include "formats/finding/finding.h"
-#include "formats/text/source_set.h"
-#include "lsp/protocol/json.h"
+#include "lsp/protocol/places.h"
 
 #include "llvm/ADT/StringMap.h"
 
@@ -20,21 +19,18 @@ struct DiagnosticSupport {
 class DiagnosticWriter {
 public:
   DiagnosticWriter(const SourceSet &sources, PositionEncoding encoding, DiagnosticSupport support)
-      : sources_(sources), encoding_(encoding), support_(support) {}
+      : sources_(sources), places_(sources, encoding), support_(support) {}
 
   Json diagnostic(const Finding &finding, const RuleInfo &rule);
   /// The edits of a fix by URI.
-  Json changes(const Fix &fix);
-  Positions &positions(FileId file);
+  Json changes(const Fix &fix) { return places_.changes(fix.edits); }
 
 private:
-  Json location(SourceRange range);
   std::string lineOf(SourceRange range);
 
   const SourceSet &sources_;
-  PositionEncoding encoding_;
+  Places places_;
   DiagnosticSupport support_;
-  std::map<FileId, Positions> positions_;
 };
 
 /// The page of a rule as a file that an editor can open, written when first asked for; its URI, or

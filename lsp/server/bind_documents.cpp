@@ -2,6 +2,8 @@
 #include "lsp/protocol/uri.h"
 #include "lsp/server/bindings.h"
 
+#include "llvm/Support/Path.h"
+
 namespace ncvet::lsp {
 
 namespace {
@@ -53,6 +55,24 @@ void close(Context &context, const Json &params) {
         context.check(other);
 }
 
+/// Checks again what depends on files that were written, made or removed.
+void filesChanged(Context &context, llvm::ArrayRef<std::string> paths) {
+  const auto isConfiguration = [](llvm::StringRef path) { return path.endswith(".json"); };
+  if (llvm::any_of(paths, isConfiguration)) // settings, machine profiles, tables
+    return context.renew(context.settings);
+  context.forgetFiles();
+  const auto concerns = [&](const Document &document) {
+    const llvm::StringRef folder = llvm::sys::path::parent_path(document.path);
+    return llvm::any_of(paths, [&](const std::string &path) {
+      return path != document.path && (llvm::sys::path::parent_path(path) == folder ||
+                                       context.problems.uses(document.path, path));
+    });
+  };
+  for (const auto &[uri, document] : context.documents.all())
+    if (concerns(document))
+      context.check(document);
+}
+
 void fetchSettings(Context &context) {
   Json items = Json::array();
   items.push_back({{"section", "ncvet"}});
@@ -100,11 +120,16 @@ void bindDocuments(Context &context) {
   rpc.onNotification("textDocument/didChange",
                      [&](const Json &params) { change(context, params); });
   rpc.onNotification("textDocument/didClose", [&](const Json &params) { close(context, params); });
-  // A saved text may be called by programs that are open, and a new file answers a call.
-  rpc.onNotification("textDocument/didSave",
-                     [&](const Json &) { context.renew(context.settings); });
-  rpc.onNotification("workspace/didChangeWatchedFiles",
-                     [&](const Json &) { context.renew(context.settings); });
+  // A new file may answer a call.
+  rpc.onNotification("textDocument/didSave", [&](const Json &params) {
+    filesChanged(context, {pathOfUri(params.at("textDocument").at("uri").get<std::string>())});
+  });
+  rpc.onNotification("workspace/didChangeWatchedFiles", [&](const Json &params) {
+    std::vector<std::string> paths;
+    for (const Json &change : params.at("changes"))
+      paths.push_back(pathOfUri(change.at("uri").get<std::string>()));
+    filesChanged(context, paths);
+  });
   rpc.onNotification("workspace/didChangeConfiguration",
                      [&](const Json &params) { configure(context, params); });
   rpc.onNotification("workspace/didChangeWorkspaceFolders",

@@ -9,5 +9,10 @@ void bindDocuments(Context &context);   ///< open, change, close, save; settings
 void bindDiagnostics(Context &context); ///< pull diagnostics of documents and of the workspace
 void bindActions(Context &context);     ///< quick fixes, suppressions, explanations
 void bindHover(Context &context);
+void bindNavigation(Context &context); ///< names, outline, folds, selections, calls, links
+void bindWriting(Context &context);    ///< completion, signatures, colours, hints, lenses
+
+/// The types and modifiers of semantic tokens, as the capabilities name them.
+Json tokensLegend();
 
 } // namespace ncvet::lsp

@@ -2,6 +2,7 @@
 // both.
 #include "lsp/server/context.h"
 
+#include "analyzer/inputs.h"
 #include "lsp/protocol/uri.h"
 
 #include "llvm/Support/raw_ostream.h"
@@ -16,6 +17,21 @@ constexpr size_t mostSnapshots = 4;
 constexpr llvm::StringLiteral languagePrefix = "ncvet-";
 
 } // namespace
+
+std::vector<std::string> View::programs() const {
+  std::vector<std::string> paths;
+  for (const Input &input : collectInputs(folders, session).files)
+    paths.push_back(input.path);
+  return paths;
+}
+
+const MachineState *View::stateBefore(uint32_t offset) {
+  Block block;
+  snapshot.readAt(offset, block);
+  states_ = statesAt(snapshot.project(), snapshot.unit(), snapshot.unit(), block.begin,
+                     snapshot.setup().limits, &cancelled, runs);
+  return states_->ways.empty() ? nullptr : &states_->ways.front().before;
+}
 
 Context::Context(MessageWriter &writer)
     : rpc(writer),
@@ -64,6 +80,12 @@ std::shared_ptr<Session> Context::session(const Document &document) {
   return session;
 }
 
+void Context::forgetFiles() {
+  for (const auto &[dialect, session] : sessions_)
+    session->forgetFolders();
+  documents.touch(); // snapshots that know the folders as they were are not used again
+}
+
 CheckJob Context::job(const Document &document) {
   return {document, session(document), documents.overlay(), client.encoding, client.diagnostics};
 }
@@ -106,16 +128,26 @@ void Context::answerFor(const Document &document, Reply reply, std::function<Jso
   // A task is copied, a reply is not.
   auto held = std::make_shared<Reply>(std::move(reply));
   features->post([this, held, job = job(document), answer = std::move(answer),
-                  settings = settings]() {
+                  settings = settings, folders = folders]() {
     if (held->cancelled())
       return held->fail(RpcError::RequestCancelled, "cancelled");
     auto snapshot = snapshotOf(job);
     if (!snapshot)
       return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
-    Positions positions((*snapshot)->source(), client.encoding);
     StraightRuns *runs = memories_[job.document.path].runsFor(
         (*snapshot)->setup(), (*snapshot)->source(), job.document.text, (*snapshot)->unit().index);
-    View view{job.document, **snapshot, positions, settings, client, held->cancelled(), runs};
+    Places places((*snapshot)->project().sources(), client.encoding);
+    View view{job.document,
+              **snapshot,
+              places.of((*snapshot)->source().id()),
+              settings,
+              client,
+              held->cancelled(),
+              runs,
+              places,
+              *job.session,
+              folders,
+              {}};
     try {
       (*held)(answer(view));
     } catch (const Json::exception &) {

@@ -1,7 +1,9 @@
 // What all parts of the server share, and how a request comes to the text that it is about.
 #pragma once
 
+#include "analyzer/states_at.h"
 #include "lsp/features/snapshot.h"
+#include "lsp/protocol/places.h"
 #include "lsp/server/problem_board.h"
 #include "lsp/server/settings.h"
 #include "lsp/server/worker.h"
@@ -34,6 +36,15 @@ struct View {
   const ClientSupport &client;
   const std::atomic<bool> &cancelled;
   StraightRuns *runs; ///< of states without rules, see `statesAt`
+  Places &places;     ///< of all files of the snapshot's project
+  Session &session;
+  llvm::ArrayRef<std::string> folders; ///< of the workspace
+
+  /// Paths of all programs of the workspace, as the editor's settings and configurations have it.
+  std::vector<std::string> programs() const;
+  /// The states in front of the block that holds `offset`; the first one, or null.
+  const MachineState *stateBefore(uint32_t offset);
+  std::optional<StatesAt> states_;
 
   uint32_t offset(const Json &params) const {
     return positions.offset(positionOf(params.at("position")));
@@ -59,6 +70,8 @@ public:
   void checkAll();
   /// Settings, configurations or files have changed: everything is read again.
   void renew(Settings settings);
+  /// Which programs lie in which folder is looked up again.
+  void forgetFiles();
   /// The session for a document: of its own when its language names a control.
   std::shared_ptr<Session> session(const Document &document);
   CheckJob job(const Document &document);

@@ -27,6 +27,8 @@ public:
   /// `Json::exception` when they have another form; the document is then as it was.
   const Document *change(llvm::StringRef uri, int64_t version, const Json &changes);
   void close(llvm::StringRef uri);
+  /// The next overlay is another object, though the texts are the same.
+  void touch() { overlay_.reset(); }
   const Document *find(llvm::StringRef uri) const;
   const std::map<std::string, Document> &all() const { return byUri_; }
   /// The texts of all open documents by path; the same object until one of them changes.

@@ -99,6 +99,12 @@ std::vector<std::string> ProblemBoard::usersOf(const std::string &path) {
   return users;
 }
 
+bool ProblemBoard::uses(const std::string &document, const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto result = results_.find(document);
+  return result != results_.end() && result->second->files.count(path);
+}
+
 std::shared_ptr<const CheckResult> ProblemBoard::result(const std::string &path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = results_.find(path);

@@ -29,6 +29,8 @@ public:
   std::vector<std::string> relatedTo(const std::string &path);
   /// Open documents whose check looked at the file.
   std::vector<std::string> usersOf(const std::string &path);
+  /// Whether the check of an open document looked at the file.
+  bool uses(const std::string &document, const std::string &path);
   /// The last result of an open document; null when there is none of its present text.
   std::shared_ptr<const CheckResult> result(const std::string &path);
 

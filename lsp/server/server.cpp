@@ -72,6 +72,23 @@ Json capabilities(const ClientSupport &client) {
       {"textDocumentSync",
        {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
       {"hoverProvider", true},
+      {"definitionProvider", true},
+      {"referencesProvider", true},
+      {"documentHighlightProvider", true},
+      {"documentSymbolProvider", true},
+      {"workspaceSymbolProvider", {{"workDoneProgress", true}}},
+      {"foldingRangeProvider", true},
+      {"selectionRangeProvider", true},
+      {"documentLinkProvider", Json::object()},
+      {"callHierarchyProvider", true},
+      {"completionProvider",
+       {{"triggerCharacters", {"G", "M", "L", "(", ",", "#", "<", "$"}},
+        {"resolveProvider", true}}},
+      {"signatureHelpProvider", {{"triggerCharacters", {"(", ",", ";", " "}}}},
+      {"inlayHintProvider", true},
+      {"codeLensProvider", {{"resolveProvider", false}}},
+      {"semanticTokensProvider",
+       {{"legend", tokensLegend()}, {"full", {{"delta", true}}}, {"range", true}}},
       {"codeActionProvider",
        {{"codeActionKinds", {"quickfix", "source.fixAll.ncvet", "source.explain.ncvet"}}}},
       {"executeCommandProvider", {{"commands", {"ncvet.explain"}}}},
@@ -92,6 +109,8 @@ public:
     bindDiagnostics(context_);
     bindActions(context_);
     bindHover(context_);
+    bindNavigation(context_);
+    bindWriting(context_);
   }
 
   int run() {

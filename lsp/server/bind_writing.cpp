@@ -1,0 +1,236 @@
+// Writing: completion, signatures, colours, hints in the text, lenses over it.
+#include "lsp/features/code_lens.h"
+#include "lsp/features/completion.h"
+#include "lsp/features/inlay_hints.h"
+#include "lsp/features/semantic_tokens.h"
+#include "lsp/features/signature_help.h"
+#include "lsp/server/bindings.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// `CompletionItemKind` of the protocol.
+int completionKind(CompletionKind kind) {
+  switch (kind) {
+  case CompletionKind::Code:
+    return 3; // function
+  case CompletionKind::Word:
+    return 10; // property
+  case CompletionKind::Parameter:
+    return 5; // field
+  case CompletionKind::Keyword:
+    return 14;
+  case CompletionKind::Label:
+    return 18; // reference
+  case CompletionKind::Variable:
+    return 6;
+  case CompletionKind::Program:
+    return 9; // module
+  }
+  return 1;
+}
+
+/// A snippet without its place holders, for editors that know none.
+std::string plainText(llvm::StringRef snippet) {
+  std::string text;
+  while (!snippet.empty()) {
+    if (snippet.consume_front("${")) {
+      const auto [head, behind] = snippet.split('}');
+      text += head.split(':').second;
+      snippet = behind;
+    } else if (snippet.front() == '$' && snippet.size() > 1 && llvm::isDigit(snippet[1])) {
+      snippet = snippet.drop_front(2);
+    } else {
+      if (snippet.front() == '\\' && snippet.size() > 1)
+        snippet = snippet.drop_front();
+      text += snippet.front();
+      snippet = snippet.drop_front();
+    }
+  }
+  return text;
+}
+
+Json completed(View &view, const Json &params) {
+  constexpr int snippetFormat = 2;
+  const uint32_t offset = view.offset(params);
+  Json items = Json::array();
+  for (const CompletionItem &item :
+       completions(view.snapshot, offset, view.stateBefore(offset))) {
+    const bool snippet = item.snippet && view.client.snippets;
+    Json json = {{"label", item.label},
+                 {"kind", completionKind(item.kind)},
+                 {"sortText", llvm::formatv("{0:d3}{1}", int(item.rank), item.label).str()},
+                 {"textEdit",
+                  {{"range", view.places.range(item.replace)},
+                   {"newText", item.snippet && !snippet ? plainText(item.insert) : item.insert}}}};
+    if (snippet)
+      json["insertTextFormat"] = snippetFormat;
+    if (!item.detail.empty())
+      json["detail"] = item.detail;
+    if (!item.documentation.empty())
+      json["data"] = {{"uri", view.document.uri}, {"id", item.documentation}};
+    items.push_back(std::move(json));
+  }
+  return {{"isIncomplete", false}, {"items", std::move(items)}};
+}
+
+void resolveCompletion(Context &context) {
+  context.rpc.onRequest("completionItem/resolve", [&context](const Json &params, Reply reply) {
+    const Json data = params.value("data", Json());
+    const Document *document =
+        data.is_object() ? context.documents.find(data.value("uri", "")) : nullptr;
+    if (!document)
+      return reply(params);
+    context.answerFor(*document, std::move(reply), [params, data](View &view) {
+      Json item = params;
+      std::string help = completionHelp(view.snapshot.dialect(), data.at("id").get<std::string>());
+      if (!help.empty())
+        item["documentation"] = {{"kind", "markdown"}, {"value", std::move(help)}};
+      return item;
+    });
+  });
+}
+
+Json signature(View &view, const Json &params) {
+  const auto found = signatureHelp(view.snapshot, view.offset(params));
+  if (!found)
+    return nullptr;
+  Json parameters = Json::array();
+  for (const SignatureParameter &parameter : found->parameters)
+    parameters.push_back(
+        {{"label", found->label.substr(parameter.begin, parameter.end - parameter.begin)},
+         {"documentation", parameter.documentation}});
+  Json one = {{"label", found->label},
+              {"documentation", found->documentation},
+              {"parameters", std::move(parameters)}};
+  Json answer = {{"signatures", {std::move(one)}}, {"activeSignature", 0}};
+  if (found->active >= 0)
+    answer["activeParameter"] = found->active;
+  return answer;
+}
+
+Json hinted(View &view, const Json &params) {
+  const auto [begin, end] = view.range(params);
+  HintOptions options;
+  options.on[size_t(HintKind::Value)] = view.settings.hints.units;
+  options.on[size_t(HintKind::Variable)] = view.settings.hints.values;
+  options.on[size_t(HintKind::Target)] = view.settings.hints.values;
+  options.on[size_t(HintKind::Motion)] = view.settings.hints.motion;
+  Json list = Json::array();
+  for (const InlayHint &hint : inlayHints(view.snapshot, begin, end, options, &view.cancelled))
+    list.push_back(
+        {{"position", toJson(view.positions.at(hint.offset))}, {"label", hint.text}});
+  return list;
+}
+
+Json lenses(View &view) {
+  Json list = Json::array();
+  for (const CodeLens &lens : codeLenses(view.snapshot)) {
+    Json command = {{"title", lens.title}, {"command", ""}};
+    if (!lens.places.empty()) {
+      Json places = Json::array();
+      for (const SourceRange &place : lens.places)
+        places.push_back(view.places.location(place));
+      command["command"] = "ncvet.showReferences";
+      command["arguments"] = {view.document.uri,
+                              toJson(view.positions.at(lens.range.begin)), std::move(places)};
+    }
+    list.push_back({{"range", view.places.range(lens.range)}, {"command", std::move(command)}});
+  }
+  return list;
+}
+
+/// Semantic tokens, and those that were sent last, for answers that give only what has changed.
+class Tokens {
+public:
+  Json full(View &view) {
+    Sent &sent = sent_[view.document.uri];
+    sent.data = encode(view, semanticTokens(view.snapshot));
+    sent.id = std::to_string(++lastId_);
+    return {{"resultId", sent.id}, {"data", sent.data}};
+  }
+  Json range(View &view, const Json &params) {
+    const auto [begin, end] = view.range(params);
+    return {{"data", encode(view, semanticTokens(view.snapshot, begin, end))}};
+  }
+  Json delta(View &view, const Json &params) {
+    Sent &sent = sent_[view.document.uri];
+    if (sent.id.empty() || params.at("previousResultId") != sent.id)
+      return full(view);
+    const std::vector<uint32_t> before = std::move(sent.data);
+    full(view);
+    const std::vector<uint32_t> &after = sent.data;
+    const size_t most = std::min(before.size(), after.size());
+    size_t front = 0, back = 0;
+    while (front < most && before[front] == after[front])
+      ++front;
+    while (back < most - front &&
+           before[before.size() - 1 - back] == after[after.size() - 1 - back])
+      ++back;
+    Json edits = Json::array();
+    if (front + back < std::max(before.size(), after.size()))
+      edits.push_back(
+          {{"start", front},
+           {"deleteCount", before.size() - front - back},
+           {"data", std::vector<uint32_t>(after.begin() + ptrdiff_t(front),
+                                          after.end() - ptrdiff_t(back))}});
+    return {{"resultId", sent.id}, {"edits", std::move(edits)}};
+  }
+
+private:
+  struct Sent {
+    std::string id;
+    std::vector<uint32_t> data;
+  };
+  static std::vector<uint32_t> encode(View &view, llvm::ArrayRef<SemanticToken> tokens) {
+    std::vector<uint32_t> data;
+    data.reserve(tokens.size() * 5);
+    Position last;
+    for (const SemanticToken &token : tokens) {
+      const Position begin = view.positions.at(token.begin), end = view.positions.at(token.end);
+      const bool sameLine = begin.line == last.line;
+      data.push_back(begin.line - last.line);
+      data.push_back(sameLine ? begin.character - last.character : begin.character);
+      data.push_back(end.character - begin.character);
+      data.push_back(uint32_t(token.type));
+      data.push_back(token.modifiers);
+      last = begin;
+    }
+    return data;
+  }
+
+  std::map<std::string, Sent> sent_; ///< by URI
+  unsigned lastId_ = 0;
+};
+
+} // namespace
+
+Json tokensLegend() {
+  Json types = Json::array(), modifiers = Json::array();
+  for (const llvm::StringRef name : tokenTypeNames())
+    types.push_back(name.str());
+  for (const llvm::StringRef name : tokenModifierNames())
+    modifiers.push_back(name.str());
+  return {{"tokenTypes", std::move(types)}, {"tokenModifiers", std::move(modifiers)}};
+}
+
+void bindWriting(Context &context) {
+  context.onDocument("textDocument/completion", completed);
+  resolveCompletion(context);
+  context.onDocument("textDocument/signatureHelp", signature);
+  context.onDocument("textDocument/inlayHint", hinted);
+  context.onDocument("textDocument/codeLens",
+                     [](View &view, const Json &) { return lenses(view); });
+  auto tokens = std::make_shared<Tokens>(); // of the thread of features
+  context.onDocument("textDocument/semanticTokens/full",
+                     [tokens](View &view, const Json &) { return tokens->full(view); });
+  context.onDocument(
+      "textDocument/semanticTokens/full/delta",
+      [tokens](View &view, const Json &params) { return tokens->delta(view, params); });
+  context.onDocument(
+      "textDocument/semanticTokens/range",
+      [tokens](View &view, const Json &params) { return tokens->range(view, params); });
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,145 @@
+// The language server's features as a client sees them: names, outline, colours, completion.
+#include "tests/support/language_client.h"
+#include "tests/support/process.h"
+
+namespace {
+
+using namespace ncvet;
+using test::at;
+using test::documentOf;
+using test::Json;
+using test::LanguageClient;
+using test::Shop;
+
+/// A lathe's program that calls one in another file, jumps, and cuts along a profile.
+const char *const turning = "%\nO1 (SHAFT)\nT0101 (ROUGH)\nG50 S2000\nG96 S150 M03\n"
+                            "G00 X60. Z2.\nG71 P10 Q20 U0.5 W0.1 D2. F0.3\n"
+                            "N10 G00 X20.\nG01 Z-30. F0.2\nN20 X60.\nG70 P10 Q20\n"
+                            "M98 P2\nGOTO 90\nN90 G28 U0. W0.\nM30\n%\n";
+
+class Features : public ::testing::Test {
+protected:
+  void SetUp() override {
+    shop_.file("O0001.nc", turning).file("O0002.nc", "%\nO2 (CHAMFER)\nG01 X10. F0.1\nM99\n%\n");
+    path_ = (shop_.path() / "O0001.nc").string();
+    Json folders = Json::array();
+    folders.push_back({{"uri", "file://" + shop_.path().string()}, {"name", "shop"}});
+    client_.initialize(
+        Json::parse(R"({"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
+                                         "hover": {"contentFormat": ["markdown"]},
+                                         "completion": {"completionItem": {"snippetSupport": true}}}})"),
+        {{"dialect", "haas-lathe"}}, folders);
+    client_.open(path_, turning);
+  }
+  Json ask(const std::string &method, Json more = Json::object()) {
+    more["textDocument"] = documentOf(path_);
+    return client_.request("textDocument/" + method, std::move(more));
+  }
+
+  Shop shop_;
+  std::string path_;
+  LanguageClient client_;
+};
+
+TEST_F(Features, ADefinitionMayLieInAnotherFile) {
+  const Json sub = ask("definition", {{"position", at(11, 6)}});
+  EXPECT_EQ(sub["uri"], "file://" + (shop_.path() / "O0002.nc").string());
+  EXPECT_EQ(sub["range"]["start"]["line"], 1);
+  const Json block = ask("definition", {{"position", at(12, 6)}});
+  EXPECT_EQ(block["range"]["start"]["line"], 13);
+  const Json profile = ask("definition", {{"position", at(6, 6)}});
+  EXPECT_EQ(profile["range"]["start"]["line"], 7);
+}
+
+TEST_F(Features, ReferencesAndHighlightsOfABlockNumber) {
+  const Json places = ask("references", {{"position", at(7, 1)},
+                                         {"context", {{"includeDeclaration", true}}}});
+  std::vector<int> lines;
+  for (const Json &place : places)
+    lines.push_back(place["range"]["start"]["line"]);
+  EXPECT_EQ(lines, (std::vector<int>{6, 7, 10}));
+  EXPECT_EQ(ask("documentHighlight", {{"position", at(7, 1)}}).size(), 3u);
+}
+
+TEST_F(Features, TheOutlineHoldsProgramsToolsAndOperations) {
+  const Json outline = ask("documentSymbol");
+  ASSERT_EQ(outline.size(), 1u);
+  EXPECT_NE(outline[0]["name"].get<std::string>().find("1"), std::string::npos);
+  const std::string all = outline.dump();
+  EXPECT_NE(all.find("T0101"), std::string::npos) << all;
+  EXPECT_NE(all.find("G71"), std::string::npos) << all;
+  const Json found = client_.request("workspace/symbol", {{"query", "2"}});
+  EXPECT_NE(found.dump().find("O0002.nc"), std::string::npos) << found.dump();
+}
+
+TEST_F(Features, FoldsSelectionsAndLinks) {
+  EXPECT_GE(ask("foldingRange").size(), 2u);
+  const Json selections = ask("selectionRange", {{"positions", {at(8, 1)}}});
+  ASSERT_EQ(selections.size(), 1u);
+  EXPECT_TRUE(selections[0].contains("parent"));
+  const Json links = ask("documentLink");
+  ASSERT_EQ(links.size(), 1u);
+  EXPECT_EQ(links[0]["target"], "file://" + (shop_.path() / "O0002.nc").string());
+}
+
+TEST_F(Features, CallsAreFollowedBothWays) {
+  const Json items = ask("prepareCallHierarchy", {{"position", at(11, 6)}});
+  ASSERT_EQ(items.size(), 1u);
+  const Json incoming = client_.request("callHierarchy/incomingCalls", {{"item", items[0]}});
+  ASSERT_EQ(incoming.size(), 1u);
+  EXPECT_EQ(incoming[0]["fromRanges"][0]["start"]["line"], 11);
+  const Json outgoing =
+      client_.request("callHierarchy/outgoingCalls", {{"item", incoming[0]["from"]}});
+  ASSERT_EQ(outgoing.size(), 1u);
+  EXPECT_EQ(outgoing[0]["to"]["uri"], items[0]["uri"]);
+}
+
+TEST_F(Features, HoverTellsTheWordAndTheState) {
+  const Json hover = ask("hover", {{"position", at(6, 1)}});
+  const std::string text = hover["contents"]["value"];
+  EXPECT_NE(text.find("G71"), std::string::npos) << text;
+  EXPECT_NE(text.find("In front of this block"), std::string::npos) << text;
+  EXPECT_NE(text.find("X 60, Z 2"), std::string::npos) << text;
+}
+
+TEST_F(Features, CompletionKnowsTheWordsOfACycle) {
+  const Json list = ask("completion", {{"position", at(6, 20)}});
+  EXPECT_FALSE(list["items"].empty());
+  bool resolved = false;
+  for (const Json &item : list["items"])
+    if (item.contains("data") && !resolved) {
+      resolved = true;
+      EXPECT_TRUE(client_.request("completionItem/resolve", item).contains("documentation"));
+    }
+  EXPECT_TRUE(resolved);
+  const Json help = ask("signatureHelp", {{"position", at(6, 12)}});
+  EXPECT_NE(help.dump().find("G71"), std::string::npos) << help.dump();
+}
+
+TEST_F(Features, TokensThatChangeAreTheWholeOnesAgain) {
+  const Json full = ask("semanticTokens/full");
+  ASSERT_FALSE(full["data"].empty());
+  client_.notify("textDocument/didChange",
+                 {{"textDocument", {{"uri", "file://" + path_}, {"version", 2}}},
+                  {"contentChanges",
+                   {{{"range", {{"start", at(5, 0)}, {"end", at(5, 0)}}}, {"text", "(A)\nM08\n"}}}}});
+  const Json delta =
+      ask("semanticTokens/full/delta", {{"previousResultId", full["resultId"]}});
+  std::vector<uint32_t> data = full["data"];
+  ASSERT_EQ(delta["edits"].size(), 1u);
+  const Json &edit = delta["edits"][0];
+  const auto begin = data.begin() + edit["start"].get<int>();
+  const auto behind = data.erase(begin, begin + edit["deleteCount"].get<int>());
+  const std::vector<uint32_t> put = edit["data"];
+  data.insert(behind, put.begin(), put.end());
+  EXPECT_EQ(Json(data), ask("semanticTokens/full")["data"]);
+}
+
+TEST_F(Features, HintsAndLensesComeForTheWholeText) {
+  const Json range = {{"start", at(0, 0)}, {"end", at(15, 0)}};
+  EXPECT_TRUE(ask("inlayHint", {{"range", range}}).is_array());
+  const std::string lenses = ask("codeLens").dump();
+  EXPECT_NE(lenses.find("T0101"), std::string::npos) << lenses;
+}
+
+} // namespace
