@@ -28,7 +28,8 @@ public:
     }
   }
   void remember(RuleMemory &memory) const override {
-    memory(call_, calledAt_, places_, list_, file_, depth_);
+    memory(call_, calledAt_, sum_, depth_);
+    memory.place(file_, list_);
   }
 
 private:
@@ -113,6 +114,7 @@ private:
       return;
     if (ctx.callDepth() != depth_ || place.list != list_ || place.file != file_) {
       places_.clear();
+      sum_ = 0;
       list_ = place.list;
       file_ = place.file;
       depth_ = ctx.callDepth();
@@ -125,6 +127,8 @@ private:
     place.end = ctx.block().end;
     const auto [known, fresh] = places_.try_emplace(hash(place), place);
     const Place &other = known->second;
+    if (fresh)
+      sum_ += known->first;
     if (fresh || other.block == place.block || other.offset != place.offset ||
         other.at != place.at || (deeper && state.origin.cycle.begin < ctx.block().begin))
       return;
@@ -147,6 +151,7 @@ private:
   static constexpr size_t longestList = 5000;
   /// The first hole at each place of the list that is being run.
   std::unordered_map<uint64_t, Place> places_;
+  uint64_t sum_ = 0; ///< of their keys: which places they are
   uint32_t list_ = 0;
   FileId file_ = 0;
   unsigned depth_ = 0;

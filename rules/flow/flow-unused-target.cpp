@@ -1,4 +1,5 @@
 // A subprogram that nothing calls.
+#include "analyzer/block_at.h"
 #include "analyzer/lookahead.h"
 
 #include <algorithm>
@@ -63,6 +64,23 @@ private:
     return returns;
   }
 
+  /// Behind the blocks that run one after the other from the program's begin to one that ends it;
+  /// where something else ends them, the program's begin.
+  static uint32_t behindMainPart(const FileSummary &file, const ProgramInfo &program,
+                                 const Dialect &dialect) {
+    const SourceRange *const run = llvm::find_if(file.reached, [&](const SourceRange &range) {
+      return range.begin <= program.body && program.body < range.end;
+    });
+    if (run == file.reached.end() || run->end > program.end)
+      return program.body;
+    Block last;
+    readBlockAt(file.source, file.reader, run->end - 1, last);
+    return findCode(dialect, last,
+                    {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind})
+               ? run->end
+               : program.body;
+  }
+
   /// Sections behind the program's end that begin with a number and end with a return, and that no
   /// call names. Only where the control has local calls.
   static void localSections(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
@@ -77,7 +95,10 @@ private:
     bool ended = false;
     SourceRange first;
     int64_t number = -1;
-    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
+    const uint32_t from = behindMainPart(file, program, ctx.dialect());
+    if (from != program.body)
+      ended = true;
+    for (uint32_t at = from; at < program.end; at = std::max(block.next, at + 1)) {
       file.reader.read(at, block);
       if (block.isEmpty() || block.kind != BlockKind::Normal)
         continue;

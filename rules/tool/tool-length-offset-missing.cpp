@@ -1,6 +1,8 @@
 // A move along the tool axis after a tool change, before length compensation is on.
 #include "analyzer/once.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
@@ -62,7 +64,7 @@ private:
   }
 
   std::optional<int32_t> onlyTool_; ///< the first tool of a program without length offsets
-  llvm::DenseMap<uint32_t, bool> uses_;
+  std::map<uint32_t, bool> uses_;
   OncePerCause once_;
 };
 
