@@ -58,6 +58,8 @@ private:
     SourceRange range;
     unsigned ways = 0; ///< bit per way that was possible: below zero, zero, above zero
     bool known = true; ///< the value was one number every time
+
+    void remember(RuleMemory &memory) const { memory(range, ways, known); }
   };
 
   /// Remembers where a choice by sign can go.
@@ -79,6 +81,8 @@ private:
     int64_t number = -1; ///< of its block
     bool truth = false;
     bool other = false; ///< it was reached with another result too
+
+    void remember(RuleMemory &memory) const { memory(range, variable, number, truth, other); }
   };
   std::map<std::pair<FileId, uint32_t>, Decided> decided_;
 

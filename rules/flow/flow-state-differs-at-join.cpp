@@ -60,6 +60,8 @@ private:
   struct Target {
     std::map<GroupIndex, uint64_t> seen; ///< members that were active
     bool said = false;
+
+    void remember(RuleMemory &memory) const { memory(seen, said); }
   };
 
   /// Where jumps lead within this program: other ways come in there.

@@ -31,6 +31,12 @@ private:
     FileId file;
     uint32_t begin, next;
     SourceRange code;
+
+    void remember(RuleMemory &memory) const {
+      memory.place(file, begin);
+      memory.place(file, next);
+      memory(code);
+    }
   };
 
   /// The end of an IF or of a loop in which the end code stands: it does nothing by itself.
