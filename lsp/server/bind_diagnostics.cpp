@@ -26,7 +26,7 @@ Json report(Json diagnostics, const std::string &previous) {
 Json ofDocument(Context &context, View &view, const Json &params) {
   const auto result = context.checks->wait(view.document, view.cancelled);
   if (!result)
-    return nullptr;
+    return outdated;
   // The thread of checks puts results on the board behind those that wait for them.
   context.problems.take(result);
   const std::string &path = view.document.path;

@@ -47,8 +47,7 @@ void close(Context &context, const Json &params) {
   const std::string path = document->path;
   const std::vector<std::string> users = context.problems.usersOf(path);
   context.documents.close(uri);
-  context.checks->drop(path);
-  context.problems.closed(path);
+  context.forget(path);
   for (const std::string &user : users)
     for (const auto &[otherUri, other] : context.documents.all())
       if (other.path == user)

@@ -11,6 +11,7 @@ void bindActions(Context &context);     ///< quick fixes, suppressions, explanat
 void bindHover(Context &context);
 void bindNavigation(Context &context); ///< names, outline, folds, selections, calls, links
 void bindWriting(Context &context);    ///< completion, signatures, colours, hints, lenses
+void bindEditing(Context &context);    ///< renaming, formatting, numbers of new blocks
 
 /// The types and modifiers of semantic tokens, as the capabilities name them.
 Json tokensLegend();

@@ -61,6 +61,15 @@ Context::~Context() {
   features->stop();
 }
 
+void Context::forget(const std::string &path) {
+  checks->drop(path);
+  problems.closed(path);
+  features->post([this, path] {
+    memories_.erase(path);
+    kept_.remove_if([&](const Kept &old) { return old.snapshot->source().path() == path; });
+  });
+}
+
 void Context::log(const llvm::Twine &line) const { llvm::errs() << "ncvet: " + line + "\n"; }
 
 void Context::warn(const llvm::Twine &message) {
@@ -125,10 +134,17 @@ llvm::Expected<std::shared_ptr<Snapshot>> Context::snapshotOf(const CheckJob &jo
 }
 
 void Context::answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer) {
+  answerOrFail(document, std::move(reply), [answer = std::move(answer)](View &view) {
+    return llvm::Expected<Json>(answer(view));
+  });
+}
+
+void Context::answerOrFail(const Document &document, Reply reply,
+                           std::function<llvm::Expected<Json>(View &)> answer) {
   // A task is copied, a reply is not.
   auto held = std::make_shared<Reply>(std::move(reply));
-  features->post([this, held, job = job(document), answer = std::move(answer),
-                  settings = settings, folders = folders]() {
+  features->post([this, held, job = job(document), answer = std::move(answer), settings = settings,
+                  folders = folders]() {
     if (held->cancelled())
       return held->fail(RpcError::RequestCancelled, "cancelled");
     auto snapshot = snapshotOf(job);
@@ -137,19 +153,18 @@ void Context::answerFor(const Document &document, Reply reply, std::function<Jso
     StraightRuns *runs = memories_[job.document.path].runsFor(
         (*snapshot)->setup(), (*snapshot)->source(), job.document.text, (*snapshot)->unit().index);
     Places places((*snapshot)->project().sources(), client.encoding);
-    View view{job.document,
-              **snapshot,
-              places.of((*snapshot)->source().id()),
-              settings,
-              client,
-              held->cancelled(),
-              runs,
-              places,
-              *job.session,
-              folders,
-              {}};
+    View view{job.document, **snapshot, places.of((*snapshot)->source().id()),
+              settings,     client,     held->cancelled(),
+              runs,         places,     *job.session,
+              folders,      {}};
     try {
-      (*held)(answer(view));
+      auto json = answer(view);
+      if (json && json->is_discarded())
+        held->fail(RpcError::ContentModified, "the document has changed");
+      else if (json)
+        (*held)(std::move(*json));
+      else
+        held->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));
     } catch (const Json::exception &) {
       held->fail(RpcError::InvalidParams, "the parameters are wrong");
     }

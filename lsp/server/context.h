@@ -27,6 +27,9 @@ struct ClientSupport {
   bool refreshesTokens = false, refreshesHints = false, refreshesLenses = false;
 };
 
+/// The answer to a question about a text that is no longer there.
+inline const Json outdated = Json(Json::value_t::discarded);
+
 /// A document under its setup, for the time of one request.
 struct View {
   const Document &document;
@@ -63,8 +66,12 @@ public:
 
   /// Binds a request about one document: `answer` runs on the thread of features.
   void onDocument(llvm::StringRef method, std::function<Json(View &, const Json &params)> answer);
-  /// Runs `answer` for `document` on the thread of features and gives what it returns.
+  /// Runs `answer` for `document` on the thread of features and gives what it returns; `outdated`
+  /// says that the document has changed meanwhile.
   void answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer);
+  /// The same; an error is one that the user reads.
+  void answerOrFail(const Document &document, Reply reply,
+                    std::function<llvm::Expected<Json>(View &)> answer);
   /// Begins the check of a document, as it is now.
   void check(const Document &document);
   void checkAll();
@@ -75,6 +82,8 @@ public:
   /// The session for a document: of its own when its language names a control.
   std::shared_ptr<Session> session(const Document &document);
   CheckJob job(const Document &document);
+  /// The document is closed: what is kept of it is given back.
+  void forget(const std::string &path);
   void log(const llvm::Twine &line) const;
   /// `window/showMessage` with a warning.
   void warn(const llvm::Twine &message);

@@ -81,6 +81,10 @@ Json capabilities(const ClientSupport &client) {
       {"selectionRangeProvider", true},
       {"documentLinkProvider", Json::object()},
       {"callHierarchyProvider", true},
+      {"renameProvider", {{"prepareProvider", true}}},
+      {"documentFormattingProvider", true},
+      {"documentRangeFormattingProvider", true},
+      {"documentOnTypeFormattingProvider", {{"firstTriggerCharacter", "\n"}}},
       {"completionProvider",
        {{"triggerCharacters", {"G", "M", "L", "(", ",", "#", "<", "$"}},
         {"resolveProvider", true}}},
@@ -111,6 +115,7 @@ public:
     bindHover(context_);
     bindNavigation(context_);
     bindWriting(context_);
+    bindEditing(context_);
   }
 
   int run() {

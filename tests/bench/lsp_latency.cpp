@@ -2,6 +2,8 @@
 // long hover and completion take, and what the server's memory is at the begin and at the end.
 //
 //   ncvet_lsp_latency NCVET PROGRAM DIALECT [EDITS]
+//
+// At the end a second server opens the text as it is then: it must find the same.
 #include "tests/support/language_client.h"
 #include "tests/support/random_edits.h"
 
@@ -67,7 +69,7 @@ int main(int argc, char **argv) {
   LanguageClient client(argv[1]);
   client.initialize(Json::object(), {{"dialect", argv[3]}});
   client.open(path, text);
-  client.diagnostics(path);
+  Json last = client.diagnostics(path);
   RandomEdits random(1);
   Times edit, hover, completion;
   long before = 0;
@@ -85,7 +87,7 @@ int main(int argc, char **argv) {
     client.notify("textDocument/didChange",
                   {{"textDocument", {{"uri", "file://" + path}, {"version", version}}},
                    {"contentChanges", {{{"range", range}, {"text", change.text}}}}});
-    client.diagnostics(path, version);
+    last = client.diagnostics(path, version);
     edit.add(sent);
     if (i % 5 != 0)
       continue;
@@ -103,5 +105,11 @@ int main(int argc, char **argv) {
   completion.print("completion");
   std::printf("memory       %ld KiB after the first edits, %ld KiB at the end\n", before,
               memoryOf(client.process()));
-  return client.shutDown() == 0 && !::testing::Test::HasFailure() ? 0 : 1;
+  LanguageClient fresh(argv[1]);
+  fresh.initialize(Json::object(), {{"dialect", argv[3]}});
+  fresh.open(path, text);
+  const bool same = fresh.diagnostics(path) == last;
+  std::printf("a fresh check of the text at the end finds %s\n",
+              same ? "the same" : "OTHER THINGS");
+  return same && client.shutDown() == 0 && !::testing::Test::HasFailure() ? 0 : 1;
 }

@@ -25,7 +25,8 @@ protected:
     Json folders = Json::array();
     folders.push_back({{"uri", "file://" + shop_.path().string()}, {"name", "shop"}});
     client_.initialize(
-        Json::parse(R"({"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
+        Json::parse(
+            R"({"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
                                          "hover": {"contentFormat": ["markdown"]},
                                          "completion": {"completionItem": {"snippetSupport": true}}}})"),
         {{"dialect", "haas-lathe"}}, folders);
@@ -52,8 +53,8 @@ TEST_F(Features, ADefinitionMayLieInAnotherFile) {
 }
 
 TEST_F(Features, ReferencesAndHighlightsOfABlockNumber) {
-  const Json places = ask("references", {{"position", at(7, 1)},
-                                         {"context", {{"includeDeclaration", true}}}});
+  const Json places =
+      ask("references", {{"position", at(7, 1)}, {"context", {{"includeDeclaration", true}}}});
   std::vector<int> lines;
   for (const Json &place : places)
     lines.push_back(place["range"]["start"]["line"]);
@@ -119,12 +120,12 @@ TEST_F(Features, CompletionKnowsTheWordsOfACycle) {
 TEST_F(Features, TokensThatChangeAreTheWholeOnesAgain) {
   const Json full = ask("semanticTokens/full");
   ASSERT_FALSE(full["data"].empty());
-  client_.notify("textDocument/didChange",
-                 {{"textDocument", {{"uri", "file://" + path_}, {"version", 2}}},
-                  {"contentChanges",
-                   {{{"range", {{"start", at(5, 0)}, {"end", at(5, 0)}}}, {"text", "(A)\nM08\n"}}}}});
-  const Json delta =
-      ask("semanticTokens/full/delta", {{"previousResultId", full["resultId"]}});
+  client_.notify(
+      "textDocument/didChange",
+      {{"textDocument", {{"uri", "file://" + path_}, {"version", 2}}},
+       {"contentChanges",
+        {{{"range", {{"start", at(5, 0)}, {"end", at(5, 0)}}}, {"text", "(A)\nM08\n"}}}}});
+  const Json delta = ask("semanticTokens/full/delta", {{"previousResultId", full["resultId"]}});
   std::vector<uint32_t> data = full["data"];
   ASSERT_EQ(delta["edits"].size(), 1u);
   const Json &edit = delta["edits"][0];
@@ -133,6 +134,33 @@ TEST_F(Features, TokensThatChangeAreTheWholeOnesAgain) {
   const std::vector<uint32_t> put = edit["data"];
   data.insert(behind, put.begin(), put.end());
   EXPECT_EQ(Json(data), ask("semanticTokens/full")["data"]);
+}
+
+TEST_F(Features, ABlockIsRenumberedWithItsTargets) {
+  EXPECT_EQ(ask("prepareRename", {{"position", at(7, 1)}})["placeholder"], "10");
+  const Json edit = ask("rename", {{"position", at(7, 1)}, {"newName", "15"}});
+  const Json edits = edit["changes"]["file://" + path_];
+  ASSERT_EQ(edits.size(), 3u); // G71, the block, G70
+  for (const Json &one : edits)
+    EXPECT_EQ(one["newText"], "15");
+  // A number that is in use is refused, with the reason.
+  const Json refused = client_.answer(client_.ask(
+      "textDocument/rename",
+      {{"textDocument", documentOf(path_)}, {"position", at(7, 1)}, {"newName", "20"}}));
+  EXPECT_EQ(refused["error"]["code"], -32803) << refused.dump();
+}
+
+TEST_F(Features, FormattingPutsBlanksBetweenWords) {
+  client_.notify(
+      "textDocument/didChange",
+      {{"textDocument", {{"uri", "file://" + path_}, {"version", 2}}},
+       {"contentChanges",
+        {{{"range", {{"start", at(5, 0)}, {"end", at(5, 12)}}}, {"text", "G00X60.Z2."}}}}});
+  const Json edits = ask("formatting", {{"options", {{"tabSize", 2}, {"insertSpaces", true}}}});
+  ASSERT_EQ(edits.size(), 1u) << edits.dump();
+  EXPECT_EQ(edits[0]["range"]["start"]["line"], 5);
+  EXPECT_NE(edits[0]["newText"].get<std::string>().find(" X60. Z2."), std::string::npos)
+      << edits.dump();
 }
 
 TEST_F(Features, HintsAndLensesComeForTheWholeText) {
