@@ -17,7 +17,6 @@ namespace {
 /// What is looked at: enough to pass the header's comments and see a tool at work, little enough
 /// for less than a millisecond.
 constexpr size_t shownLines = 200;
-constexpr size_t shownBytes = 16 * 1024;
 
 /// An ending that one control alone has is as good as a mark, one of many says little.
 constexpr int ownEnding = 5;
@@ -31,7 +30,7 @@ std::string endingOf(llvm::StringRef fileName) {
 std::vector<std::string> firstLines(llvm::StringRef text) {
   std::vector<std::string> lines;
   text.consume_front("\xEF\xBB\xBF");
-  text = text.take_front(shownBytes);
+  text = text.take_front(Detector::shownBytes);
   for (size_t line = 0; line < shownLines && !text.empty(); ++line) {
     const size_t end = std::min(text.find_first_of("\r\n"), text.size());
     const llvm::StringRef shown = text.take_front(end).trim(" \t");

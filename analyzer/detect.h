@@ -37,6 +37,8 @@ public:
 
   /// Endings of part programs by the built-in tables, without compiling a mark.
   static llvm::Expected<ProgramEndings> builtinEndings();
+  /// Bytes of a text that are looked at.
+  static constexpr size_t shownBytes = 16 * 1024;
   /// The dialect of a program, from its file name's ending and its first blocks.
   Detection detect(llvm::StringRef fileName, llvm::StringRef text) const;
   /// Endings that programs have in folders.

@@ -7,6 +7,7 @@
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
+#include "llvm/Support/xxhash.h"
 
 namespace ncvet {
 
@@ -179,6 +180,25 @@ Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &
       });
 }
 
+Detection Session::detect(const Detector &detector, llvm::StringRef fileName,
+                          llvm::StringRef text) {
+  // An editor's text is set up anew with every letter; files on a command line come once.
+  constexpr size_t mostKept = 64;
+  const uint64_t key = llvm::hash_combine(
+      &detector, llvm::xxHash64(fileName), llvm::xxHash64(text.take_front(Detector::shownBytes)));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto known = detected_.find(key);
+    if (known != detected_.end())
+      return known->second;
+  }
+  Detection detection = detector.detect(fileName, text);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (detected_.size() >= mostKept)
+    detected_.clear();
+  return detected_[key] = std::move(detection);
+}
+
 void Session::forgetFolders() {
   const std::lock_guard<std::mutex> lock(mutex_);
   folders_ = std::make_shared<ProgramFolders>();
@@ -220,7 +240,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     if (!found)
       return found.takeError();
     lock.unlock();
-    Detection detection = (*found)->detect(fileName, text);
+    Detection detection = detect(**found, fileName, text);
     lock.lock();
     dialect = std::move(detection.dialect);
     setup.reason = std::move(detection.reason);
@@ -248,7 +268,7 @@ std::string Session::otherControl(const Config &config, llvm::StringRef fileName
   auto found = detector(config);
   lock.unlock();
   if (found)
-    return (*found)->detect(fileName, text).other;
+    return detect(**found, fileName, text).other;
   llvm::consumeError(found.takeError());
   return {};
 }

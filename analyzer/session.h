@@ -70,6 +70,8 @@ private:
                                 llvm::function_ref<llvm::Expected<T>()> make);
 
   llvm::Expected<std::shared_ptr<const Detector>> detector(const Config &config);
+  /// What the detector says; the same head of the same file is looked at once.
+  Detection detect(const Detector &detector, llvm::StringRef fileName, llvm::StringRef text);
   llvm::Expected<Language> language(llvm::StringRef dialect, const Config &config,
                                     const MachineSource *machine);
   /// `unsure`: how the reports are narrowed because the dialect is a guess; null when it is not.
@@ -84,6 +86,7 @@ private:
   std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file
   std::map<std::string, Kept<std::shared_ptr<const Detector>>> detectors_;
   std::map<std::string, Kept<Language>> languages_;
+  std::map<uint64_t, Detection> detected_;
   std::map<std::string, Kept<std::shared_ptr<const RuleSelection>>> selections_;
 };
 

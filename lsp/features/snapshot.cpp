@@ -1,6 +1,8 @@
 // One version of a document: its setup, and its text cut into blocks.
 #include "lsp/features/snapshot.h"
 
+#include "analyzer/block_at.h"
+
 #include "lsp/features/names.h"
 
 #include <algorithm>
@@ -59,6 +61,8 @@ llvm::ArrayRef<uint32_t> Snapshot::blocks() {
 }
 
 void Snapshot::readAt(uint32_t offset, Block &block) {
+  if (!dialect().lexical.blocksSpanLines)
+    return readBlockAt(source(), *unit_->reader, offset, block);
   const llvm::ArrayRef<uint32_t> all = blocks();
   const auto behind = std::upper_bound(all.begin(), all.end(), offset);
   if (behind == all.begin()) {
