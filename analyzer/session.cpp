@@ -184,8 +184,8 @@ Detection Session::detect(const Detector &detector, llvm::StringRef fileName,
                           llvm::StringRef text) {
   // An editor's text is set up anew with every letter; files on a command line come once.
   constexpr size_t mostKept = 64;
-  const uint64_t key = llvm::hash_combine(
-      &detector, llvm::xxHash64(fileName), llvm::xxHash64(text.take_front(Detector::shownBytes)));
+  const uint64_t key = llvm::hash_combine(&detector, llvm::xxHash64(fileName),
+                                          llvm::xxHash64(text.take_front(Detector::shownBytes)));
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto known = detected_.find(key);

@@ -10,8 +10,8 @@ llvm::Expected<const SourceFile *> SourceSet::open(llvm::StringRef path, llvm::S
   if (overlay_) {
     const auto text = overlay_->find(path.str());
     if (text != overlay_->end()) {
-      files_.push_back(SourceFile::fromShared(static_cast<FileId>(files_.size()), display,
-                                              text->second, path));
+      files_.push_back(
+          SourceFile::fromShared(static_cast<FileId>(files_.size()), display, text->second, path));
       return files_.back().get();
     }
   }
@@ -32,8 +32,8 @@ const SourceFile &SourceSet::add(llvm::StringRef display, llvm::StringRef text,
 const SourceFile &SourceSet::add(llvm::StringRef display, std::shared_ptr<const std::string> text,
                                  llvm::StringRef path) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  files_.push_back(SourceFile::fromShared(static_cast<FileId>(files_.size()), display,
-                                          std::move(text), path));
+  files_.push_back(
+      SourceFile::fromShared(static_cast<FileId>(files_.size()), display, std::move(text), path));
   return *files_.back();
 }
 

@@ -2,7 +2,6 @@
 #include "lsp/features/snapshot.h"
 
 #include "analyzer/block_at.h"
-
 #include "lsp/features/names.h"
 
 #include <algorithm>

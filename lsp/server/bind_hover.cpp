@@ -22,10 +22,10 @@ void bindHover(Context &context) {
       text += (text.empty() ? "" : "\n\n---\n\n") + ("**In front of this block**\n\n" + state);
     if (text.empty())
       return nullptr;
-    return {{"contents",
-             {{"kind", view.client.markdown ? "markdown" : "plaintext"}, {"value", text}}},
-            {"range", word ? view.places.range(word->range)
-                           : rangeJson(view.positions, block.begin, block.end)}};
+    return {
+        {"contents", {{"kind", view.client.markdown ? "markdown" : "plaintext"}, {"value", text}}},
+        {"range", word ? view.places.range(word->range)
+                       : rangeJson(view.positions, block.begin, block.end)}};
   });
 }
 

@@ -87,8 +87,8 @@ Json highlighted(View &view, const Json &params) {
   constexpr int read = 2, write = 3;
   Json list = Json::array();
   for (const Highlight &place : highlights(view.snapshot, view.offset(params)))
-    list.push_back({{"range", view.places.range(place.range)},
-                    {"kind", place.writes ? write : read}});
+    list.push_back(
+        {{"range", view.places.range(place.range)}, {"kind", place.writes ? write : read}});
   return list;
 }
 
@@ -180,8 +180,7 @@ Json edges(View &view, llvm::ArrayRef<CallEdge> calls, const char *who,
     Json ranges = Json::array();
     for (const SourceRange &place : edge.places)
       ranges.push_back(view.places.range(place));
-    list.push_back(
-        {{who, itemJson(edge.item, view, document)}, {"fromRanges", std::move(ranges)}});
+    list.push_back({{who, itemJson(edge.item, view, document)}, {"fromRanges", std::move(ranges)}});
   }
   return list;
 }

@@ -55,8 +55,7 @@ Json completed(View &view, const Json &params) {
   constexpr int snippetFormat = 2;
   const uint32_t offset = view.offset(params);
   Json items = Json::array();
-  for (const CompletionItem &item :
-       completions(view.snapshot, offset, view.stateBefore(offset))) {
+  for (const CompletionItem &item : completions(view.snapshot, offset, view.stateBefore(offset))) {
     const bool snippet = item.snippet && view.client.snippets;
     Json json = {{"label", item.label},
                  {"kind", completionKind(item.kind)},
@@ -119,8 +118,7 @@ Json hinted(View &view, const Json &params) {
   options.on[size_t(HintKind::Motion)] = view.settings.hints.motion;
   Json list = Json::array();
   for (const InlayHint &hint : inlayHints(view.snapshot, begin, end, options, &view.cancelled))
-    list.push_back(
-        {{"position", toJson(view.positions.at(hint.offset))}, {"label", hint.text}});
+    list.push_back({{"position", toJson(view.positions.at(hint.offset))}, {"label", hint.text}});
   return list;
 }
 
@@ -133,8 +131,8 @@ Json lenses(View &view) {
       for (const SourceRange &place : lens.places)
         places.push_back(view.places.location(place));
       command["command"] = "ncvet.showReferences";
-      command["arguments"] = {view.document.uri,
-                              toJson(view.positions.at(lens.range.begin)), std::move(places)};
+      command["arguments"] = {view.document.uri, toJson(view.positions.at(lens.range.begin)),
+                              std::move(places)};
     }
     list.push_back({{"range", view.places.range(lens.range)}, {"command", std::move(command)}});
   }
@@ -170,11 +168,10 @@ public:
       ++back;
     Json edits = Json::array();
     if (front + back < std::max(before.size(), after.size()))
-      edits.push_back(
-          {{"start", front},
-           {"deleteCount", before.size() - front - back},
-           {"data", std::vector<uint32_t>(after.begin() + ptrdiff_t(front),
-                                          after.end() - ptrdiff_t(back))}});
+      edits.push_back({{"start", front},
+                       {"deleteCount", before.size() - front - back},
+                       {"data", std::vector<uint32_t>(after.begin() + ptrdiff_t(front),
+                                                      after.end() - ptrdiff_t(back))}});
     return {{"resultId", sent.id}, {"edits", std::move(edits)}};
   }
 
@@ -228,9 +225,9 @@ void bindWriting(Context &context) {
   context.onDocument(
       "textDocument/semanticTokens/full/delta",
       [tokens](View &view, const Json &params) { return tokens->delta(view, params); });
-  context.onDocument(
-      "textDocument/semanticTokens/range",
-      [tokens](View &view, const Json &params) { return tokens->range(view, params); });
+  context.onDocument("textDocument/semanticTokens/range", [tokens](View &view, const Json &params) {
+    return tokens->range(view, params);
+  });
 }
 
 } // namespace ncvet::lsp

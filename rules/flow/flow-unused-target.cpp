@@ -75,8 +75,7 @@ private:
       return program.body;
     Block last;
     readBlockAt(file.source, file.reader, run->end - 1, last);
-    return findCode(dialect, last,
-                    {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind})
+    return findCode(dialect, last, {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind})
                ? run->end
                : program.body;
   }
