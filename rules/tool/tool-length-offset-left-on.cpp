@@ -39,9 +39,11 @@ public:
                    "length",
                    where, code->name)
           .note(state.origin.lengthOffset, "the length offset is switched on here");
-      if (event.kind != EventKind::Motion)
-        finding.fix(FixSafety::Unsafe, "insert `G49` before this block",
-                    ctx.insertBlockBefore("G49"));
+      if (event.kind == EventKind::Motion || code->opposite == noCode)
+        return;
+      const std::string &off = ctx.dialect().codes[code->opposite].name;
+      finding.fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
+                  ctx.insertBlockBefore(off));
     }
   }
 };
