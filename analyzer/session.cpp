@@ -231,6 +231,10 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     dialect = profile->dialect;
     setup.reason = "machine profile " + machine->name;
   }
+  if (dialect.empty() && !options_.usualDialect.empty()) {
+    dialect = options_.usualDialect;
+    setup.reason = "the language of the text";
+  }
   // Detection compiles expressions, but it runs unlocked: only making the detector needs the lock.
   std::unique_lock<std::mutex> lock(mutex_);
   setup.folders = folders_;

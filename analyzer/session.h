@@ -14,6 +14,7 @@ namespace ncvet {
 /// What the command line says; it goes before every configuration.
 struct SessionOptions {
   std::string dialect = "auto";         ///< id, path of a table (`….json`), or `auto`
+  std::string usualDialect;             ///< where nobody names one; empty: it is found out
   std::optional<MachineSource> machine; ///< profile for all files
   std::string configFile;               ///< instead of the nearest one; empty: the nearest
   std::string profile;                  ///< empty: as configured

@@ -7,8 +7,8 @@ namespace {
 
 /// `text` as a comment that the reader takes for a block without content; empty: no form is one.
 std::string asComment(const Dialect &dialect, llvm::StringRef text) {
-  for (const auto &[open, close] :
-       {std::pair("(", ")"), std::pair("; ", ""), std::pair("'", ""), std::pair("{", "}")}) {
+  for (const auto &[open, close] : {std::pair("(", ")"), std::pair("; ", ""), std::pair("'", ""),
+                                    std::pair("{", "}"), std::pair("\" ", "")}) {
     const std::string line = open + text.str() + close;
     const auto reader = makeReader(dialect, line);
     Block block;

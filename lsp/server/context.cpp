@@ -80,10 +80,10 @@ void Context::warn(const llvm::Twine &message) {
 std::shared_ptr<Session> Context::session(const Document &document) {
   SessionOptions options = settings.session;
   llvm::StringRef language = document.language;
-  if (options.dialect == "auto" && language.consume_front(languagePrefix) &&
-      builtinDialects()(language))
-    options.dialect = language.str();
-  std::shared_ptr<Session> &session = sessions_[options.dialect];
+  // Editors give it by the file's ending: a configuration knows better.
+  if (language.consume_front(languagePrefix) && builtinDialects()(language))
+    options.usualDialect = language.str();
+  std::shared_ptr<Session> &session = sessions_[options.usualDialect];
   if (!session)
     session = std::make_shared<Session>(options);
   return session;

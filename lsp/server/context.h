@@ -79,7 +79,8 @@ public:
   void renew(Settings settings);
   /// Which programs lie in which folder is looked up again.
   void forgetFiles();
-  /// The session for a document: of its own when its language names a control.
+  /// The session for a document: of its own when its language names a control, which counts unless
+  /// settings or a configuration name one.
   std::shared_ptr<Session> session(const Document &document);
   CheckJob job(const Document &document);
   /// The document is closed: what is kept of it is given back.

@@ -27,8 +27,11 @@ struct Settings {
   bool workspaceDiagnostics = false; ///< all programs of the workspace are checked, open or not
 };
 
-/// Reads settings; what has another form than it should is left at its default, and said in
-/// `problems`.
+/// Reads settings; what has another form than it should, or that there is not, is left at its
+/// default and said in `problems`.
 Settings readSettings(const nlohmann::json &json, std::vector<std::string> &problems);
+
+/// The names of all settings, within the section: `hints.units`. Ascending.
+std::vector<std::string> settingNames();
 
 } // namespace ncvet::lsp
