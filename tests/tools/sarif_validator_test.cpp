@@ -1,16 +1,12 @@
 // Holds SARIF reports to Microsoft's validator (npm: @microsoft/sarif-multitool), which checks them
 // against the published schema and the rules for good reports. Skipped where npm cannot fetch it.
+#include "tests/support/outer_program.h"
 #include "tests/support/sample_report.h"
 
-#include "llvm/Support/FileSystem.h"
-#include "llvm/Support/Process.h"
-#include "llvm/Support/Program.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <optional>
 
 using namespace ncvet;
 using namespace ncvet::test;
@@ -20,24 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *package = "@microsoft/sarif-multitool@5.7.0";
-
-/// Runs a program with its output into `log`; its exit status, or -1 when it could not run or took
-/// longer than `seconds`.
-int run(const std::vector<std::string> &command, const fs::path &log, unsigned seconds) {
-  const auto program = llvm::sys::findProgramByName(command.front());
-  if (!program)
-    return -1;
-  const std::vector<llvm::StringRef> arguments(command.begin(), command.end());
-  const std::string logName = log.string();
-  const llvm::Optional<llvm::StringRef> streams[] = {llvm::StringRef(), llvm::StringRef(logName),
-                                                     llvm::StringRef(logName)};
-  return llvm::sys::ExecuteAndWait(*program, arguments, llvm::None, streams, seconds);
-}
-
-std::string contents(const fs::path &path) {
-  auto buffer = llvm::MemoryBuffer::getFile(path.string());
-  return buffer ? (*buffer)->getBuffer().str() : std::string();
-}
 
 /// The validator's binary, fetched once into the build folder; nothing when that fails.
 std::optional<fs::path> validator() {
@@ -49,9 +27,9 @@ std::optional<fs::path> validator() {
     const fs::path fresh =
         folder.string() + "-" + std::to_string(llvm::sys::Process::getProcessId());
     fs::create_directories(fresh);
-    run({"npm", "install", "--prefix", fresh.string(), "--no-audit", "--no-fund",
-         "--ignore-scripts", package},
-        fresh / "npm.log", 240);
+    runOuter({"npm", "install", "--prefix", fresh.string(), "--no-audit", "--no-fund",
+              "--ignore-scripts", package},
+             fresh / "npm.log", 240);
     std::error_code error;
     fs::rename(fresh, folder, error); // fails when another run was quicker, which is as good
     fs::remove_all(fresh, error);
@@ -91,8 +69,8 @@ TEST(SarifValidatorTest, FindsNeitherErrorNorWarning) {
     EXPECT_FALSE(error) << error.message();
     const fs::path log = folder / (name + ".log");
     // Its exit status says only whether there was an error.
-    run({binary->string(), "validate", file.string()}, log, 120);
-    return contents(log);
+    runOuter({binary->string(), "validate", file.string()}, log, 120);
+    return contentsOf(log);
   };
   const auto expectClean = [&](const std::string &name, const Report &report) {
     const std::string said = validate(name, written("sarif", report));

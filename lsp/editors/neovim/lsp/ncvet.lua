@@ -1,0 +1,15 @@
+-- How Neovim starts `ncvet lsp`. The variable g:ncvet may say more:
+--   vim.g.ncvet = { path = '/opt/ncvet/bin/ncvet', settings = { dialect = 'haas-lathe' } }
+local own = vim.g.ncvet or {}
+local settings = own.settings or vim.empty_dict()
+
+return {
+  cmd = { own.path or 'ncvet', 'lsp' },
+  filetypes = {
+    'gcode', 'ncvet-din66025', 'ncvet-ecs', 'ncvet-fanuc-0m', 'ncvet-fanuc-0t', 'ncvet-haas-lathe', 'ncvet-haas-mill',
+    'ncvet-linuxcnc', 'ncvet-mefi', 'ncvet-nct-104m', 'ncvet-nct-104t', 'ncvet-sinumerik',
+  },
+  root_markers = { '.ncvet.json', '.git' },
+  init_options = settings,
+  settings = { ncvet = settings },
+}
