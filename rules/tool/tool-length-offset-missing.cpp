@@ -1,6 +1,7 @@
 // A move along the tool axis after a tool change, before length compensation is on.
 #include "analyzer/once.h"
 
+#include <cstring>
 #include <map>
 
 namespace ncvet {
@@ -57,10 +58,15 @@ private:
       for (const CodeIndex member : ctx.dialect().groups[group].members) {
         const CodeInfo &code = ctx.dialect().codes[member];
         if (code.action == Action::LengthPositive || code.action == Action::LengthNegative)
-          entry->second |= ctx.source().text().contains(code.name);
+          entry->second |= holds(ctx.source().text(), code.name);
       }
     }
     return entry->second;
+  }
+
+  /// The system's search is several times as fast as LLVM's, which matters in a long text.
+  static bool holds(llvm::StringRef text, llvm::StringRef word) {
+    return ::memmem(text.data(), text.size(), word.data(), word.size()) != nullptr;
   }
 
   std::optional<int32_t> onlyTool_; ///< the first tool of a program without length offsets

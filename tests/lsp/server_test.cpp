@@ -167,6 +167,22 @@ TEST(LanguageServer, ACommentSilencesAFindingHereAndInTheFile) {
   }
 }
 
+TEST(LanguageServer, ARequestThatIsCancelledWhileItWaitsIsNotAnswered) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  std::string text = "O1\n";
+  for (int i = 0; i < 20000; ++i)
+    text += "G01 X" + std::to_string(i) + ". F100.\n";
+  client.open("/nowhere/long.nc", text + "M30\n");
+  const Json whole = {{"textDocument", documentOf("/nowhere/long.nc")}};
+  std::vector<int64_t> ids;
+  for (int i = 0; i < 30; ++i) // they are answered one after the other
+    ids.push_back(client.ask("textDocument/semanticTokens/full", whole));
+  client.notify("$/cancelRequest", {{"id", ids.back()}});
+  EXPECT_TRUE(client.answer(ids.front()).contains("result"));
+  EXPECT_EQ(client.answer(ids.back())["error"]["code"], -32800);
+}
+
 TEST(LanguageServer, HoverTellsTheMachinesState) {
   LanguageClient client;
   client.initialize(Json::object(), {{"dialect", "haas-mill"}});
