@@ -34,10 +34,11 @@ const MachineState *View::stateBefore(uint32_t offset) {
 }
 
 Context::Context(MessageWriter &writer)
-    : rpc(writer),
-      problems([this](const std::string &path, std::optional<int64_t> version, Json diagnostics) {
+    : rpc(writer), problems([this](const std::string &path, std::optional<int64_t> version,
+                                   Json diagnostics, bool own) {
         if (client.pullsDiagnostics) {
-          wantsRefresh = true;
+          // The client asks for a document that it changed; of others it has to be told.
+          wantsRefresh = wantsRefresh || !own;
           return;
         }
         Json params = {{"uri", uriOfPath(path)}, {"diagnostics", std::move(diagnostics)}};
@@ -51,7 +52,7 @@ Context::Context(MessageWriter &writer)
       log(result->document.path + ": " + result->error);
     problems.take(std::move(result));
     if (wantsRefresh.exchange(false) && client.refreshesDiagnostics)
-      rpc.request("workspace/diagnostic/refresh", nullptr, nullptr);
+      rpc.request("workspace/diagnostic/refresh", Json(), nullptr);
   });
 }
 

@@ -24,7 +24,7 @@ Json ProblemBoard::collect(const std::string &path) const {
   return all;
 }
 
-void ProblemBoard::send(const std::string &path) {
+void ProblemBoard::send(const std::string &path, bool own) {
   Json diagnostics = collect(path);
   const auto document = documents_.find(path);
   const bool open = document != documents_.end();
@@ -34,8 +34,8 @@ void ProblemBoard::send(const std::string &path) {
     sent_.erase(path);
   else
     sent_.insert(path);
-  send_(path, open ? std::optional(document->second.version) : std::nullopt,
-        std::move(diagnostics));
+  send_(path, open ? std::optional(document->second.version) : std::nullopt, std::move(diagnostics),
+        own);
 }
 
 void ProblemBoard::opened(const Document &document) {
@@ -53,7 +53,7 @@ void ProblemBoard::closed(const std::string &path) {
   documents_.erase(path);
   sent_.insert(path); // it is told in any case
   for (const std::string &file : changed)
-    send(file);
+    send(file, file == path);
 }
 
 void ProblemBoard::take(std::shared_ptr<const CheckResult> result) {
@@ -72,7 +72,7 @@ void ProblemBoard::take(std::shared_ptr<const CheckResult> result) {
     note(*kept);
   kept = std::move(result);
   for (const std::string &file : changed)
-    send(file);
+    send(file, file == path);
 }
 
 Json ProblemBoard::diagnostics(const std::string &path) {

@@ -12,9 +12,10 @@ namespace ncvet::lsp {
 /// for several threads.
 class ProblemBoard {
 public:
-  /// Sends the diagnostics of a file; null `version`: the document is not open.
+  /// Sends the diagnostics of a file; null `version`: the document is not open. `own`: they come
+  /// from the file's own check.
   using Send = std::function<void(const std::string &path, std::optional<int64_t> version,
-                                  Json diagnostics)>;
+                                  Json diagnostics, bool own)>;
   explicit ProblemBoard(Send send) : send_(std::move(send)) {}
 
   /// A document has this text now; what was found in another text of it no longer counts.
@@ -37,7 +38,7 @@ public:
 private:
   bool isPresent(const std::string &path, const std::shared_ptr<const std::string> &text) const;
   Json collect(const std::string &path) const;
-  void send(const std::string &path);
+  void send(const std::string &path, bool own);
 
   Send send_;
   mutable std::mutex mutex_;

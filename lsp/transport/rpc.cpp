@@ -79,17 +79,22 @@ void Rpc::complain(RpcError code, const llvm::Twine &why) {
 }
 
 void Rpc::notify(llvm::StringRef method, Json params) {
-  send({{"jsonrpc", "2.0"}, {"method", method.str()}, {"params", std::move(params)}});
+  Json message = {{"jsonrpc", "2.0"}, {"method", method.str()}};
+  if (!params.is_null())
+    message["params"] = std::move(params);
+  send(message);
 }
 
 void Rpc::request(llvm::StringRef method, Json params, AnswerHandler answer) {
-  int64_t id = 0;
+  Json message = {{"jsonrpc", "2.0"}, {"method", method.str()}};
+  if (!params.is_null())
+    message["params"] = std::move(params);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    id = ++lastAsked_;
-    asked_[id] = std::move(answer);
+    message["id"] = ++lastAsked_;
+    asked_[lastAsked_] = std::move(answer);
   }
-  send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method.str()}, {"params", std::move(params)}});
+  send(message);
 }
 
 void Rpc::finished(const std::string &id) {
