@@ -25,14 +25,19 @@ public:
 
   /// False when the table says nothing of the cycle's levels.
   bool run() {
-    const auto approach = approachLevel(parameters_), back = backLevel(parameters_);
-    levels_ = depthLevels(parameters_);
-    if (!approach || !back || levels_.empty())
+    const bool here = has(cycle_, CycleTrait::StartsHere);
+    const auto approach = here ? at_[size_t(tool_)] : approachLevel(parameters_);
+    levels_ = here ? levelsFromHere() : depthLevels(parameters_);
+    if (!approach || levels_.empty())
       return false;
     approach_ = *approach;
-    back_ = *back;
+    back_ = here ? executed_.after.at(tool_) : backLevel(parameters_).value_or(Interval::unknown());
     island_ = parameters_.number(Measure::Island) == Interval::exactly(1);
-    clockwise_ = parameters_.number(Measure::Direction) == Interval::exactly(clockwiseCode);
+    clockwise_ = parameters_.number(Measure::Direction) == Interval::exactly(clockwiseDirection);
+    if (here) {
+      areaAt({executed_.after.at(axes_[0]), executed_.after.at(axes_[1])}, /*called=*/false);
+      return true;
+    }
     if (!executed_.outcome.holes.empty()) {
       for (const Place &place : executed_.outcome.holes)
         areaAt({place[size_t(axes_[0])], place[size_t(axes_[1])]}, /*called=*/false);
@@ -53,8 +58,20 @@ public:
   }
 
 private:
-  /// Of the measure `Direction`, as G02.
-  static constexpr double clockwiseCode = 2;
+  /// Levels of a cycle that goes down from where it stands: in as many like steps as it repeats.
+  llvm::SmallVector<Interval, 8> levelsFromHere() const {
+    llvm::SmallVector<Interval, 8> list;
+    const Interval &from = at_[size_t(tool_)], &to = executed_.after.at(tool_);
+    const auto repeat = words_.value(Role::Repeat).value_or(Interval::exactly(1));
+    const bool steps = executed_.after.isActive(executed_.dialect, StandardGroup::Distance,
+                                                {Action::Incremental}) == Truth::Yes &&
+                       from.isConstant() && to.isConstant() && repeat.isConstant();
+    const double count = steps ? std::min(repeat.value(), double(mostSteps)) : 1;
+    for (double n = 1; n < count; ++n)
+      list.push_back(Interval::exactly(from.value() + n / count * (to.value() - from.value())));
+    list.push_back(to);
+    return list;
+  }
 
   void setPlane(const std::array<Interval, 2> &place) {
     for (size_t i = 0; i < 2; ++i) {
@@ -69,19 +86,20 @@ private:
   /// A cycle that is called goes to its place at the level of the return, one that runs where the
   /// block leads stays at the level on which it is.
   void areaAt(const std::array<Interval, 2> &centre, bool called) {
+    const Place before = at_;
     setPlane(centre);
-    if (called) {
+    if (called)
       go(MoveKind::Rapid, tool_, back_);
-    } else {
+    else if (at_ != before || !has(cycle_, CycleTrait::StartsHere))
       go(MoveKind::Rapid);
-    }
     // Round an island the tool goes down beside it; the manuals do not say where.
     const std::array<Interval, 2> unknown, &inside = island_ ? unknown : centre;
     if (island_) {
       setPlane(unknown);
       go(MoveKind::Rapid);
     }
-    go(MoveKind::Rapid, tool_, approach_);
+    if (!has(cycle_, CycleTrait::StartsHere))
+      go(MoveKind::Rapid, tool_, approach_);
     for (const Interval &level : levels_) {
       feed(go(MoveKind::Linear, tool_, level), Measure::FeedDown);
       outline(centre);
@@ -89,7 +107,8 @@ private:
       if (inside[0].isConstant() && inside[1].isConstant())
         feed(go(MoveKind::Linear), Measure::FeedAlong);
     }
-    go(MoveKind::Rapid, tool_, back_);
+    if (!has(cycle_, CycleTrait::StartsHere))
+      go(MoveKind::Rapid, tool_, back_);
     if (island_ && !called) {
       setPlane(centre);
       go(MoveKind::Rapid);

@@ -227,7 +227,7 @@ void Execution::applyStores(const CodeInfo &code) {
         state_.commons.forget(); // any of them
         continue;
       }
-      variable = variableKey(store.list + "[" + std::to_string(std::llround(index->value())) + "]");
+      variable = elementOf(store.list, index->value());
     }
     if (!store.when.empty() && truthOf(store.when, code, context_) == Truth::No)
       continue;

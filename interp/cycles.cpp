@@ -153,10 +153,7 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
           ? Truth::No
           : state_.isActive(dialect_, StandardGroup::ReturnLevel, {Action::ReturnInitial});
   Interval level = Interval::unknown();
-  const WordSpec *plane = nullptr;
-  for (const WordSpec &spec : code.words)
-    if (spec.role == Role::Height && spec.variable)
-      plane = &spec;
+  const std::optional<Interval> ofVariable = heightOfVariable(code);
   if (block_.hasAny(dialect_.polarWords)) {
     polarTarget();
     outcome_.holes.assign(1, state_.position);
@@ -169,8 +166,8 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
     const Interval factor = lengthFactor();
     if (!std::isnan(back) && factor.isConstant())
       level = Interval::exactly(back * factor.value());
-  } else if (plane) {
-    level = readVariable(state_, int64_t(givenVariable(*plane, state_))).asNumber();
+  } else if (ofVariable) {
+    level = *ofVariable;
   } else if (toInitial == Truth::Yes) {
     level = state_.initialLevel;
   } else if (toInitial == Truth::No && state_.cycle.has('R')) {
@@ -197,6 +194,15 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   } else if (code.spindle == SpindleNeed::StartsItself) {
     state_.spindle = spindleAny;
   }
+}
+
+/// The level to which a cycle withdraws, where a variable of the program holds it.
+std::optional<Interval> Execution::heightOfVariable(const CodeInfo &code) const {
+  std::optional<Interval> level;
+  for (const WordSpec &spec : code.words)
+    if (spec.role == Role::Height && spec.variable)
+      level = readVariable(state_, int64_t(givenVariable(spec, state_))).asNumber();
+  return level;
 }
 
 /// The level to which a cycle withdraws, raised to that of its approach (R).
@@ -275,13 +281,41 @@ bool Execution::patternPlaces(const CodeInfo &code) {
   return true;
 }
 
+/// Where a cycle leaves the tool that works where it stands: at the place of its axis words, at its
+/// depth. A depth that is a distance counts for each of its repeats.
+void Execution::endDownHere(const CodeInfo &code) {
+  const Axis tool = toolAxis(dialect_, state_);
+  const Truth relative = incremental();
+  for (const WordSpec &spec : code.words) {
+    const Word *word = wordFor(block_, spec);
+    if (!word)
+      continue;
+    if (spec.role == Role::Centre) {
+      storeTarget(*word, false);
+    } else if (spec.role == Role::Depth) {
+      const WordSpec *repeat = wordWithRole(code, Role::Repeat);
+      const Word *count = repeat ? wordFor(block_, *repeat) : nullptr;
+      const Interval times = count ? value(*count) : Interval::exactly(1);
+      const Interval way = coordinate(*word);
+      state_.machineAxes &= ~(1u << unsigned(tool));
+      state_.at(tool) =
+          relative == Truth::No ? way
+          : relative == Truth::Yes && times.isConstant() && !before_.inMachineCoordinates(tool)
+              ? before_.at(tool) + way * times.value()
+              : Interval::unknown();
+    }
+  }
+}
+
 /// Where a cycle that is called with arguments leaves the tool, or one that mills an area.
 void Execution::endOfCall(const CodeInfo &code) {
   const bool called = block_.has(argumentAddress);
-  if (!called && (code.cycle < CycleKind::Face || code.cycle == CycleKind::Measure ||
-                  code.cycle == CycleKind::ThreadInfeed))
+  if (!called && ((code.cycle < CycleKind::Face && code.count.empty()) ||
+                  code.cycle == CycleKind::Measure || code.cycle == CycleKind::ThreadInfeed))
     return;
   state_.fedFrom = Interval::unknown();
+  if (has(code, CycleTrait::StartsHere))
+    return endDownHere(code);
   const Interval factor = lengthFactor();
   const auto place = [&](const Word &word) {
     return factor.isConstant() ? value(word) * factor.value() : Interval::unknown();
@@ -289,6 +323,11 @@ void Execution::endOfCall(const CodeInfo &code) {
   const uint16_t plane = planeAxes(dialect_, state_);
   const Axis tool = toolAxis(dialect_, state_);
   const bool stays = code.cycle != CycleKind::None && code.cycle < CycleKind::TurnPass;
+  if (code.cycle == CycleKind::Pattern && activeCycle() != noCode)
+    if (const auto level = heightOfVariable(dialect_.codes[activeCycle()])) {
+      state_.at(tool) = *level;
+      state_.machineAxes &= ~(1u << unsigned(tool));
+    }
   if (patternPlaces(code) && code.cycle == CycleKind::Pattern)
     return;
   if (!stays)

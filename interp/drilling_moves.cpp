@@ -304,11 +304,15 @@ private:
     const auto method = words_.value(Role::Method);
     return method && method->isConstant() && method->value() == 1;
   }
+  /// Zero when it is not known.
   double nextPeck(double length) const {
     const auto step = words_.value(Role::Peck);
-    const auto word = words_.value(Role::PeckStep), least = words_.value(Role::PeckLeast);
-    const auto by = word ? word : parameters_.length(Measure::Reduction);
-    if (by && by->isConstant()) { // less by so much, down to the least one, or to so much itself
+    const auto measure = parameters_.length(Measure::Reduction),
+               least = words_.value(Role::PeckLeast);
+    const auto by = measure ? measure : words_.value(Role::PeckStep);
+    if (by && !by->isConstant())
+      return 0;
+    if (by) { // less by so much, down to the least one, or to so much itself
       const double smaller = std::fabs(by->value());
       return std::max(length - smaller, least && least->isConstant() ? least->value() : smaller);
     }

@@ -123,7 +123,8 @@ bool Execution::runPlainMove() {
   const CodeIndex index =
       dialect_.groups[masks_.motion].members[size_t(std::countr_zero(motionSet))];
   const Action action = dialect_.codes[index].action;
-  if (action != Action::Linear && action != Action::Rapid)
+  if ((action != Action::Linear && action != Action::Rapid) ||
+      !dialect_.codes[index].places[0].empty())
     return false;
   const Interval factor = lengthFactor();
   const Truth relative = incremental();

@@ -85,6 +85,7 @@ private:
   Interval coordinate(const Word &word) const;
   void storeTarget(const Word &word, bool machineCoordinates);
   void storeTargets();
+  void storePolarEnd(const CodeInfo &code);
   void trackDepth(bool rapid);
   void compensationStep(MotionKind kind, uint16_t axes);
 
@@ -112,12 +113,17 @@ private:
   /// What the axis words of a block give for X, Y and Z.
   struct FrameWords {
     std::array<bool, 3> given{};
+    std::array<bool, 3> adds{}; ///< the value counts from what the axis had
     std::array<double, 3> value{};
   };
   void applyFrame(const CodeUse &use);
   void rebase(const FrameStack &frames);
-  std::optional<FrameWords> frameWords(bool lengths) const;
+  std::optional<FrameWords> frameWords(FrameKind kind, bool lengths) const;
   std::optional<Frame> frameOf(const CodeInfo &code) const;
+  std::optional<Frame> frameOfSteps(const CodeInfo &code) const;
+  Frame frameOfStep(const FrameStep &step, std::array<double, 12> numbers, double unit) const;
+  std::optional<Frame> frameByAxis(const CodeInfo &code, const std::optional<Frame> &old) const;
+  void endMirror(const CodeInfo &code, FrameStack &frames) const;
   std::array<double, 3> centreOf(const FrameWords &words, unsigned axes) const;
   std::optional<Frame> rotationAbout(const FrameWords &words, std::optional<double> degrees) const;
   Frame rotationOf(const FrameWords &words, std::optional<double> degrees) const;
@@ -130,9 +136,11 @@ private:
   void storeCycleWords(bool fresh);
   void runCompound(const CodeUse &use);
   void endOfCall(const CodeInfo &code);
+  void endDownHere(const CodeInfo &code);
   bool patternPlaces(const CodeInfo &code);
   void contourProgram(const CodeUse &use, const WordSpec &spec);
   Interval noLowerThanApproach(const Interval &level) const;
+  std::optional<Interval> heightOfVariable(const CodeInfo &code) const;
   CodeIndex activeCycle() const;
 
   Origin originOf(const Word &word) const { return {file_, word.offset, block_.endOf(word)}; }

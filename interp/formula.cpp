@@ -1,6 +1,7 @@
 // Evaluates the formulas of the tables on a block and the state before it.
 #include "interp/formula.h"
 
+#include "formats/dialect/variable_key.h"
 #include "interp/execute.h"
 #include "interp/expression.h"
 #include "interp/tool_data.h"
@@ -215,6 +216,14 @@ private:
       return push(
           Interval::exactly(step.op == FormulaOp::Sine ? std::sin(angle) : std::cos(angle)));
     }
+    case FormulaOp::Element: {
+      const Interval place = pop();
+      if (!place.isConstant())
+        return push(Interval::unknown());
+      const Value value =
+          readVariable(context_.before, int64_t(elementOf(names_[step.index], place.value())));
+      return push(value.kind == Value::Kind::Number ? value.number : Interval::unknown());
+    }
     case FormulaOp::Negate:
       return push(pop() * -1);
     case FormulaOp::Absolute:
@@ -277,6 +286,10 @@ private:
 };
 
 } // namespace
+
+uint64_t elementOf(llvm::StringRef list, double place) {
+  return variableKey((list + "[" + llvm::Twine(std::llround(place)) + "]").str());
+}
 
 Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
   return toTruth(Evaluator(code, context).run(formula));

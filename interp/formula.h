@@ -16,6 +16,9 @@ std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
 std::optional<Interval> valueOfGiven(const Formula &formula, const CodeInfo &code,
                                      const ConditionContext &context);
 
+/// Key of the variable at a place of several with one name: `_RADIUS[5]`.
+uint64_t elementOf(llvm::StringRef list, double place);
+
 /// Value of a formula in which words that are not given count as not known.
 Interval levelOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context);
 

@@ -75,6 +75,17 @@ Frame Frame::scaled(const std::array<double, 3> &factors, const std::array<doubl
   return frameOf(about(vectorOf(centre), vectorOf(factors).asDiagonal()));
 }
 
+Frame Frame::ofRows(const std::array<double, 12> &rows) {
+  constexpr size_t width = 4;
+  Frame frame;
+  for (size_t i = 0; i < 3; ++i) {
+    for (size_t j = 0; j < 3; ++j)
+      frame.turn[i][j] = rows[i * width + j];
+    frame.shift[i] = rows[i * width + 3];
+  }
+  return frame;
+}
+
 std::optional<Frame> Frame::inverse() const {
   const Map map = mapOf(*this);
   if (std::fabs(map.linear().determinant()) < zero)

@@ -23,6 +23,9 @@ struct Frame {
   /// Lengths from `centre` multiplied; a factor of -1 mirrors.
   static Frame scaled(const std::array<double, 3> &factors, const std::array<double, 3> &centre);
 
+  /// The whole map: its rows, each of three factors and a shift.
+  static Frame ofRows(const std::array<double, 12> &rows);
+
   /// None when it flattens space: a factor of zero.
   std::optional<Frame> inverse() const;
   /// First `inner`, then `outer`.

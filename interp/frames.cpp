@@ -1,5 +1,7 @@
 // Codes that lay frames over the work offset: shift, rotation, scale, mirror.
+#include "formats/dialect/variable_key.h"
 #include "interp/execution.h"
+#include "interp/formula.h"
 
 namespace ncvet {
 
@@ -32,6 +34,23 @@ FrameKind kindOf(const CodeInfo &code) {
   }
 }
 
+/// Whether a frame is put together axis by axis: those that a block does not name keep theirs.
+bool byAxis(const CodeInfo &code) {
+  return code.action == Action::LocalShift || code.action == Action::MirrorOn ||
+         code.action == Action::MirrorOff || code.frame == FrameKind::Offset ||
+         code.frame == FrameKind::MirrorAxes;
+}
+
+/// The axis of space that an argument names by its letter.
+std::optional<size_t> axisNamed(const Interval &argument) {
+  static const double keys[] = {double(variableKey("X")), double(variableKey("Y")),
+                                double(variableKey("Z"))};
+  for (size_t axis = 0; axis < spatial; ++axis)
+    if (argument == Interval::exactly(keys[axis]))
+      return axis;
+  return std::nullopt;
+}
+
 } // namespace
 
 /// Changes the frames, with the tool where it is: its coordinates are others.
@@ -57,9 +76,12 @@ void Execution::rebase(const FrameStack &frames) {
 }
 
 /// What the axis words of the block give, per axis of space; none: a value is not known.
-std::optional<Execution::FrameWords> Execution::frameWords(bool lengths) const {
+std::optional<Execution::FrameWords> Execution::frameWords(FrameKind kind, bool lengths) const {
   FrameWords words;
   for (const Word &word : block_.words) {
+    if (kind == FrameKind::MirrorAxes && word.address == argumentAddress)
+      if (const auto axis = axisNamed(value(word)))
+        words.given[*axis] = true;
     if (!(dialect_.axisWords & maskOf(word.address)))
       continue;
     const AddressInfo &address = dialect_.addresses[word.address];
@@ -70,7 +92,9 @@ std::optional<Execution::FrameWords> Execution::frameWords(bool lengths) const {
     if (word.has(wordNoValue))
       continue;
     const Interval v = lengths ? coordinate(word) : value(word);
-    if (!v.isConstant() || address.kind == AddressKind::Increment || word.has(wordIncremental))
+    words.adds[axis] = kind == FrameKind::Offset && address.kind == AddressKind::Increment;
+    if (!v.isConstant() || (address.kind == AddressKind::Increment && !words.adds[axis]) ||
+        word.has(wordIncremental))
       return std::nullopt;
     words.value[axis] = v.value();
   }
@@ -87,7 +111,10 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
       }))
     return std::nullopt; // a centre that counts from the present place
   const std::optional<FrameWords> words =
-      frameWords(isTransformation(code) || kind == FrameKind::Shift || kind == FrameKind::Mirror);
+      frameWords(kind, isTransformation(code) || kind == FrameKind::Shift ||
+                           kind == FrameKind::Offset || kind == FrameKind::Mirror);
+  if (kind == FrameKind::Steps)
+    return frameOfSteps(code);
   if (!words)
     return std::nullopt;
   const auto number = [&](Role role) -> std::optional<double> {
@@ -107,6 +134,8 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
   switch (kind) {
   case FrameKind::Shift:
     return Frame::shifted(words->value);
+  case FrameKind::Offset: // under incremental input it is not clear from where it counts
+    return incremental() == Truth::No ? std::optional(Frame::shifted(words->value)) : std::nullopt;
   case FrameKind::Rotation:
     return isTransformation(code) ? rotationAbout(*words, number(Role::Angle))
                                   : rotationOf(*words, number(Role::Angle));
@@ -123,7 +152,8 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
       return std::nullopt;
     return Frame::scaled({*ratio, *ratio, *ratio}, centreOf(*words, (1u << spatial) - 1));
   }
-  case FrameKind::Mirror: {
+  case FrameKind::Mirror:
+  case FrameKind::MirrorAxes: {
     std::array<double, 3> factors{1, 1, 1}, line{};
     for (size_t i = 0; i < spatial; ++i)
       if (words->given[i]) {
@@ -132,10 +162,56 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
       }
     return Frame::scaled(factors, line);
   }
+  case FrameKind::Steps:
   case FrameKind::None:
     return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// The map that the table's steps make of the block and what stands before it.
+std::optional<Frame> Execution::frameOfSteps(const CodeInfo &code) const {
+  const Interval unit = lengthFactor();
+  if (!unit.isConstant() || dialect_.isLathe() || // X may be a diameter
+      (!code.frameWhen.empty() && truthOf(code.frameWhen, code, context_) != Truth::Yes))
+    return std::nullopt;
+  Frame frame;
+  for (const FrameStep &step : code.frameSteps) {
+    std::array<double, 12> numbers{};
+    for (size_t i = 0; i < step.numbers.size(); ++i) {
+      const Interval number = levelOf(step.numbers[i], code, context_);
+      if (!number.isConstant())
+        return std::nullopt;
+      numbers[i] = number.value();
+    }
+    frame = frame * frameOfStep(step, numbers, unit.value());
+  }
+  return frame;
+}
+
+/// `unit`: millimetres of a length.
+Frame Execution::frameOfStep(const FrameStep &step, std::array<double, 12> numbers,
+                             double unit) const {
+  using Kind = FrameStep::Kind;
+  const std::array<double, 3> three{numbers[0], numbers[1], numbers[2]};
+  switch (step.kind) {
+  case Kind::Shift:
+    return Frame::shifted({three[0] * unit, three[1] * unit, three[2] * unit});
+  case Kind::Turn: {
+    const auto axis =
+        step.axis == FrameStep::toolAxis ? unsigned(toolAxis(dialect_, state_)) : step.axis;
+    return Frame::turned(axis, numbers[0],
+                         {numbers[1] * unit, numbers[2] * unit, numbers[3] * unit});
+  }
+  case Kind::Scale:
+    return Frame::scaled(three, {});
+  case Kind::Matrix:
+    constexpr size_t width = 4;
+    for (size_t row = 0; row < 3; ++row)
+      numbers[row * width + 3] *= unit;
+    return Frame::ofRows(numbers);
+  }
+  return {};
 }
 
 /// Whether it is one of the functions that each are switched on and off and name their centre (G51,
@@ -183,6 +259,39 @@ Frame Execution::rotationOf(const FrameWords &words, std::optional<double> degre
   return frame;
 }
 
+/// Puts a frame together of what the block says of the axes that it names, and what the others
+/// had.
+std::optional<Frame> Execution::frameByAxis(const CodeInfo &code,
+                                            const std::optional<Frame> &old) const {
+  const std::optional<FrameWords> words = frameWords(code.frame, true);
+  std::optional<Frame> whole = frameOf(code);
+  if (!old || !words || !whole)
+    return whole;
+  for (size_t i = 0; i < spatial; ++i)
+    if (!words->given[i]) {
+      whole->shift[i] = old->shift[i];
+      whole->turn[i] = old->turn[i];
+    } else if (words->adds[i]) {
+      whole->shift[i] += old->shift[i];
+    }
+  return whole;
+}
+
+/// Takes a mirror away from the axes that the block names; from all where it names none.
+void Execution::endMirror(const CodeInfo &code, FrameStack &frames) const {
+  const uint8_t name = nameOf(code);
+  const std::optional<FrameWords> words = frameWords(code.frame, true);
+  std::optional<Frame> left = frames.find(name);
+  if (!words || !left || !llvm::is_contained(words->given, true))
+    return frames.remove(name);
+  for (size_t i = 0; i < spatial; ++i)
+    if (words->given[i]) {
+      left->shift[i] = 0;
+      left->turn[i] = Frame().turn[i];
+    }
+  frames.put(name, left);
+}
+
 /// Lays the frame of a code over the others, replaces it, or takes it away.
 void Execution::applyFrame(const CodeUse &use) {
   const CodeInfo &code = info(use);
@@ -195,44 +304,31 @@ void Execution::applyFrame(const CodeUse &use) {
     frames.put(name, frameOf(code));
     break;
   case Action::LocalShift:
-  case Action::MirrorOn: {
-    // Only for the axes that the block names; the others keep what they had.
-    const std::optional<FrameWords> words = frameWords(true);
-    std::optional<Frame> whole = frameOf(code);
-    if (const auto old = frames.find(name); old && words && whole)
-      for (size_t i = 0; i < spatial; ++i)
-        if (!words->given[i]) {
-          whole->shift[i] = old->shift[i];
-          whole->turn[i] = old->turn[i];
-        }
-    frames.put(name, whole);
+  case Action::MirrorOn:
+    frames.put(name, frameByAxis(code, frames.find(name)));
     break;
-  }
   case Action::FrameAdd: {
-    const std::optional<Frame> more = frameOf(code), old = frames.find(name);
-    if (!frames.has(name))
-      frames.put(name, more);
-    else
-      frames.put(name, more && old ? std::optional(*old * *more) : std::nullopt);
-    break;
-  }
-  case Action::MirrorOff: {
-    const std::optional<FrameWords> words = frameWords(true);
-    std::optional<Frame> left = frames.find(name);
-    if (words && left && llvm::is_contained(words->given, true)) {
-      for (size_t i = 0; i < spatial; ++i)
-        if (words->given[i]) {
-          left->shift[i] = 0;
-          left->turn[i] = Frame().turn[i];
-        }
-      frames.put(name, left);
+    if (code.frame == FrameKind::Steps) { // whole by itself
+      frames.put(name, frameOf(code));
       break;
     }
-    frames.remove(name);
+    const std::optional<Frame> old = frames.find(name);
+    if (!frames.has(name) || byAxis(code)) {
+      frames.put(name, frames.has(name) && !old ? std::nullopt : frameByAxis(code, old));
+      break;
+    }
+    const std::optional<Frame> more = frameOf(code);
+    frames.put(name, more && old ? std::optional(*old * *more) : std::nullopt);
     break;
   }
+  case Action::MirrorOff:
+    endMirror(code, frames);
+    break;
   default:
-    frames.remove(name);
+    if (code.frame == FrameKind::MirrorAxes)
+      endMirror(code, frames);
+    else
+      frames.remove(name);
     break;
   }
   rebase(frames);

@@ -1,5 +1,6 @@
 // Axis words: where the block's motion leads, and what it does to compensation.
 #include "interp/execution.h"
+#include "interp/formula.h"
 #include "interp/zero.h"
 
 #include <cmath>
@@ -117,6 +118,29 @@ void Execution::storeTargets() {
     }
   if (readsPlace)
     state_.position = end;
+}
+
+/// Where a motion leads whose words are a pole, an angle and a radius: the table says how. A word
+/// of the tool axis is a coordinate as everywhere.
+void Execution::storePolarEnd(const CodeInfo &code) {
+  const Axis tool = toolAxis(dialect_, state_);
+  bool inPlane = false;
+  for (const Word &word : block_.words) {
+    if (!(dialect_.axisWords & maskOf(word.address)))
+      continue;
+    if (dialect_.addresses[word.address].axis == tool && !word.has(wordNoValue))
+      storeTarget(word, false);
+    else
+      inPlane = true;
+  }
+  if (!inPlane)
+    return;
+  const Interval unit = lengthFactor();
+  std::array<Interval, 2> place;
+  for (size_t i = 0; i < 2; ++i)
+    if (unit.isConstant() && incremental() == Truth::No)
+      place[i] = levelOf(code.places[i], code, context_) * unit.value();
+  setInPlane(place);
 }
 
 void Execution::compensationStep(MotionKind kind, uint16_t axes) {
@@ -258,7 +282,10 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   std::array<Interval, 2> from;
   if (polar == Truth::Yes)
     from = inPlane();
-  storeTargets();
+  if (code && !code->places[0].empty())
+    storePolarEnd(*code);
+  else
+    storeTargets();
   if (block_.hasAny(dialect_.polarWords))
     polarTarget();
   if (polar == Truth::Yes)
@@ -603,6 +630,11 @@ void Execution::moveAxes() {
     axes = planeAxes(dialect_, state_);
   if (!axes)
     return;
+  if (motion && isMotion(motion->action) && !motion->places[0].empty()) {
+    // Angle and radius may be letters of further axes, which stand still.
+    const uint16_t tool = bit(toolAxis(dialect_, state_));
+    axes = uint16_t((axes & tool) | (axes & ~tool ? planeAxes(dialect_, state_) : 0));
+  }
   if (!motion || !isMotion(motion->action)) {
     moveBy(nullptr, noCode, MotionKind::Rapid, axes);
     return;

@@ -3,7 +3,9 @@
 
 #include "interp/arc.h"
 #include "interp/condition.h"
+#include "interp/contour_element.h"
 #include "interp/cycle_moves.h"
+#include "interp/cycle_parameters.h"
 #include "interp/execute.h"
 
 #include <cmath>
@@ -47,16 +49,7 @@ std::optional<Point> centreOfThree(const Point &a, const Point &b, const Point &
   return Point{a[0] + (cy * b2 - by * c2) / twice, a[1] + (bx * c2 - cx * b2) / twice};
 }
 
-/// Angle of the way round `centre`, in turns: above 0, at most 1.
-double turnsBetween(const Point &start, const Point &end, const Point &centre, bool clockwise) {
-  if (std::hypot(end[0] - start[0], end[1] - start[1]) < samePoint)
-    return 1;
-  const double from = std::atan2(start[1] - centre[1], start[0] - centre[0]);
-  const double to = std::atan2(end[1] - centre[1], end[0] - centre[0]);
-  double turns = (clockwise ? from - to : to - from) / (2 * std::numbers::pi);
-  turns -= std::floor(turns);
-  return turns == 0 ? 1 : turns;
-}
+Vector vectorOf(const Point &point) { return {point[0], point[1]}; }
 
 /// An arc stays one in its plane when the frame does not tilt the plane, and scales its two axes by
 /// the same factor.
@@ -192,6 +185,8 @@ private:
       move.plane = planeOrder(dialect_, executed_.after);
     } else if (action == Action::CurveThrough) {
       arcThrough();
+    } else if (action == Action::CurveFeed && arcAboutCentre(dialect_.codes[event.code])) {
+      return;
     } else {
       add(MoveKind::Linear);
     }
@@ -243,8 +238,9 @@ private:
     }
     setCentre(move, *centre);
     if (arc.start && arc.end)
-      move.turns = Interval::exactly(turnsBetween(*arc.start, *arc.end, *centre, clockwise) +
-                                     furtherTurns());
+      move.turns = Interval::exactly(
+          turnsAround(vectorOf(*centre), vectorOf(*arc.start), vectorOf(*arc.end), clockwise) +
+          furtherTurns());
   }
   void setCentre(Move &move, const Point &centre) const {
     for (size_t i = 0; i < 2; ++i)
@@ -269,6 +265,25 @@ private:
             return std::max(0.0, v.value() - 1);
         }
     return 0;
+  }
+
+  /// About the centre that the table's measures give; false when it gives none.
+  bool arcAboutCentre(const CodeInfo &code) {
+    const CycleParameters parameters(executed_, code);
+    const auto first = parameters.length(Measure::CentreFirst),
+               second = parameters.length(Measure::CentreSecond);
+    if (!first || !second)
+      return false;
+    Move &move = add(MoveKind::Arc);
+    move.plane = planeOrder(dialect_, executed_.after);
+    move.centre = {*first, *second};
+    move.clockwise = parameters.number(Measure::Direction) == Interval::exactly(clockwiseDirection);
+    const ContourPlane plane(dialect_, move.plane);
+    const auto start = plane.point(executed_.before.position), end = plane.point(move.to);
+    if (start && end && first->isConstant() && second->isConstant())
+      move.turns = Interval::exactly(
+          turnsAround({first->value(), second->value()}, *start, *end, move.clockwise));
+    return true;
   }
 
   /// Through a third point, in the plane of the tool's two axes.
@@ -300,8 +315,9 @@ private:
                         (through[1] - (*arc.start)[1]) * ((*arc.end)[0] - through[0]);
     move.clockwise = turn < 0;
     setCentre(move, *centre);
-    move.turns = Interval::exactly(turnsBetween(*arc.start, *arc.end, *centre, move.clockwise) +
-                                   furtherTurns());
+    move.turns = Interval::exactly(
+        turnsAround(vectorOf(*centre), vectorOf(*arc.start), vectorOf(*arc.end), move.clockwise) +
+        furtherTurns());
   }
 
   const ExecutedBlock &executed_;

@@ -30,7 +30,8 @@ llvm::ArrayRef<llvm::StringRef> codeKeys() {
                                                  "levels",       "frame",
                                                  "places",       "measures",
                                                  "traits",       "firesByMotionCode",
-                                                 "storedAt",     "returns"};
+                                                 "storedAt",     "returns",
+                                                 "steps"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -158,6 +159,7 @@ CodeInfo DialectBuilder::readCode(const Json &value, CodeInfo info) {
   readLevels(value, info);
   readPlaces(value, info);
   readMeasures(value, info);
+  readSteps(value, info);
   return info;
 }
 
@@ -300,10 +302,67 @@ void DialectBuilder::readPlaces(const Json &value, CodeInfo &info) {
   in_.allowKeys(*places, {"count", "first", "second"});
   const Json *count = in_.member(*places, "count"), *first = in_.member(*places, "first"),
              *second = in_.member(*places, "second");
-  if (!count || !first || !second)
-    return in_.fail(*places, "\"count\", \"first\" and \"second\" are expected");
-  info.count = formula(*count);
+  if (!first || !second)
+    return in_.fail(*places, "\"first\" and \"second\" are expected");
+  if (count)
+    info.count = formula(*count);
   info.places = {formula(*first), formula(*second)};
+}
+
+/// `{"when": "…", "of": [{"shift": ["X", "Y", "0"]}, {"turn": ["ANR"], "axis": "Z"},
+/// {"scale": ["SCA", "SCA", "SCA"]}, {"matrix": [twelve numbers]}]}`
+void DialectBuilder::readSteps(const Json &value, CodeInfo &info) {
+  info.frameSteps.clear();
+  const Json *steps = in_.member(value, "steps");
+  if (!steps || steps->is_null() || !in_.isObject(*steps))
+    return;
+  in_.allowKeys(*steps, {"when", "of"});
+  info.frame = FrameKind::Steps;
+  if (const Json *when = in_.member(*steps, "when"))
+    info.frameWhen = formula(*when);
+  const Json *list = in_.member(*steps, "of");
+  if (!list || !list->is_array())
+    return in_.fail(*steps, "\"of\" is a list of steps");
+  for (const Json &entry : *list)
+    if (!readStep(entry, info))
+      return;
+}
+
+bool DialectBuilder::readStep(const Json &entry, CodeInfo &info) {
+  using Kind = FrameStep::Kind;
+  in_.allowKeys(entry, {"shift", "turn", "scale", "matrix", "axis"});
+  FrameStep step;
+  const Json *numbers = nullptr;
+  constexpr std::pair<const char *, Kind> kinds[] = {{"shift", Kind::Shift},
+                                                     {"turn", Kind::Turn},
+                                                     {"scale", Kind::Scale},
+                                                     {"matrix", Kind::Matrix}};
+  for (const auto &[name, kind] : kinds)
+    if (const Json *found = in_.member(entry, name)) {
+      numbers = found;
+      step.kind = kind;
+    }
+  if (!numbers || !numbers->is_array())
+    in_.fail(entry, "a step is a shift, a turn, a scale or a matrix, with its numbers");
+  if (in_.failed())
+    return false;
+  for (const Json &number : *numbers)
+    step.numbers.push_back(formula(number));
+  const size_t count = step.numbers.size();
+  constexpr size_t threeLengths = 3, matrix = 12, withCentre = 4;
+  if (step.kind == Kind::Turn     ? count != 1 && count != withCentre
+      : step.kind == Kind::Matrix ? count != matrix
+                                  : count != threeLengths)
+    in_.fail(*numbers, "a shift and a scale have 3 numbers, a turn 1 or 4, a matrix 12");
+  if (const Json *axis = in_.member(entry, "axis")) {
+    const std::string name = in_.text(*axis).value_or("");
+    if (name.size() != 1 || name[0] < 'X' || name[0] > 'Z')
+      in_.fail(*axis, "X, Y or Z is expected");
+    else
+      step.axis = uint8_t(name[0] - 'X');
+  }
+  info.frameSteps.push_back(std::move(step));
+  return !in_.failed();
 }
 
 /// `"measures": {"run-out": "floor(P / 100)"}, "traits": ["returns-by-axes"]`

@@ -176,7 +176,28 @@ llvm::StringRef toString(Role role); ///< as in the tables: "peck-first"
 std::optional<Role> parseRole(llvm::StringRef text);
 
 /// How a frame changes coordinates.
-enum class FrameKind : uint8_t { None, Shift, Rotation, Scale, Mirror };
+enum class FrameKind : uint8_t {
+  None,
+  Shift,
+  Rotation,
+  Scale,
+  Mirror,
+  Offset,     ///< a shift of the axes that the block names; the others keep what they had
+  MirrorAxes, ///< a mirror of those axes about the zero point, likewise
+  Steps       ///< what the table's steps say
+};
+
+/// One step of a frame: a shift, a turn, factors or a whole matrix.
+struct FrameStep {
+  enum class Kind : uint8_t { Shift, Turn, Scale, Matrix };
+  static constexpr uint8_t toolAxis = 3;
+
+  Kind kind = Kind::Shift;
+  uint8_t axis = toolAxis; ///< of a turn: 0 to 2, or `toolAxis`
+  /// Three lengths; an angle in degrees and three coordinates of its centre, or the angle alone;
+  /// three factors; three rows of a matrix, each of three factors and a length.
+  std::vector<Formula> numbers;
+};
 
 /// What a code does with the thing of the control that a word names.
 enum class Naming : uint8_t { None, Define, Use, Drop };
@@ -256,6 +277,8 @@ struct CodeInfo {
   Action action = Action::None;
   CycleKind cycle = CycleKind::None;
   FrameKind frame = FrameKind::None; ///< of frame-set and frame-add; None: nothing is known of it
+  std::vector<FrameStep> frameSteps; ///< of a frame of steps, the outermost first
+  Formula frameWhen;                 ///< the steps are right only then; empty: always
   bool cancelsCycle = false;         ///< ends an active canned cycle of the group "cycle"
   SpindleNeed spindle = SpindleNeed::Any;
   bool needsFeed = false;  ///< a feed must be in force
@@ -290,7 +313,8 @@ struct CodeInfo {
   std::vector<CycleMeasure> measures; ///< of a cycle's motions
   uint32_t traits = 0;                ///< bit per `CycleTrait`: what the cycle does its own way
   Formula count;                      ///< of the places of a pattern; empty: they are not known
-  std::array<Formula, 2> places;      ///< their coordinates in the plane, by `index()`
+  /// Their coordinates in the plane, by `index()`; of a motion: where it leads in the plane.
+  std::array<Formula, 2> places;
   /// Sets of words that exclude each other, each pair of masks.
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
   std::vector<Notice> notices;

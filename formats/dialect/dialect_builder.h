@@ -52,6 +52,8 @@ private:
   void readStores(const Json &value, CodeInfo &info);
   void readLevels(const Json &value, CodeInfo &info);
   void readPlaces(const Json &value, CodeInfo &info);
+  void readSteps(const Json &value, CodeInfo &info);
+  bool readStep(const Json &entry, CodeInfo &info);
   void readMeasures(const Json &value, CodeInfo &info);
   uint32_t switchSet(const Json &value, const char *key);
   void readConditionOptions(const Json &value, Condition &when);

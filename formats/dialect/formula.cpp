@@ -141,6 +141,7 @@ private:
     case FormulaOp::Index:
     case FormulaOp::Option:
       return 0;
+    case FormulaOp::Element:
     case FormulaOp::Negate:
     case FormulaOp::Absolute:
     case FormulaOp::Floor:
@@ -201,7 +202,16 @@ private:
       return true;
     }
     if (take("$")) {
-      emit(FormulaOp::Variable, 0, double(variableKey(takeName())));
+      const llvm::StringRef name = takeName();
+      if (take("[")) {
+        const auto index = uint16_t(formula.names.size());
+        formula.names.push_back(name.str());
+        if (!disjunction(depth + 1) || !take("]"))
+          return fail("lacks a \"]\"");
+        emit(FormulaOp::Element, index);
+        return true;
+      }
+      emit(FormulaOp::Variable, 0, double(variableKey(name)));
       return true;
     }
     const llvm::StringRef name = rest_.take_while(isNameCharacter);

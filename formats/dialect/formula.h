@@ -22,6 +22,7 @@ enum class FormulaOp : uint8_t {
   GivenAddress,
   Variable,      ///< value of the variable whose key is `number`: `$NAME`
   GivenVariable, ///< whether it has one
+  Element,       ///< value of the variable `names[index]` at the place on top: `$NAME[x]`
   ToolRadius,    ///< of the tool in use, by the machine profile
   Tool,          ///< number of the tool in use
   Level,         ///< place along the tool axis before the block
@@ -65,7 +66,7 @@ struct FormulaStep {
 /// `given(DP) and given(DPR) and abs(RFP - DPR - DP) > 0.001`. Empty: no condition.
 struct Formula {
   std::vector<FormulaStep> steps;
-  std::vector<std::string> names; ///< of options
+  std::vector<std::string> names; ///< of options, and of several variables
 
   bool empty() const { return steps.empty(); }
 };
@@ -77,10 +78,10 @@ struct FormulaName {
 };
 
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
-/// `$NAME` for a variable of the program, `abs(x) min(x,y) max(x,y) floor(x) sin(x)
-/// cos(x) select(x,y,z) index() given(NAME) toolRadius() tool() level() feed() speed() note()
-/// origin() key(SYMBOL) option(NAME) length(NAME) here(NAME) bare(ADDRESS) place(AXIS)`. None, with
-/// `error` set, when it cannot.
+/// `$NAME` for a variable of the program, `$NAME[x]` for one of several, `abs(x) min(x,y) max(x,y)
+/// floor(x) sin(x) cos(x) select(x,y,z) index() given(NAME) toolRadius() tool() level() feed()
+/// speed() note() origin() key(SYMBOL) option(NAME) length(NAME) here(NAME) bare(ADDRESS)
+/// place(AXIS)`. None, with `error` set, when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

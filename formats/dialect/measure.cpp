@@ -17,8 +17,8 @@ constexpr llvm::StringLiteral measures[] = {
 static_assert(std::size(measures) == size_t(Measure::FeedAlong) + 1);
 
 constexpr llvm::StringLiteral traits[] = {"follows-contour", "returns-by-axes", "ignores-corners",
-                                          "wants-hole"};
-static_assert(std::size(traits) == size_t(CycleTrait::WantsHole) + 1);
+                                          "wants-hole", "starts-here"};
+static_assert(std::size(traits) == size_t(CycleTrait::StartsHere) + 1);
 } // namespace
 
 llvm::ArrayRef<llvm::StringLiteral> measureNames() { return measures; }

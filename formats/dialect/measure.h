@@ -56,13 +56,16 @@ enum class Measure : uint8_t {
   FeedAlong
 };
 llvm::ArrayRef<llvm::StringLiteral> measureNames();
+/// Of `Measure::Direction`, as G02.
+constexpr double clockwiseDirection = 2;
 
 /// How a control makes the motions of a cycle.
 enum class CycleTrait : uint8_t {
   FollowsContour, ///< each roughing pass ends along the contour, up to the pass before
   ReturnsByAxes,  ///< back to the start the axis that leaves the work goes first
   IgnoresCorners, ///< corners and lines by angle in the contour do not count
-  WantsHole       ///< goes straight down where a hole must be
+  WantsHole,      ///< goes straight down where a hole must be
+  StartsHere      ///< begins where the tool is, or at the axis words of its block; stays down
 };
 llvm::ArrayRef<llvm::StringLiteral> cycleTraitNames();
 

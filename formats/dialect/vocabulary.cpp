@@ -14,8 +14,9 @@ constexpr llvm::StringLiteral roles[] = {
     "ratio",       "method",        "limit",        "argument",    "start-angle",    "relief"};
 static_assert(std::size(roles) == size_t(Role::Relief) + 1);
 
-constexpr llvm::StringLiteral frames[] = {"none", "shift", "rotation", "scale", "mirror"};
-static_assert(std::size(frames) == size_t(FrameKind::Mirror) + 1);
+constexpr llvm::StringLiteral frames[] = {"none",   "shift",  "rotation",    "scale",
+                                          "mirror", "offset", "mirror-axes", "steps"};
+static_assert(std::size(frames) == size_t(FrameKind::Steps) + 1);
 
 constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "drill-dwell",    "peck",

@@ -1,6 +1,5 @@
 // The motions of small programs, by their points.
-#include "analyzer/trace.h"
-#include "tests/support/run_program.h"
+#include "tests/support/written_trace.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,62 +9,8 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Moves in a short form: "1 rapid X52 Z3", arcs with their centre and turns.
-class Written : public TraceSink {
-public:
-  std::vector<std::string> lines;
-
-  void moved(const TracedMove &traced) override {
-    const Move &move = traced.move;
-    static constexpr const char *kinds[] = {"rapid", "linear", "arc",     "thread",
-                                            "dwell", "tool",   "spindle", "end"};
-    std::string line = std::to_string(traced.unit->source.lines().lineOf(traced.begin)) + " " +
-                       kinds[size_t(move.kind)];
-    if (move.kind == MoveKind::Dwell || move.kind == MoveKind::Tool)
-      line += " " + number(move.value);
-    if (move.kind <= MoveKind::Thread)
-      line += place(move);
-    if (move.kind == MoveKind::Arc)
-      line += std::string(move.clockwise ? " cw " : " ccw ") + number(move.centre[0]) + "/" +
-              number(move.centre[1]) + " " + number(move.turns);
-    if (move.kind != MoveKind::Spindle)
-      lines.push_back(line);
-  }
-  void lost(const FileUnit &unit, SourceRange where, llvm::StringRef why) override {
-    lines.push_back(std::to_string(unit.source.lines().lineOf(where.begin)) +
-                    " lost: " + why.str());
-  }
-
-private:
-  static std::string number(const Interval &value) {
-    if (!value.isConstant())
-      return "?";
-    std::string text;
-    llvm::raw_string_ostream(text) << llvm::format("%.3f", value.value());
-    while (text.back() == '0')
-      text.pop_back();
-    if (text.back() == '.')
-      text.pop_back();
-    return text == "-0" ? "0" : text;
-  }
-  static std::string place(const Move &move) {
-    std::string text;
-    for (size_t i = 0; i < 3; ++i)
-      if (!move.to[i].isUnknown())
-        text += std::string(" ") + (move.machineAxes >> i & 1 ? "m" : "") + "XYZ"[i] +
-                number(move.to[i]);
-    return text;
-  }
-};
-
-/// `machine` is the text of a machine profile, or empty.
-std::vector<std::string> traceOf(const char *dialect, const std::string &program,
-                                 const std::string &machine = "") {
-  Written written;
-  test::withProgram(dialect, {{"PART.nc", program}}, machine,
-                    [&](Project &project, FileUnit &unit) { trace(project, unit, {}, written); });
-  return written.lines;
-}
+using test::traceOf;
+using test::Written;
 
 TEST(Trace, LinesAndArcsEndAtTheirPoints) {
   EXPECT_THAT(traceOf("nct-104m", "%O0001\n"
@@ -702,6 +647,40 @@ TEST(Trace, DiametersDwellsPlacesAndDistances) {
               ElementsAre("1 rapid X0 Y0 Z0", "2 linear X20 Y0 Z0", "3 dwell 1",
                           "3 linear X30 Y0 Z0", "4 linear X0 Y10 Z0", "5 linear X15 Y0 Z0",
                           "6 linear X16 Y17 Z0", "7 linear X5 Y-0.5 Z0", "8 end"));
+}
+
+/// Round the centre on which the tool stands, at each depth; it stays down there.
+TEST(Trace, MillsACircularPocketWhereTheToolStands) {
+  const std::string tool = R"({"tools": {"1": {"kind": "endmill", "radius": 5}}})";
+  EXPECT_THAT(traceOf("haas-mill",
+                      "O1\nG21 G90 G54 T1 M6\nG0 X10. Y20. Z2.\n"
+                      "G13 I20. Z-3. D1 F200.\nG0 Z50.\nM30\n",
+                      tool),
+              ElementsAre("2 tool 1", "3 rapid X10 Y20 Z2", "4 linear X10 Y20 Z-3",
+                          "4 linear X25 Y20 Z-3", "4 arc X25 Y20 Z-3 ccw 10/20 1",
+                          "4 linear X10 Y20 Z-3", "5 rapid X10 Y20 Z50", "6 end"));
+  EXPECT_THAT(traceOf("haas-mill",
+                      "O1\nG21 G90 G54 T1 M6\nG0 X0. Y0. Z1.\n"
+                      "G91 G12 X10. Y0. I6. K20. Q5. Z-1. L2 D1 F200.\nG90 G0 Z50.\nM30\n",
+                      tool),
+              ElementsAre("2 tool 1", "3 rapid X0 Y0 Z1", "4 rapid X10 Y0 Z1", "4 linear X10 Y0 Z0",
+                          "4 linear X25 Y0 Z0", "4 arc X25 Y0 Z0 cw 10/0 1", "4 linear X10 Y0 Z0",
+                          "4 linear X10 Y0 Z-1", "4 linear X25 Y0 Z-1",
+                          "4 arc X25 Y0 Z-1 cw 10/0 1", "4 linear X10 Y0 Z-1", "5 rapid X10 Y0 Z50",
+                          "6 end"));
+}
+
+/// Of a pocket by a program of its own the depths are said, not its ways nor its end.
+TEST(Trace, KnowsTheDepthsOfAPocketByAProgram) {
+  std::vector<std::string> levels;
+  for (const std::string &line :
+       traceOf("haas-mill", "O1\nG21 G90 G54 T1 M6\nG0 X0. Y0. Z50.\n"
+                            "G150 P100 X5. Y5. I2. K0.5 Q1. R1. Z-2.5 D1 F100.\nG0 X0.\nM30\n"))
+    if (llvm::StringRef(line).contains("linear Z") || line.front() == '5')
+      levels.push_back(line);
+  EXPECT_THAT(levels, ElementsAre("4 linear Z0", "4 linear Z0", "4 linear Z-1", "4 linear Z-1",
+                                  "4 linear Z-2", "4 linear Z-2", "4 linear Z-2.5",
+                                  "4 linear Z-2.5", "5 rapid X0"));
 }
 
 } // namespace
