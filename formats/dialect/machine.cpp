@@ -23,13 +23,14 @@ public:
 
   void build() {
     in_.allowKeys(root_, {"$schema", "dialect", "axes", "spindle", "feed", "tools", "offsets",
-                          "stock", "codes", "options"});
+                          "stock", "clamps", "codes", "options"});
     in_.read(root_, "dialect", profile_.dialect);
     readAxes();
     readSpindleAndFeed();
     readTools();
     readOffsets();
     readStock();
+    readClamps();
     if (const Json *codes = in_.member(root_, "codes"))
       in_.isObject(*codes); // read by `overlay`, which knows the dialect
     if (const Json *options = in_.member(root_, "options"); options && in_.isObject(*options))
@@ -122,12 +123,29 @@ private:
 
   void readStock() {
     const Json *stock = in_.member(root_, "stock");
-    if (!stock)
+    if (stock)
+      profile_.stock = readBox(*stock);
+  }
+
+  void readClamps() {
+    const Json *clamps = in_.member(root_, "clamps");
+    if (!clamps)
       return;
-    in_.allowKeys(*stock, {"min", "max"});
-    profile_.stock.emplace();
-    readCorner(*stock, "min", profile_.stock->min);
-    readCorner(*stock, "max", profile_.stock->max);
+    if (!clamps->is_array())
+      return in_.fail(*clamps, "a list of boxes is expected");
+    for (const Json &clamp : *clamps)
+      profile_.clamps.push_back(readBox(clamp));
+  }
+
+  Stock readBox(const Json &value) {
+    Stock box;
+    in_.allowKeys(value, {"min", "max"});
+    readCorner(value, "min", box.min);
+    readCorner(value, "max", box.max);
+    for (size_t i = 0; i < box.min.size(); ++i)
+      if (box.min[i] && box.max[i] && *box.min[i] > *box.max[i])
+        in_.fail(value, "\"min\" is greater than \"max\"");
+    return box;
   }
 
   void readCorner(const Json &stock, const char *key,

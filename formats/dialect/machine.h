@@ -17,6 +17,7 @@ struct ToolData {
   std::optional<int> tip;                             ///< nose direction 0…9
 };
 
+/// A box; where it has no bound it has no end.
 struct Stock {
   std::array<std::optional<double>, 3> min, max; ///< work coordinates, X Y Z
 };
@@ -33,6 +34,7 @@ struct MachineProfile {
   /// code leads ("G28"); of the shift over all work offsets ("G92").
   std::map<std::string, std::array<std::optional<double>, axisCount>> offsets;
   std::optional<Stock> stock;
+  std::vector<Stock> clamps;            ///< and all else beside the part that a tool must go round
   llvm::StringMap<std::string> options; ///< text form of the JSON value
 
   /// Value of an option, or none when the profile does not say.

@@ -1,5 +1,6 @@
 // A rapid move in the plane while the tool is still at cutting depth.
 #include "analyzer/rule.h"
+#include "interp/obstacle.h"
 
 #include <array>
 
@@ -29,7 +30,9 @@ public:
       if (auto finding = ctx.report(event))
         finding.message("a rotary axis turns at rapid behind a cut: the tool was not taken away "
                         "in between");
-    if (!(event.axes & plane) || staysInPlane(before, after) || !before.fedFrom.isConstant() ||
+    if (!(event.axes & plane) || staysInPlane(before, after))
+      return;
+    if (throughObstacle(event, ctx) || !before.fedFrom.isConstant() ||
         before.compensation != phaseOff)
       return;
     const Interval &from = before.at(tool), &to = after.at(tool);
@@ -44,6 +47,28 @@ public:
   }
 
 private:
+  /// Through a clamp, or through stock into which nothing has cut yet. A way that leads down is
+  /// another rule's.
+  static bool throughObstacle(const Event &event, RuleContext &ctx) {
+    const MachineProfile &machine = ctx.machine();
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    if ((machine.clamps.empty() && !machine.stock) || !after.frames.empty() || before.machineAxes ||
+        after.machineAxes || before.may(Fact::UnknownCode) ||
+        after.at(Axis::Z).hi < before.at(Axis::Z).lo)
+      return false;
+    const bool clamp = llvm::any_of(machine.clamps, [&](const Stock &box) {
+      return leadsThrough(box, before.position, after.position) == Truth::Yes;
+    });
+    const bool stock = machine.stock && !before.may(Fact::Cut) && ctx.callDepth() == 0 &&
+                       leadsThrough(*machine.stock, before.position, after.position) == Truth::Yes;
+    if (!clamp && !stock)
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message(clamp ? "rapid in the plane through a clamp of the machine profile"
+                            : "rapid in the plane through the stock: nothing has been cut yet");
+    return true;
+  }
+
   /// The tool stands there already: post-processors repeat the point at which the next pass begins.
   static bool staysInPlane(const MachineState &before, const MachineState &after) {
     return llvm::all_of(std::array{Axis::X, Axis::Y}, [&](Axis axis) {
