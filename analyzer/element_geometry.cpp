@@ -35,6 +35,13 @@ std::optional<double> numberOf(llvm::StringRef text, llvm::StringRef address) {
   return std::nullopt;
 }
 
+/// Whether a definition has no other letters than these: more of them say something else.
+bool madeOf(llvm::StringRef text, llvm::StringRef letters) {
+  text = text.take_until([](char c) { return c == '\'' || c == '{' || c == '('; });
+  return llvm::all_of(
+      text, [&](char c) { return !llvm::isAlpha(c) || letters.contains(llvm::toUpper(c)); });
+}
+
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// Distance of a point from a line, in millimetres.
@@ -75,7 +82,8 @@ std::optional<ElementGeometry> definedElement(const RuleContext &ctx) {
   const llvm::StringRef text = ctx.text(*definition->word).split('=').second;
   const bool circle = numberOf(text, "R").has_value();
   const auto x = numberOf(text, circle ? "I" : "X"), y = numberOf(text, circle ? "J" : "Y");
-  if (!x || !y)
+  const bool line = !circle && text.contains_insensitive("RC");
+  if (!x || !y || !madeOf(text, circle ? "GIJR" : line ? "GXYRC" : "GXY"))
     return std::nullopt;
   ElementGeometry element;
   element.switches = state.switchMay;
@@ -87,7 +95,7 @@ std::optional<ElementGeometry> definedElement(const RuleContext &ctx) {
   } else if (const auto direction = numberOf(text, "RC")) {
     element.kind = ElementGeometry::Kind::Line;
     element.size = *direction;
-  } else if (text.contains("RC")) {
+  } else if (line) {
     return std::nullopt; // a direction that is computed
   }
   return element;

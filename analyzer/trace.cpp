@@ -18,9 +18,9 @@ namespace {
 constexpr size_t mostContourMoves = 100000;
 
 /// Gathers the contour that a cycle reads, with its corners put in.
-class ContourCollector {
+class CycleContour {
 public:
-  explicit ContourCollector(const Dialect &dialect) : corners_(dialect) {}
+  explicit CycleContour(const Dialect &dialect) : corners_(dialect) {}
 
   void begin(const ExecutedBlock &executed, const ContourCycle &cycle) {
     moves_.clear();
@@ -156,7 +156,7 @@ private:
   const CornerWords corners_;
   CornerPath path_;
   std::optional<CompensatedPath> compensated_;
-  ContourCollector contour_;
+  CycleContour contour_;
   std::optional<ContourCycle> cycle_; ///< whose contour is read, or run
   uint64_t cycleTag_ = 0;
   Place last_; ///< where the last motion ends, without what corners change

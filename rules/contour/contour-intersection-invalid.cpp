@@ -67,7 +67,7 @@ public:
     }
     previous(event, plane, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(last_); }
+  void remember(RuleMemory &memory) const override { memory(last_, table_); }
 
 private:
   /// A line of which only the direction is given ends where the next element begins.

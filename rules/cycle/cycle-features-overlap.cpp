@@ -1,14 +1,11 @@
 // Slots or holes of one call run into each other, an island lies outside of its pocket.
-#include "analyzer/defined_elements.h"
+#include "analyzer/element_geometry.h"
 #include "analyzer/lookahead.h"
 #include "analyzer/outline.h"
 #include "interp/arc.h"
 #include "interp/expression.h"
 
-#include "llvm/ADT/StringExtras.h"
-
 #include <cmath>
-#include <map>
 
 namespace ncvet {
 namespace {
@@ -38,13 +35,13 @@ public:
       return;
     const Action action = ctx.code(event).action;
     if (action == Action::DefineElement)
-      define(ctx);
+      elements_.define(ctx);
     else if (action == Action::ProfileBegin || action == Action::ProfileRun)
       next(event, ctx);
   }
   void remember(RuleMemory &memory) const override {
-    memory(profiles_, begin_, pocketBegin_, attach_, pocket_, current_, points_, circles_,
-           startName_, circle_);
+    memory(profiles_, begin_, pocketBegin_, attach_, pocket_, current_, elements_, startName_,
+           circle_);
   }
 
 private:
@@ -134,70 +131,25 @@ private:
     current_.arc(*centre, to, event.motion == MotionKind::ArcCw);
   }
 
-  struct Circle {
-    Point centre;
-    double radius;
-  };
-
-  /// The words of `O5 = G2 I0 J0 R250`, by letter; empty when one of them is no plain number.
-  static std::map<char, double> wordsOf(llvm::StringRef definition) {
-    std::map<char, double> words;
-    llvm::StringRef rest = definition.split('=').second.split('\'').first.trim();
-    while (!rest.empty()) {
-      const char letter = llvm::toUpper(rest.front());
-      const llvm::StringRef number = rest.drop_front().ltrim().take_while(
-          [](char c) { return llvm::isDigit(c) || c == '.' || c == '-' || c == '+'; });
-      double value = 0;
-      if (!llvm::isAlpha(letter) || number.getAsDouble(value) ||
-          !words.try_emplace(letter, value).second)
-        return {};
-      rest = llvm::StringRef(number.end(), size_t(definition.end() - number.end()))
-                 .split('\'')
-                 .first.trim();
-    }
-    return words;
-  }
-
-  /// Points and circles by their coordinates; others are not followed.
-  void define(const RuleContext &ctx) {
-    const Word *name = DefinedElements::definedBy(ctx);
-    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
-    if (!name || !unit)
-      return;
-    const auto key = std::pair(name->address, name->mantissa);
-    points_.erase(key);
-    circles_.erase(key);
-    const std::map<char, double> words = wordsOf(ctx.text(ctx.blockRange()));
-    const auto has = [&](llvm::StringRef letters) {
-      return words.size() == letters.size() &&
-             llvm::all_of(letters, [&](char letter) { return words.count(letter); });
-    };
-    if (has("GIJR"))
-      circles_[key] = {{words.at('I') * *unit, words.at('J') * *unit},
-                       std::fabs(words.at('R')) * *unit};
-    else if (has("XY"))
-      points_[key] = {words.at('X') * *unit, words.at('Y') * *unit};
-  }
-
   /// Of elements by name only a circle between one point and the same is followed.
   void named(const Word &name, bool attaches) {
     const auto key = std::pair(name.address, name.mantissa);
-    const auto point = points_.find(key);
-    const auto circle = circles_.find(key);
-    if (attaches && point != points_.end()) {
+    const ElementGeometry *element = elements_.find(name);
+    if (attaches && element && element->kind == ElementGeometry::Kind::Point) {
       startName_ = key;
-      return current_.start(point->second);
+      return current_.start({element->x, element->y});
     }
-    if (circle != circles_.end() && startName_ && !circle_ && current_.hasStart()) {
-      circle_ = circle->second;
+    if (element && element->kind == ElementGeometry::Kind::Circle && startName_ && !circle_ &&
+        current_.hasStart()) {
+      circle_ = *element;
       return;
     }
     const bool closes = circle_ && startName_ == key && current_.hasStart();
-    if (!closes || std::fabs(std::hypot(current_.first()[0] - circle_->centre[0],
-                                        current_.first()[1] - circle_->centre[1]) -
-                             circle_->radius) > least)
+    if (!closes ||
+        std::fabs(std::hypot(current_.first()[0] - circle_->x, current_.first()[1] - circle_->y) -
+                  std::fabs(circle_->size)) > least)
       return current_.loseTrack();
-    current_.arc(circle_->centre, current_.first(), false);
+    current_.arc({circle_->x, circle_->y}, current_.first(), false);
   }
 
   static constexpr llvm::StringLiteral id{"cycle-features-overlap"};
@@ -207,10 +159,9 @@ private:
   std::optional<Point> attach_;
   Outline pocket_, current_;
   using Name = std::pair<AddressId, int64_t>;
-  std::map<Name, Point> points_;
-  std::map<Name, Circle> circles_;
+  ElementTable elements_;
   std::optional<Name> startName_;
-  std::optional<Circle> circle_; ///< of the profile at hand
+  std::optional<ElementGeometry> circle_; ///< of the profile at hand
 };
 
 } // namespace
