@@ -1,9 +1,31 @@
 // Hover: what the word under the cursor is, and the machine's state in front of its block.
+#include "interp/condition.h"
+#include "lsp/features/code_lens.h"
 #include "lsp/features/machine_state.h"
 #include "lsp/features/word_help.h"
 #include "lsp/server/bindings.h"
 
 namespace ncvet::lsp {
+
+namespace {
+
+/// "safe up to R6.00", of the contour that begins in the block; empty: none does.
+std::string contourAt(Snapshot &snapshot, const Block &block) {
+  const bool compensates = llvm::any_of(block.words, [&](const Word &word) {
+    const CodeIndex code = codeOf(snapshot.dialect(), word);
+    const Action action = code == noCode ? Action::None : snapshot.dialect().codes[code].action;
+    return action == Action::CompensationLeft || action == Action::CompensationRight;
+  });
+  if (!compensates) // the whole program has to be followed for it
+    return {};
+  for (const CodeLens &lens : codeLenses(snapshot, {false, true, false}))
+    if (lens.kind == LensKind::Contour && lens.range.begin >= block.begin &&
+        lens.range.begin <= block.end)
+      return lens.title;
+  return {};
+}
+
+} // namespace
 
 void bindHover(Context &context) {
   context.onDocument("textDocument/hover", [](View &view, const Json &params) -> Json {
@@ -20,6 +42,8 @@ void bindHover(Context &context) {
       text = word->markdown;
     if (!state.empty())
       text += (text.empty() ? "" : "\n\n---\n\n") + ("**In front of this block**\n\n" + state);
+    if (const std::string contour = contourAt(view.snapshot, block); !contour.empty())
+      text += (text.empty() ? "" : "\n\n") + contour;
     if (text.empty())
       return nullptr;
     return {

@@ -103,6 +103,20 @@ TEST_F(Features, HoverTellsTheWordAndTheState) {
   EXPECT_NE(text.find("X 60, Z 2"), std::string::npos) << text;
 }
 
+TEST(FeaturesOfMills, HoverOnACompensatedContourTellsItsLargestTool) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  // A square pocket's corners, rounded with 4 mm: no larger tool gets into them.
+  client.open("/nowhere/pocket.nc",
+              "O1\nT1 M06\nG90 G54 G00 X0. Y0. S900 M03\nG43 H1 Z5.\nG01 Z-1. F90.\n"
+              "G41 D1 G01 X20. Y0.\nY16.\nG03 X16. Y20. I-4. J0.\nG01 X-20.\nY-20.\nX20.\nY0.\n"
+              "G40 X0.\nG00 Z50.\nG49\nM30\n");
+  const Json hover =
+      client.request("textDocument/hover",
+                     {{"textDocument", documentOf("/nowhere/pocket.nc")}, {"position", at(5, 1)}});
+  EXPECT_NE(hover.dump().find("safe up to R4"), std::string::npos) << hover.dump();
+}
+
 TEST_F(Features, CompletionKnowsTheWordsOfACycle) {
   const Json list = ask("completion", {{"position", at(6, 20)}});
   EXPECT_FALSE(list["items"].empty());
