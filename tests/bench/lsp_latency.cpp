@@ -70,7 +70,7 @@ int main(int argc, char **argv) {
   client.initialize(Json::object(), {{"dialect", argv[3]}});
   client.open(path, text);
   Json last = client.diagnostics(path);
-  RandomEdits random(1);
+  RandomEdits random(1, text);
   Times edit, hover, completion;
   long before = 0;
   for (unsigned i = 0; i < edits; ++i) {

@@ -52,7 +52,7 @@ private:
 void editAndCompare(const std::string &dialect, const std::string &path, std::string text,
                     unsigned edits, unsigned seed) {
   Edited edited(dialect, path);
-  RandomEdits random(seed);
+  RandomEdits random(seed, text);
   ASSERT_EQ(edited.difference(text), "") << path;
   for (unsigned i = 0; i < edits; ++i) {
     const RandomEdit edit = random.next(text);

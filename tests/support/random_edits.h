@@ -20,7 +20,9 @@ struct RandomEdit {
 
 class RandomEdits {
 public:
-  explicit RandomEdits(unsigned seed) : random_(seed) {}
+  /// Pieces of `program` are pasted when the text has become shorter than that.
+  explicit RandomEdits(unsigned seed, std::string program = {})
+      : random_(seed), program_(std::move(program)) {}
 
   RandomEdit next(const std::string &text) {
     const auto [begin, end] = line(text, below(text.size() + 1));
@@ -51,7 +53,12 @@ public:
       const size_t at = begin + below(end - begin + 1);
       return {at, std::min(text.size(), at + below(12)), ""};
     }
-    default: // some lines go at once
+    default: // some lines go at once, or come
+      if (text.size() < program_.size()) {
+        const auto [from, to] = line(program_, below(program_.size()));
+        return {begin, begin,
+                program_.substr(from, std::min(program_.size(), to + below(800)) - from)};
+      }
       return {begin, std::min(text.size(), end + below(400)), ""};
     }
   }
@@ -66,6 +73,7 @@ private:
   }
 
   std::mt19937 random_;
+  std::string program_;
 };
 
 } // namespace ncvet::test
