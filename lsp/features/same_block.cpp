@@ -35,9 +35,12 @@ private:
 
   template <typename List>
   bool all(const List &a, const List &b) const {
-    return a.size() == b.size() &&
-           std::equal(a.begin(), a.end(), b.begin(),
-                      [this](const auto &one, const auto &other) { return equal(one, other); });
+    if (a.size() != b.size())
+      return false;
+    for (size_t i = 0; i < a.size(); ++i)
+      if (!equal(a[i], b[i]))
+        return false;
+    return true;
   }
 
   bool equal(const Word &a, const Word &b) const {
