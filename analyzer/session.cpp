@@ -199,6 +199,11 @@ Detection Session::detect(const Detector &detector, llvm::StringRef fileName,
   return detected_[key] = std::move(detection);
 }
 
+std::shared_ptr<ProgramFolders> Session::folders() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return folders_;
+}
+
 void Session::forgetFolders() {
   const std::lock_guard<std::mutex> lock(mutex_);
   folders_ = std::make_shared<ProgramFolders>();

@@ -47,6 +47,8 @@ public:
   const SessionOptions &options() const { return options_; }
   /// Files were made, removed or written: folders are read again for later setups.
   void forgetFolders();
+  /// Where programs are looked up; another object when they were forgotten.
+  std::shared_ptr<ProgramFolders> folders();
   /// The control without a table that the text is for, with what speaks for it; empty: none.
   std::string otherControl(const Config &config, llvm::StringRef fileName, llvm::StringRef text);
 

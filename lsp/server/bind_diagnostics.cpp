@@ -4,6 +4,7 @@
 #include "lsp/server/bindings.h"
 
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/FileSystem.h"
 #include "llvm/Support/xxhash.h"
 
 namespace ncvet::lsp {
@@ -39,7 +40,8 @@ Json ofDocument(Context &context, View &view, const Json &params) {
   return answer;
 }
 
-/// Checks programs of the workspace that are not open, and remembers them until files change.
+/// Checks programs of the workspace that are not open, and keeps what it found as long as the files
+/// that it looked at are what they were.
 class WorkspaceChecks {
 public:
   Json report(const CheckJob &base, llvm::ArrayRef<std::string> folders, const Json &params,
@@ -67,31 +69,57 @@ public:
   }
 
 private:
-  Json ofFile(const CheckJob &base, const std::string &path, const std::atomic<bool> &cancelled) {
-    const auto [entry, isNew] = closed_.try_emplace(path);
-    if (!isNew)
-      return entry->second;
+  /// What a check of a closed file has found, and what it rests on.
+  struct Kept {
+    Json diagnostics = Json::array();
+    std::shared_ptr<ProgramFolders> folders; ///< null: nothing was found out
+    std::map<std::string, std::shared_ptr<const std::string>> files; ///< see `CheckResult`
+    std::map<std::string, llvm::sys::TimePoint<>> written;
+
+    /// Whether a check would find the same.
+    bool holds(const CheckJob &job) const {
+      if (!folders || folders != job.session->folders())
+        return false;
+      return llvm::all_of(files, [&](const auto &file) {
+        const auto open = job.overlay->find(file.first);
+        const bool same = open == job.overlay->end() ? !file.second : open->second == file.second;
+        return same && writtenAt(file.first) == written.at(file.first);
+      });
+    }
+  };
+  static llvm::sys::TimePoint<> writtenAt(llvm::StringRef path) {
+    llvm::sys::fs::file_status status;
+    return llvm::sys::fs::status(path, status) ? llvm::sys::TimePoint<>()
+                                               : status.getLastModificationTime();
+  }
+
+  const Json &ofFile(const CheckJob &base, const std::string &path,
+                     const std::atomic<bool> &cancelled) {
+    Kept &kept = closed_[path];
+    if (kept.holds(base))
+      return kept.diagnostics;
+    kept = {};
     auto text = llvm::MemoryBuffer::getFile(path, /*IsText=*/false);
+    if (!text)
+      return kept.diagnostics;
     CheckJob job = base;
-    job.document = {uriOfPath(path), path, "", 0, nullptr};
-    std::shared_ptr<const CheckResult> result;
-    if (text) {
-      job.document.text = std::make_shared<const std::string>((*text)->getBuffer().str());
-      result = check(job, &cancelled);
-    }
-    entry->second = Json::array();
-    if (!result && cancelled) {
-      closed_.erase(path);
-      return Json::array();
-    }
-    for (const Problem &problem : result ? result->problems : std::vector<Problem>())
+    job.document = {uriOfPath(path), path, "", 0,
+                    std::make_shared<const std::string>((*text)->getBuffer().str())};
+    const auto result = check(job, &cancelled);
+    if (!result)
+      return kept.diagnostics;
+    for (const Problem &problem : result->problems)
       if (problem.path == path)
-        entry->second.push_back(problem.diagnostic);
-    return entry->second;
+        kept.diagnostics.push_back(problem.diagnostic);
+    kept.folders = job.session->folders();
+    kept.files = result->files;
+    for (const auto &[file, open] : kept.files)
+      kept.written[file] = writtenAt(file);
+    return kept.diagnostics;
   }
 
   std::shared_ptr<Session> session_; ///< under which the files were checked
-  std::map<std::string, Json> closed_;
+  std::map<std::string, Kept> closed_;
 };
 
 } // namespace

@@ -72,35 +72,27 @@ void filesChanged(Context &context, llvm::ArrayRef<std::string> paths) {
       context.check(document);
 }
 
+/// Takes settings that came behind the start: what they leave out is as it was said there.
+void configure(Context &context, const Json &section) {
+  if (!section.is_object())
+    return;
+  Json all = context.initialOptions.is_object() ? context.initialOptions : Json::object();
+  all.update(section, /*merge_objects=*/true);
+  std::vector<std::string> wrong;
+  Settings settings = readSettings(all, wrong);
+  for (const std::string &why : wrong)
+    context.warn(why);
+  context.renew(std::move(settings));
+}
+
 void fetchSettings(Context &context) {
   Json items = Json::array();
   items.push_back({{"section", "ncvet"}});
   context.rpc.request("workspace/configuration", {{"items", std::move(items)}},
                       [&context](const Json &answer, bool failed) {
-                        if (failed || !answer.is_array() || answer.empty() ||
-                            !answer[0].is_object())
-                          return;
-                        std::vector<std::string> wrong;
-                        Settings settings = readSettings(answer[0], wrong);
-                        for (const std::string &why : wrong)
-                          context.warn(why);
-                        context.renew(std::move(settings));
+                        if (!failed && answer.is_array() && !answer.empty())
+                          configure(context, answer[0]);
                       });
-}
-
-void configure(Context &context, const Json &params) {
-  if (context.client.configuration)
-    return fetchSettings(context);
-  if (!params.is_object() || !params.contains("settings"))
-    return;
-  const Json &all = params["settings"];
-  if (!all.is_object() || !all.contains("ncvet"))
-    return;
-  std::vector<std::string> wrong;
-  Settings settings = readSettings(all["ncvet"], wrong);
-  for (const std::string &why : wrong)
-    context.warn(why);
-  context.renew(std::move(settings));
 }
 
 void changeFolders(Context &context, const Json &params) {
@@ -129,8 +121,12 @@ void bindDocuments(Context &context) {
       paths.push_back(pathOfUri(change.at("uri").get<std::string>()));
     filesChanged(context, paths);
   });
-  rpc.onNotification("workspace/didChangeConfiguration",
-                     [&](const Json &params) { configure(context, params); });
+  rpc.onNotification("workspace/didChangeConfiguration", [&](const Json &params) {
+    if (context.client.configuration)
+      fetchSettings(context);
+    else if (params.is_object() && params.contains("settings") && params["settings"].is_object())
+      configure(context, params["settings"].value("ncvet", Json()));
+  });
   rpc.onNotification("workspace/didChangeWorkspaceFolders",
                      [&](const Json &params) { changeFolders(context, params); });
 }

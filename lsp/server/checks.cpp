@@ -86,12 +86,17 @@ void Checks::schedule(CheckJob job) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::string &path = job.document.path;
+    const size_t before = waiting_.size();
     waiting_.remove_if([&](const Waiting &other) { return other.job.document.path == path; });
-    if (running_ == path)
+    // Only a text that changes faster than it can be checked has to wait for a pause.
+    bool hurried = waiting_.size() != before;
+    if (running_ == path) {
       cancel_ = true;
+      hurried = true;
+    }
     const auto last = results_.find(path);
     const auto delay =
-        last == results_.end() ? Clock::duration() : delayAfter(last->second->seconds);
+        hurried && last != results_.end() ? delayAfter(last->second->seconds) : Clock::duration();
     waiting_.push_back({std::move(job), Clock::now() + delay});
   }
   changed_.notify_all();

@@ -50,7 +50,8 @@ std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<
                                          CheckMemory *memory = nullptr);
 
 /// Checks documents when they change. A newer version of a document takes the place of the older
-/// one, whose check is ended. Quick checks begin at once, slow ones wait until typing pauses.
+/// one, whose check is ended. Checks begin at once; where a text changes faster than it can be
+/// checked, they wait until typing pauses.
 class Checks {
 public:
   using Done = std::function<void(std::shared_ptr<const CheckResult>)>;

@@ -93,6 +93,7 @@ public:
   ClientSupport client;
   std::vector<std::string> folders; ///< paths of the workspace's folders
   Documents documents{PositionEncoding::Utf16};
+  Json initialOptions; ///< settings of the start; what the client says later lies over them
   Settings settings;
   ProblemBoard problems; ///< safe for several threads
   std::atomic<bool> wantsRefresh = false;

@@ -174,7 +174,8 @@ private:
     if (const Json root = lookUp(params, {"rootUri"}); context_.folders.empty() && root.is_string())
       context_.folders.push_back(pathOfUri(root.get<std::string>()));
     std::vector<std::string> wrong;
-    context_.settings = readSettings(lookUp(params, {"initializationOptions"}), wrong);
+    context_.initialOptions = lookUp(params, {"initializationOptions"});
+    context_.settings = readSettings(context_.initialOptions, wrong);
     initialized_ = true;
     reply({{"capabilities", capabilities(context_.client)},
            {"serverInfo", {{"name", "ncvet"}, {"version", version_}}}});

@@ -249,6 +249,42 @@ TEST(LanguageServer, TheWorkspaceIsCheckedWhenItIsWanted) {
   EXPECT_EQ(codes(report["items"][1]["items"])[0], "2 block-unknown-g-code");
 }
 
+TEST(LanguageServer, AClosedFileOfTheWorkspaceIsCheckedAgainWhenItIsWritten) {
+  Shop shop;
+  shop.file("a.nc", "O2\nG99999\nM30\n");
+  Json folders = Json::array();
+  folders.push_back({{"uri", "file://" + shop.path().string()}, {"name", "shop"}});
+  LanguageClient client;
+  client.initialize({{"textDocument", {{"diagnostic", Json::object()}}}},
+                    {{"dialect", "haas-mill"}, {"workspaceDiagnostics", true}}, folders);
+  const auto items = [&] {
+    return client.request("workspace/diagnostic",
+                          {{"previousResultIds", Json::array()}})["items"][0]["items"];
+  };
+  EXPECT_EQ(codes(items()), std::vector<std::string>{"2 block-unknown-g-code"});
+  const auto written = std::filesystem::last_write_time(shop.path() / "a.nc");
+  shop.file("a.nc", "O2\nM30\n");
+  std::filesystem::last_write_time(shop.path() / "a.nc", written + std::chrono::seconds(2));
+  EXPECT_EQ(items(), Json::array());
+}
+
+TEST(LanguageServer, SettingsOfTheStartHoldWhereLaterOnesSayNothing) {
+  LanguageClient client;
+  client.initialize({{"workspace", {{"configuration", true}}}},
+                    {{"dialect", "haas-mill"}, {"ignore", {"block-unknown-g-code"}}});
+  const auto answer = [&](Json section) {
+    client.notify("workspace/didChangeConfiguration", {{"settings", nullptr}});
+    client.reply(client.serverRequest("workspace/configuration"),
+                 Json::array({std::move(section)}));
+  };
+  answer(Json::object());
+  client.open("/nowhere/a.nc", "O1\nG99999\nM30\n");
+  EXPECT_EQ(codes(client.diagnostics("/nowhere/a.nc")), std::vector<std::string>());
+  answer({{"ignore", Json::array()}});
+  EXPECT_EQ(codes(client.diagnostics("/nowhere/a.nc")),
+            std::vector<std::string>{"2 block-unknown-g-code"});
+}
+
 TEST(LanguageServer, AChangedConfigurationCountsAtOnce) {
   Shop shop;
   shop.file(".ncvet.json", R"({"dialect": "haas-mill", "ignore": ["block-unknown-g-code"]})");

@@ -94,6 +94,16 @@ public:
         next([&](const Json &m) { return m.value("method", Json()) == Json(method); });
     return message.is_object() ? message.value("params", Json()) : Json();
   }
+  /// The next request of the server with this method, whole.
+  Json serverRequest(const std::string &method) {
+    return next([&](const Json &m) {
+      return m.value("method", Json()) == Json(method) && m.contains("id");
+    });
+  }
+  /// Answers a request of the server.
+  void reply(const Json &request, Json result) {
+    send({{"jsonrpc", "2.0"}, {"id", request["id"]}, {"result", std::move(result)}});
+  }
   /// The next message that is an error without a request.
   Json complaint() {
     return next(
