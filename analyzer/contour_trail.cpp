@@ -4,8 +4,6 @@
 #include "analyzer/corner_words.h"
 #include "interp/tool_data.h"
 
-#include <cmath>
-
 namespace ncvet {
 
 namespace {
@@ -212,15 +210,7 @@ void ContourTrail::breakOff(bool approach, Judge judge) {
 
 /// The corner between the last element and `next`, which begins in the direction `in`.
 CornerFit ContourTrail::cornerTo(const ContourElement &next, const Vector &in, double left) const {
-  CornerFit fit = fitCorner(last_->line, next, lastOut_, in, left);
-  if (habits_.straight > 0 && fit.sine <= std::sin(habits_.straight)) {
-    const bool turnsBack = lastOut_.dot(in) < 0;
-    if (!turnsBack && fit.kind != CornerFit::Kind::None)
-      fit.kind = CornerFit::Kind::Smooth;
-    else if (fit.kind == CornerFit::Kind::Inside)
-      fit.kind = CornerFit::Kind::Outside;
-  }
-  return fit;
+  return fitCorner(last_->line, next, lastOut_, in, left, habits_.straight);
 }
 
 /// `in`, `out`: directions of travel at the element's ends.

@@ -14,6 +14,8 @@ void Execution::activate(const CodeInfo &code, const Word *word) {
   state_.statedMust |= uint64_t(1) << code.group;
   if (word)
     state_.origin.group[code.group] = originOf(*word);
+  if (dialect_.groups[code.group].forgetsFeed) // the block's own F is still to come
+    state_.clear(Fact::FeedSet);
 }
 
 void Execution::applyModal(const CodeUse &use) {

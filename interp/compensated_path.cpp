@@ -121,7 +121,11 @@ void CompensatedPath::meet(const ContourElement &next, const Tagged &behind, Tak
     give(*waiting_, end, take);
     return flush(take);
   }
-  const CornerFit fit = fitCorner(*element_, next, left_);
+  ContourElement ending = *element_;
+  if (ending.arc) // its ends may lie on two circles: here the one of its end counts
+    ending.from = footOnCircle(ending.centre, ending.from, (ending.to - ending.centre).norm());
+  const CornerFit fit = fitCorner(ending, next, ending.direction(ending.to),
+                                  next.direction(next.from), left_, habits_.straight);
   const bool outside = fit.kind == CornerFit::Kind::Outside;
   if (outside && habits_.outside == OutsideCorner::ArcOfNext) {
     const ContourElement element = *element_;

@@ -41,6 +41,23 @@ double lengthBeside(const ContourElement &element, double left) {
                      : element.length();
 }
 
+/// A corner of which the ways beside its elements end at `a` and begin at `b`.
+struct Corner {
+  const ContourElement &first, &second;
+  Vector in, out, a, b;
+};
+
+/// The ways are cut off where they meet.
+void cutOff(CornerFit &fit, const Corner &at, double left, const std::optional<Vector> &meet) {
+  fit.kind = meet ? CornerFit::Kind::Inside : CornerFit::Kind::Apart;
+  if (!meet)
+    return;
+  fit.meet = *meet;
+  fit.ofFirst = at.first.arc ? turnTo(at.first, *meet, at.a, left, 1) : at.in.dot(at.a - *meet);
+  fit.ofSecond =
+      at.second.arc ? turnTo(at.second, *meet, at.b, left, -1) : at.out.dot(*meet - at.b);
+}
+
 } // namespace
 
 CornerFit fitCorner(const ContourElement &first, const ContourElement &second, double left) {
@@ -67,16 +84,30 @@ CornerFit fitCorner(const ContourElement &first, const ContourElement &second, c
     return fit;
   }
   const bool lines = !first.arc && !second.arc;
-  const auto meet =
-      lines ? intersection(a, in, b, out) : meetingBeside(first, second, left, first.to);
-  if (!meet) {
-    fit.kind = CornerFit::Kind::Apart;
+  cutOff(fit, {first, second, in, out, a, b}, left,
+         lines ? intersection(a, in, b, out) : meetingBeside(first, second, left, first.to));
+  return fit;
+}
+
+CornerFit fitCorner(const ContourElement &first, const ContourElement &second, const Vector &in,
+                    const Vector &out, double left, double nearly) {
+  CornerFit fit = fitCorner(first, second, in, out, left);
+  if (nearly <= 0 || fit.kind == CornerFit::Kind::None || fit.sine > std::sin(nearly))
+    return fit;
+  if (in.dot(out) > 0) {
+    fit.kind = CornerFit::Kind::Smooth;
     return fit;
   }
-  fit.kind = CornerFit::Kind::Inside;
-  fit.meet = *meet;
-  fit.ofFirst = first.arc ? turnTo(first, *meet, a, left, 1) : in.dot(a - *meet);
-  fit.ofSecond = second.arc ? turnTo(second, *meet, b, left, -1) : out.dot(*meet - b);
+  const ContourElement &round = second.arc ? second : first;
+  if (round.arc && round.clockwise == (left > 0)) {
+    const Vector behind = first.to + out * std::fabs(left); // nearer to the one of two meetings
+    cutOff(fit,
+           {first, second, in, out, first.to + leftOf(in) * left, second.from + leftOf(out) * left},
+           left, meetingBeside(first, second, left, behind));
+  } else {
+    fit.kind = CornerFit::Kind::Outside;
+    fit.gain = std::fabs(left);
+  }
   return fit;
 }
 

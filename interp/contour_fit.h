@@ -29,6 +29,12 @@ CornerFit fitCorner(const ContourElement &first, const ContourElement &second, d
 /// As above. `in`, `out`: unit vectors along the first element's end and the second one's begin.
 CornerFit fitCorner(const ContourElement &first, const ContourElement &second, const Vector &in,
                     const Vector &out, double left);
+/// As above, of a control that takes directions which differ by no more than `nearly` radians for
+/// one (0: none does): such elements meet end to end, or the second one leads straight back. Back
+/// from or onto an arc that the tool passes on its outer side it stays on that side, and goes round
+/// the end of everything else (rs274 of LinuxCNC 2.9).
+CornerFit fitCorner(const ContourElement &first, const ContourElement &second, const Vector &in,
+                    const Vector &out, double left, double nearly);
 
 /// What does not fit.
 enum class Misfit : uint8_t {

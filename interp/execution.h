@@ -93,6 +93,7 @@ private:
   void applyZeros();
   void applyLength(const CodeUse &use);
   std::array<Interval, axisCount> lengthOfTool() const;
+  void setToolLength();
   void setSystem(const CodeUse &use);
   void setPreset(bool local);
   void switchPreset(Action action);

@@ -566,7 +566,7 @@ void Execution::moveAxes() {
     }
     case Action::DataInput:
       if (dialect_.zeros.systems) { // the tools' lengths: a later G43 takes them
-        state_.commons.set(toolTableWritten, Value::of(1));
+        setToolLength();
         return;
       }
       // Offsets may have changed: what was known in work coordinates is no longer.

@@ -19,6 +19,8 @@ struct Zero {
 
 /// Key under which is kept that the program has written into the list of tools: no program's.
 constexpr uint64_t toolTableWritten = (uint64_t(1) << 38) + 100;
+/// Key of the length (mm) that the program has given a tool.
+constexpr uint64_t toolLengthKey(int32_t tool) { return toolTableWritten + 1 + uint64_t(tool); }
 
 /// X and Y of `place` turned counter-clockwise about Z; not known where the angle is not.
 Place turned(Place place, const Interval &degrees);

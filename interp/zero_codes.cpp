@@ -104,12 +104,31 @@ std::array<Interval, axisCount> Execution::lengthOfTool() const {
   Interval &along = length[size_t(Axis::Z)];
   if (number == 0 || number == notSet)
     return length;
-  const auto found = machine_.tools.find(int(number));
   const bool written = state_.commons.given(toolTableWritten) != Truth::No;
+  if (const uint64_t own = number > 0 ? toolLengthKey(int32_t(number)) : 0;
+      own && !written && state_.commons.given(own) != Truth::No) {
+    along = state_.commons.get(own).asNumber();
+    return length;
+  }
+  const auto found = machine_.tools.find(int(number));
   along = !written && found != machine_.tools.end() && found->second.length
               ? Interval::exactly(*found->second.length)
               : Interval::unknown();
   return length;
+}
+
+/// G10 L1 gives a tool its length, which a later G43 takes (LinuxCNC 2.9, section 11.5.13); what
+/// the other forms make of the list is not known.
+void Execution::setToolLength() {
+  const Word *form = block_.find('L'), *p = block_.find('P');
+  const Interval number = p ? value(*p) : Interval::unknown();
+  if (!form || !(value(*form) == Interval::exactly(1)) || !number.isConstant() ||
+      number.value() < 1) {
+    state_.commons.set(toolTableWritten, Value::of(1));
+    return;
+  }
+  if (const Word *z = block_.find('Z'))
+    state_.commons.set(toolLengthKey(int32_t(number.value())), Value::of(coordinate(*z)));
 }
 
 /// G10 L2 and L20: where a work offset lies, or what coordinates the tool has in it.

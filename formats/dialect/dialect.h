@@ -331,9 +331,10 @@ struct GroupInfo {
   std::string id; ///< "motion", "plane", "cycle", …; the names in `StandardGroup` have a meaning
   std::string title;
   std::vector<CodeIndex> members;
-  uint8_t initial = 0xFF; ///< member active at power-on; 0xFF: not documented
-  bool exclusive = true;  ///< two members in one block are a conflict
-  bool oneShot = false;   ///< its codes act in their own block only: the group has no state
+  uint8_t initial = 0xFF;   ///< member active at power-on; 0xFF: not documented
+  bool exclusive = true;    ///< two members in one block are a conflict
+  bool oneShot = false;     ///< its codes act in their own block only: the group has no state
+  bool forgetsFeed = false; ///< a code of it that has no F beside it leaves no feed in force
 };
 
 /// Groups that the interpreter knows by name. A dialect may lack some and may have others.

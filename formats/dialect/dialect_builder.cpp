@@ -397,13 +397,14 @@ void DialectBuilder::readGroups() {
   if (table->size() > maxGroups)
     return in_.fail(*table, "more than " + llvm::Twine(maxGroups) + " groups");
   for (auto entry = table->begin(); entry != table->end(); ++entry) {
-    in_.allowKeys(*entry, {"title", "initial", "exclusive", "oneShot", "standsFor"});
+    in_.allowKeys(*entry, {"title", "initial", "exclusive", "oneShot", "forgetsFeed", "standsFor"});
     GroupInfo group;
     group.id = entry.key();
     group.title = group.id;
     in_.read(*entry, "title", group.title);
     in_.read(*entry, "exclusive", group.exclusive);
     in_.read(*entry, "oneShot", group.oneShot);
+    in_.read(*entry, "forgetsFeed", group.forgetsFeed);
     if (const Json *others = in_.member(*entry, "standsFor"))
       for (const std::string &other : in_.texts(*others))
         for (size_t index = 0; index < standardGroupNames().size(); ++index)

@@ -287,6 +287,8 @@ void Scanner::scanWord(AddressId address, const char *begin) {
           return;
         }
       }
+      if (address == letterAddress('N') && lexical_.flowWords) // (LinuxCNC 2.9, section 11.4.2.2)
+        issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
       append(word);
       return;
     }

@@ -288,6 +288,12 @@ bool MacroExpression::named(Op op) {
   if (at_ >= end_ || *at_ != '>' || name.empty())
     return false;
   ++at_;
+  // What the machine is set up with, and its signals (LinuxCNC 2.9, INI and HAL access): values
+  // that no program gives.
+  if (op == Op::Variable && (beginsWith(name, "_INI[") || beginsWith(name, "_HAL["))) {
+    emit(Op::Unknown, at);
+    return true;
+  }
   emit(op, at, double(name[0] == '_' ? sharedVariableKey(name) : variableKey(name)));
   return true;
 }

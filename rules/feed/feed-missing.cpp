@@ -6,9 +6,18 @@ namespace {
 
 class FeedMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    inverseEach_ = to.option("inverseTimeEach", 0) != 0;
+    to.onChange({EventKind::CycleRun});
+    if (inverseEach_)
+      to.on(EventKind::Motion); // a block without F is like the one before in everything else
+    else
+      to.onChange({EventKind::Motion});
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (inverseEach_ && lacksItsTime(event, ctx))
+      return;
     if (event.code == noCode || ctx.after().must(Fact::FeedSet) ||
         ctx.before().must(Fact::InContour) || // the cycle has feeds of its own
         ctx.after().may(Fact::UnknownCode))
@@ -39,9 +48,31 @@ public:
           .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                 "`" + code.name + "` becomes active here");
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
+  void remember(RuleMemory &memory) const override { memory(once_, onceOfMode_); }
 
 private:
+  /// A move with inverse time feed has the time of its own way, or none: the F of another block
+  /// does not count for it. True when that is said.
+  bool lacksItsTime(const Event &event, RuleContext &ctx) {
+    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                       event.motion == MotionKind::ArcCcw;
+    const MachineState &state = ctx.after();
+    if (event.kind != EventKind::Motion || !feeds || event.code == noCode ||
+        state.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedInverseTime ||
+        !ctx.code(event).needsFeed || ctx.block().has(letterAddress('F')) ||
+        state.may(Fact::UnknownCode))
+      return false;
+    const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
+    if (!onceOfMode_.speaks(mode, ctx))
+      return true;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` has no F in its block, and needs one with inverse time feed",
+                   ctx.code(event).name)
+          .note(mode, "inverse time feed is switched on here");
+    return true;
+  }
+
   /// A feed among the cycle's own words, or among the variables that it reads.
   static bool hasOwnFeed(const CodeInfo &code, const RuleContext &ctx) {
     return llvm::any_of(code.words, [&](const WordSpec &spec) {
@@ -50,7 +81,8 @@ private:
     });
   }
 
-  OncePerCause once_;
+  bool inverseEach_ = false; ///< inverse time feed wants F in each block that moves
+  OncePerCause once_, onceOfMode_;
 };
 
 } // namespace

@@ -9,6 +9,8 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::FeedMode) != noGroup && to.option("wanted", 0) != 0)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
+    const GroupIndex modes = to.dialect().group(StandardGroup::FeedMode);
+    forgets_ = modes != noGroup && to.dialect().groups[modes].forgetsFeed;
     afterTap_ = to.option("afterTap", 0) != 0;
   }
 
@@ -25,6 +27,8 @@ public:
     const MachineState &state = ctx.after();
     const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
     const Origin &feed = state.origin.feed;
+    if (forgets_)
+      return feedForgotten(feeds, mode, event, ctx);
     if (!feeds || event.code == noCode || !mode.known() || !feed.known() ||
         mode.file != feed.file || mode.file != ctx.source().id() || !state.must(Fact::FeedSet) ||
         state.may(Fact::UnknownCode) || feed.begin > mode.begin)
@@ -46,6 +50,21 @@ public:
   void remember(RuleMemory &memory) const override { memory(tap_, reported_); }
 
 private:
+  /// The control forgets F at the code of the feed's unit, be it the one in force.
+  void feedForgotten(bool feeds, const Origin &mode, const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
+    if (!feeds || event.code == noCode || !ctx.code(event).needsFeed || !code || !mode.known() ||
+        !state.origin.feed.known() || state.must(Fact::FeedSet) || mode.begin == reported_ ||
+        state.may(Fact::UnknownCode))
+      return;
+    reported_ = mode.begin;
+    if (auto finding = ctx.report(event, event.certain && !state.may(Fact::FeedSet)))
+      finding.message("this move has no feed: `{0}` has forgotten the F of before it", code->name)
+          .note(mode, "the feed is forgotten here")
+          .note(state.origin.feed, "the feed is programmed here");
+  }
+
   /// The feed per revolution that the block of a tapping cycle switched on is still in force.
   void pitchLeftOn(const Event &event, RuleContext &ctx) {
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
@@ -66,7 +85,8 @@ private:
   }
 
   bool afterTap_ = false;
-  SourceRange tap_{}; ///< block of the last tapped hole
+  bool forgets_ = false; ///< see `GroupInfo::forgetsFeed`
+  SourceRange tap_{};    ///< block of the last tapped hole
 
   /// Whether the code at `mode` was not in force already: another one stands between F and it, or
   /// the program had stated another before.

@@ -1,5 +1,5 @@
 // A spindle that is started without a speed, or with none above zero.
-#include "analyzer/rule.h"
+#include "analyzer/once.h"
 
 namespace ncvet {
 namespace {
@@ -8,14 +8,20 @@ class SpindleSpeedMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::SpindleChange, EventKind::CycleStart, EventKind::SpeedWord});
+    if (to.option("perRevolution", 0) != 0)
+      to.onChange({EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::SpeedWord)
       atSpeed(event, ctx);
+    else if (event.kind == EventKind::Motion)
+      atFeed(event, ctx);
     else
       atStart(event, ctx);
   }
+
+  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   static void atStart(const Event &event, RuleContext &ctx) {
@@ -52,6 +58,26 @@ private:
     }
   }
 
+  /// A feed per revolution of a spindle that has no speed: the control stops.
+  void atFeed(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                       event.motion == MotionKind::ArcCcw;
+    const bool none = !state.may(Fact::SpeedSet) ||
+                      (state.must(Fact::SpeedSet) && state.speed == Interval::exactly(0));
+    if (!feeds || !none || event.code == noCode || state.may(Fact::UnknownCode) ||
+        state.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedPerRevolution)
+      return;
+    const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
+    if (!once_.speaks(mode, ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Error)
+          .message("`{0}` feeds per revolution, and the spindle has no speed: the control stops",
+                   ctx.code(event).name)
+          .note(mode, "feed per revolution is switched on here");
+  }
+
   static void atSpeed(const Event &event, RuleContext &ctx) {
     if (!event.certain || !event.value.isConstant() || event.value.value() > 0)
       return;
@@ -64,6 +90,8 @@ private:
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));
   }
+
+  OncePerCause once_;
 };
 
 } // namespace

@@ -109,7 +109,7 @@ TEST(Configuration, ErrorsNameFileLineAndWhatIsExpected) {
       {"{\n\n\"failOn\": \"always\"}", ".ncvet.json:3: failOn: \"always\" is no level"},
       {"{\"select\": [\n\"feed-mising\"]}", ".ncvet.json:2: select[0]: unknown rule"},
       {"{\"severity\":\n{\"feed-missing\": \"loud\"}}", ".ncvet.json:2: severity.feed-missing: "},
-      {"{\"options\":\n{\"feed-missing\": {\"most\": 3}}}", "has no options"},
+      {"{\"options\":\n{\"arc-centre-missing\": {\"most\": 3}}}", "has no options"},
       {"{\"extends\": \"strictest\"}", ".ncvet.json:1: extends: unknown profile"},
       {"{\"extends\": \"none.json\"}", "none.json"},
       {"{\"extends\": \".ncvet.json\"}", "extend each other too deep"},

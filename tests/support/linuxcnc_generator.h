@@ -253,7 +253,11 @@ private:
   void lengths() {
     for (unsigned i = 0; i < 4; ++i) {
       const std::string tool = std::to_string(1 + below(20));
-      switch (below(5)) {
+      switch (below(6)) {
+      case 5:
+        line("G10 L1 P" + tool + " " + word("Z", length(10)) + (chance(30) ? "R1" : ""));
+        line("G43 H" + tool);
+        break;
       case 0:
         line("T" + tool + " M6"); // in one block with G43 rs274 forgets to move its zero point
         line("S500 M3");
@@ -442,7 +446,7 @@ private:
   }
 
   /// Contours of lines and arcs with outside and inside corners, most of them with room for the
-  /// tool.
+  /// tool; some in inches, some that begin with an arc, some that lead straight back.
   void compensation() {
     const unsigned tool = 1 + below(8);
     line("T" + std::to_string(tool) + " M6");
@@ -451,36 +455,44 @@ private:
     const auto [first, second, across] =
         turned ? std::array<size_t, 3>{2, 0, 1} : std::array<size_t, 3>{0, 1, 2};
     line(turned ? "G18" : "G17");
-    at_ = {length(), length(), length()};
+    const bool inch = chance(20);
+    scale_ = inch ? 1 / 25.4 : 1;
+    if (inch)
+      line("G20");
+    at_ = {scale_ * length(), scale_ * length(), scale_ * length()};
     line("G0 " + word("X", at_[0]) + word("Y", at_[1]) + word("Z", at_[2]));
     std::string code = chance(50) ? "G41" : "G42";
-    double radius = 1 + tool * 0.125;
+    double radius = scale_ * (1 + tool * 0.125);
     if (chance(40)) {
-      const double cutter = positive(8);
+      const double cutter = scale_ * positive(8);
       code += ".1 D" + number(cutter);
       radius = cutter / 2;
     } else if (chance(40)) {
       const unsigned other = 1 + below(8);
       code += " D" + std::to_string(other);
-      radius = 1 + other * 0.125;
+      radius = scale_ * (1 + other * 0.125);
     }
     line(code);
     heading_ = below(360) * degree;
-    straight(chance(20) ? "G0" : "G1", radius * (chance(10) ? 0.7 : 1.2 + below(4)), first, second,
-             across);
+    if (chance(15))
+      bow(radius, first, second, across);
+    else
+      straight(chance(20) ? "G0" : "G1", radius * (chance(10) ? 0.7 : 1.2 + below(4)), first,
+               second, across);
     const unsigned elements = 3 + below(6);
     for (unsigned i = 0; i < elements; ++i) {
       if (chance(15))
         line("G90 " + word(letters_[across], at_[across])); // no way
       if (chance(60))
-        heading_ += (double(below(2500)) / 10 - 125) * degree;
+        heading_ += chance(10) ? std::numbers::pi + (double(below(1600)) - 800) / 10000
+                               : (double(below(2500)) / 10 - 125) * degree;
       if (chance(35))
         bow(radius, first, second, across);
       else
-        straight(chance(8) ? "G0" : "G1", radius * (chance(12) ? 0.3 : 2) + positive(20), first,
-                 second, across);
+        straight(chance(8) ? "G0" : "G1", radius * (chance(12) ? 0.3 : 2) + scale_ * positive(20),
+                 first, second, across);
       if (chance(12)) {
-        at_[across] += length(3);
+        at_[across] += scale_ * length(3);
         line(std::string(chance(50) ? "G90 G1 " : "G90 G0 ") + word(letters_[across], at_[across]));
       }
       if (chance(8))
@@ -495,7 +507,7 @@ private:
     end[first] += way * std::cos(heading_);
     end[second] += way * std::sin(heading_);
     if (chance(10))
-      end[across] += length(3);
+      end[across] += scale_ * length(3);
     go(code, end, end[across] != at_[across], {first, second, across});
     line("");
   }
@@ -503,7 +515,7 @@ private:
   void bow(double cutter, size_t first, size_t second, size_t across) {
     static constexpr const char *centres[] = {"I", "J", "K"};
     const bool clockwise = chance(50);
-    const double radius = chance(15) ? positive(4) : cutter * 1.5 + positive(15);
+    const double radius = chance(15) ? scale_ * positive(4) : cutter * 1.5 + scale_ * positive(15);
     const double sweep = (20 + below(chance(20) ? 320 : 130)) * degree;
     const double side = clockwise ? -1 : 1;
     const double toCentre = heading_ + side * std::numbers::pi / 2;
@@ -515,7 +527,7 @@ private:
     end[first] = centre[0] + radius * std::cos(fromCentre);
     end[second] = centre[1] + radius * std::sin(fromCentre);
     if (chance(15))
-      end[across] += length(3);
+      end[across] += scale_ * length(3);
     const std::array<double, 3> start = at_;
     go(clockwise ? "G2" : "G3", end, end[across] != at_[across], {first, second, across});
     if (chance(30) && sweep < 3)
@@ -544,6 +556,7 @@ private:
   bool broke_ = false; ///< a BREAK was written
   std::array<double, 3> at_{};
   double heading_ = 0; ///< radians from the plane's first axis
+  double scale_ = 1;   ///< units of the program for a millimetre
   static constexpr const char *letters_[] = {"X", "Y", "Z"};
 };
 

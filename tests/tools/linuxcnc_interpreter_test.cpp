@@ -55,7 +55,7 @@ std::string withStart(const std::string &text) {
   return start + text;
 }
 
-/// rs274 2.9 swaps the axes of G74 and G84 outside the XY plane.
+/// rs274 2.9 swaps the axes of G74 and G84 outside the XY plane: nothing to trace, but a warning.
 bool tapsAside(const std::string &text) {
   static const std::regex tap("[gG] *[78]4([^0-9.]|$)"), plane("[gG] *1[89]([^0-9.]|$)");
   return std::regex_search(text, tap) && std::regex_search(text, plane);
@@ -123,6 +123,8 @@ protected:
 
   struct Verdicts {
     unsigned accepted = 0, rejected = 0, reported = 0, subprograms = 0;
+    unsigned unseen = 0; ///< errors of elements along which the tool runs back, of which rs274 is
+                         ///< silent
     std::vector<std::string> missed, wrong;
   };
 
@@ -151,7 +153,9 @@ protected:
         const uint32_t line = file.position(finding.range.begin).line;
         const uint32_t begin = file.lines().lineBegin(finding.range.begin);
         const llvm::StringRef there = file.text().slice(begin, file.lines().lineEnd(begin)).trim();
-        if (run.accepted)
+        if (run.accepted && runsBack(finding))
+          ++verdicts.unseen;
+        else if (run.accepted)
           verdicts.wrong.push_back(title + ":" + std::to_string(line) + ": " +
                                    allRules()[finding.rule].info.id.str() + ": " + finding.message);
         found |= ends || run.line.empty() || there == run.line;
@@ -162,6 +166,15 @@ protected:
     verdicts.reported += found;
     if (!found)
       verdicts.missed.push_back(title + ": " + run.message + ": " + run.line);
+  }
+
+  /// The tool runs back along an element that is too short for the inside corner in front of it,
+  /// into what it has cut before. rs274 looks for that at the next inside corner and at an outside
+  /// one of two lines; round others and straight on it lets the tool run back.
+  static bool runsBack(const Finding &finding) {
+    return llvm::any_of(finding.notes, [](const Note &note) {
+      return llvm::StringRef(note.message) == "the element before it is too short";
+    });
   }
 
   /// It holds a subprogram and is named after it, or holds nothing at all.
@@ -177,7 +190,8 @@ protected:
       std::cout << "not reported: " << line << "\n";
     std::cout << what << ": " << verdicts.reported << " of " << verdicts.rejected
               << " rejected programs reported, " << verdicts.wrong.size() << " false errors on "
-              << verdicts.accepted << " accepted ones; " << verdicts.subprograms
+              << verdicts.accepted << " accepted ones (and " << verdicts.unseen
+              << " places at which the tool runs back unseen); " << verdicts.subprograms
               << " files of subprograms left out\n";
   }
 
@@ -250,6 +264,11 @@ std::string inOneLine(llvm::StringRef text) {
   return line;
 }
 
+/// What differs, as far as it is known: rs274 goes into an IF, a loop or a REPEAT that nothing
+/// closes as long as its condition holds, and the trace ends there; a trace does not know which
+/// modes M72 brings back (m70m72-restore). Not reported is what a program tells itself, as
+/// `(abort,...)`, what only the call of the moment shows (a probe that begins where it ends,
+/// `##1`), and M72 without M70.
 constexpr double wanted = 0.98;
 
 TEST_F(LinuxCncInterpreter, RealProgramsMoveAsTraced) {
@@ -336,6 +355,7 @@ TEST_F(LinuxCncInterpreter, CompensatedContoursAreFollowedAndJudgedAlike) {
   EXPECT_GE(tally.agreeing, wanted * tally.programs);
   EXPECT_GE(verdicts.reported, 0.9 * verdicts.rejected);
   EXPECT_THAT(verdicts.wrong, testing::IsEmpty());
+  EXPECT_LE(verdicts.unseen, 0.05 * verdicts.accepted);
 }
 
 TEST_F(LinuxCncInterpreter, SmallProgramsAreJudgedAlike) {

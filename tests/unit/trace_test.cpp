@@ -578,6 +578,16 @@ TEST(Trace, LengthsOfToolsMoveTheZeroPoint) {
                           "12 rapid X5 Y0 Z100", "13 end"));
 }
 
+/// G10 L1 changes the list only: the next G43 takes what it says.
+TEST(Trace, LengthsThatTheProgramGivesCountFromTheNextG43On) {
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "G21 G90 G0 X0 Y0 Z100\nG43 H1\nG10 L1 P1 Z40\nG0 X1\nG43 H1\nG0 X2\n"
+                      "G10 L1 P1 R3\nG43 H1\nG0 X3\nG10 L10 P1 Z0\nG43 H1\nG0 X4\nM2\n",
+                      knownOffsets),
+              ElementsAre("1 rapid X0 Y0 Z100", "4 rapid X1 Y0 Z70", "6 rapid X2 Y0 Z60",
+                          "9 rapid X3 Y0 Z60", "12 rapid X4 Y0", "13 end"));
+}
+
 TEST(Trace, StoredPlacesAreOnTheMachine) {
   EXPECT_THAT(traceOf("linuxcnc",
                       "G21 G90 G54 G0 X0 Y0 Z10\nG28 Z20\nG30.1\nG0 X50 Z0\nG30\n"
