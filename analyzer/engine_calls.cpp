@@ -1,6 +1,7 @@
 // Runs what a block calls: subprograms, macros, sections that are repeated, turning profiles.
 #include "analyzer/engine.h"
 #include "interp/expression.h"
+#include "interp/kept_modes.h"
 
 #include <algorithm>
 
@@ -220,6 +221,7 @@ void Engine::call(Activation &activation, Live &live, uint32_t at, const Machine
   const PathNode *path = live.path;
   live.path = step(path, PathNode::Kind::Call, where, callee->number);
   live.state.restoresModes = false;
+  live.state.saved = {};
   Passes passes;
   passes.at = at;
   passes.next = block_.next;
@@ -450,9 +452,15 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
       one.state.locals = *passes.locals;
     for (const uint64_t key : passes.written)
       writeVariable(one.state, int64_t(key), Value::unknown());
-    if (passes.modes || one.state.restoresModes)
-      restoreModes(one.state, passes.modes ? *passes.modes : before);
-    one.state.restoresModes = before.restoresModes;
+    const bool ofCaller = body.kind == Kind::Section || body.kind == Kind::Profile;
+    if (passes.modes)
+      restoreModes(one.state, *passes.modes);
+    else if (!ofCaller && one.state.restoresModes)
+      bringBack(*region.unit.dialect, one.state, one.state.saved);
+    if (!ofCaller) {
+      one.state.restoresModes = before.restoresModes;
+      one.state.saved = before.saved;
+    }
     if (!passes.known)
       for (Interval &position : one.state.position)
         position = Interval::unknown();

@@ -66,6 +66,7 @@ void Engine::callModally(Activation &activation, Live &live, uint32_t at,
   passes.locals = live.state.locals;
   live.path = step(live.path, PathNode::Kind::ModalCall, blockRange(region.unit), callee->number);
   live.state.restoresModes = false;
+  live.state.saved = {};
   live.state.modalCalls = call->outer; // runs behind the moves of this one's program
   if (item) {
     GivenArguments given;

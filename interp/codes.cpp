@@ -1,6 +1,7 @@
 // The effect of single G and M codes: modal groups, spindle, coolant, tools, switches.
 #include "interp/execution.h"
 #include "interp/formula.h"
+#include "interp/kept_modes.h"
 #include "interp/tool_data.h"
 
 #include <cmath>
@@ -311,23 +312,18 @@ void Execution::applyEarly(const CodeUse &use) {
   case Action::AxisRelease:
     state_.clear(Fact::AxisEngaged);
     break;
-  case Action::ModesRestored: {
-    // Which modes were saved, and when, the text alone does not say. The motion is not among them.
-    const MachineState any = unknownState(dialect_);
-    const auto before = state_.group;
-    state_.group = any.group;
-    for (const GroupIndex kept : {masks_.motion, masks_.cycle})
-      if (kept != noGroup)
-        state_.group[kept] = before[kept];
-    state_.feed = state_.speed = Interval::unknown();
-    state_.compensation = any.compensation;
-    state_.spindle = any.spindle;
-    state_.switchMay = any.switchMay;
-    state_.switchMust = 0;
-    state_.factsMay |= bitOf(Fact::FeedSet) | bitOf(Fact::SpeedSet);
+  case Action::ModesKept:
+    state_.saved = keepModes(dialect_, state_);
     break;
-  }
+  case Action::ModesForgotten:
+    state_.saved = {};
+    state_.restoresModes = false;
+    break;
+  case Action::ModesRestored:
+    bringBack(dialect_, state_, state_.saved);
+    break;
   case Action::ModesRestoredAtReturn:
+    state_.saved = keepModes(dialect_, state_);
     state_.restoresModes = true;
     break;
   case Action::MachineSpecific:

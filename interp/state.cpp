@@ -1,6 +1,8 @@
 // The machine's state at one point of a program, as far as it is known.
 #include "interp/state.h"
 
+#include "interp/kept_modes.h"
+
 #include "llvm/ADT/Hashing.h"
 #include "llvm/Support/xxhash.h"
 
@@ -83,6 +85,7 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   for (size_t i = 0; i < 2; ++i)
     r.polar[i] = combine(a.polar[i], b.polar[i], wide);
   r.modalCalls = join(a.modalCalls, b.modalCalls);
+  r.saved = join(a.saved, b.saved);
   r.seeksBranch = a.seeksBranch || b.seeksBranch;
   r.restoresModes = a.restoresModes || b.restoresModes;
   r.profile = std::max(a.profile, b.profile);
@@ -128,6 +131,7 @@ void visitParts(const MachineState &s, Sink sink) {
   sink(uint64_t(uint32_t(s.preselected)) << 32 | uint32_t(s.lengthOffset));
   sink(uint64_t(uint32_t(s.radiusOffset)));
   sink(s.modalCalls ? s.modalCalls->hash() : 0);
+  sink(hash(s.saved));
   sink(uint64_t(s.spindle) | uint64_t(s.liveTool) << 8 | uint64_t(s.compensation) << 16 |
        uint64_t(s.idleBlocks) << 24 | uint64_t(s.pendingCycle) << 32 | uint64_t(s.profile) << 48 |
        uint64_t(s.seeksBranch) << 56 | uint64_t(s.restoresModes) << 57);
@@ -249,6 +253,7 @@ MachineState unknownState(const Dialect &dialect) {
   state.roughFirst = state.roughLast = notKnown;
   if (dialect.callsModally)
     state.modalCalls = unknownModalCall();
+  state.saved.known = false;
   state.cycle.present = (1u << 26) - 1;
   state.cycle.value.fill(std::numeric_limits<double>::quiet_NaN());
   state.locals.forget();

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 
 namespace ncvet {
 
@@ -105,6 +106,30 @@ struct ModeState {
   uint64_t statedMay = 0, statedMust = 0; ///< bit per group: the program has stated it
 };
 
+/// What a program has kept of its state, to bring it back.
+struct KeptModes {
+  ModeState modes;
+  Interval feed, speed;
+  uint64_t factsMay = 0, factsMust = 0; ///< of the feed and the speed
+  uint32_t switchMay = 0, switchMust = 0;
+  std::array<uint16_t, maxSwitches> switchAxes{};
+  uint8_t spindle = 0;
+  bool presetOn = false; ///< a shift over all work offsets may have been in force
+
+  friend bool operator==(const KeptModes &a, const KeptModes &b);
+};
+
+/// What is kept at a level of calls; states share it.
+struct SavedModes {
+  std::shared_ptr<const KeptModes> modes; ///< null: none
+  bool known = true;                      ///< false: some, or none
+
+  friend bool operator==(const SavedModes &a, const SavedModes &b) {
+    return a.known == b.known &&
+           (a.modes == b.modes || (a.modes && b.modes && *a.modes == *b.modes));
+  }
+};
+
 /// What changes with nearly every block.
 struct MotionState {
   std::array<Interval, axisCount> position; ///< mm or degrees; lathe X as programmed
@@ -143,6 +168,7 @@ struct SetupState {
   std::array<Interval, 2> roughStart;  ///< X and Z where that roughing began
   std::array<uint8_t, 4> transforms{}; ///< switches of transformations, in the order switched on
   ModalCalls modalCalls;               ///< programs that run behind every move
+  SavedModes saved;                    ///< of the running program
   /// An IF whose condition did not hold looks for its next branch.
   bool seeksBranch = false;
   bool restoresModes = false; ///< the running program gives its caller the modes back

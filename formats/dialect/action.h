@@ -126,6 +126,8 @@ namespace ncvet {
   X(Sleep, "sleep")                                                                                \
   X(SkipCheck, "skip-check")                                                                       \
   X(DefineElement, "define-element")                                                               \
+  X(ModesKept, "modes-kept")                                                                       \
+  X(ModesForgotten, "modes-forgotten")                                                             \
   X(ModesRestored, "modes-restored")                                                               \
   X(ModesRestoredAtReturn, "modes-restored-at-return")                                             \
   X(MachineSpecific, "machine-specific")

@@ -265,10 +265,9 @@ std::string inOneLine(llvm::StringRef text) {
 }
 
 /// What differs, as far as it is known: rs274 goes into an IF, a loop or a REPEAT that nothing
-/// closes as long as its condition holds, and the trace ends there; a trace does not know which
-/// modes M72 brings back (m70m72-restore). Not reported is what a program tells itself, as
-/// `(abort,...)`, what only the call of the moment shows (a probe that begins where it ends,
-/// `##1`), and M72 without M70.
+/// closes as long as its condition holds, and the trace ends there. Not reported is what a program
+/// tells itself, as `(abort,...)`, what only the call of the moment shows (a probe that begins
+/// where it ends, `##1`), and M72 without M70.
 constexpr double wanted = 0.98;
 
 TEST_F(LinuxCncInterpreter, RealProgramsMoveAsTraced) {

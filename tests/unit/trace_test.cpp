@@ -588,6 +588,28 @@ TEST(Trace, LengthsThatTheProgramGivesCountFromTheNextG43On) {
                           "9 rapid X3 Y0 Z60", "12 rapid X4 Y0", "13 end"));
 }
 
+/// M72 brings back the work offset, and no length where none was in force; so does the end of a
+/// subprogram behind M73.
+TEST(Trace, KeptModesComeBack) {
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "G21 G90 G54 G0 X0 Y0 Z100\nM70\nG91 G55 G20\nG43 H1\nM72\nG0 X2\n"
+                      "M70\nG91\nM71\nM72\nG0 X1\nM2\n",
+                      knownOffsets),
+              ElementsAre("1 rapid X0 Y0 Z100", "6 rapid X2 Y0 Z100", "11 rapid", "12 end"));
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "o1 sub\nM73\nG91\nG0 X5\no1 endsub\n"
+                      "G21 G90 G54 G0 X1 Y0 Z0\no1 call\nG0 X2\nM2\n",
+                      knownOffsets),
+              ElementsAre("6 rapid X1 Y0 Z0", "4 rapid X6 Y0 Z0", "8 rapid X2 Y0 Z0", "9 end"));
+  EXPECT_THAT(traceOf("linuxcnc",
+                      "o1 sub\nM73\nG91\nG0 X5\nM70\no2 call\nM72\nG0 X5\no1 endsub\n"
+                      "o2 sub\nG90\no2 endsub\n"
+                      "G21 G90 G54 G0 X1 Y0 Z0\no1 call\nG0 X2\nM2\n",
+                      knownOffsets),
+              ElementsAre("13 rapid X1 Y0 Z0", "4 rapid X6 Y0 Z0", "8 rapid X11 Y0 Z0",
+                          "15 rapid X13 Y0 Z0", "16 end")); // M70 took the place of M73's
+}
+
 TEST(Trace, StoredPlacesAreOnTheMachine) {
   EXPECT_THAT(traceOf("linuxcnc",
                       "G21 G90 G54 G0 X0 Y0 Z10\nG28 Z20\nG30.1\nG0 X50 Z0\nG30\n"
