@@ -1,5 +1,6 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
 #include "analyzer/rule.h"
+#include "analyzer/soft_approach.h"
 
 namespace ncvet {
 namespace {
@@ -11,6 +12,9 @@ public:
     to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::Thread});
     allowed_ = unsigned(to.option("allowed", 1));
     infeeds_ = unsigned(to.option("infeeds", 0));
+    allowedBehindApproach_ = unsigned(to.option("behindApproach", 0));
+    if (allowedBehindApproach_)
+      soft_ = softApproaches(to.dialect());
     severity_ = to.option("advice", 0) != 0 ? std::optional(Severity::Warning) : std::nullopt;
   }
 
@@ -18,12 +22,16 @@ public:
     if (event.kind == EventKind::Motion)
       zeroMove(event, ctx);
     else {
+      if (!soft_.empty())
+        approach(ctx);
       idle(ctx);
       if (infeeds_)
         infeed(ctx);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(behindInfeed_, inARow_); }
+  void remember(RuleMemory &memory) const override {
+    memory(behindInfeed_, inARow_, behindApproach_);
+  }
 
 private:
   /// Moves of the infeed axis alone, one behind the other: the path has no next corner to turn to.
@@ -46,12 +54,33 @@ private:
           .note(state.origin.compensation, "compensation is switched on here");
   }
 
+  /// Keeps which block comes next as long as only idle ones follow a soft approach.
+  void approach(RuleContext &ctx) {
+    const bool follows = ctx.block().begin == behindApproach_ && ctx.after().idleBlocks > 0;
+    const bool begins = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      return llvm::is_contained(soft_, ctx.code(use).base);
+    });
+    behindApproach_ = begins || follows ? ctx.block().next : ~0u;
+  }
+
   void idle(RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (state.compensation != phaseOn || state.profile == 1 || state.idleBlocks != allowed_ + 1 ||
-        ctx.before().idleBlocks != allowed_ || ctx.outcome().flow.kind == FlowKind::End ||
+    const bool approached = behindApproach_ == ctx.block().next;
+    const unsigned allowed = approached ? allowedBehindApproach_ : allowed_;
+    if (state.compensation != phaseOn || state.profile == 1 || state.idleBlocks != allowed + 1 ||
+        ctx.before().idleBlocks != allowed || ctx.outcome().flow.kind == FlowKind::End ||
         !contourGoesOn(ctx))
       return;
+    if (approached) {
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding
+            .message("{0} blocks without a move in the plane between the soft approach and the "
+                     "contour: the control stops",
+                     allowed + 1)
+            .severity(Severity::Error)
+            .note(state.origin.compensation, "compensation is switched on here");
+      return;
+    }
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
           .message(allowed_ == 0 ? "a block without a move in the plane under {1}: whether the "
@@ -134,6 +163,9 @@ private:
   unsigned infeeds_ = 0;        ///< moves of the infeed axis alone that may follow each other
   uint32_t behindInfeed_ = ~0u; ///< behind the last block that was one
   unsigned inARow_ = 0;
+  unsigned allowedBehindApproach_ = 0; ///< 0: as elsewhere
+  llvm::SmallVector<CodeIndex, 4> soft_;
+  uint32_t behindApproach_ = ~0u; ///< the block to come if it follows an approach and idle blocks
 };
 
 } // namespace

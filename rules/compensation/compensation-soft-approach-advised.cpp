@@ -1,5 +1,6 @@
 // Compensation engages on the contour itself.
 #include "analyzer/rule.h"
+#include "analyzer/soft_approach.h"
 
 namespace ncvet {
 namespace {
@@ -7,9 +8,7 @@ namespace {
 class CompensationSoftApproachAdvised final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    for (const CodeInfo &code : to.dialect().codes)
-      if (code.title.rfind("approach on", 0) == 0)
-        soft_.push_back(code.base);
+    soft_ = softApproaches(to.dialect());
     if (!soft_.empty())
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
@@ -27,7 +26,7 @@ public:
   }
 
 private:
-  std::vector<CodeIndex> soft_;
+  llvm::SmallVector<CodeIndex, 4> soft_;
 };
 
 } // namespace
