@@ -97,6 +97,24 @@ TEST(EcsTrace, AppliesTheMatricesOfTheLibrary) {
                           "9 rapid X321.473 Y321.63 Z50", "12 rapid X8 Y16 Z50"));
 }
 
+/// Manual, line 3870: a dynamic matrix transforms as a static one does. With what the head does
+/// beside a tilted plane, and on a cylinder, the places are not known.
+TEST(EcsTrace, AppliesADynamicMatrix) {
+  EXPECT_THAT(pointsOf("N60 <MAT:QUART; 0; -1; 0; 0; 1; 0; 0; 0; 0; 0; 1; 0>\n"
+                       "N61 <DMX:X;Y;Z>\nN62 <DCT:ON;QUART>\nN63 X10 Y0\nN64 <DCT:OFF>\n"
+                       "N65 X1 Y2 Z3\nN66 L<DROTY> <ANR=90>\nN67 X10 Y5 Z1\nN68 <DCT:OFF>\n"
+                       "N69 L<TRACYL> <DIA=100>\nN70 X1 Y2 Z3\nN71 <DCT:OFF>\n"),
+              ElementsAre("4 rapid X0 Y10 Z50", "6 rapid X1 Y2 Z3", "8 rapid", "11 rapid"));
+}
+
+/// In which order it turns about several axes the manual does not say.
+TEST(EcsTrace, TurnsAboutOneOfThreeAxes) {
+  EXPECT_THAT(pointsOf("N60 <MTX:X;Y;Z>\nN61 L<ROTXYZ> <ANR=0> <AN2=0> <AN3=90>\nN62 X10 Y0 Z3\n"
+                       "N63 <TCT:OFF>\nN64 L<ROTXYZ> <ANR=10> <AN2=20> <AN3=0>\nN65 X1 Y2 Z3\n"
+                       "N66 <TCT:OFF>\n"),
+              ElementsAre("3 rapid X0 Y10 Z3", "6 rapid"));
+}
+
 /// Manual, lines 2463 to 2498: each peck is smaller by IND, none is smaller than it, and the tool
 /// comes out to RAP; with TIM all are alike and it stays in the hole.
 TEST(EcsTrace, PecksByTheWordsOfTheCycle) {
