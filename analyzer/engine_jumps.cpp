@@ -467,6 +467,12 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
   const uint32_t next = block_.next;
   const FlowShape &shape = this->shape(region.unit, region.program);
   if (llvm::is_contained(shape.mismatched, at)) {
+    // Where the text is read as it runs, the partner is looked for only where the body is left out.
+    const bool head = item.structure == Structure::If || item.structure == Structure::While ||
+                      item.structure == Structure::Times;
+    if (!region.unit.dialect->loadsWhole &&
+        (item.structure == Structure::Repeat || (head && flow.condition == Truth::Yes)))
+      return add(activation, next, std::move(live));
     issue(FlowIssue::StructureMismatch, activation, live, before, where);
     add(activation, next, std::move(live));
     return;

@@ -34,11 +34,6 @@ public:
     if (FlowIssue(event.number) != FlowIssue::StructureMismatch ||
         (ctx.outcome().flow.kind != FlowKind::Structure && ctx.outcome().flow.loop == 0))
       return; // an END without a number is no statement of this control
-    // Where the text is read as it runs, the partner is looked for only where the body is left out.
-    if (!ctx.dialect().loadsWhole && ctx.outcome().flow.item >= 0 &&
-        ctx.block().items[size_t(ctx.outcome().flow.item)].structure == Structure::If &&
-        ctx.outcome().flow.condition == Truth::Yes)
-      return;
     auto finding = ctx.report(ctx.flowRange(), event.certain);
     if (!finding)
       return;

@@ -264,10 +264,8 @@ std::string inOneLine(llvm::StringRef text) {
   return line;
 }
 
-/// What differs, as far as it is known: rs274 goes into an IF, a loop or a REPEAT that nothing
-/// closes as long as its condition holds, and the trace ends there. Not reported is what a program
-/// tells itself, as `(abort,...)`, what only the call of the moment shows (a probe that begins
-/// where it ends, `##1`), and M72 without M70.
+/// Not reported, as far as it is known, is what a program tells itself, as `(abort,...)`, what only
+/// the call of the moment shows (a probe that begins where it ends, `##1`), and M72 without M70.
 constexpr double wanted = 0.98;
 
 TEST_F(LinuxCncInterpreter, RealProgramsMoveAsTraced) {

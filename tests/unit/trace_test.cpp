@@ -588,6 +588,12 @@ TEST(Trace, LengthsThatTheProgramGivesCountFromTheNextG43On) {
                           "9 rapid X3 Y0 Z60", "12 rapid X4 Y0", "13 end"));
 }
 
+/// The interpreter reads on in the body of what nothing closes (rs274 of LinuxCNC 2.9).
+TEST(Trace, WhatIsNotClosedIsEnteredAllTheSame) {
+  EXPECT_THAT(traceOf("linuxcnc", "G21 G90 G0 X0\no1 if [1]\nG0 X1\no2 while [1]\nG0 X2\nM2\n"),
+              ElementsAre("1 rapid X0", "3 rapid X1", "5 rapid X2", "6 end"));
+}
+
 /// M72 brings back the work offset, and no length where none was in force; so does the end of a
 /// subprogram behind M73.
 TEST(Trace, KeptModesComeBack) {
