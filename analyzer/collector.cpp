@@ -48,15 +48,22 @@ Collector::Collector(const RuleSelection &selection, const Dialect &dialect,
 
 /// Notes a report of the frame's present visit; certain in one state is enough for that visit.
 void Collector::count(Frame &frame, const Key &key, bool certain) {
-  for (AtStop &at : frame.reports)
-    if (at.key == key) {
-      if (at.lastVisit != frame.visits) {
-        at.lastVisit = frame.visits;
-        at.certain += certain;
-      }
-      return;
-    }
-  frame.reports.push_back({key, certain ? 1u : 0u, frame.visits});
+  constexpr size_t few = 16;
+  AtStop *known = nullptr;
+  if (frame.reports.size() <= few) {
+    known = llvm::find_if(frame.reports, [&](const AtStop &at) { return at.key == key; });
+  } else {
+    for (size_t i = frame.places.size(); i < frame.reports.size(); ++i)
+      frame.places.emplace(frame.reports[i].key, i);
+    const auto place = frame.places.find(key);
+    known = place == frame.places.end() ? frame.reports.end() : &frame.reports[place->second];
+  }
+  if (known == frame.reports.end())
+    return frame.reports.push_back({key, certain ? 1u : 0u, frame.visits});
+  if (known->lastVisit != frame.visits) {
+    known->lastVisit = frame.visits;
+    known->certain += certain;
+  }
 }
 
 Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {

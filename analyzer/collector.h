@@ -37,7 +37,10 @@ public:
   void beginStop() {
     if (++depth_ > frames_.size())
       frames_.emplace_back();
-    frames_[depth_ - 1].reports.clear();
+    if (!frames_[depth_ - 1].reports.empty()) {
+      frames_[depth_ - 1].reports.clear();
+      frames_[depth_ - 1].places.clear();
+    }
     frames_[depth_ - 1].visits = 0;
   }
   void beginVisit(const PathNode *path) {
@@ -89,6 +92,7 @@ private:
 
   struct Frame {
     llvm::SmallVector<AtStop, 4> reports;
+    std::unordered_map<Key, size_t, KeyHash> places; ///< of reports, when there are many of them
     const PathNode *path = nullptr;
     unsigned visits = 0;
   };

@@ -24,6 +24,13 @@ std::string fingerprintText(const SourceFile &file, SourceRange block,
     at = std::max(at, part.end);
   }
   append(at, block.end);
+  // Every finding of the block holds a copy.
+  constexpr size_t longest = 1024;
+  if (out.size() > longest) {
+    const uint64_t rest = llvm::xxHash64(llvm::StringRef(out).drop_front(longest));
+    out.resize(longest);
+    out += llvm::utohexstr(rest);
+  }
   return out;
 }
 

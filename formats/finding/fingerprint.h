@@ -11,7 +11,8 @@
 namespace ncvet {
 
 /// The text of `block` as far as it tells the machine something: without the parts in `leftOut`
-/// (the block number and the comments, in order of their begin) and without blanks, in upper case.
+/// (the block number and the comments, in order of their begin) and without blanks, in upper case;
+/// of a text of more than 1024 bytes the rest is given by its hash.
 std::string fingerprintText(const SourceFile &file, SourceRange block,
                             llvm::ArrayRef<SourceRange> leftOut);
 

@@ -50,6 +50,17 @@ TEST(FingerprintTest, PartsOutsideTheBlockAreIgnored) {
             "G1X1");
 }
 
+TEST(FingerprintTest, ALongBlockIsToldByItsBeginAndAHash) {
+  const std::string text = "G1" + std::string(5000, '1');
+  const auto textOf = [](const std::string &block) {
+    const auto file = SourceFile::fromText(0, "a.nc", block);
+    return fingerprintText(*file, {0, 0, uint32_t(block.size())}, {});
+  };
+  EXPECT_LT(textOf(text).size(), 1100u);
+  EXPECT_EQ(textOf(text), textOf(text));
+  EXPECT_NE(textOf(text), textOf(text + "2"));
+}
+
 TEST(FingerprintTest, EqualFindingsAreNumbered) {
   Fingerprints first;
   Fingerprints second;
