@@ -1,9 +1,11 @@
 // Times the language server at the client's side: how long after an edit its diagnostics come, how
 // long hover and completion take, and what the server's memory is at the begin and at the end.
 //
-//   ncvet_lsp_latency NCVET PROGRAM DIALECT [EDITS]
+//   ncvet_lsp_latency NCVET PROGRAM DIALECT [EDITS [UNDO]]
 //
-// At the end a second server opens the text as it is then: it must find the same.
+// With UNDO, the last edits are taken back whenever that many have been made, as an editor does it,
+// so that a long run does not end with a text in which little of the program is left. At the end a
+// second server opens the text as it is then: it must find the same.
 #include "tests/support/language_client.h"
 #include "tests/support/random_edits.h"
 
@@ -58,12 +60,13 @@ std::vector<size_t> linesOf(const std::string &text) {
 
 int main(int argc, char **argv) {
   if (argc < 4) {
-    std::fprintf(stderr, "usage: ncvet_lsp_latency NCVET PROGRAM DIALECT [EDITS]\n");
+    std::fprintf(stderr, "usage: ncvet_lsp_latency NCVET PROGRAM DIALECT [EDITS [UNDO]]\n");
     return 2;
   }
   std::ifstream in(argv[2], std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(in), {});
   const unsigned edits = argc > 4 ? unsigned(std::stoul(argv[4])) : 500;
+  const size_t undoBehind = argc > 5 ? std::stoul(argv[5]) : ~size_t(0);
   const std::string path = "/nowhere/bench.nc";
 
   LanguageClient client(argv[1]);
@@ -72,12 +75,23 @@ int main(int argc, char **argv) {
   Json last = client.diagnostics(path);
   RandomEdits random(1, text);
   Times edit, hover, completion;
+  std::vector<RandomEdit> done; // what takes each edit back
+  bool undoing = false;
   long before = 0;
   for (unsigned i = 0; i < edits; ++i) {
     // The first edits fill what is kept from one check to the next.
     if (i == std::min(edits / 2, 20u))
       before = memoryOf(client.process());
-    const RandomEdit change = random.next(text);
+    RandomEdit change;
+    undoing = undoing ? !done.empty() : done.size() >= undoBehind;
+    if (undoing) {
+      change = done.back();
+      done.pop_back();
+    } else {
+      change = random.next(text);
+      done.push_back({change.begin, change.begin + change.text.size(),
+                      text.substr(change.begin, change.end - change.begin)});
+    }
     const std::vector<size_t> lines = linesOf(text);
     const Json range = {{"start", positionAt(lines, change.begin)},
                         {"end", positionAt(lines, change.end)}};
