@@ -150,28 +150,41 @@ std::vector<std::string> contourLines(llvm::ArrayRef<CompensatedContour> contour
 
 } // namespace
 
-StraightRuns *CheckMemory::runsFor(const FileSetup &setup, const SourceFile &file,
-                                   const std::shared_ptr<const std::string> &text,
-                                   const FileIndex &index) {
-  std::string programs;
-  for (const ProgramInfo &program : index.programs())
-    programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
-                              program.hasHeader())
-                    .str();
+FileScan *CheckMemory::scanFor(const FileSetup &setup, const SourceFile &file,
+                               const SharedText &text) {
   const bool same = text_ && dialect_ == setup.dialect && machine_ == setup.machine &&
-                    rules_ == setup.rules && file_ == file.id() && programs_ == programs;
+                    rules_ == setup.rules && file_ == file.id();
   // On some controls a program of one's own may hide one of the control's.
   const bool hides = !setup.dialect->hiddenPrograms.empty() && folders_ != setup.folders;
-  if (!same || hides)
-    runs_.clear();
-  else if (text_ != text)
-    runs_.edit(changeBetween(*text_, *text));
-  text_ = text;
+  changes_.reset();
+  if (same && !hides) {
+    changes_ = changesBetween(text_, text);
+    for (const TextChange &change : changes_->fromFront())
+      scan_.edit(change, file);
+  } else {
+    scan_.clear();
+  }
+  text_ = text.bytes;
   dialect_ = setup.dialect;
   machine_ = setup.machine;
   rules_ = setup.rules;
   folders_ = setup.folders;
   file_ = file.id();
+  return &scan_;
+}
+
+StraightRuns *CheckMemory::runsFor(const FileIndex &index) {
+  std::string programs;
+  for (const ProgramInfo &program : index.programs())
+    programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
+                              program.hasHeader())
+                    .str();
+  if (!changes_ || programs_ != programs)
+    runs_.clear();
+  else
+    for (const TextChange &change : changes_->fromFront())
+      runs_.edit(change);
+  changes_ = TextChanges(); // the runs are those of this text now
   programs_ = std::move(programs);
   return &runs_;
 }
@@ -192,10 +205,10 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
 
   Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                   setup->folders);
-  FileUnit &unit = project.unit(file);
-  AnalysisResult result =
-      analyze(project, unit, *setup->rules, setup->limits, cancel,
-              again ? again->memory.runsFor(*setup, file, again->text, unit.index) : nullptr);
+  FileUnit &unit =
+      project.unit(file, again ? again->memory.scanFor(*setup, file, again->text) : nullptr);
+  AnalysisResult result = analyze(project, unit, *setup->rules, setup->limits, cancel,
+                                  again ? again->memory.runsFor(unit.index) : nullptr);
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);

@@ -34,15 +34,19 @@ struct FileOutcome {
 /// Belongs to one thread.
 class CheckMemory {
 public:
-  /// The runs for the text of `file` under this setup, moved from the text that was checked last.
-  StraightRuns *runsFor(const FileSetup &setup, const SourceFile &file,
-                        const std::shared_ptr<const std::string> &text, const FileIndex &index);
+  /// What is known of `text`, that of `file`, under this setup: moved from the text that was
+  /// checked last.
+  FileScan *scanFor(const FileSetup &setup, const SourceFile &file, const SharedText &text);
+  /// The runs for the same text, of which this is the index.
+  StraightRuns *runsFor(const FileIndex &index);
   /// Blocks that the next check need not follow when nothing changes.
-  uint64_t blocks() const { return runs_.blocks(); }
+  uint64_t blocks() const { return runs_.straight.blocks(); }
 
 private:
+  FileScan scan_;
   StraightRuns runs_;
   std::shared_ptr<const std::string> text_;
+  std::optional<TextChanges> changes_; ///< that led to it; none: it is another text
   std::shared_ptr<const Dialect> dialect_;
   std::shared_ptr<const MachineProfile> machine_;
   std::shared_ptr<const RuleSelection> rules_;
@@ -53,7 +57,7 @@ private:
 
 /// The text of the file that is checked, and what earlier checks of it have left.
 struct Recheck {
-  std::shared_ptr<const std::string> text;
+  SharedText text;
   CheckMemory &memory;
 };
 

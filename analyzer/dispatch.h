@@ -37,6 +37,15 @@ public:
       listener.rule->remember(memory);
   }
 
+  /// Whether no rule has to be told of plain moves at feed that go on from this state.
+  bool movesSleep(const MachineState &state) const {
+    return llvm::all_of(everyBlock_, [&](const auto &entry) {
+      const auto &[kind, listener] = entry;
+      const bool told = kind == EventKind::Block || (listener.moves & bitOf(MotionKind::Feed));
+      return !told || listener.rule->sleeps(state);
+    });
+  }
+
 private:
   struct Listener {
     Rule *rule;

@@ -168,9 +168,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
   const MachineState *synced = nullptr; // the state of which `before` is a copy, set-up part too
   PlainRun plainRun;
   const bool recorded = runs_ && &unit == &unit_ && region.kind == Kind::Main &&
-                        region.depth == 0 && callStack_.empty() &&
-                        &region.program == &unit_.index.programs().front();
-  uint32_t observedRunEnd = 0; // a run that holds the observed block is executed
+                        region.depth == 0 && callStack_.empty();
+  uint32_t executedEnd = 0; // up to here a run must be executed
   RunRecorder recorder(recorded ? runs_ : nullptr, unit, dispatcher_, collector_);
 
   while (!stopped_) {
@@ -204,17 +203,15 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       continue;
     }
 
-    if (recorder.isOn() && at >= observedRunEnd) {
+    if (recorder.isOn() && at >= executedEnd) {
       // What is not in step with the state begins anew with the next block.
       const PlainRun present = synced ? plainRun : PlainRun();
       const bool straight =
           lives.size() == 1 && activation.pending.empty() && at >= activation.high;
       const StraightRun *run =
           straight ? recorder.at(at, lives[0].state, present) : recorder.interrupt();
-      const bool hidesObserved = run && unit.source.id() == observedFile_ &&
-                                 run->begin <= observedAt_ && observedAt_ < run->end;
-      if (hidesObserved) {
-        observedRunEnd = run->end;
+      if (run && !mayTakeOver(*run, unit)) {
+        executedEnd = run->end;
       } else if (run) {
         follow(*run, activation);
         lives[0].state = run->exit;
@@ -223,6 +220,16 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         plainRun = run->plainExit;
         at = run->end;
         continue;
+      } else if (const MoveRun *moves =
+                     straight ? recorder.movesAt(at, lives[0].state, present) : nullptr) {
+        if (mayTakeOver(*moves, unit)) {
+          follow(*moves, activation);
+          recorder.took(*moves);
+          moves->carry(lives[0].state);
+          at = moves->end;
+          continue;
+        }
+        executedEnd = moves->end;
       }
     }
     unit.reader->read(at, block_);
@@ -248,7 +255,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         ((block_.kind == BlockKind::Tape || block_.kind == BlockKind::ProgramHeader) &&
          block_.isEmpty() && block_.issues.empty())) {
       const bool tape = block_.kind == BlockKind::Tape;
-      if (block_.kind != BlockKind::Empty)
+      if (block_.kind != BlockKind::Empty || !block_.issues.empty())
         recorder.interrupt();
       if (tape && activation.executedAny) {
         // The closing mark of the tape: what stands behind it is no program.
@@ -326,7 +333,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
     collector_.beginStop();
     Lives onward;
     const bool single = lives.size() == 1;
-    bool stays = false;
+    bool stays = false, goesOn = false;
     for (Live &live : lives) {
       if (synced == &live.state) {
         static_cast<MotionState &>(before) = live.state;
@@ -349,7 +356,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
           localTargets_.count(at))
         issue(FlowIssue::RunsIntoSubprogram, activation, live, before,
               {unit.source.id(), block_.begin, block_.end});
-      if (plainRun.goesOn(block_, outcome_, before))
+      goesOn = plainRun.goesOn(block_, outcome_, before);
+      if (goesOn)
         dispatcher_.dispatchMove(unit, block_, outcome_, before, live.state, region.depth);
       else if (outcome_.kinds & dispatcher_.kinds())
         dispatcher_.dispatch(unit, block_, outcome_, before, live.state, region.depth);
@@ -382,7 +390,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
     collector_.endStop();
     at = next;
     if (stays) {
-      recorder.executed(block_);
+      recorder.executed(block_, goesOn, before, lives[0].state);
       continue;
     }
     recorder.interrupt();
@@ -393,8 +401,17 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
   return std::move(activation.exits);
 }
 
+/// A run is executed all the same where somebody wants to see what happens in it, and where a
+/// subprogram that was called begins in it.
+bool Engine::mayTakeOver(const RunPlace &run, const FileUnit &unit) const {
+  const bool observed =
+      unit.source.id() == observedFile_ && run.begin <= observedAt_ && observedAt_ < run.end;
+  const auto target = localTargets_.lower_bound(run.begin);
+  return !observed && (target == localTargets_.end() || *target >= run.end);
+}
+
 /// Takes over what a run of an earlier analysis has done, but for the state.
-void Engine::follow(const StraightRun &run, Activation &activation) {
+void Engine::follow(const RunPlace &run, Activation &activation) {
   if (run.begin != activation.runEnd) {
     cover(activation.region.unit, activation.runBegin, activation.runEnd);
     activation.runBegin = run.begin;

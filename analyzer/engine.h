@@ -138,7 +138,8 @@ private:
     unsigned sections; ///< repeated sections around it
   };
   Exits execute(const Region &region, Lives entry);
-  void follow(const StraightRun &run, Activation &activation);
+  void follow(const RunPlace &run, Activation &activation);
+  bool mayTakeOver(const RunPlace &run, const FileUnit &unit) const;
   void add(Activation &activation, uint32_t offset, Live live);
   Lives takePending(Activation &activation, uint32_t &offset);
   void mergeInto(const FileUnit &unit, Lives &lives, Live live);
@@ -218,6 +219,7 @@ private:
   }
   void cover(const FileUnit &unit, uint32_t begin, uint32_t end);
   void ending(const Block &block, bool &ends, bool &returns) const;
+  void endings(uint32_t begin, uint32_t end, bool &ends, bool &returns);
   void runOtherPrograms();
   void inspectUnreached();
   std::vector<SourceRange> reachedRanges() const;

@@ -37,6 +37,31 @@ void Engine::ending(const Block &block, bool &ends, bool &returns) const {
   }
 }
 
+/// The same for all blocks of [begin, end).
+void Engine::endings(uint32_t begin, uint32_t end, bool &ends, bool &returns) {
+  Block block;
+  for (uint32_t at = begin; at < end;) {
+    const EndingRun *known = runs_ ? runs_->endings.find(at) : nullptr;
+    EndingRun run;
+    if (known && known->end <= end) {
+      run = *known;
+    } else {
+      run.begin = run.end = at;
+      const uint32_t stop = runs_ ? std::min(end, runs_->endings.next(at + 1)) : end;
+      for (; run.end < stop && run.blocks < StraightRuns::longest; ++run.blocks) {
+        unit_.reader->read(run.end, block);
+        ending(block, run.ends, run.returns);
+        run.end = block.next;
+      }
+      if (runs_)
+        runs_->endings.insert(run);
+    }
+    ends |= run.ends;
+    returns |= run.returns;
+    at = run.end;
+  }
+}
+
 /// Programs that the first one did not call: main programs of their own when they end as such,
 /// else subprograms whose caller is not known, of which only what is wrong for every caller counts.
 void Engine::runOtherPrograms() {
@@ -47,11 +72,7 @@ void Engine::runOtherPrograms() {
         (!program.name.empty() && calledNames_.count(program.name)))
       continue;
     bool ends = false, returns = false;
-    Block block;
-    for (uint32_t at = program.body; at < program.end; at = block.next) {
-      unit_.reader->read(at, block);
-      ending(block, ends, returns);
-    }
+    endings(program.body, program.end, ends, returns);
     const bool subprogram = program.kind == ProgramKind::Subprogram || (returns && !ends);
     Lives lives(1);
     lives[0].state =
@@ -97,11 +118,28 @@ void Engine::inspectUnreached() {
   const MachineState unknown = unknownState(dialect);
   MachineState state;
   size_t range = 0;
+  RunPlace quiet;
+  const auto keep = [&](uint32_t next) {
+    if (runs_ && quiet.blocks >= StraightRuns::shortest)
+      runs_->quiet.insert(quiet);
+    quiet = RunPlace();
+    quiet.begin = next;
+  };
   for (uint32_t at = unit_.reader->first(); at < size;) {
     while (range < reached.size() && reached[range].end <= at)
       ++range;
     if (range < reached.size() && reached[range].begin <= at) {
+      keep(reached[range].end);
       at = reached[range].end;
+      continue;
+    }
+    const RunPlace *known = runs_ ? runs_->quiet.find(at) : nullptr;
+    if (const StraightRun *run = known || !runs_ ? nullptr : runs_->straight.find(at);
+        run && run->isClean)
+      known = run; // once it was reached
+    if (known && (range == reached.size() || known->end <= reached[range].begin)) {
+      at = known->end;
+      keep(at);
       continue;
     }
     unit_.reader->read(at, block_);
@@ -109,9 +147,17 @@ void Engine::inspectUnreached() {
     // Behind the closing mark of the tape stands no program.
     const bool closes = block_.kind == BlockKind::Tape && at > program.begin;
     at = closes ? std::max(program.end, block_.next) : block_.next;
-    if (block_.issues.empty() && !(block_.addresses & ~dialect.known) &&
-        !(block_.repeated & ~dialect.repeatable))
+    if (isClean(block_, dialect)) {
+      if (closes) { // and what stands behind it is left out
+        keep(at);
+        continue;
+      }
+      quiet.end = block_.next;
+      if (++quiet.blocks == StraightRuns::longest)
+        keep(at);
       continue;
+    }
+    keep(at);
     state = unknown;
     unit_.executor.execute(block_, unknown, state, outcome_);
     llvm::erase_if(outcome_.events,
@@ -122,6 +168,7 @@ void Engine::inspectUnreached() {
     dispatcher_.dispatch(unit_, block_, outcome_, unknown, state, 0);
     collector_.endStop();
   }
+  keep(size);
 }
 
 void Engine::follow(BlockWatcher &watcher) {
@@ -165,13 +212,9 @@ AnalysisResult Engine::run() {
   const llvm::StringRef tail = unit_.source.text().take_back(4096);
   bool returns = false, ends = false;
   if (programs.size() == 1) {
-    Block block;
     const uint32_t from =
         unit_.source.lines().lineBegin(uint32_t(unit_.source.text().size() - tail.size()));
-    for (uint32_t at = std::max(from, main.body); at < main.end; at = block.next) {
-      unit_.reader->read(at, block);
-      ending(block, ends, returns);
-    }
+    endings(std::max(from, main.body), main.end, ends, returns);
   }
   Lives lives(1);
   const bool subprogram =

@@ -10,41 +10,6 @@ namespace ncvet {
 
 namespace {
 
-/// Calls `visit(lineBegin, firstContent)` for every line of [begin, end). The pages that lie behind
-/// are given back on the way.
-template <typename Visit>
-void eachLine(const SourceFile &source, size_t begin, size_t end, Visit visit) {
-  const llvm::StringRef text = source.text();
-  constexpr ptrdiff_t forgetStep = 4 << 20;
-  const char *const base = text.data();
-  const char *at = base + begin;
-  const char *const stop = base + end;
-  // Files with lone CR as line end are rare: look once.
-  const bool lineFeeds = memchr(at, '\n', size_t(stop - at)) != nullptr;
-  const char *forgotten = at;
-  source.forget(0);
-  while (at < stop) {
-    if (at - forgotten >= forgetStep) {
-      source.forget(uint32_t(at - base));
-      forgotten = at;
-    }
-    const auto *next =
-        static_cast<const char *>(memchr(at, lineFeeds ? '\n' : '\r', size_t(stop - at)));
-    const char *content = at;
-    while (content < stop && (*content == ' ' || *content == '\t' || *content == '\0'))
-      ++content;
-    if (content < stop)
-      visit(uint32_t(at - base), uint32_t(content - base));
-    if (!next)
-      break;
-    at = next + 1;
-  }
-}
-
-} // namespace
-
-namespace {
-
 /// By the header (`%_N_SHAFT_MPF`) or, without one, by the ending of the file's name.
 ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const Dialect &dialect) {
   llvm::StringRef sign = source.text(program.headerBegin, program.headerEnd).rsplit('_').second;
@@ -63,27 +28,33 @@ ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const D
 
 } // namespace
 
-FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect)
-    : source_(source), reader_(reader) {
-  const llvm::StringRef text = source.text();
+static bool isHeaderMark(char c, const Dialect &dialect) {
   const llvm::StringRef marks = dialect.lexical.headerMarks;
+  return marks.contains(c) || marks.contains(llvm::toUpper(c));
+}
+
+FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect,
+                     FileScan *kept)
+    : source_(source), reader_(reader), own_(kept ? nullptr : std::make_unique<FileScan>()),
+      scan_(kept ? *kept : *own_), keeps_(kept) {
+  const llvm::StringRef text = source.text();
+  const std::string marks = dialect.lexical.headerMarks + '%';
   Block block;
   ProgramInfo first;
   first.begin = first.body = reader.first();
   programs_.push_back(first);
-  eachLine(source, reader.first(), text.size(), [&](uint32_t line, uint32_t content) {
-    const char c = text[content];
+  for (const uint32_t line : scan_.heads(source, marks)) {
+    const char c = text[text.find_first_not_of(llvm::StringRef(" \t\0", 3), line)];
     if (c == '%')
       tapeMarks_.push_back(line);
-    if (marks.find(c) == llvm::StringRef::npos &&
-        marks.find(llvm::toUpper(c)) == llvm::StringRef::npos)
-      return;
+    if (!isHeaderMark(c, dialect))
+      continue;
     reader.read(line, block);
     if (!block.items.empty() && block.items[0].kind == ItemKind::Structure &&
         block.items[0].structure == Structure::Sub)
       subprograms_.push_back(line);
     if (block.kind != BlockKind::ProgramHeader)
-      return;
+      continue;
     ProgramInfo program;
     program.number = block.program;
     program.name = text.slice(block.nameBegin, block.nameEnd).upper();
@@ -107,7 +78,7 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
         programs_.clear();
     }
     programs_.push_back(program);
-  });
+  }
   for (ProgramInfo &program : programs_)
     program.kind = kindOf(source, program, dialect);
   for (size_t i = 0; i < programs_.size(); ++i)
@@ -157,48 +128,28 @@ bool byNumber(const NumberedBlock &a, const NumberedBlock &b) { return a.number 
 } // namespace
 
 llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) const {
-  looks_.anywhere = true;
   const llvm::ArrayRef<NumberedBlock> written = numbersAsWritten(program);
-  Numbers &numbers = numbers_[program.begin];
-  if (numbers.ascending)
-    return written;
-  if (numbers.sorted.empty()) {
-    numbers.sorted = numbers.asWritten;
-    std::stable_sort(numbers.sorted.begin(), numbers.sorted.end(), byNumber);
+  const auto [known, fresh] = numbers_.try_emplace(program.begin);
+  Numbers &numbers = known->second;
+  if (fresh) {
+    numbers.ascending = llvm::is_sorted(written, byNumber);
+    if (!numbers.ascending) {
+      numbers.sorted = written.vec();
+      std::stable_sort(numbers.sorted.begin(), numbers.sorted.end(), byNumber);
+    }
   }
-  return numbers.sorted;
+  return numbers.ascending ? written : llvm::makeArrayRef(numbers.sorted);
 }
 
 llvm::ArrayRef<NumberedBlock> FileIndex::numbersAsWritten(const ProgramInfo &program) const {
   looks_.anywhere = true;
-  const auto found = numbers_.find(program.begin);
-  if (found != numbers_.end())
-    return found->second.asWritten;
-  Numbers &numbers = numbers_[program.begin];
-  std::vector<NumberedBlock> &list = numbers.asWritten;
-  const llvm::StringRef text = source_.text();
-  eachLine(source_, program.begin, program.end, [&](uint32_t line, uint32_t content) {
-    uint32_t at = content;
-    // Block skip may stand in front of the number.
-    while (at < program.end &&
-           (text[at] == '/' || (text[at] >= '0' && text[at] <= '9') || text[at] == ' '))
-      ++at;
-    if (at >= program.end || (text[at] != 'N' && text[at] != 'n'))
-      return;
-    ++at;
-    while (at < program.end && text[at] == ' ')
-      ++at;
-    int64_t number = 0;
-    unsigned digits = 0;
-    while (at < program.end && text[at] >= '0' && text[at] <= '9' && digits < 12) {
-      number = number * 10 + (text[at++] - '0');
-      ++digits;
-    }
-    if (digits)
-      list.push_back({number, line});
-  });
-  numbers.ascending = std::is_sorted(list.begin(), list.end(), byNumber);
-  return list;
+  const auto before = [](const NumberedBlock &block, uint32_t offset) {
+    return block.offset < offset;
+  };
+  const std::vector<NumberedBlock> &all = scan_.numbers(source_);
+  const auto first = std::lower_bound(all.begin(), all.end(), program.begin, before);
+  const auto last = std::lower_bound(first, all.end(), program.end, before);
+  return llvm::makeArrayRef(all).slice(size_t(first - all.begin()), size_t(last - first));
 }
 
 std::optional<uint32_t> FileIndex::block(const ProgramInfo &program, int64_t number, uint32_t from,
@@ -214,14 +165,12 @@ const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
   looks_.anywhere = true;
   const auto [known, fresh] = labels_.try_emplace(program.begin);
   Labels &labels = known->second;
-  if (!fresh)
-    return labels;
-  Block block;
-  for (uint32_t at = program.begin; at < program.end; at = block.next) {
-    reader_.read(at, block);
-    if (block.hasLabel())
-      labels[reader_.labelKey(source_.text(block.labelBegin, block.labelEnd))].push_back(at);
-  }
+  if (fresh)
+    scan_.eachPiece(source_, reader_, program.begin, program.end, [&](const auto &piece) {
+      for (const auto &[key, block] : piece.labels)
+        labels[key].push_back(block);
+      return true;
+    });
   return labels;
 }
 
@@ -229,26 +178,30 @@ const FileIndex::Definitions &FileIndex::definitions(const ProgramInfo &program)
   looks_.anywhere = true;
   const auto [known, fresh] = definitions_.try_emplace(program.begin);
   Definitions &definitions = known->second;
-  if (!fresh)
-    return definitions;
-  Block block;
-  for (uint32_t at = program.begin; at < program.end; at = block.next) {
-    reader_.read(at, block);
-    for (const Item &item : block.items) {
-      if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
-          item.kind != ItemKind::Parameters && item.kind != ItemKind::Macro)
-        continue;
-      definitions.try_emplace(
-          source_.text(item.nameBegin, item.nameEnd).upper(),
-          Defined{item.kind, item.type, item.arguments != 0, item.nameBegin, item.nameEnd});
-      if (item.kind == ItemKind::Parameters)
-        for (const Argument &parameter : block.argumentsOf(item))
-          definitions.try_emplace(
-              source_.text(parameter.begin, parameter.end).upper(),
-              Defined{ItemKind::Definition, parameter.type, false, parameter.begin, parameter.end});
-    }
-  }
+  if (fresh)
+    scan_.eachPiece(source_, reader_, program.begin, program.end, [&](const auto &piece) {
+      for (const auto &[name, defined] : piece.definitions)
+        definitions.try_emplace(name, defined);
+      return true;
+    });
   return definitions;
+}
+
+void FileIndex::eachBlock(uint32_t begin, uint32_t end,
+                          llvm::function_ref<bool(uint32_t, const Block &)> read,
+                          llvm::function_ref<bool(const TextPiece &)> pass) const {
+  looks_.anywhere = true;
+  Block block;
+  scan_.eachPiece(source_, reader_, begin, end, [&](const TextPiece &piece) {
+    if (piece.isPlain && pass(piece))
+      return true;
+    for (uint32_t at = piece.begin; at < piece.end; at = block.next) {
+      reader_.read(at, block);
+      if (!read(at, block))
+        return false;
+    }
+    return true;
+  });
 }
 
 const Defined *FileIndex::definition(const ProgramInfo &program, llvm::StringRef name) const {
@@ -268,8 +221,20 @@ std::optional<uint32_t> FileIndex::label(const ProgramInfo &program, llvm::Strin
 
 llvm::ArrayRef<Suppression> FileIndex::suppressions() const {
   if (!suppressions_)
-    suppressions_ = findSuppressions(source_, reader_);
+    suppressions_ = findSuppressions(source_, reader_, [this](auto visit) {
+      // A colon is rare in programs, and one byte is found at the speed of memory.
+      eachPlaceOf(':', visit);
+    });
   return *suppressions_;
+}
+
+void FileIndex::eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const {
+  looks_.anywhere = true;
+  const std::vector<uint32_t> *known = keeps_ ? scan_.places(source_, c) : nullptr;
+  if (known)
+    std::for_each(known->begin(), known->end(), visit);
+  else
+    source_.eachPlaceOf(c, visit);
 }
 
 } // namespace ncvet

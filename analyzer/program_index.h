@@ -1,6 +1,7 @@
 // What stands where in one file: its programs, and on demand the block numbers in them.
 #pragma once
 
+#include "analyzer/file_scan.h"
 #include "analyzer/suppress.h"
 #include "formats/readers/reader.h"
 #include "formats/text/source.h"
@@ -35,25 +36,13 @@ enum class Search : uint8_t {
   Backward ///< the nearest in front of the jump
 };
 
-/// A name that a program defines for itself.
-struct Defined {
-  ItemKind kind = ItemKind::Definition; ///< Definition, Parameters, Declaration, Macro
-  VariableType type = VariableType::None;
-  bool array = false;
-  uint32_t begin = 0, end = 0; ///< where its name stands
-};
-
-/// A block with a number.
-struct NumberedBlock {
-  int64_t number = 0;
-  uint32_t offset = 0;
-};
-
 /// Index of one file, from one light scan of its lines; block numbers are collected when the first
 /// jump, local call or profile asks for them.
 class FileIndex {
 public:
-  FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect);
+  /// `kept`, when given, is what earlier versions of the text have left.
+  FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect,
+            FileScan *kept = nullptr);
 
   llvm::ArrayRef<ProgramInfo> programs() const { return programs_; }
   /// The program that holds `offset`.
@@ -79,12 +68,19 @@ public:
   /// Variables, parameters, declared programs and macros of the program by name, in capitals.
   using Definitions = llvm::StringMap<Defined>;
   const Definitions &definitions(const ProgramInfo &program) const;
+  /// Calls `read` for the blocks of [begin, end) until it says false. Pieces whose blocks are all
+  /// plain, and of which `pass` says true, are left out. `begin` is that of a block.
+  void eachBlock(uint32_t begin, uint32_t end,
+                 llvm::function_ref<bool(uint32_t at, const Block &)> read,
+                 llvm::function_ref<bool(const TextPiece &)> pass) const;
   /// One of them, or null.
   const Defined *definition(const ProgramInfo &program, llvm::StringRef name) const;
   /// Offsets of the lines that hold a tape mark `%` first, ascending.
   llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
   /// The suppression comments of the file; looked for when first asked.
   llvm::ArrayRef<Suppression> suppressions() const;
+  /// Calls `visit` with the offset of every byte `c`, ascending.
+  void eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const;
   /// Offsets of the lines that open a subprogram between brackets (`o100 sub`), ascending.
   llvm::ArrayRef<uint32_t> subprograms() const { return subprograms_; }
   const SourceFile &source() const { return source_; }
@@ -111,12 +107,14 @@ private:
   mutable Looks looks_;
   const SourceFile &source_;
   const Reader &reader_;
+  std::unique_ptr<FileScan> own_; ///< when nothing is kept
+  FileScan &scan_;
+  const bool keeps_;
   std::vector<ProgramInfo> programs_;
   std::vector<uint32_t> tapeMarks_;
   std::vector<uint32_t> subprograms_;
   struct Numbers {
-    std::vector<NumberedBlock> asWritten;
-    std::vector<NumberedBlock> sorted; ///< empty while not asked for, or when sorted as written
+    std::vector<NumberedBlock> sorted; ///< empty when sorted as written
     bool ascending = false;
   };
   mutable llvm::DenseMap<uint32_t, Numbers> numbers_;         ///< by program's begin

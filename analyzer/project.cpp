@@ -67,10 +67,10 @@ Project::Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, Mac
     : sources_(sources), dialect_(std::move(dialect)), machine_(std::move(machine)),
       searchFolders_(std::move(searchFolders)), folders_(std::move(folders)) {}
 
-FileUnit &Project::unit(const SourceFile &file) {
+FileUnit &Project::unit(const SourceFile &file, FileScan *kept) {
   auto &unit = units_[file.id()];
   if (!unit) {
-    unit = std::make_unique<FileUnit>(file, dialect_, machine_);
+    unit = std::make_unique<FileUnit>(file, dialect_, machine_, kept);
     if (!dialect_->hiddenPrograms.empty())
       unit->reader->setHidesProgram(
           [this, &from = *unit](llvm::StringRef name) { return hidesProgram(from, name); });

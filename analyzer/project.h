@@ -14,9 +14,9 @@ namespace ncvet {
 /// A file with its dialect, reader, index and executor.
 struct FileUnit {
   FileUnit(const SourceFile &file, std::shared_ptr<const Dialect> language,
-           const MachineProfile &profile)
+           const MachineProfile &profile, FileScan *kept = nullptr)
       : source(file), dialect(std::move(language)), machine(profile),
-        reader(makeReader(*dialect, file.text())), index(file, *reader, *dialect),
+        reader(makeReader(*dialect, file.text())), index(file, *reader, *dialect, kept),
         executor(*dialect, machine, file.id()) {}
 
   const SourceFile &source;
@@ -51,8 +51,8 @@ public:
           std::vector<std::string> searchFolders = {},
           std::shared_ptr<ProgramFolders> folders = std::make_shared<ProgramFolders>());
 
-  /// The unit of a file of the set; made when first asked for.
-  FileUnit &unit(const SourceFile &file);
+  /// The unit of a file of the set; made when first asked for, with what is kept of its text.
+  FileUnit &unit(const SourceFile &file, FileScan *kept = nullptr);
   /// Program `number` as seen from `from`: its unit and entry; null when there is none.
   using Found = std::pair<FileUnit *, const ProgramInfo *>;
   Found findProgram(FileUnit &from, int64_t number);

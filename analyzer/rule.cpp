@@ -99,6 +99,12 @@ TextEdit RuleContext::insertBlockAfter(llvm::StringRef text) const {
           (lineEndAt(source_->text(), block_->end) + text).str()};
 }
 
+bool FileSummary::isAnyReached(uint32_t begin, uint32_t end) const {
+  const auto at =
+      llvm::partition_point(reached, [&](const SourceRange &r) { return r.end <= begin; });
+  return at != reached.end() && at->begin < end;
+}
+
 bool FileSummary::isReached(uint32_t offset) const {
   const auto at =
       llvm::partition_point(reached, [&](const SourceRange &r) { return r.end <= offset; });

@@ -260,6 +260,8 @@ struct FileSummary {
       true; ///< false: the analysis was cut short, what was not reached may be reachable
 
   bool isReached(uint32_t offset) const;
+  /// Whether any of [begin, end) is.
+  bool isAnyReached(uint32_t begin, uint32_t end) const;
 };
 
 /// A rule. One object per analysed file; keeps no state about the flow of the program (that is the
@@ -272,6 +274,10 @@ public:
   /// Gives all that `on` has changed in the rule and that decides what it does later. Rules that
   /// remember nothing leave it out.
   virtual void remember(RuleMemory &) const {}
+  /// Whether plain moves at feed that only go on from this state mean nothing to the rule, and
+  /// leave it as it is, wherever they lead: as long as none of them changes anything but
+  /// coordinates. Asked only of rules that are told of such moves.
+  virtual bool sleeps(const MachineState &) const { return false; }
   /// Called once, when all flow is known; only findings that the whole file decides.
   virtual void finish(const FileSummary &, RuleContext &) {}
 };

@@ -7,6 +7,13 @@ namespace {
 
 /// After so many blocks it is seen whether they still are a run.
 constexpr unsigned step = 32;
+/// So many moves that only go on let expect more of them.
+constexpr unsigned worthIt = 2;
+
+double levelOf(const MachineState &state) {
+  const Interval &level = state.at(Axis::Z);
+  return level.isConstant() ? level.value() : std::numeric_limits<double>::infinity();
+}
 
 } // namespace
 
@@ -17,6 +24,7 @@ RunRecorder::RunRecorder(StraightRuns *runs, FileUnit &unit, const Dispatcher &d
 
 const StraightRun *RunRecorder::at(uint32_t offset, const MachineState &state,
                                    const PlainRun &plain) {
+  offset_ = offset;
   if (recording_) {
     const bool full = blocks_ - recording_->blocks >= step || offset == nextKnown_;
     if (!full)
@@ -34,11 +42,15 @@ const StraightRun *RunRecorder::at(uint32_t offset, const MachineState &state,
     pause_ = step;
     return nullptr;
   }
-  if (const StraightRun *run = runs_->find(offset)) {
-    if (goesOnAs(*run, state, plain))
+  if (const StraightRun *run = runs_->straight.find(offset)) {
+    if (goesOnAs(*run, state, plain)) {
+      endMoves(offset, state);
       return run;
-    runs_->erase(offset);
+    }
+    runs_->straight.erase(offset);
   }
+  // Runs of moves end where others begin: these are met again behind them.
+  endMoves(offset, state);
   begin(offset, state, plain);
   return nullptr;
 }
@@ -57,7 +69,8 @@ void RunRecorder::begin(uint32_t offset, const MachineState &state, const PlainR
   recording_->memory = memory_;
   recording_->from = offset;
   blocks_ = 0;
-  nextKnown_ = runs_->nextBehind(offset);
+  clean_ = true;
+  nextKnown_ = runs_->straight.next(offset + 1);
   reports_ = collector_.reports();
   unit_.index.takeLooks();
 }
@@ -66,6 +79,7 @@ void RunRecorder::take(const Block &block) {
   if (collector_.reports() != reports_ || !block.items.empty() || block.skip >= 0)
     return keep();
   ++blocks_;
+  clean_ &= isClean(block, *unit_.dialect);
   lastBegin_ = block.begin;
   lastEnd_ = block.end;
 }
@@ -82,6 +96,7 @@ bool RunRecorder::mark(uint32_t end, const MachineState &state, const PlainRun &
   run.from = std::min(run.from, looks.from);
   run.to = std::max({run.to, run.end, looks.to});
   run.blocks = blocks_;
+  run.isClean = clean_;
   run.lastBegin = lastBegin_;
   run.lastEnd = lastEnd_;
   run.exit = state;
@@ -91,8 +106,105 @@ bool RunRecorder::mark(uint32_t end, const MachineState &state, const PlainRun &
 
 void RunRecorder::keep() {
   if (recording_->blocks >= StraightRuns::shortest)
-    runs_->insert(std::move(*recording_));
+    runs_->straight.insert(std::move(*recording_));
   recording_.reset();
+}
+
+// ---------------------------------------------------------------------------------------------
+// Runs of moves
+
+const MoveRun *RunRecorder::movesAt(uint32_t offset, const MachineState &state,
+                                    const PlainRun &plain) {
+  if (moves_) {
+    const uint64_t marked = moves_->blocks;
+    if (moved_.blocks - marked >= step)
+      markMoves(offset, state);
+    if (moved_.blocks < StraightRuns::longest && offset != nextMoves_)
+      return nullptr;
+    endMoves(offset, state);
+  }
+  if (streak_ < worthIt || !isSettled(plain, state) || state.modalCalls || state.profile != 0 ||
+      state.activeAction(*unit_.dialect, StandardGroup::Motion) != Action::Linear ||
+      !dispatcher_.movesSleep(state))
+    return nullptr;
+  if (nextMoves_ < offset)
+    nextMoves_ = runs_->moves.next(offset);
+  if (nextMoves_ == offset) {
+    const MoveRun *run = runs_->moves.find(offset);
+    if (run->begins(*unit_.dialect, state, plain))
+      return run;
+    runs_->moves.erase(offset);
+  }
+  beginMoves(offset, state, plain);
+  return nullptr;
+}
+
+void RunRecorder::beginMoves(uint32_t offset, const MachineState &state, const PlainRun &plain) {
+  moves_.emplace();
+  moves_->begin = moves_->end = offset;
+  moves_->addresses = plain.addresses;
+  moves_->entry = state;
+  moves_->entry.origin = {};
+  moved_ = *moves_;
+  cutArea_ = {emptyInterval, emptyInterval};
+  highest_ = levelOf(state);
+  nextMoves_ = runs_->moves.next(offset + 1);
+}
+
+void RunRecorder::executed(const Block &block, bool goesOn, const MachineState &before,
+                           const MachineState &after) {
+  if (recording_)
+    take(block);
+  streak_ = goesOn ? streak_ + 1 : 0;
+  if (!moves_)
+    return;
+  if (goesOn)
+    takeMove(block, after);
+  else
+    endMoves(offset_, before);
+}
+
+void RunRecorder::takeMove(const Block &block, const MachineState &after) {
+  ++moved_.blocks;
+  moved_.lastBegin = block.begin;
+  moved_.lastEnd = block.end;
+  highest_ = std::max(highest_, levelOf(after));
+  for (unsigned i = 0; i < cutArea_.size(); ++i)
+    if (!(after.cutArea[i] == emptyInterval)) // this control keeps it
+      cutArea_[i] = join(cutArea_[i], after.position[i]);
+}
+
+void RunRecorder::took(const MoveRun &run) { // plain words: it is clean
+  blocks_ += run.blocks;
+  lastBegin_ = run.lastBegin;
+  lastEnd_ = run.lastEnd;
+  streak_ = worthIt;
+}
+
+/// What was executed up to `end` belongs to the run.
+void RunRecorder::markMoves(uint32_t end, const MachineState &state) {
+  moves_->end = end;
+  moves_->lastBegin = moved_.lastBegin;
+  moves_->lastEnd = moved_.lastEnd;
+  moves_->blocks = moved_.blocks;
+  moves_->position = state.position;
+  moves_->fedFrom = state.fedFrom;
+  moves_->cutArea = cutArea_;
+  moves_->highest = highest_;
+}
+
+void RunRecorder::endMoves(uint32_t end, const MachineState &state) {
+  if (!moves_)
+    return;
+  markMoves(end, state);
+  keepMoves();
+}
+
+void RunRecorder::keepMoves() {
+  if (moves_ && moves_->blocks >= StraightRuns::shortest)
+    runs_->moves.insert(std::move(*moves_));
+  moves_.reset();
+  nextMoves_ = 0;
 }
 
 } // namespace ncvet

@@ -28,48 +28,31 @@ bool stemsFrom(const MachineState &state, FileId file, const TextChange &change)
 } // namespace
 
 void StraightRuns::edit(const TextChange &change) {
-  std::map<uint32_t, StraightRun> kept;
-  for (auto &[begin, run] : runs_) {
+  // Text that is put in right at an end may belong to the block there.
+  straight.edit([&](StraightRun &run) {
     const FileId file = run.memory.file();
-    // Text that is put in right at an end may belong to the block there.
-    const bool seen = change.begin <= run.to && change.end >= run.from;
-    if (seen || stemsFrom(run.entry, file, change))
-      continue;
-    if (run.from >= change.end)
-      for (uint32_t *place :
-           {&run.begin, &run.end, &run.from, &run.to, &run.lastBegin, &run.lastEnd})
-        *place = change.moved(*place);
+    if ((change.begin <= run.to && change.end >= run.from) || stemsFrom(run.entry, file, change))
+      return true;
+    if (run.from >= change.end) {
+      run.RunPlace::move(change);
+      run.from = change.moved(run.from);
+      run.to = change.moved(run.to);
+    }
     move(run.entry, file, change);
     move(run.exit, file, change);
     run.memory.move(change);
-    const uint32_t at = run.begin;
-    kept.emplace_hint(kept.end(), at, std::move(run));
-  }
-  runs_ = std::move(kept);
-}
-
-const StraightRun *StraightRuns::find(uint32_t offset) const {
-  const auto found = runs_.find(offset);
-  return found == runs_.end() ? nullptr : &found->second;
-}
-
-uint32_t StraightRuns::nextBehind(uint32_t offset) const {
-  const auto next = runs_.upper_bound(offset);
-  return next == runs_.end() ? ~0u : next->first;
-}
-
-uint64_t StraightRuns::blocks() const {
-  uint64_t blocks = 0;
-  for (const auto &[begin, run] : runs_)
-    blocks += run.blocks;
-  return blocks;
-}
-
-void StraightRuns::insert(StraightRun run) {
-  // One that begins inside of it has been overtaken.
-  runs_.erase(runs_.lower_bound(run.begin), runs_.lower_bound(run.end));
-  const uint32_t begin = run.begin;
-  runs_.emplace(begin, std::move(run));
+    return false;
+  });
+  const auto spoils = [&](RunPlace &run) {
+    if (change.begin <= run.end && change.end >= run.begin)
+      return true;
+    if (run.begin >= change.end)
+      run.move(change);
+    return false;
+  };
+  moves.edit(spoils);
+  endings.edit(spoils);
+  quiet.edit(spoils);
 }
 
 } // namespace ncvet

@@ -1,7 +1,7 @@
 // Runs of plain blocks that an earlier analysis of almost the same text has followed.
 #pragma once
 
-#include "analyzer/plain_run.h"
+#include "analyzer/move_run.h"
 #include "analyzer/rule_memory.h"
 
 namespace ncvet {
@@ -9,17 +9,26 @@ namespace ncvet {
 /// A run of blocks that are executed one after the other, of which no rule had anything to say.
 /// Where it begins again in the same text, in the same state and with rules that remember the same,
 /// it ends as it did.
-struct StraightRun {
-  uint32_t begin = 0, end = 0;         ///< [begin, end) in the text
-  uint32_t from = 0, to = 0;           ///< the text that was looked at for it
-  uint32_t lastBegin = 0, lastEnd = 0; ///< its last block with content
-  uint64_t blocks = 0;                 ///< with content
+struct StraightRun : RunPlace {
+  uint32_t from = 0, to = 0; ///< the text that was looked at for it
+  bool isClean = true;       ///< a reader finds nothing wrong in it
   MachineState entry, exit;
   PlainRun plainEntry, plainExit;
   RuleMemory memory; ///< at its begin, and at its end as well
 
   explicit StraightRun(FileId file) : memory(file) {}
 };
+
+/// Text that was read only for the codes that end a program in it.
+struct EndingRun : RunPlace {
+  bool ends = false, returns = false;
+};
+
+/// Whether a reader finds nothing wrong in the block, whatever the state.
+inline bool isClean(const Block &block, const Dialect &dialect) {
+  return block.issues.empty() && !(block.addresses & ~dialect.known) &&
+         !(block.repeated & ~dialect.repeatable);
+}
 
 /// The runs of one file, from one analysis to the next. Belongs to one thread.
 class StraightRuns {
@@ -30,17 +39,17 @@ public:
 
   /// Every run that has seen the changed text is forgotten, those behind it move.
   void edit(const TextChange &change);
-  void clear() { runs_.clear(); }
-  /// The run that begins at `offset`, or null.
-  const StraightRun *find(uint32_t offset) const;
-  /// Begin of the first run behind `offset`; `~0u`: there is none.
-  uint32_t nextBehind(uint32_t offset) const;
-  void insert(StraightRun run);
-  void erase(uint32_t offset) { runs_.erase(offset); }
-  uint64_t blocks() const; ///< with content, in all runs
+  void clear() {
+    straight.clear();
+    moves.clear();
+    endings.clear();
+    quiet.clear();
+  }
 
-private:
-  std::map<uint32_t, StraightRun> runs_; ///< by begin; they do not overlap
+  RunStore<StraightRun> straight;
+  RunStore<MoveRun> moves;
+  RunStore<EndingRun> endings;
+  RunStore<RunPlace> quiet; ///< text in which a reader finds nothing wrong
 };
 
 } // namespace ncvet

@@ -20,9 +20,8 @@ public:
   SuppressionReader(const SourceFile &source, const Reader &reader)
       : source_(source), reader_(reader), text_(source.text()) {}
 
-  std::vector<Suppression> read() {
-    // A colon is rare in programs, and one byte is found at the speed of memory.
-    source_.eachPlaceOf(':', [this](uint32_t colon) {
+  std::vector<Suppression> read(EachColon eachColon) {
+    eachColon([this](uint32_t colon) {
       const size_t begin = colon + 1 - std::min<size_t>(colon + 1, mark.size());
       if (text_.slice(begin, colon + 1).equals_insensitive(mark))
         readComment(uint32_t(begin));
@@ -174,8 +173,9 @@ private:
 
 } // namespace
 
-std::vector<Suppression> findSuppressions(const SourceFile &source, const Reader &reader) {
-  return SuppressionReader(source, reader).read();
+std::vector<Suppression> findSuppressions(const SourceFile &source, const Reader &reader,
+                                          EachColon eachColon) {
+  return SuppressionReader(source, reader).read(eachColon);
 }
 
 void applySuppressions(std::vector<Suppression> &suppressions, const SourceFile &source,

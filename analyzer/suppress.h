@@ -33,9 +33,12 @@ struct Suppression {
   std::vector<SuppressedName> names;
 };
 
-/// All suppression comments of a file, in their order. Looks at every byte once, and reads only
-/// the blocks around the comments.
-std::vector<Suppression> findSuppressions(const SourceFile &source, const Reader &reader);
+/// Calls its argument with the place of each colon of a text, ascending.
+using EachColon = llvm::function_ref<void(llvm::function_ref<void(uint32_t)>)>;
+
+/// All suppression comments of a file, in their order. Reads only the blocks around the comments.
+std::vector<Suppression> findSuppressions(const SourceFile &source, const Reader &reader,
+                                          EachColon eachColon);
 
 /// Marks the findings that lie in `source` and are covered, and the names that cover them.
 void applySuppressions(std::vector<Suppression> &suppressions, const SourceFile &source,

@@ -5,6 +5,13 @@
 
 namespace ncvet {
 
+/// Groups whose codes decide what a plain move does to the state; the other modes are nothing to
+/// it.
+inline constexpr StandardGroup plainMoveGroups[] = {
+    StandardGroup::Motion,   StandardGroup::Plane, StandardGroup::Distance,
+    StandardGroup::Units,    StandardGroup::Cycle, StandardGroup::Compensation,
+    StandardGroup::Diameter, StandardGroup::Polar, StandardGroup::Language};
+
 /// What the transfer function asks of tables and profile with every block, looked up once.
 struct ModeMasks {
   GroupIndex motion, cycle, units, distance, polar, language, diameter;

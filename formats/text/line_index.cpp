@@ -28,18 +28,53 @@ uint32_t LineIndex::countLineEnds(uint32_t begin, uint32_t end) const {
   return count + (inner < end && endsLine(inner) ? 1 : 0);
 }
 
-void LineIndex::countUpTo(uint32_t last) const {
-  while (counts_.size() <= last) {
-    const auto begin = static_cast<uint32_t>(counts_.size() - 1) * step;
-    counts_.push_back(counts_.back() + countLineEnds(begin, begin + step));
+LineIndex::LineIndex(llvm::StringRef text, const LineIndex &before, uint32_t begin, uint32_t end,
+                     uint32_t added)
+    : text_(text) {
+  // Whether a line ends in front of an offset may depend on the byte there: it must be an old one.
+  auto kept = std::lower_bound(before.counts_.begin(), before.counts_.end(), begin,
+                               [](const Count &count, uint32_t o) { return count.offset < o; });
+  kept = std::max(kept, before.counts_.begin() + 1);
+  counts_.assign(before.counts_.begin(), kept);
+  const auto moved =
+      std::upper_bound(kept, before.counts_.end(), end,
+                       [](uint32_t o, const Count &count) { return o < count.offset; });
+  if (moved == before.counts_.end())
+    return;
+  const auto shifted = [&](uint32_t offset) { return offset - end + begin + added; };
+  countUpTo(shifted(moved->offset));
+  const uint32_t lines =
+      counts_.back().lines + countLineEnds(counts_.back().offset, shifted(moved->offset));
+  // Counters that have come close to one another serve nobody.
+  auto first = moved;
+  if (shifted(first->offset) - counts_.back().offset < step / 2 &&
+      first + 1 != before.counts_.end())
+    ++first;
+  counts_.reserve(counts_.size() + size_t(before.counts_.end() - first));
+  for (auto count = first; count != before.counts_.end(); ++count)
+    counts_.push_back({shifted(count->offset), count->lines - moved->lines + lines});
+}
+
+void LineIndex::countUpTo(uint32_t offset) const {
+  while (offset - std::min(offset, counts_.back().offset) >= step) {
+    const Count &last = counts_.back();
+    const uint32_t next = last.offset + step;
+    counts_.push_back({next, last.lines + countLineEnds(last.offset, next)});
   }
+}
+
+const LineIndex::Count &LineIndex::countBefore(uint32_t offset) const {
+  countUpTo(offset);
+  const auto behind =
+      std::upper_bound(counts_.begin(), counts_.end(), offset,
+                       [](uint32_t o, const Count &count) { return o < count.offset; });
+  return *(behind - 1);
 }
 
 uint32_t LineIndex::lineOf(uint32_t offset) const {
   offset = std::min(offset, size());
-  const uint32_t block = offset / step;
-  countUpTo(block);
-  return 1 + counts_[block] + countLineEnds(block * step, offset);
+  const Count &count = countBefore(offset);
+  return 1 + count.lines + countLineEnds(count.offset, offset);
 }
 
 uint32_t LineIndex::lineBegin(uint32_t offset) const {
@@ -71,13 +106,15 @@ uint32_t LineIndex::beginOfLine(uint32_t line) const {
   if (line <= 1)
     return 0;
   const uint32_t ends = line - 1; // the line begins behind this many line ends
-  const uint32_t lastBlock = size() / step;
-  while (counts_.back() < ends && counts_.size() <= lastBlock)
-    countUpTo(static_cast<uint32_t>(counts_.size()));
-  // The last counter below `ends`: the line end looked for lies in its block.
-  const auto found = std::lower_bound(counts_.begin(), counts_.end(), ends) - 1;
-  uint32_t count = *found;
-  for (auto at = static_cast<uint32_t>(found - counts_.begin()) * step; at < size(); ++at)
+  while (counts_.back().lines < ends && size() - counts_.back().offset >= step)
+    countUpTo(counts_.back().offset + step);
+  // The last counter below `ends`: the line end looked for lies behind it.
+  const auto found =
+      std::lower_bound(counts_.begin(), counts_.end(), ends,
+                       [](const Count &count, uint32_t n) { return count.lines < n; }) -
+      1;
+  uint32_t count = found->lines;
+  for (uint32_t at = found->offset; at < size(); ++at)
     if (endsLine(at) && ++count == ends)
       return at + 1;
   return size();

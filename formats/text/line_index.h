@@ -8,13 +8,17 @@
 
 namespace ncvet {
 
-/// Counts lines of a text on demand: one counter every 4 KiB as far as was ever asked, the rest is
-/// counted when asked, so that no question takes long, not even in a text that is one long line.
-/// Line ends are LF, CR LF and a lone CR; a line end belongs to its line. Offsets behind the text
-/// count as its end. Not for several threads at a time.
+/// Counts lines of a text on demand: one counter about every 4 KiB as far as was ever asked, the
+/// rest is counted when asked, so that no question takes long, not even in a text that is one long
+/// line. Line ends are LF, CR LF and a lone CR; a line end belongs to its line. Offsets behind the
+/// text count as its end. Not for several threads at a time, unless all is counted.
 class LineIndex {
 public:
   explicit LineIndex(llvm::StringRef text) : text_(text) {}
+  /// The index of `text`, in which the bytes [begin, end) of the text of `before` have become
+  /// `added` bytes: what was counted beside them is not counted again.
+  LineIndex(llvm::StringRef text, const LineIndex &before, uint32_t begin, uint32_t end,
+            uint32_t added);
 
   /// Line (from 1) that holds byte `offset`.
   uint32_t lineOf(uint32_t offset) const;
@@ -29,19 +33,26 @@ public:
   uint32_t countLineEnds(uint32_t begin, uint32_t end) const;
 
   /// Lines are counted up to this offset.
-  uint32_t counted() const { return uint32_t(counts_.size() - 1) * step; }
+  uint32_t counted() const { return counts_.back().offset; }
+  void countAll() const { lineOf(size()); }
 
 private:
   static constexpr uint32_t step = 1u << 12;
+  /// Line ends in front of an offset.
+  struct Count {
+    uint32_t offset = 0, lines = 0;
+  };
 
   uint32_t size() const { return static_cast<uint32_t>(text_.size()); }
   /// True when a line ends with the byte at `offset`: LF, or CR without LF behind it.
   bool endsLine(uint32_t offset) const;
-  /// Fills `counts_` up to and including the counter of step `last`.
-  void countUpTo(uint32_t last) const;
+  /// Counts on, step by step, while `offset` lies further off than one.
+  void countUpTo(uint32_t offset) const;
+  /// The last counter in front of `offset` or at it, up to which lines are counted.
+  const Count &countBefore(uint32_t offset) const;
 
   llvm::StringRef text_;
-  mutable std::vector<uint32_t> counts_ = {0}; ///< line ends in front of each step
+  mutable std::vector<Count> counts_ = {Count()}; ///< by offset
 };
 
 } // namespace ncvet

@@ -80,13 +80,14 @@ std::unique_ptr<SourceFile> SourceFile::fromText(FileId id, llvm::StringRef disp
 }
 
 std::unique_ptr<SourceFile> SourceFile::fromShared(FileId id, llvm::StringRef display,
-                                                   std::shared_ptr<const std::string> text,
-                                                   llvm::StringRef path) {
-  assert(text->size() <= std::numeric_limits<uint32_t>::max() && "offsets are 32 bit");
+                                                   SharedText text, llvm::StringRef path) {
+  assert(text.bytes->size() <= std::numeric_limits<uint32_t>::max() && "offsets are 32 bit");
   auto file = std::unique_ptr<SourceFile>(new SourceFile(
       id, path.str(), llvm::sys::path::convert_to_slash(display),
-      llvm::MemoryBuffer::getMemBuffer(*text, display, /*RequiresNullTerminator=*/false)));
-  file->shared_ = std::move(text);
+      llvm::MemoryBuffer::getMemBuffer(*text.bytes, display, /*RequiresNullTerminator=*/false)));
+  file->shared_ = std::move(text.bytes);
+  if (text.lines)
+    file->lines_ = *text.lines;
   return file;
 }
 

@@ -38,6 +38,18 @@ struct LineColumn {
   uint32_t column = 1;
 };
 
+struct TextHistory; // formats/text/text_change.h
+
+/// A version of a text that several look at.
+struct SharedText {
+  std::shared_ptr<const std::string> bytes;
+  std::shared_ptr<const LineIndex> lines;     ///< all counted; null: not known
+  std::shared_ptr<const TextHistory> history; ///< null: not known
+
+  SharedText() = default;
+  SharedText(std::shared_ptr<const std::string> text) : bytes(std::move(text)) {}
+};
+
 /// One input file, never changed after it was made. Offsets are 32 bit: a file of 4 GiB or more is
 /// refused by `SourceFile::open`. Positions are cached: one thread at a time may ask for them.
 class SourceFile {
@@ -52,8 +64,7 @@ public:
                                               llvm::StringRef text, llvm::StringRef path = {});
 
   /// The same over text that others hold as well; it is not copied.
-  static std::unique_ptr<SourceFile> fromShared(FileId id, llvm::StringRef display,
-                                                std::shared_ptr<const std::string> text,
+  static std::unique_ptr<SourceFile> fromShared(FileId id, llvm::StringRef display, SharedText text,
                                                 llvm::StringRef path = {});
 
   FileId id() const { return id_; }

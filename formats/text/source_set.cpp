@@ -29,8 +29,7 @@ const SourceFile &SourceSet::add(llvm::StringRef display, llvm::StringRef text,
   return *files_.back();
 }
 
-const SourceFile &SourceSet::add(llvm::StringRef display, std::shared_ptr<const std::string> text,
-                                 llvm::StringRef path) {
+const SourceFile &SourceSet::add(llvm::StringRef display, SharedText text, llvm::StringRef path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   files_.push_back(
       SourceFile::fromShared(static_cast<FileId>(files_.size()), display, std::move(text), path));

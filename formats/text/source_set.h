@@ -26,8 +26,7 @@ public:
   /// Adds text that is already in memory; see `SourceFile::fromText`.
   const SourceFile &add(llvm::StringRef display, llvm::StringRef text, llvm::StringRef path = {});
   /// Adds text that others hold as well; see `SourceFile::fromShared`.
-  const SourceFile &add(llvm::StringRef display, std::shared_ptr<const std::string> text,
-                        llvm::StringRef path);
+  const SourceFile &add(llvm::StringRef display, SharedText text, llvm::StringRef path);
   /// The file of an id that this set gave out.
   const SourceFile &get(FileId id) const;
   size_t size() const;

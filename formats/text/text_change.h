@@ -18,6 +18,46 @@ struct TextChange {
   }
 };
 
+/// What changes that were made one after the other have made of a text: pieces of it that became
+/// other pieces, in order and apart from each other.
+class TextChanges {
+public:
+  TextChanges() = default;
+  explicit TextChanges(const TextChange &change) { add(change); }
+
+  /// One more change, of the text as it is behind all before it.
+  void add(const TextChange &change);
+  /// Pieces between which no line of `after`, the text as it is now, ends become one.
+  void joinInLines(llvm::StringRef after);
+  /// The pieces as changes to be made one after the other, from the front of the text.
+  std::vector<TextChange> fromFront() const;
+  bool empty() const { return pieces_.empty(); }
+
+private:
+  struct Piece {
+    uint32_t before, beforeEnd; ///< in the first text
+    uint32_t begin, end;        ///< in the last
+  };
+  std::vector<Piece> pieces_;
+};
+
+/// How a text has come from its last versions.
+struct TextHistory {
+  struct Step {
+    std::weak_ptr<const std::string> before;
+    TextChange change;
+  };
+  std::vector<Step> steps; ///< the last one leads to the present version
+
+  /// The history of the version that `change` makes of `before`.
+  static std::shared_ptr<const TextHistory> with(const SharedText &before,
+                                                 const TextChange &change);
+};
+
+/// What has become of `before`: from the history of `after`, or by comparing the two.
+TextChanges changesBetween(const std::shared_ptr<const std::string> &before,
+                           const SharedText &after);
+
 /// The one change that leads from a text to another: what lies between the bytes that they have in
 /// common at their begin and at their end.
 TextChange changeBetween(llvm::StringRef before, llvm::StringRef after);

@@ -72,11 +72,11 @@ std::map<std::string, unsigned> writtenVariables(const CompletionRequest &reques
   const bool marked = request.dialect().reader == "iso";
   std::map<std::string, unsigned> found;
   const char *const cursor = all.data() + at;
-  for (size_t i = 0; i < text.size() && found.size() < mostVariables; ++i) {
-    const char c = text[i];
+  for (size_t i = 0; found.size() < mostVariables; ++i) {
+    i = text.find_first_of(marked ? "#" : "RrVv", i);
+    if (i == llvm::StringRef::npos)
+      break;
     size_t end = i + 1;
-    if (marked ? c != '#' : (c | 32) != 'r' && (c | 32) != 'v')
-      continue;
     if (!marked && i > 0 && (isNameByte(text[i - 1]) || text[i - 1] == '$'))
       continue;
     if (marked && end < text.size() && text[end] == '<') {

@@ -22,16 +22,17 @@ const Names &Snapshot::names(const FileUnit &unit) {
 
 llvm::Expected<std::unique_ptr<Snapshot>>
 Snapshot::make(Session &session, std::shared_ptr<const SourceSet::Overlay> open,
-               llvm::StringRef path, std::shared_ptr<const std::string> text) {
-  auto setup = session.setup(path, *text);
+               llvm::StringRef path, SharedText text, CheckMemory *memory) {
+  auto setup = session.setup(path, *text.bytes);
   if (!setup)
     return setup.takeError();
   std::unique_ptr<Snapshot> snapshot(new Snapshot(std::move(*setup), std::move(open)));
-  snapshot->source_ = &snapshot->sources_.add(path, std::move(text), path);
+  snapshot->source_ = &snapshot->sources_.add(path, text, path);
   const FileSetup &known = snapshot->setup_;
   snapshot->project_ = std::make_unique<Project>(snapshot->sources_, known.dialect, *known.machine,
                                                  known.config->searchFolders, known.folders);
-  snapshot->unit_ = &snapshot->project_->unit(*snapshot->source_);
+  snapshot->unit_ = &snapshot->project_->unit(
+      *snapshot->source_, memory ? memory->scanFor(known, *snapshot->source_, text) : nullptr);
   return snapshot;
 }
 

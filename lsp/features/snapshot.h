@@ -1,7 +1,7 @@
 // One version of a document with all that its control makes of it: what every feature looks at.
 #pragma once
 
-#include "analyzer/session.h"
+#include "analyzer/checker.h"
 
 namespace ncvet::lsp {
 
@@ -12,11 +12,12 @@ class Names; // lsp/features/names.h
 /// what it found out: one thread at a time may use it.
 class Snapshot {
 public:
-  /// `path` says where the text would stand on disk; it is not read. Errors are those of
+  /// `path` says where the text would stand on disk; it is not read. `memory`, when given, is what
+  /// the snapshot of the version before has left, which is not used any more. Errors are those of
   /// configurations and tables.
   static llvm::Expected<std::unique_ptr<Snapshot>>
   make(Session &session, std::shared_ptr<const SourceSet::Overlay> open, llvm::StringRef path,
-       std::shared_ptr<const std::string> text);
+       SharedText text, CheckMemory *memory = nullptr);
 
   ~Snapshot();
   Snapshot(const Snapshot &) = delete;

@@ -103,8 +103,7 @@ private:
     if (!text)
       return kept.diagnostics;
     CheckJob job = base;
-    job.document = {uriOfPath(path), path, "", 0,
-                    std::make_shared<const std::string>((*text)->getBuffer().str())};
+    job.document = {uriOfPath(path), path, "", 0, textOf((*text)->getBuffer().str())};
     const auto result = check(job, &cancelled);
     if (!result)
       return kept.diagnostics;

@@ -24,8 +24,10 @@ void open(Context &context, const Json &params) {
   document.path = pathOfUri(document.uri);
   document.language = item.value("languageId", "");
   document.version = item.value("version", int64_t(0));
-  document.text = std::make_shared<const std::string>(item.at("text").get<std::string>());
-  checkWithUsers(context, context.documents.open(std::move(document)));
+  document.text = textOf(item.at("text").get<std::string>());
+  const Document &opened = context.documents.open(std::move(document));
+  checkWithUsers(context, opened);
+  context.prepare(opened);
 }
 
 void change(Context &context, const Json &params) {

@@ -119,12 +119,12 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_ && !cancelled) {
     const auto known = results_.find(document.path);
-    if (known != results_.end() && known->second->document.text == document.text)
+    if (known != results_.end() && known->second->document.text.bytes == document.text.bytes)
       return known->second;
-    bool coming = running_ == document.path && runningText_ == document.text && !cancel_;
+    bool coming = running_ == document.path && runningText_ == document.text.bytes && !cancel_;
     for (Waiting &waiting : waiting_)
       if (waiting.job.document.path == document.path &&
-          waiting.job.document.text == document.text) {
+          waiting.job.document.text.bytes == document.text.bytes) {
         waiting.due = Clock::now(); // somebody waits for it
         coming = true;
         changed_.notify_all();
@@ -156,7 +156,7 @@ void Checks::run() {
     const CheckJob job = std::move(next->job);
     waiting_.erase(next);
     running_ = job.document.path;
-    runningText_ = job.document.text;
+    runningText_ = job.document.text.bytes;
     cancel_ = false;
     lock.unlock();
     std::shared_ptr<const CheckResult> result = check(job, &cancel_, &memories[job.document.path]);

@@ -13,6 +13,8 @@ namespace {
 
 /// Snapshots that are kept: a few documents are at work at a time.
 constexpr size_t mostSnapshots = 4;
+/// A document of so many bytes is looked at before the first question: 20,000 blocks or more.
+constexpr size_t longText = 512 * 1024;
 /// Languages that name a control begin so: `ncvet-haas-lathe`.
 constexpr llvm::StringLiteral languagePrefix = "ncvet-";
 
@@ -58,6 +60,7 @@ Context::Context(MessageWriter &writer)
 
 Context::~Context() {
   // Both threads use what is above them.
+  leaving_ = true;
   checks->stop();
   features->stop();
 }
@@ -66,8 +69,8 @@ void Context::forget(const std::string &path) {
   checks->drop(path);
   problems.closed(path);
   features->post([this, path] {
-    memories_.erase(path);
     kept_.remove_if([&](const Kept &old) { return old.snapshot->source().path() == path; });
+    memories_.erase(path); // behind the snapshot that looks into it
   });
 }
 
@@ -118,20 +121,37 @@ void Context::renew(Settings next) {
 
 llvm::Expected<std::shared_ptr<Snapshot>> Context::snapshotOf(const CheckJob &job) {
   for (auto at = kept_.begin(); at != kept_.end(); ++at)
-    if (at->text == job.document.text && at->session == job.session && at->overlay == job.overlay &&
-        at->snapshot->source().path() == job.document.path) {
+    if (at->text == job.document.text.bytes && at->session == job.session &&
+        at->overlay == job.overlay && at->snapshot->source().path() == job.document.path) {
       kept_.splice(kept_.begin(), kept_, at);
       return at->snapshot;
     }
-  auto made = Snapshot::make(*job.session, job.overlay, job.document.path, job.document.text);
+  auto made = Snapshot::make(*job.session, job.overlay, job.document.path, job.document.text,
+                             &memories_[job.document.path]);
   if (!made)
     return made.takeError();
   kept_.remove_if(
       [&](const Kept &old) { return old.snapshot->source().path() == job.document.path; });
   if (kept_.size() >= mostSnapshots)
     kept_.pop_back();
-  kept_.push_front({job.document.text, job.session, job.overlay, std::move(*made)});
+  kept_.push_front({job.document.text.bytes, job.session, job.overlay, std::move(*made)});
   return kept_.front().snapshot;
+}
+
+void Context::prepare(const Document &document) {
+  if (document.text.bytes->size() < longText)
+    return;
+  features->post([this, job = job(document)] {
+    auto snapshot = snapshotOf(job);
+    if (!snapshot)
+      return llvm::consumeError(snapshot.takeError()); // whoever asks first is told
+    FileUnit &unit = (*snapshot)->unit();
+    for (const ProgramInfo &program : unit.index.programs())
+      unit.index.definitions(program);
+    statesAt((*snapshot)->project(), unit, unit, unit.reader->first(),
+             (*snapshot)->setup().limits, &leaving_,
+             memories_[job.document.path].runsFor(unit.index));
+  });
 }
 
 void Context::answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer) {
@@ -151,8 +171,7 @@ void Context::answerOrFail(const Document &document, Reply reply,
     auto snapshot = snapshotOf(job);
     if (!snapshot)
       return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
-    StraightRuns *runs = memories_[job.document.path].runsFor(
-        (*snapshot)->setup(), (*snapshot)->source(), job.document.text, (*snapshot)->unit().index);
+    StraightRuns *runs = memories_[job.document.path].runsFor((*snapshot)->unit().index);
     Places places((*snapshot)->project().sources(), client.encoding);
     View view{job.document, **snapshot, places.of((*snapshot)->source().id()),
               settings,     client,     held->cancelled(),

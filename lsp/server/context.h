@@ -72,6 +72,9 @@ public:
   /// The same; an error is one that the user reads.
   void answerOrFail(const Document &document, Reply reply,
                     std::function<llvm::Expected<Json>(View &)> answer);
+  /// Looks at all of a long document on the thread of features, so that the first question about it
+  /// need not wait for that.
+  void prepare(const Document &document);
   /// Begins the check of a document, as it is now.
   void check(const Document &document);
   void checkAll();
@@ -110,6 +113,7 @@ private:
   /// Of the thread of features: the snapshots that were used last.
   llvm::Expected<std::shared_ptr<Snapshot>> snapshotOf(const CheckJob &job);
   std::list<Kept> kept_;
+  std::atomic<bool> leaving_ = false;
   std::map<std::string, CheckMemory> memories_;              ///< by path; for states only
   std::map<std::string, std::shared_ptr<Session>> sessions_; ///< by dialect
 };

@@ -3,20 +3,34 @@
 
 namespace ncvet::lsp {
 
-std::shared_ptr<const std::string> changed(std::shared_ptr<const std::string> text,
-                                           const Json &changes, PositionEncoding encoding) {
-  for (const Json &change : changes) {
-    const auto &replacement = change.at("text").get_ref<const std::string &>();
-    if (!change.contains("range")) {
-      text = std::make_shared<const std::string>(replacement);
+SharedText textOf(std::string bytes) {
+  SharedText text(std::make_shared<const std::string>(std::move(bytes)));
+  auto lines = std::make_shared<LineIndex>(*text.bytes);
+  lines->countAll();
+  text.lines = std::move(lines);
+  return text;
+}
+
+SharedText changed(SharedText text, const Json &changes, PositionEncoding encoding) {
+  for (const Json &each : changes) {
+    const auto &replacement = each.at("text").get_ref<const std::string &>();
+    if (!each.contains("range")) {
+      text = textOf(replacement);
       continue;
     }
     const auto source = SourceFile::fromShared(0, "", text);
     Positions positions(*source, encoding);
-    const auto [begin, end] = offsetsOf(positions, change["range"]);
-    auto next = std::make_shared<std::string>();
-    next->reserve(text->size() - (end - begin) + replacement.size());
-    next->append(*text, 0, begin).append(replacement).append(*text, end, std::string::npos);
+    const auto [begin, end] = offsetsOf(positions, each["range"]);
+    const std::string &before = *text.bytes;
+    auto bytes = std::make_shared<std::string>();
+    bytes->reserve(before.size() - (end - begin) + replacement.size());
+    bytes->append(before, 0, begin).append(replacement).append(before, end, std::string::npos);
+    const TextChange change{begin, end, uint32_t(replacement.size())};
+    auto lines = std::make_shared<LineIndex>(*bytes, *text.lines, begin, end, change.added);
+    lines->countAll();
+    SharedText next(std::move(bytes));
+    next.lines = std::move(lines);
+    next.history = TextHistory::with(text, change);
     text = std::move(next);
   }
   return text;
@@ -53,7 +67,7 @@ std::shared_ptr<const SourceSet::Overlay> Documents::overlay() {
   if (!overlay_) {
     auto texts = std::make_shared<SourceSet::Overlay>();
     for (const auto &[uri, document] : byUri_)
-      (*texts)[document.path] = document.text;
+      (*texts)[document.path] = document.text.bytes;
     overlay_ = std::move(texts);
   }
   return overlay_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/text/source_set.h"
+#include "formats/text/text_change.h"
 #include "lsp/protocol/json.h"
 
 #include "llvm/ADT/StringMap.h"
@@ -13,8 +14,11 @@ struct Document {
   std::string uri, path;
   std::string language; ///< id that the client gives it
   int64_t version = 0;
-  std::shared_ptr<const std::string> text;
+  SharedText text;
 };
+
+/// The first version of a text.
+SharedText textOf(std::string bytes);
 
 /// Belongs to the thread that takes messages.
 class Documents {
@@ -40,8 +44,8 @@ private:
   std::shared_ptr<const SourceSet::Overlay> overlay_;
 };
 
-/// `text` with the changes, one after the other.
-std::shared_ptr<const std::string> changed(std::shared_ptr<const std::string> text,
-                                           const Json &changes, PositionEncoding encoding);
+/// `text` with the changes, one after the other. Throws `Json::exception` when they have another
+/// form.
+SharedText changed(SharedText text, const Json &changes, PositionEncoding encoding);
 
 } // namespace ncvet::lsp

@@ -7,7 +7,7 @@ namespace ncvet::lsp {
 bool ProblemBoard::isPresent(const std::string &path,
                              const std::shared_ptr<const std::string> &text) const {
   const auto document = documents_.find(path);
-  return document == documents_.end() ? !text : document->second.text == text;
+  return document == documents_.end() ? !text : document->second.text.bytes == text;
 }
 
 Json ProblemBoard::collect(const std::string &path) const {
@@ -59,7 +59,7 @@ void ProblemBoard::closed(const std::string &path) {
 void ProblemBoard::take(std::shared_ptr<const CheckResult> result) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::string path = result->document.path;
-  if (!isPresent(path, result->document.text))
+  if (!isPresent(path, result->document.text.bytes))
     return;
   std::set<std::string> changed{path};
   const auto note = [&](const CheckResult &of) {
@@ -108,8 +108,9 @@ bool ProblemBoard::uses(const std::string &document, const std::string &path) {
 std::shared_ptr<const CheckResult> ProblemBoard::result(const std::string &path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = results_.find(path);
-  return found != results_.end() && isPresent(path, found->second->document.text) ? found->second
-                                                                                  : nullptr;
+  return found != results_.end() && isPresent(path, found->second->document.text.bytes)
+             ? found->second
+             : nullptr;
 }
 
 } // namespace ncvet::lsp

@@ -56,6 +56,7 @@ public:
                    off ? "removes" : "builds up", way, radius, longer_ ? "not longer" : "shorter")
           .note(ctx.before().origin.tool, "the tool is called here");
   }
+  bool sleeps(const MachineState &state) const override { return state.compensation == phaseOff; }
 
 private:
   /// A control that takes the first move for the one that builds compensation up, whatever its

@@ -32,6 +32,7 @@ public:
   void remember(RuleMemory &memory) const override {
     memory(behindInfeed_, inARow_, behindApproach_);
   }
+  bool sleeps(const MachineState &state) const override { return state.compensation == phaseOff; }
 
 private:
   /// Moves of the infeed axis alone, one behind the other: the path has no next corner to turn to.

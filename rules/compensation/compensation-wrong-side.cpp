@@ -24,6 +24,7 @@ public:
       firstElement(event, ctx);
   }
   void remember(RuleMemory &memory) const override { memory(known_, from_, to_, entry_); }
+  bool sleeps(const MachineState &state) const override { return state.compensation == phaseOff; }
 
 private:
   /// Looks at the first element behind the entry. Cut towards the chuck, an outside contour grows

@@ -68,6 +68,7 @@ public:
     previous(event, plane, ctx);
   }
   void remember(RuleMemory &memory) const override { memory(last_, table_); }
+  bool sleeps(const MachineState &) const override { return !open_ && !last_ && ownOnly_; }
 
 private:
   /// A line of which only the direction is given ends where the next element begins.

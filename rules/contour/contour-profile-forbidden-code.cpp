@@ -27,6 +27,9 @@ public:
       return foreign(event, ctx);
     }
   }
+  bool sleeps(const MachineState &state) const override {
+    return !state.must(Fact::InContour) && !(records_ && state.profile == 1);
+  }
 
 private:
   /// A profile that the control records and runs later: elements of one plane, and nothing else.

@@ -47,6 +47,7 @@ public:
                       "to mill along");
   }
   void remember(RuleMemory &memory) const override { memory(begun_, attached_, pieces_, begin_); }
+  bool sleeps(const MachineState &state) const override { return state.profile != 1; }
 
 private:
   /// A piece of a profile that is recorded.

@@ -55,6 +55,7 @@ public:
     }
   }
   void remember(RuleMemory &memory) const override { memory(targets_); }
+  bool sleeps(const MachineState &) const override { return targets_.empty(); }
 
 private:
   struct Target {

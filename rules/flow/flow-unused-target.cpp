@@ -54,13 +54,18 @@ private:
 
   static bool endsWithReturn(const FileSummary &file, const ProgramInfo &program,
                              const Dialect &dialect) {
-    Block block;
     bool returns = false;
-    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
-      file.reader.read(at, block);
-      if (!block.isEmpty() && block.kind == BlockKind::Normal)
-        returns = findCode(dialect, block, {Action::Return}) != nullptr;
-    }
+    file.index.eachBlock(
+        program.body, program.end,
+        [&](uint32_t, const Block &block) {
+          if (!block.isEmpty() && block.kind == BlockKind::Normal)
+            returns = findCode(dialect, block, {Action::Return}) != nullptr;
+          return true;
+        },
+        [&](const TextPiece &piece) {
+          returns &= piece.blocks == 0; // no plain block returns
+          return true;
+        });
     return returns;
   }
 
@@ -90,17 +95,15 @@ private:
           return range.begin <= program.body && program.end <= range.end;
         }))
       return;
-    Block block;
     bool ended = false;
     SourceRange first;
     int64_t number = -1;
     const uint32_t from = behindMainPart(file, program, ctx.dialect());
     if (from != program.body)
       ended = true;
-    for (uint32_t at = from; at < program.end; at = std::max(block.next, at + 1)) {
-      file.reader.read(at, block);
+    const auto read = [&](uint32_t, const Block &block) {
       if (block.isEmpty() || block.kind != BlockKind::Normal)
-        continue;
+        return true;
       if (ended && number < 0 && block.number >= 0 && !file.isReached(block.begin) &&
           !std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number)) {
         number = block.number;
@@ -115,7 +118,10 @@ private:
         ended = true;
         number = -1;
       }
-    }
+      return true;
+    };
+    // What holds no number and no code that ends a program changes nothing.
+    file.index.eachBlock(from, program.end, read, [](const TextPiece &) { return true; });
   }
 };
 

@@ -34,6 +34,9 @@ public:
         volume(event, ctx);
     }
   }
+  bool sleeps(const MachineState &state) const override {
+    return !travels_ && state.commons.get(greatest().on).kind != Value::Kind::Number;
+  }
 
 private:
   /// Keys of the variables in which the table's codes leave one corner of the volume (X Y Z, mm in

@@ -98,6 +98,10 @@ public:
                        : "this position lies inside of the forbidden zone")
           .note(zone->origin, "the zone is switched on here");
   }
+  bool sleeps(const MachineState &state) const override {
+    return llvm::all_of(groups_,
+                        [&](GroupIndex group) { return state.group[group] == groupUnset; });
+  }
 
 private:
   /// The work offset in force is the one of the zone's block, and nothing distorts the coordinates.

@@ -37,6 +37,7 @@ public:
     end_ = {};
   }
   void remember(RuleMemory &memory) const override { memory(end_, feed_); }
+  bool sleeps(const MachineState &) const override { return !end_.end; }
 
 private:
   /// A code that ends a series of measurements.

@@ -64,20 +64,26 @@ private:
 
   void behind(const End &end, const FileSummary &file, RuleContext &ctx) {
     const uint32_t stop = file.index.programAt(end.begin).end;
-    Block block;
     SourceRange dead;
-    unsigned count = 0;
-    for (uint32_t at = end.next; at < stop; at = block.next) {
-      file.reader.read(at, block);
+    uint64_t count = 0;
+    const auto read = [&](uint32_t at, const Block &block) {
       if (block.kind == BlockKind::Tape || block.kind == BlockKind::ProgramHeader)
-        break;
+        return false;
       if (block.isEmpty() || isOnlyBracket(block))
-        continue;
+        return true;
       if (file.isReached(at))
-        break;
+        return false;
       if (count++ == 0)
         dead = {file.source.id(), block.begin, block.end};
-    }
+      return true;
+    };
+    const auto pass = [&](const TextPiece &piece) {
+      if (count == 0 || file.isAnyReached(piece.begin, piece.end))
+        return false;
+      count += piece.blocks;
+      return true;
+    };
+    file.index.eachBlock(end.next, stop, read, pass);
     if (!count)
       return;
     if (auto finding = ctx.report(dead))

@@ -42,6 +42,7 @@ public:
           "the program ends with the tool at depth: the next one begins inside the work");
   }
   void remember(RuleMemory &memory) const override { memory(job_); }
+  bool sleeps(const MachineState &) const override { return !job_.end; }
 
 private:
   SourceRange job_; ///< what has left the tool somewhere, until its axis moves

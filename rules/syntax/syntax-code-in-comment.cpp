@@ -41,8 +41,8 @@ public:
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     // Comments of this kind are rare: looking for them in the text spares every block a test.
-    file.source.eachPlaceOf('(', [&](uint32_t open) { look(file, open, ctx); });
-    file.source.eachPlaceOf('"', [&](uint32_t open) { lookBehind(file, open, ctx); });
+    file.index.eachPlaceOf('(', [&](uint32_t open) { look(file, open, ctx); });
+    file.index.eachPlaceOf('"', [&](uint32_t open) { lookBehind(file, open, ctx); });
   }
 
 private:

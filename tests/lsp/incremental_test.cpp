@@ -38,7 +38,10 @@ public:
   }
   /// What differs between the two; empty: nothing.
   std::string difference(const std::string &text) {
-    job_.document.text = std::make_shared<const std::string>(text);
+    return difference(SharedText(std::make_shared<const std::string>(text)));
+  }
+  std::string difference(const SharedText &text) {
+    job_.document.text = text;
     const std::string again = told(*lsp::check(job_, nullptr, &memory_));
     const std::string fresh = told(*lsp::check(job_, nullptr));
     return again == fresh ? "" : "with memory:\n" + again + "fresh:\n" + fresh;
@@ -86,6 +89,93 @@ std::string machining(unsigned moves) {
 TEST(Incremental, EditsOfALongProgramGiveWhatAFreshCheckGives) {
   for (unsigned seed = 0; seed < 4; ++seed)
     editAndCompare("haas-mill", "/nowhere/O0001.nc", machining(700), 60, seed);
+}
+
+/// Several edits come between two checks, each known for what it is.
+void editInBursts(const std::string &dialect, const std::string &path, std::string text,
+                  unsigned bursts, unsigned seed) {
+  Edited edited(dialect, path);
+  RandomEdits random(seed, text);
+  SharedText version(std::make_shared<const std::string>(text));
+  ASSERT_EQ(edited.difference(version), "") << path;
+  for (unsigned i = 0; i < bursts; ++i) {
+    for (unsigned edits = 1 + i % 5; edits > 0; --edits) {
+      const RandomEdit edit = random.next(text);
+      text = edit.applied(text);
+      SharedText next(std::make_shared<const std::string>(text));
+      next.history = TextHistory::with(
+          version, {uint32_t(edit.begin), uint32_t(edit.end), uint32_t(edit.text.size())});
+      version = next;
+    }
+    ASSERT_EQ(edited.difference(version), "") << path << ", burst " << i;
+  }
+}
+
+TEST(Incremental, SeveralEditsAtATimeGiveWhatAFreshCheckGives) {
+  for (unsigned seed = 0; seed < 4; ++seed)
+    editInBursts("haas-mill", "/nowhere/O0001.nc", machining(700), 40, seed);
+}
+
+/// What leaves the path of the moves behind it as it is, or not.
+class MovesGoOn : public ::testing::TestWithParam<const char *> {};
+
+TEST_P(MovesGoOn, BehindAnotherToolFeedOrWayHere) {
+  const std::string text = machining(400);
+  const size_t firstCut = text.find("G01 Z-1.");
+  for (const char *added : {"T9 M06\n",
+                            "F77.\n",
+                            "S99\n",
+                            "M08\n",
+                            "H3\n",
+                            "G55\n",
+                            "G18\n",
+                            "G91\n",
+                            "G41 D5\n",
+                            "G52 X1.\n",
+                            "G00\n",
+                            "G68 X0. Y0. R30.\n",
+                            "#1=4.\n",
+                            "R1=4\n",
+                            "M97 P970\n",
+                            "M98 P2\n",
+                            "X300.\n",
+                            "Z-9.\n",
+                            "X1. Y2.\n",
+                            "M30\n",
+                            "G20\n",
+                            "G\n",
+                            "G81 Z-3. R1.\n",
+                            "(X)\n",
+                            "O9\n",
+                            "%\n",
+                            "G22 X99. Y99. Z9. I-9. J-9. K-9. P0\n"})
+    for (const size_t at : {firstCut, text.find("X10. Y10.\n", text.size() / 3)}) {
+      Edited edited(GetParam(), "/nowhere/O0001.nc");
+      ASSERT_EQ(edited.difference(text), "");
+      std::string changed = text;
+      changed.insert(at, added);
+      EXPECT_EQ(edited.difference(changed), "") << added << " at " << at;
+      EXPECT_EQ(edited.difference(text), "") << added << " at " << at << ", taken away";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Incremental, MovesGoOn,
+                         ::testing::Values("haas-mill", "haas-lathe", "fanuc-0m", "nct-104m",
+                                           "din66025", "sinumerik", "mefi", "ecs", "linuxcnc"),
+                         [](const auto &info) {
+                           std::string name = info.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Incremental, WhatStandsBehindTheClosingMarkStaysUnread) {
+  std::string text = "%\nO1\nM30\n";
+  for (unsigned i = 0; i < 40; ++i)
+    text += "G01 X1.\n";
+  text += "%\nG01 X\n17.5\n";
+  Edited edited("haas-mill", "/nowhere/O0001.nc");
+  ASSERT_EQ(edited.difference(text), "");
+  EXPECT_EQ(edited.difference(text + "G01 X\n"), "");
 }
 
 TEST(Incremental, TheSecondCheckTakesOverMostOfTheFirst) {

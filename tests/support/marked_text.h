@@ -22,19 +22,20 @@ inline MarkedText markedText(llvm::StringRef dialect, llvm::StringRef program,
                              llvm::StringRef path = "/nowhere/program.nc") {
   constexpr llvm::StringLiteral mark = "<|>";
   MarkedText marked;
-  auto text = std::make_shared<std::string>();
+  std::string text;
   while (true) {
     const auto [front, behind] = program.split(mark);
-    *text += front;
+    text += front;
     if (front.size() == program.size())
       break;
-    marked.marks.push_back(uint32_t(text->size()));
+    marked.marks.push_back(uint32_t(text.size()));
     program = behind;
   }
   SessionOptions options;
   options.dialect = dialect.str();
   marked.session = std::make_unique<Session>(std::move(options));
-  auto snapshot = lsp::Snapshot::make(*marked.session, nullptr, path, std::move(text));
+  auto snapshot = lsp::Snapshot::make(*marked.session, nullptr, path,
+                                      std::make_shared<const std::string>(std::move(text)));
   if (snapshot)
     marked.snapshot = std::move(*snapshot);
   else

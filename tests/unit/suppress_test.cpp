@@ -12,7 +12,8 @@ std::vector<unsigned> suppressedLines(const std::string &text,
   SourceSet sources;
   const SourceFile &source = sources.add("a.nc", text);
   const auto reader = makeReader(*dialectNamed(dialect), source.text());
-  std::vector<Suppression> suppressions = findSuppressions(source, *reader);
+  std::vector<Suppression> suppressions =
+      findSuppressions(source, *reader, [&](auto visit) { source.eachPlaceOf(':', visit); });
   std::vector<Finding> findings;
   for (uint32_t offset = 0; offset < text.size(); offset = uint32_t(text.find('\n', offset)) + 1) {
     Finding &finding = findings.emplace_back();

@@ -1,6 +1,7 @@
 // Tests of formats/text: lines, columns, encodings, edits, opening files.
 #include "formats/text/edit.h"
 #include "formats/text/source_set.h"
+#include "formats/text/text_change.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/raw_ostream.h"
@@ -135,6 +136,85 @@ TEST(LineIndexTest, FindsTheBeginOfEveryLine) {
     }
     expected += (line - 1) % 3 ? 8 : 3;
   }
+}
+
+TEST(LineIndexTest, GoesOnBehindAChangeOfTheText) {
+  std::mt19937 random(3);
+  const auto below = [&](size_t limit) { return limit == 0 ? 0 : size_t(random()) % limit; };
+  std::string text;
+  for (int i = 0; i < 4000; ++i)
+    text += i % 5 ? "G1 X1.5\r\n" : i % 3 ? "\n\r" : "Y2.\r";
+  auto before = std::make_unique<std::string>(text);
+  LineIndex lines(*before);
+  lines.countAll();
+  for (unsigned edit = 0; edit < 400; ++edit) {
+    const size_t begin = below(text.size() + 1);
+    const size_t end = std::min(text.size(), begin + (edit % 7 ? below(30) : below(9000)));
+    std::string put;
+    for (size_t i = edit % 11 ? below(20) : below(12000); i > 0; --i)
+      put += "X1\r\n"[below(4)];
+    text.replace(begin, end - begin, put);
+    auto after = std::make_unique<std::string>(text);
+    LineIndex next(*after, lines, uint32_t(begin), uint32_t(end), uint32_t(put.size()));
+    if (edit % 3)
+      next.countAll();
+    lines = next;
+    before = std::move(after);
+    const LineIndex fresh(*before);
+    for (unsigned i = 0; i < 20; ++i) {
+      const auto offset = uint32_t(below(text.size() + 1));
+      ASSERT_EQ(lines.lineOf(offset), fresh.lineOf(offset)) << edit << " " << offset;
+      ASSERT_EQ(lines.beginOfLine(uint32_t(i * 300)), fresh.beginOfLine(uint32_t(i * 300)));
+    }
+  }
+}
+
+/// `text` with the pieces that `changes` name, taken from the text that they lead to.
+std::string replayed(std::string text, const TextChanges &changes, const std::string &after) {
+  for (const TextChange &change : changes.fromFront())
+    text.replace(change.begin, change.end - change.begin, after, change.begin, change.added);
+  return text;
+}
+
+TEST(TextChangesTest, ManyChangesBecomePiecesThatLeadToTheSameText) {
+  std::mt19937 random(5);
+  const auto below = [&](size_t limit) { return limit == 0 ? 0 : size_t(random()) % limit; };
+  for (unsigned round = 0; round < 300; ++round) {
+    std::string text;
+    for (unsigned i = 0; i < 12; ++i)
+      text += "N" + std::to_string(i) + " X" + std::to_string(round) + "\n";
+    SharedText version(std::make_shared<const std::string>(text));
+    const SharedText first = version;
+    TextChanges changes;
+    for (size_t edits = below(9); edits > 0; --edits) {
+      const size_t begin = below(text.size() + 1), end = begin + below(text.size() + 1 - begin) / 4;
+      const std::string put = std::string("G1\nX2").substr(below(6), below(5));
+      const TextChange change{uint32_t(begin), uint32_t(end), uint32_t(put.size())};
+      text.replace(begin, end - begin, put);
+      changes.add(change);
+      SharedText next(std::make_shared<const std::string>(text));
+      next.history = TextHistory::with(version, change);
+      version = next;
+    }
+    ASSERT_EQ(replayed(*first.bytes, changes, text), text) << round;
+    ASSERT_EQ(replayed(*first.bytes, changesBetween(first.bytes, version), text), text) << round;
+    changes.joinInLines(text);
+    ASSERT_EQ(replayed(*first.bytes, changes, text), text) << round;
+    const std::vector<TextChange> pieces = changes.fromFront();
+    for (size_t i = 1; i < pieces.size(); ++i)
+      ASSERT_NE(text.substr(pieces[i - 1].endAfter(), pieces[i].begin - pieces[i - 1].endAfter())
+                    .find('\n'),
+                std::string::npos);
+  }
+}
+
+TEST(TextChangesTest, ATextOfWhichNothingIsKnownIsCompared) {
+  const auto before = std::make_shared<const std::string>("G0 X1\nG1 X2\n");
+  const SharedText after(std::make_shared<const std::string>("G0 X1\nG1 X25\n"));
+  const std::vector<TextChange> changes = changesBetween(before, after).fromFront();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(replayed(*before, changesBetween(before, after), *after.bytes), *after.bytes);
+  EXPECT_TRUE(changesBetween(before, SharedText(before)).empty());
 }
 
 TEST(SourceFileTest, ColumnsCountCodePointsOfUtf8) {
