@@ -25,6 +25,45 @@ std::string nearestDialect(llvm::StringRef given, llvm::ArrayRef<DialectSummary>
   return suggest(given, known);
 }
 
+/// What comes with the program is the same for all sessions: made once, for as long as it runs.
+template <typename T>
+class Shipped {
+public:
+  llvm::Expected<T> get(const std::string &name, llvm::function_ref<llvm::Expected<T>()> make) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto known = made_.find(name);
+    if (known != made_.end())
+      return known->second;
+    auto fresh = make();
+    if (fresh)
+      made_.emplace(name, *fresh);
+    return fresh;
+  }
+
+private:
+  std::mutex mutex_;
+  std::map<std::string, T> made_;
+};
+
+llvm::Expected<std::shared_ptr<const Dialect>> shippedDialect(const std::string &id) {
+  static Shipped<std::shared_ptr<const Dialect>> tables;
+  return tables.get(id, [&]() -> llvm::Expected<std::shared_ptr<const Dialect>> {
+    return loadDialect(id, builtinDialects());
+  });
+}
+
+llvm::Expected<std::shared_ptr<const Detector>> makeDetector(llvm::ArrayRef<DialectSummary> own) {
+  auto detector = Detector::create(own);
+  if (!detector)
+    return detector.takeError();
+  return std::make_shared<const Detector>(std::move(*detector));
+}
+
+llvm::Expected<std::shared_ptr<const Detector>> shippedDetector() {
+  static Shipped<std::shared_ptr<const Detector>> detectors;
+  return detectors.get("", [] { return makeDetector({}); });
+}
+
 } // namespace
 
 llvm::Expected<std::string> OwnDialects::add(llvm::StringRef file) {
@@ -102,14 +141,13 @@ llvm::Expected<std::shared_ptr<const Detector>> Session::detector(const Config &
   const std::string key = llvm::join(config.dialectFiles, "\n");
   return keep<std::shared_ptr<const Detector>>(
       detectors_, key, [&]() -> llvm::Expected<std::shared_ptr<const Detector>> {
+        if (config.dialectFiles.empty())
+          return shippedDetector();
         OwnDialects own;
         for (const std::string &file : config.dialectFiles)
           if (auto id = own.add(file); !id)
             return id.takeError();
-        auto detector = Detector::create(own.summaries());
-        if (!detector)
-          return detector.takeError();
-        return std::make_shared<const Detector>(std::move(*detector));
+        return makeDetector(own.summaries());
       });
 }
 
@@ -132,7 +170,8 @@ llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, con
     }
     if (!own.source()(id))
       return failure("unknown dialect \"" + id + "\"" + nearestDialect(id, own.summaries()));
-    auto table = loadDialect(id, own.source());
+    const bool shipped = config.dialectFiles.empty() && id == dialect;
+    auto table = shipped ? shippedDialect(id) : loadDialect(id, own.source());
     if (!table)
       return table.takeError();
     if ((*table)->abstract)

@@ -8,8 +8,8 @@ namespace ncvet {
 
 namespace {
 
-/// Bytes that are compared at once.
-constexpr size_t piece = 4096;
+/// So many bytes are compared at once.
+constexpr size_t compared = 4096;
 
 } // namespace
 
@@ -97,16 +97,17 @@ TextChanges changesBetween(const std::shared_ptr<const std::string> &before,
 TextChange changeBetween(llvm::StringRef before, llvm::StringRef after) {
   const size_t shorter = std::min(before.size(), after.size());
   size_t front = 0;
-  while (shorter - front >= piece &&
-         std::memcmp(before.data() + front, after.data() + front, piece) == 0)
-    front += piece;
+  while (shorter - front >= compared &&
+         std::memcmp(before.data() + front, after.data() + front, compared) == 0)
+    front += compared;
   while (front < shorter && before[front] == after[front])
     ++front;
   const char *const a = before.end(), *const b = after.end();
   const size_t most = shorter - front;
   size_t back = 0;
-  while (most - back >= piece && std::memcmp(a - back - piece, b - back - piece, piece) == 0)
-    back += piece;
+  while (most - back >= compared &&
+         std::memcmp(a - back - compared, b - back - compared, compared) == 0)
+    back += compared;
   while (back < most && a[-1 - ptrdiff_t(back)] == b[-1 - ptrdiff_t(back)])
     ++back;
   return {uint32_t(front), uint32_t(before.size() - back), uint32_t(after.size() - back - front)};
