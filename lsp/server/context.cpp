@@ -148,9 +148,8 @@ void Context::prepare(const Document &document) {
     FileUnit &unit = (*snapshot)->unit();
     for (const ProgramInfo &program : unit.index.programs())
       unit.index.definitions(program);
-    statesAt((*snapshot)->project(), unit, unit, unit.reader->first(),
-             (*snapshot)->setup().limits, &leaving_,
-             memories_[job.document.path].runsFor(unit.index));
+    statesAt((*snapshot)->project(), unit, unit, unit.reader->first(), (*snapshot)->setup().limits,
+             &leaving_, memories_[job.document.path].runsFor(unit.index));
   });
 }
 
