@@ -17,7 +17,7 @@ constexpr unsigned maxRefusals = 20;
 
 /// One check of a text.
 struct Attempt {
-  std::unique_ptr<SourceSet> sources = std::make_unique<SourceSet>();
+  std::unique_ptr<SourceSet> sources;
   const SourceFile *file = nullptr;
   FileOutcome outcome;
 
@@ -33,8 +33,9 @@ struct Attempt {
 
 class Fixer {
 public:
-  Fixer(Session &session, const SourceFile &original, bool unsafe)
-      : session_(session), original_(original), unsafe_(unsafe) {}
+  Fixer(Session &session, const SourceFile &original, bool unsafe,
+        std::shared_ptr<const SourceSet::Overlay> open)
+      : session_(session), original_(original), unsafe_(unsafe), open_(std::move(open)) {}
 
   FixedText run() {
     FixedText result;
@@ -66,6 +67,7 @@ public:
 private:
   Attempt check(llvm::StringRef text) {
     Attempt attempt;
+    attempt.sources = std::make_unique<SourceSet>(open_);
     attempt.file = &attempt.sources->add(original_.display(), text, original_.path());
     attempt.outcome = checkFile(session_, *attempt.sources, *attempt.file);
     return attempt;
@@ -159,14 +161,16 @@ private:
   Session &session_;
   const SourceFile &original_;
   const bool unsafe_;
+  const std::shared_ptr<const SourceSet::Overlay> open_;
   std::optional<RuleId> only_;
   std::set<RuleId> refused_;
 };
 
 } // namespace
 
-FixedText fixText(Session &session, const SourceFile &file, bool unsafe) {
-  return Fixer(session, file, unsafe).run();
+FixedText fixText(Session &session, const SourceFile &file, bool unsafe,
+                  const std::shared_ptr<const SourceSet::Overlay> &open) {
+  return Fixer(session, file, unsafe, open).run();
 }
 
 llvm::Error replaceFile(llvm::StringRef path, llvm::StringRef text) {

@@ -14,8 +14,10 @@ struct FixedText {
 /// Applies the safe fixes to the text of `file`, with `unsafe` the others too; suppressed findings
 /// are left alone. Fixes that touch each other, and fixes of several rules on one line, are applied
 /// one after the other, each on the text that the one before left. Fixes after which there are more
-/// findings of any rule than before are not applied. At most ten rounds.
-FixedText fixText(Session &session, const SourceFile &file, bool unsafe);
+/// findings of any rule than before are not applied. At most ten rounds. Called programs are those
+/// of `open` before those on disk.
+FixedText fixText(Session &session, const SourceFile &file, bool unsafe,
+                  const std::shared_ptr<const SourceSet::Overlay> &open = nullptr);
 
 /// Replaces the file on disk in one step: at any time it holds the old text or the new one. A link
 /// stays a link; permissions are kept.

@@ -92,7 +92,7 @@ void suppressions(const Problem &problem, View &view, Json &actions) {
 
 /// All safe fixes of the file, as far as none makes room for a new finding.
 void fixAll(View &view, Session &session, Json &actions) {
-  const FixedText fixed = fixText(session, view.snapshot.source(), /*unsafe=*/false);
+  const FixedText fixed = fixText(session, view.snapshot.source(), /*unsafe=*/false, view.open);
   if (fixed.applied == 0)
     return;
   // One edit from the first byte that differs to the last.

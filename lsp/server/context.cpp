@@ -172,10 +172,10 @@ void Context::answerOrFail(const Document &document, Reply reply,
       return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
     StraightRuns *runs = memories_[job.document.path].runsFor((*snapshot)->unit().index);
     Places places((*snapshot)->project().sources(), client.encoding);
-    View view{job.document, **snapshot, places.of((*snapshot)->source().id()),
-              settings,     client,     held->cancelled(),
-              runs,         places,     *job.session,
-              folders,      {}};
+    View view{job.document, **snapshot,  places.of((*snapshot)->source().id()),
+              settings,     client,      held->cancelled(),
+              runs,         places,      *job.session,
+              folders,      job.overlay, {}};
     try {
       auto json = answer(view);
       if (json && json->is_discarded())

@@ -41,7 +41,8 @@ struct View {
   StraightRuns *runs; ///< of states without rules, see `statesAt`
   Places &places;     ///< of all files of the snapshot's project
   Session &session;
-  llvm::ArrayRef<std::string> folders; ///< of the workspace
+  llvm::ArrayRef<std::string> folders;            ///< of the workspace
+  std::shared_ptr<const SourceSet::Overlay> open; ///< texts of the open documents
 
   /// Paths of all programs of the workspace, as the editor's settings and configurations have it.
   std::vector<std::string> programs() const;

@@ -62,6 +62,27 @@ std::vector<PageProgram> programsOfOneFile() {
 INSTANTIATE_TEST_SUITE_P(Pages, FixLaws, ::testing::ValuesIn(programsOfOneFile()),
                          [](const auto &info) { return info.param.name(); });
 
+TEST(FixText, CalledProgramsAreThoseOfTheEditor) {
+  TemporaryFolder folder;
+  const std::string main = (folder.path() / "main.nc").string(),
+                    called = (folder.path() / "O0002.nc").string();
+  std::ofstream(called) << "O2\nG54\nM99\n";
+  SessionOptions options;
+  options.dialect = "haas-mill";
+  options.profile = "all";
+  Session session(std::move(options));
+  SourceSet sources;
+  const SourceFile &file =
+      sources.add(main, llvm::StringRef("O1\nG90 G21 G17\nM98 P2\nG00 X1. Y1.\nM30\n"), main);
+  const auto open = std::make_shared<SourceSet::Overlay>();
+  (*open)[called] = std::make_shared<const std::string>("O2\nM99\n");
+  const auto writesOffset = [](const FixedText &fixed) {
+    return fixed.text.find("G54") != std::string::npos;
+  };
+  EXPECT_FALSE(writesOffset(fixText(session, file, /*unsafe=*/true)));
+  EXPECT_TRUE(writesOffset(fixText(session, file, /*unsafe=*/true, open)));
+}
+
 TEST(ReplaceFile, KeepsLinksAndPermissions) {
   TemporaryFolder folder;
   const std::string file = (folder.path() / "a.nc").string(),
