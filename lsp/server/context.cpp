@@ -74,7 +74,11 @@ void Context::forget(const std::string &path) {
   });
 }
 
-void Context::log(const llvm::Twine &line) const { llvm::errs() << "ncvet: " + line + "\n"; }
+void Context::log(const llvm::Twine &line) const {
+  static std::mutex lines; // every thread has something to say
+  const std::lock_guard<std::mutex> lock(lines);
+  llvm::errs() << "ncvet: " + line + "\n";
+}
 
 void Context::warn(const llvm::Twine &message) {
   log(message);

@@ -126,8 +126,7 @@ TEST(LinuxCnc, NothingLeadsOutOfALoopOrAnIfThatIsNeverClosed) {
                      "o2 elseif [1]\n"
                      "G0 X1\n"
                      "M2\n"),
-              ElementsAre("1 flow-structure-mismatch", "2 flow-structure-mismatch",
-                          "4 flow-structure-mismatch"));
+              ElementsAre("2 flow-structure-mismatch", "4 flow-structure-mismatch"));
 }
 
 TEST(LinuxCnc, ARepeatCountsOnceAtItsHead) {
