@@ -3,6 +3,7 @@
 
 #include "lsp/server/server.h"
 
+#include <malloc.h>
 #include <unistd.h>
 
 namespace ncvet::cli {
@@ -15,6 +16,13 @@ LspCommand::LspCommand()
       stdio_("stdio", cl::desc("Taken because editors give it; there is no other way"),
              cl::sub(command_), cl::cat(category_)) {}
 
-int LspCommand::run() { return lsp::serve(STDIN_FILENO, STDOUT_FILENO, NCVET_VERSION); }
+int LspCommand::run() {
+  // Every edit makes a new text: the memory of the last one but one is used again, instead of being
+  // given back and asked for page by page.
+  constexpr int keptBytes = 1 << 30;
+  ::mallopt(M_MMAP_THRESHOLD, keptBytes);
+  ::mallopt(M_TRIM_THRESHOLD, keptBytes);
+  return lsp::serve(STDIN_FILENO, STDOUT_FILENO, NCVET_VERSION);
+}
 
 } // namespace ncvet::cli

@@ -58,7 +58,7 @@ private:
       for (const CodeIndex member : ctx.dialect().groups[group].members) {
         const CodeInfo &code = ctx.dialect().codes[member];
         if (code.action == Action::LengthPositive || code.action == Action::LengthNegative)
-          entry->second |= holds(ctx.source().text(), code.name);
+          entry->second = entry->second || holds(ctx.source().text(), code.name);
       }
     }
     return entry->second;
