@@ -35,10 +35,12 @@ void change(Context &context, const Json &params) {
   const std::string uri = item.at("uri");
   const Document *document =
       context.documents.change(uri, item.value("version", int64_t(0)), params.at("contentChanges"));
-  if (document)
+  if (document) {
     checkWithUsers(context, *document);
-  else
+    context.prepare(*document);
+  } else {
     context.log("a change of a document that is not open: " + uri);
+  }
 }
 
 void close(Context &context, const Json &params) {

@@ -145,7 +145,9 @@ llvm::Expected<std::shared_ptr<Snapshot>> Context::snapshotOf(const CheckJob &jo
 void Context::prepare(const Document &document) {
   if (document.text.bytes->size() < longText)
     return;
-  features->post([this, job = job(document)] {
+  features->post([this, job = job(document), number = ++prepared_] {
+    if (number != prepared_) // another text is there already
+      return;
     auto snapshot = snapshotOf(job);
     if (!snapshot)
       return llvm::consumeError(snapshot.takeError()); // whoever asks first is told

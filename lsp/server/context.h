@@ -73,8 +73,8 @@ public:
   /// The same; an error is one that the user reads.
   void answerOrFail(const Document &document, Reply reply,
                     std::function<llvm::Expected<Json>(View &)> answer);
-  /// Looks at all of a long document on the thread of features, so that the first question about it
-  /// need not wait for that.
+  /// Looks at all of a long document on the thread of features while it is checked, so that the
+  /// first question about this version need not wait for that.
   void prepare(const Document &document);
   /// Begins the check of a document, as it is now.
   void check(const Document &document);
@@ -115,7 +115,8 @@ private:
   llvm::Expected<std::shared_ptr<Snapshot>> snapshotOf(const CheckJob &job);
   std::list<Kept> kept_;
   std::atomic<bool> leaving_ = false;
-  std::map<std::string, CheckMemory> memories_;              ///< by path; for states only
+  std::atomic<uint64_t> prepared_ = 0;          ///< documents that were to be looked at
+  std::map<std::string, CheckMemory> memories_; ///< by path; for states only
   std::map<std::string, std::shared_ptr<Session>> sessions_; ///< by dialect
 };
 
