@@ -1,9 +1,9 @@
 // `ncvet lsp`: the language server on standard input and output.
 #include "analyzer/cli/lsp.h"
 
+#include "lsp/server/heap.h"
 #include "lsp/server/server.h"
 
-#include <malloc.h>
 #include <unistd.h>
 
 namespace ncvet::cli {
@@ -17,11 +17,7 @@ LspCommand::LspCommand()
              cl::sub(command_), cl::cat(category_)) {}
 
 int LspCommand::run() {
-  // Every edit makes a new text: the memory of the last one but one is used again, instead of being
-  // given back and asked for page by page.
-  constexpr int keptBytes = 1 << 30;
-  ::mallopt(M_MMAP_THRESHOLD, keptBytes);
-  ::mallopt(M_TRIM_THRESHOLD, keptBytes);
+  lsp::keepFreedMemory();
   return lsp::serve(STDIN_FILENO, STDOUT_FILENO, NCVET_VERSION);
 }
 

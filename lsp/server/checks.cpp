@@ -1,6 +1,8 @@
 // Checks of open documents: when each begins, what ends it, and its findings made ready to be sent.
 #include "lsp/server/checks.h"
 
+#include "lsp/server/heap.h"
+
 namespace ncvet::lsp {
 
 namespace {
@@ -8,6 +10,8 @@ namespace {
 /// A check that takes no longer than a frame of the screen needs no delay.
 constexpr double oneFrame = 0.016;
 constexpr std::chrono::milliseconds longestDelay(200);
+/// So many checks leave so much free memory in pieces that it is worth giving back.
+constexpr unsigned checksBetweenTrims = 512;
 /// A waiting request looks for its cancellation so often.
 constexpr std::chrono::milliseconds patience(20);
 
@@ -138,6 +142,7 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
 
 void Checks::run() {
   std::map<std::string, CheckMemory> memories; // by path
+  unsigned untrimmed = 0;
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
     for (const std::string &path : std::exchange(dropped_, {}))
@@ -168,6 +173,8 @@ void Checks::run() {
       results_[job.document.path] = result;
       lock.unlock();
       done_(std::move(result));
+      if (++untrimmed % checksBetweenTrims == 0)
+        giveBackFreeMemory();
       lock.lock();
     }
     changed_.notify_all();

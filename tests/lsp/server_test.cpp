@@ -312,4 +312,52 @@ TEST(LanguageServer, WrongSettingsAreSaidAndTheRestCounts) {
   EXPECT_EQ(codes(client.diagnostics("/nowhere/a.nc"))[0], "2 block-unknown-g-code");
 }
 
+/// Long documents are looked at before anybody asks, with every change: the answers stay those of a
+/// server that sees the text for the first time.
+TEST(LanguageServer, ALongDocumentIsAnsweredAlikeBehindManyChanges) {
+  std::string text = "%\nO1 (LONG)\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
+                     "G01 Z-1. F200.\n";
+  for (int i = 0; text.size() < 600000; ++i)
+    text += "X" + std::to_string(i % 90) + "." + std::to_string(i % 7) + " Y" +
+            std::to_string(i % 60) + ".\n";
+  text += "G00 Z50.\nG49\nG91 G28 Z0.\nM30\n%\n";
+  const std::string path = "/nowhere/long.nc";
+  const Json options = {{"dialect", "haas-mill"}};
+  LanguageClient client;
+  client.initialize(Json::object(), options);
+  client.open(path, text);
+  Json last = client.diagnostics(path);
+  const auto ask = [&](LanguageClient &server, unsigned line) {
+    return server.request("textDocument/hover",
+                          {{"textDocument", documentOf(path)}, {"position", at(line, 0)}});
+  };
+  const char *const lines[] = {"F77.\n", "T2 M06\n", "(X)\n", "G91\n", "X1.\n"};
+  int version = 1;
+  for (const unsigned line : {1000u, 20000u, 6u, 30000u, 12u}) {
+    const std::string added = lines[version % 5];
+    size_t offset = 0;
+    for (unsigned i = 0; i < line; ++i)
+      offset = text.find('\n', offset) + 1;
+    text.insert(offset, added);
+    const Json place = at(line, 0);
+    client.notify(
+        "textDocument/didChange",
+        {{"textDocument", {{"uri", "file://" + path}, {"version", ++version}}},
+         {"contentChanges", {{{"range", {{"start", place}, {"end", place}}}, {"text", added}}}}});
+    if (line % 20 == 0) // nobody asks about the others
+      last = client.diagnostics(path, version);
+    LanguageClient fresh;
+    fresh.initialize(Json::object(), options);
+    fresh.open(path, text);
+    for (const unsigned asked : {3u, 900u, 25000u})
+      EXPECT_EQ(ask(client, asked), ask(fresh, asked)) << "line " << asked << " behind " << added;
+    if (line % 20 != 0)
+      last = client.diagnostics(path, version);
+    EXPECT_EQ(last, fresh.diagnostics(path)) << added;
+    EXPECT_EQ(fresh.shutDown(), 0);
+  }
+  client.notify("textDocument/didClose", {{"textDocument", documentOf(path)}});
+  EXPECT_EQ(client.shutDown(), 0);
+}
+
 } // namespace
