@@ -45,7 +45,7 @@ const StraightRun *RunRecorder::at(uint32_t offset, const MachineState &state,
   if (const StraightRun *run = runs_->straight.find(offset)) {
     if (goesOnAs(*run, state, plain)) {
       endMoves(offset, state);
-      return run;
+      return joined(*run);
     }
     runs_->straight.erase(offset);
   }
@@ -53,6 +53,51 @@ const StraightRun *RunRecorder::at(uint32_t offset, const MachineState &state,
   endMoves(offset, state);
   begin(offset, state, plain);
   return nullptr;
+}
+
+/// The run that is taken over now: by itself, or as a part of the one in front of it.
+const StraightRun *RunRecorder::joined(const StraightRun &run) {
+  StraightRun *const before = lastRunEnd_ == run.begin ? runs_->straight.find(lastRun_) : nullptr;
+  if (!before || before->end != run.begin || before->blocks + run.blocks > StraightRuns::longest) {
+    lastRun_ = run.begin;
+    lastRunEnd_ = run.end;
+    return &run;
+  }
+  taken_ = run;
+  before->extend(*taken_);
+  before->from = std::min(before->from, taken_->from);
+  before->to = std::max(before->to, taken_->to);
+  before->isClean &= taken_->isClean;
+  before->exit = taken_->exit;
+  before->plainExit = taken_->plainExit;
+  lastRunEnd_ = taken_->end;
+  runs_->straight.erase(taken_->begin);
+  return &*taken_;
+}
+
+/// The same for moves, save where another run begins between them, see `at`.
+const MoveRun *RunRecorder::joined(const MoveRun &run) {
+  MoveRun *const before = lastMovesEnd_ == run.begin && !runs_->straight.find(run.begin)
+                              ? runs_->moves.find(lastMoves_)
+                              : nullptr;
+  // What the two say of the level must have been said of the same way here.
+  if (!before || before->end != run.begin ||
+      std::memcmp(&before->fedFrom, &run.entry.fedFrom, sizeof run.fedFrom) != 0 ||
+      before->blocks + run.blocks > StraightRuns::longest) {
+    lastMoves_ = run.begin;
+    lastMovesEnd_ = run.end;
+    return &run;
+  }
+  takenMoves_ = run;
+  before->extend(*takenMoves_);
+  before->position = takenMoves_->position;
+  before->fedFrom = takenMoves_->fedFrom;
+  for (unsigned i = 0; i < before->cutArea.size(); ++i)
+    before->cutArea[i] = join(before->cutArea[i], takenMoves_->cutArea[i]);
+  before->highest = std::max(before->highest, takenMoves_->highest);
+  lastMovesEnd_ = takenMoves_->end;
+  runs_->moves.erase(takenMoves_->begin);
+  return &*takenMoves_;
 }
 
 bool RunRecorder::goesOnAs(const StraightRun &run, const MachineState &state,
@@ -105,8 +150,11 @@ bool RunRecorder::mark(uint32_t end, const MachineState &state, const PlainRun &
 }
 
 void RunRecorder::keep() {
-  if (recording_->blocks >= StraightRuns::shortest)
+  if (recording_->blocks >= StraightRuns::shortest) {
+    lastRun_ = recording_->begin;
+    lastRunEnd_ = recording_->end;
     runs_->straight.insert(std::move(*recording_));
+  }
   recording_.reset();
 }
 
@@ -132,7 +180,7 @@ const MoveRun *RunRecorder::movesAt(uint32_t offset, const MachineState &state,
   if (nextMoves_ == offset) {
     const MoveRun *run = runs_->moves.find(offset);
     if (run->begins(*unit_.dialect, state, plain))
-      return run;
+      return joined(*run);
     runs_->moves.erase(offset);
   }
   beginMoves(offset, state, plain);
@@ -201,8 +249,11 @@ void RunRecorder::endMoves(uint32_t end, const MachineState &state) {
 }
 
 void RunRecorder::keepMoves() {
-  if (moves_ && moves_->blocks >= StraightRuns::shortest)
+  if (moves_ && moves_->blocks >= StraightRuns::shortest) {
+    lastMoves_ = moves_->begin;
+    lastMovesEnd_ = moves_->end;
     runs_->moves.insert(std::move(*moves_));
+  }
   moves_.reset();
   nextMoves_ = 0;
 }

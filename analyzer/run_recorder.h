@@ -38,6 +38,8 @@ private:
   bool mark(uint32_t end, const MachineState &state, const PlainRun &plain);
   void keep();
   void begin(uint32_t offset, const MachineState &state, const PlainRun &plain);
+  const StraightRun *joined(const StraightRun &run);
+  const MoveRun *joined(const MoveRun &run);
   bool goesOnAs(const StraightRun &run, const MachineState &state, const PlainRun &plain);
   void beginMoves(uint32_t offset, const MachineState &state, const PlainRun &plain);
   void takeMove(const Block &block, const MachineState &after);
@@ -58,6 +60,10 @@ private:
   uint64_t reports_ = 0;     ///< of the collector when it began
   unsigned pause_ = 0;       ///< blocks in front of which rules are not asked again
   RuleMemory memory_;        ///< of the moment
+  /// The last run that was kept or taken over. The next one, when it goes on there, becomes a part
+  /// of it: edits would leave nothing but short ones.
+  uint32_t lastRun_ = ~0u, lastRunEnd_ = ~0u;
+  std::optional<StraightRun> taken_; ///< what has become a part of another
 
   /// The moves that are being recorded, in the same way.
   std::optional<MoveRun> moves_;
@@ -65,6 +71,8 @@ private:
   std::array<Interval, 2> cutArea_{emptyInterval, emptyInterval}; ///< up to the last block
   double highest_ = 0;                                            ///< up to the last block
   uint32_t offset_ = 0;                                           ///< of the block that is executed
+  uint32_t lastMoves_ = ~0u, lastMovesEnd_ = ~0u;
+  std::optional<MoveRun> takenMoves_;
   uint32_t nextMoves_ = 0; ///< begin of a known run of moves; none lies between here and there
   unsigned streak_ = 0;    ///< blocks in a row that only went on
 };

@@ -15,6 +15,13 @@ struct RunPlace {
   uint32_t lastBegin = 0, lastEnd = 0; ///< its last block with content
   uint64_t blocks = 0;                 ///< with content
 
+  /// `next`, which begins where it ends, becomes a part of it.
+  void extend(const RunPlace &next) {
+    end = next.end;
+    lastBegin = next.lastBegin;
+    lastEnd = next.lastEnd;
+    blocks += next.blocks;
+  }
   void move(const TextChange &change) {
     for (uint32_t *place : {&begin, &end, &lastBegin, &lastEnd})
       *place = change.moved(*place);
@@ -28,6 +35,10 @@ public:
   void clear() { runs_.clear(); }
   /// The run that begins at `offset`, or null.
   const Run *find(uint32_t offset) const {
+    const auto at = from(offset);
+    return at == runs_.end() || (*at)->begin != offset ? nullptr : at->get();
+  }
+  Run *find(uint32_t offset) {
     const auto at = from(offset);
     return at == runs_.end() || (*at)->begin != offset ? nullptr : at->get();
   }
