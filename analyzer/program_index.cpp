@@ -26,12 +26,12 @@ ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const D
                                                  : ProgramKind::Unknown;
 }
 
-} // namespace
-
-static bool isHeaderMark(char c, const Dialect &dialect) {
+bool isHeaderMark(char c, const Dialect &dialect) {
   const llvm::StringRef marks = dialect.lexical.headerMarks;
   return marks.contains(c) || marks.contains(llvm::toUpper(c));
 }
+
+} // namespace
 
 FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect,
                      FileScan *kept)

@@ -120,7 +120,7 @@ void RunRecorder::begin(uint32_t offset, const MachineState &state, const PlainR
   unit_.index.takeLooks();
 }
 
-void RunRecorder::take(const Block &block) {
+void RunRecorder::takeBlock(const Block &block) {
   if (collector_.reports() != reports_ || !block.items.empty() || block.skip >= 0)
     return keep();
   ++blocks_;
@@ -199,10 +199,10 @@ void RunRecorder::beginMoves(uint32_t offset, const MachineState &state, const P
   nextMoves_ = runs_->moves.next(offset + 1);
 }
 
-void RunRecorder::executed(const Block &block, bool goesOn, const MachineState &before,
-                           const MachineState &after) {
+void RunRecorder::take(const Block &block, bool goesOn, const MachineState &before,
+                       const MachineState &after) {
   if (recording_)
-    take(block);
+    takeBlock(block);
   streak_ = goesOn ? streak_ + 1 : 0;
   if (!moves_)
     return;
@@ -222,7 +222,7 @@ void RunRecorder::takeMove(const Block &block, const MachineState &after) {
       cutArea_[i] = join(cutArea_[i], after.position[i]);
 }
 
-void RunRecorder::took(const MoveRun &run) { // plain words: it is clean
+void RunRecorder::took(const MoveRun &run) {
   blocks_ += run.blocks;
   lastBegin_ = run.lastBegin;
   lastEnd_ = run.lastEnd;
@@ -249,7 +249,7 @@ void RunRecorder::endMoves(uint32_t end, const MachineState &state) {
 }
 
 void RunRecorder::keepMoves() {
-  if (moves_ && moves_->blocks >= StraightRuns::shortest) {
+  if (moves_->blocks >= StraightRuns::shortest) {
     lastMoves_ = moves_->begin;
     lastMovesEnd_ = moves_->end;
     runs_->moves.insert(std::move(*moves_));

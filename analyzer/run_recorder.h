@@ -24,17 +24,22 @@ public:
   void took(const MoveRun &run);
   /// A block was executed, and the next one follows. `goesOn`: it only goes on as the one before.
   void executed(const Block &block, bool goesOn, const MachineState &before,
-                const MachineState &after);
+                const MachineState &after) {
+    if (runs_)
+      take(block, goesOn, before, after);
+  }
   /// What is being recorded is no run. Returns null.
   const StraightRun *interrupt() {
     if (recording_)
       keep();
-    keepMoves();
+    if (moves_)
+      keepMoves();
     return nullptr;
   }
 
 private:
-  void take(const Block &block);
+  void take(const Block &block, bool goesOn, const MachineState &before, const MachineState &after);
+  void takeBlock(const Block &block);
   bool mark(uint32_t end, const MachineState &state, const PlainRun &plain);
   void keep();
   void begin(uint32_t offset, const MachineState &state, const PlainRun &plain);
