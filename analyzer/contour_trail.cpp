@@ -37,7 +37,7 @@ bool ContourTrail::goesOn(const RuleContext &ctx) const {
                         after.activeAction(dialect_, StandardGroup::Compensation) == side_;
   return samePlane && sameSide && isInPlace(ctx) && before.compensation == phaseOn &&
          before.frames == frames_ &&
-         std::array{after.tool, after.toolOffset, after.radiusOffset} == tool_ &&
+         std::array{after.tool.get(), after.toolOffset.get(), after.radiusOffset.get()} == tool_ &&
          after.commons == commons_;
 }
 
@@ -97,7 +97,8 @@ void ContourTrail::take(const RuleContext &ctx, bool certain, Judge judge) {
   const ExecutedBlock executed{dialect_, ctx.machine(), block, ctx.outcome(), ctx.before(), after};
   blockBefore_ = block_;
   block_.tag = tagOf(ctx);
-  block_.element = {{}, ctx.blockRange(), false, certain, false, left, after.origin.tool};
+  block_.element = {
+      {}, ctx.blockRange(), false, certain, false, left, after.origin.of(StatePart::Tool)};
   block_.approach = ctx.before().compensation != phaseOn;
   const Word *corner = block.hasAny(cornerWords_) ? block.findAny(cornerWords_) : nullptr;
   block_.cornerRange = corner ? ctx.range(*corner) : block_.element.range;
@@ -150,7 +151,7 @@ bool ContourTrail::takePlain(const RuleContext &ctx, bool certain, Judge judge) 
           certain,
           false,
           block_.element.left,
-          ctx.after().origin.tool},
+          ctx.after().origin.of(StatePart::Tool)},
          direction, direction, judge);
   return true;
 }

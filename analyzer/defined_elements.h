@@ -32,7 +32,7 @@ public:
 
   /// The definition so far is replaced; null: there was none.
   std::optional<Element> define(const Word &word, const RuleContext &ctx) {
-    const Element fresh{ctx.range(word), ctx.before().switchMust, false};
+    const Element fresh{ctx.range(word), ctx.before().switches.areOn(~0u), false};
     const auto [at, first] = elements_.try_emplace(key(word), fresh);
     if (first)
       return std::nullopt;

@@ -25,6 +25,8 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     Subscriptions subscriptions(dialect, machine, &options);
     listener.rule->listen(subscriptions);
     listener.moves = subscriptions.moves();
+    if (subscriptions.isGathering())
+      gatherers_.push_back(listener.rule);
     kinds_ |= subscriptions.kinds();
     for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
       if (subscriptions.kinds() >> kind & 1)

@@ -36,14 +36,27 @@ public:
     for (const Listener &listener : all_)
       listener.rule->remember(memory);
   }
-
-  /// Whether no rule has to be told of plain moves at feed that go on from this state.
-  bool movesSleep(const MachineState &state) const {
-    return llvm::all_of(everyBlock_, [&](const auto &entry) {
-      const auto &[kind, listener] = entry;
-      const bool told = kind == EventKind::Block || (listener.moves & bitOf(MotionKind::Feed));
-      return !told || listener.rule->sleeps(state);
-    });
+  /// The same of those that are told of moves that only go on.
+  void rememberMoves(RuleMemory &memory) const {
+    for (const auto &[kind, listener] : everyBlock_)
+      listener.rule->remember(memory);
+  }
+  void startGathering() const {
+    for (Rule *rule : gatherers_)
+      rule->startGathering();
+  }
+  /// What rules have gathered since then.
+  Gatherings gathered() const {
+    Gatherings all;
+    for (size_t i = 0; i < gatherers_.size(); ++i)
+      if (auto gathered = gatherers_[i]->gathered())
+        all.emplace_back(i, std::move(gathered));
+    return all;
+  }
+  /// False when a rule would have had something to say.
+  bool gather(const Gatherings &all) const {
+    return llvm::all_of(
+        all, [&](const auto &entry) { return gatherers_[entry.first]->gather(*entry.second); });
   }
 
 private:
@@ -63,6 +76,7 @@ private:
 
   std::vector<std::unique_ptr<Rule>> rules_;
   std::vector<Listener> all_;
+  std::vector<Rule *> gatherers_;
   std::array<std::vector<Listener>, size_t(EventKind::Count)> byKind_;
   std::vector<std::vector<Listener>> byCode_;
   std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of `Block` and `Motion`

@@ -86,7 +86,7 @@ std::optional<ElementGeometry> definedElement(const RuleContext &ctx) {
   if (!x || !y || !madeOf(text, circle ? "GIJR" : line ? "GXYRC" : "GXY"))
     return std::nullopt;
   ElementGeometry element;
-  element.switches = state.switchMay;
+  element.switches = state.switches.mayBeOn(~0u);
   element.x = *x * *unit;
   element.y = *y * *unit;
   if (circle) {

@@ -210,26 +210,18 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
           lives.size() == 1 && activation.pending.empty() && at >= activation.high;
       const StraightRun *run =
           straight ? recorder.at(at, lives[0].state, present) : recorder.interrupt();
-      if (run && !mayTakeOver(*run, unit)) {
-        executedEnd = run->end;
-      } else if (run) {
-        follow(*run, activation);
-        lives[0].state = run->exit;
-        before = run->exit;
-        synced = &lives[0].state;
-        plainRun = run->plainExit;
-        at = run->end;
-        continue;
-      } else if (const MoveRun *moves =
-                     straight ? recorder.movesAt(at, lives[0].state, present) : nullptr) {
-        if (mayTakeOver(*moves, unit)) {
-          follow(*moves, activation);
-          recorder.took(*moves);
-          moves->carry(lives[0].state);
-          at = moves->end;
+      if (run) {
+        const RunPlace place = *run;
+        PlainRun behind = present;
+        if (mayTakeOver(place, unit) && recorder.takeOver(*run, lives[0].state, behind)) {
+          follow(place, activation);
+          before = lives[0].state;
+          synced = &lives[0].state;
+          plainRun = behind;
+          at = place.end;
           continue;
         }
-        executedEnd = moves->end;
+        executedEnd = place.end;
       }
     }
     unit.reader->read(at, block_);
@@ -390,7 +382,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
     collector_.endStop();
     at = next;
     if (stays) {
-      recorder.executed(block_, goesOn, before, lives[0].state);
+      recorder.executed(block_, goesOn);
       continue;
     }
     recorder.interrupt();

@@ -388,13 +388,12 @@ void Engine::Passes::setCount(const Value &repeat) {
 
 /// The modal codes and frames of the caller come back.
 void Engine::restoreModes(MachineState &state, const MachineState &caller) {
-  state.group = caller.group;
+  state.groups = caller.groups;
   state.statedMay = caller.statedMay;
   state.statedMust = caller.statedMust;
-  state.origin.group = caller.origin.group;
-  state.switchMay = caller.switchMay;
-  state.switchMust = caller.switchMust;
-  state.switchAxes = caller.switchAxes;
+  for (size_t i = 0; i < maxGroups; ++i)
+    state.origin.all()[i] = caller.origin.all()[i];
+  state.switches = caller.switches;
   if (state.frames == caller.frames)
     return;
   // The tool stays, and its coordinates are others.

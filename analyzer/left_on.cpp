@@ -69,7 +69,7 @@ void reportLeftOn(llvm::StringRef id, const Event &event, RuleContext &ctx) {
     }
     // After a code that nobody knows everything may be on: only what is certain counts.
     if (!may ||
-        (!must && (ctx.after().may(Fact::UnknownCode) || !ctx.after().origin.switched[i].known())))
+        (!must && (ctx.after().may(Fact::UnknownCode) || !ctx.after().origin.ofSwitch(i).known())))
       continue;
     left.push_back(i);
     certain |= must;
@@ -87,10 +87,10 @@ void reportLeftOn(llvm::StringRef id, const Event &event, RuleContext &ctx) {
     if (!titles.empty())
       titles += i == left.back() ? " and " : ", ";
     titles += info.title;
-    const std::string off = offBlock(info, ctx.after().switchAxes[i], dialect);
+    const std::string off = offBlock(info, ctx.after().switches.axesOf(unsigned(i)), dialect);
     if (!off.empty())
       blocks += (blocks.empty() ? "" : "\n") + off;
-    finding.note(ctx.after().origin.switched[i], info.title + " is switched on here");
+    finding.note(ctx.after().origin.ofSwitch(i), info.title + " is switched on here");
   }
   const std::string what = toolChange ? "the tool is changed" : "the program ends";
   finding.severity(severity).message("{0} with {1} still on", what, titles);

@@ -265,7 +265,7 @@ std::optional<double> valueOf(const RuleContext &ctx, const CodeInfo &code, Role
 
 std::optional<double> millimetresPer(const Dialect &dialect, const MachineState &state) {
   const GroupIndex group = dialect.group(StandardGroup::Units);
-  if (group == noGroup || state.group[group] == groupUnset)
+  if (group == noGroup || state.group(group) == groupUnset)
     return 1;
   switch (state.activeAction(dialect, StandardGroup::Units)) {
   case Action::Inch:

@@ -22,8 +22,9 @@ public:
   }
   /// Whether the tool of `state` came in by such a change.
   bool inForce(const MachineState &state) const {
-    return state.tool == notKnown && state.origin.tool.known() &&
-           seen_.count({state.origin.tool.file, state.origin.tool.begin});
+    return state.tool == notKnown && state.origin.of(StatePart::Tool).known() &&
+           seen_.count(
+               {state.origin.of(StatePart::Tool).file, state.origin.of(StatePart::Tool).begin});
   }
 
   void remember(RuleMemory &memory) const {

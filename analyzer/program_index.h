@@ -99,6 +99,13 @@ public:
   struct Looks {
     uint32_t from = ~0u, to = 0;
     bool anywhere = false; ///< it cannot be said where
+
+    Looks &operator|=(const Looks &other) {
+      from = std::min(from, other.from);
+      to = std::max(to, other.to);
+      anywhere |= other.anywhere;
+      return *this;
+    }
   };
   /// What has been looked at since the last call.
   Looks takeLooks() const { return std::exchange(looks_, Looks()); }

@@ -138,6 +138,10 @@ public:
     return fallback;
   }
 
+  /// See `Rule::gathered`.
+  void gathers() { gathers_ = true; }
+  bool isGathering() const { return gathers_; }
+
   uint32_t kinds() const { return kinds_; }
   /// Those of `kinds` that are wanted of every block.
   uint32_t everyBlock() const { return everyBlock_; }
@@ -153,6 +157,7 @@ private:
   uint32_t everyBlock_ = 0;
   uint8_t moves_ = 0xFF;
   bool noticesHandled_ = false;
+  bool gathers_ = false;
   std::vector<CodeIndex> codes_;
 };
 
@@ -264,6 +269,17 @@ struct FileSummary {
   bool isAnyReached(uint32_t begin, uint32_t end) const;
 };
 
+/// What a rule has gathered in a stretch of blocks.
+class Gathered {
+public:
+  virtual ~Gathered() = default;
+  /// The text in front of it has changed.
+  virtual void move(const TextChange &change) = 0;
+};
+
+/// By which of the rules that gather.
+using Gatherings = std::vector<std::pair<size_t, std::shared_ptr<Gathered>>>;
+
 /// A rule. One object per analysed file; keeps no state about the flow of the program (that is the
 /// machine state's job), at most what it has seen of the text.
 class Rule {
@@ -274,10 +290,12 @@ public:
   /// Gives all that `on` has changed in the rule and that decides what it does later. Rules that
   /// remember nothing leave it out.
   virtual void remember(RuleMemory &) const {}
-  /// Whether plain moves at feed that only go on from this state mean nothing to the rule, and
-  /// leave it as it is, wherever they lead: as long as none of them changes anything but
-  /// coordinates. Asked only of rules that are told of such moves.
-  virtual bool sleeps(const MachineState &) const { return false; }
+  /// For rules that gather more than can be compared, and that have said so in `listen`: forgets
+  /// what was gathered since the last call, gives it, and takes it for its own as if the blocks had
+  /// been executed; false when the rule would have had something to say.
+  virtual void startGathering() {}
+  virtual std::shared_ptr<Gathered> gathered() const { return nullptr; }
+  virtual bool gather(const Gathered &) { return true; }
   /// Called once, when all flow is known; only findings that the whole file decides.
   virtual void finish(const FileSummary &, RuleContext &) {}
 };

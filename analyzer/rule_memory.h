@@ -26,26 +26,39 @@ public:
     (add(values), ...);
   }
   void clear() {
-    words_.clear();
-    places_.clear();
+    for (Words &words : kinds_) {
+      words.all.clear();
+      words.places.clear();
+    }
     comparable_ = true;
   }
   /// False: something is remembered that cannot be compared.
   bool isComparable() const { return comparable_; }
-  friend bool operator==(const RuleMemory &a, const RuleMemory &b) {
-    return a.comparable_ && b.comparable_ && a.words_ == b.words_;
+  /// Whether both let the rules go on in the same way. `asides`: what they keep aside counts.
+  bool isSame(const RuleMemory &other, bool asides) const {
+    return comparable_ && other.comparable_ && kinds_[0].all == other.kinds_[0].all &&
+           (!asides || kinds_[1].all == other.kinds_[1].all);
   }
   FileId file() const { return file_; }
   void move(const TextChange &change) {
-    for (const uint32_t place : places_)
-      words_[place] = change.moved(uint32_t(words_[place]));
+    for (Words &words : kinds_)
+      for (const uint32_t place : words.places)
+        words.all[place] = change.moved(uint32_t(words.all[place]));
+  }
+  /// What `remember` gives is asked for in few blocks, such as what has been reported already: who
+  /// looks at it notes that in `stateUse`.
+  template <typename Remember>
+  void aside(const Remember &remember) {
+    kind_ = 1;
+    remember();
+    kind_ = 0;
   }
   /// A place in a file.
   void place(FileId file, uint32_t offset) {
     add(file);
     if (file == file_)
-      places_.push_back(uint32_t(words_.size()));
-    words_.push_back(offset);
+      words().places.push_back(uint32_t(words().all.size()));
+    words().all.push_back(offset);
   }
 
 private:
@@ -60,14 +73,20 @@ private:
     value.remember(memory);
   };
 
+  struct Words {
+    std::vector<uint64_t> all;
+    std::vector<uint32_t> places; ///< which of them are offsets in the file
+  };
+  Words &words() { return kinds_[kind_]; }
+
   void add(const SourceRange &range) {
     if (range.end == 0)
-      return words_.push_back(0);
+      return words().all.push_back(0);
     place(range.file, range.begin);
     place(range.file, range.end);
   }
   void add(const Origin &origin) { add(SourceRange{origin.file, origin.begin, origin.end}); }
-  void add(const std::string &text) { words_.push_back(llvm::xxHash64(text)); }
+  void add(const std::string &text) { words().all.push_back(llvm::xxHash64(text)); }
   void add(const Interval &value) {
     add(value.lo);
     add(value.hi);
@@ -79,7 +98,7 @@ private:
   }
   template <typename T>
   void add(const std::optional<T> &value) {
-    words_.push_back(value.has_value());
+    words().all.push_back(value.has_value());
     if (value)
       add(*value);
   }
@@ -96,19 +115,19 @@ private:
     addUnordered(map.size());
   }
   void addUnordered(size_t size) {
-    words_.push_back(size);
+    words().all.push_back(size);
     comparable_ &= size == 0;
   }
   template <typename T>
   void add(const T &value) {
     if constexpr (std::is_floating_point_v<T>) {
-      words_.push_back(std::bit_cast<uint64_t>(double(value)));
+      words().all.push_back(std::bit_cast<uint64_t>(double(value)));
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-      words_.push_back(uint64_t(value));
+      words().all.push_back(uint64_t(value));
     } else if constexpr (remembers<T>) {
       value.remember(*this);
     } else if constexpr (isList<T>) {
-      words_.push_back(value.size());
+      words().all.push_back(value.size());
       for (const auto &entry : value)
         add(entry);
     } else {
@@ -117,8 +136,8 @@ private:
   }
 
   FileId file_;
-  std::vector<uint64_t> words_;
-  std::vector<uint32_t> places_; ///< which of the words are offsets in the file
+  std::array<Words, 2> kinds_; ///< what decides what rules do, and what they keep aside
+  unsigned kind_ = 0;          ///< that is being written
   bool comparable_ = true;
 };
 

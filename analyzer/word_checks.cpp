@@ -57,7 +57,7 @@ llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Eve
       continue; // set by a block before, or who knows
     bool certain = event.certain;
     if (spec.need == Need::First && code.group != noGroup) {
-      const uint64_t active = ctx.before().group[code.group];
+      const uint64_t active = ctx.before().group(code.group);
       const uint64_t itself = uint64_t(1) << code.bit;
       if (active == itself)
         continue; // keeps the value of the block that made it active

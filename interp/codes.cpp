@@ -10,11 +10,15 @@ namespace ncvet {
 
 /// Makes the code the active member of its group.
 void Execution::activate(const CodeInfo &code, const Word *word) {
-  state_.group[code.group] = uint64_t(1) << code.bit;
-  state_.statedMay |= uint64_t(1) << code.group;
-  state_.statedMust |= uint64_t(1) << code.group;
+  state_.state(code.group, uint64_t(1) << code.bit);
   if (word)
-    state_.origin.group[code.group] = originOf(*word);
+    state_.origin.setGroup(code.group, originOf(*word));
+  if (code.group == masks_.feedMode) {
+    if (state_.must(Fact::FeedSet))
+      state_.set(Fact::FeedCarried);
+    else if (state_.may(Fact::FeedSet))
+      state_.allow(bitOf(Fact::FeedCarried));
+  }
   if (dialect_.groups[code.group].forgetsFeed) // the block's own F is still to come
     state_.clear(Fact::FeedSet);
 }
@@ -35,7 +39,7 @@ void Execution::applyModal(const CodeUse &use) {
     break;
   case Action::CompensationLeft:
   case Action::CompensationRight:
-    state_.origin.compensation = originOf(*use.word);
+    state_.origin.set(StatePart::Compensation, originOf(*use.word));
     if (cutterOfBlock(dialect_)) // a D of this block is still to come
       state_.radiusOffset = notSet;
     // Switched on from off: the next move in the plane engages it. While it is on, a change of side
@@ -56,7 +60,7 @@ void Execution::applyModal(const CodeUse &use) {
   case Action::LengthPositive:
   case Action::LengthNegative:
     state_.set(Fact::LengthSinceTool);
-    state_.origin.lengthOffset = originOf(*use.word);
+    state_.origin.set(StatePart::LengthOffset, originOf(*use.word));
     [[fallthrough]];
   case Action::LengthOff:
     if (!dialect_.zeros.systems)
@@ -95,7 +99,7 @@ void Execution::applyModal(const CodeUse &use) {
       if (code.endsMotion && masks_.motion != noGroup &&
           llvm::none_of(outcome_.codes,
                         [&](const CodeUse &other) { return info(other).group == masks_.motion; }))
-        state_.group[masks_.motion] = groupUnset;
+        state_.setGroup(masks_.motion, groupUnset);
     } else {
       if (!motionCode_.word || code.action == Action::Cycle)
         motionCode_ = use;
@@ -166,7 +170,7 @@ void Execution::setSpindle(uint8_t direction, const CodeUse &use) {
   state_.spindle = direction;
   state_.set(Fact::SpindleStated);
   state_.clear(Fact::SpindleStoppedByTap);
-  state_.origin.spindle = originOf(*use.word);
+  state_.origin.set(StatePart::Spindle, originOf(*use.word));
 }
 
 /// Whether a code of the block sets the spindle going, in front of another one or behind it.
@@ -180,8 +184,8 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
   const unsigned index = code.effect.index;
   if (index >= maxSwitches)
     return;
-  const uint32_t bit = 1u << index;
   uint16_t axes = axesOf(dialect_, block_);
+  const uint16_t were = state_.switches.axesOf(index);
   bool on = code.effect.on;
   if (code.effect.offByZero) {
     // Off when every named axis is zero; a value that is not known may be either.
@@ -193,28 +197,23 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
         zero &= v.isConstant() && v.value() == 0;
       }
     if (!known) {
-      state_.switchMay |= bit;
-      state_.switchAxes[index] |= axes;
-      state_.origin.switched[index] = originOf(*use.word);
+      state_.switches.put(index, true, state_.switchMustBeOn(index), uint16_t(were | axes));
+      state_.origin.setSwitch(index, originOf(*use.word));
       return;
     }
     on = !zero;
   }
   if (on) {
-    state_.switchMay |= bit;
-    state_.switchMust |= bit;
-    state_.switchAxes[index] |= axes;
-    state_.origin.switched[index] = originOf(*use.word);
+    state_.switches.put(index, true, true, uint16_t(were | axes));
+    state_.origin.setSwitch(index, originOf(*use.word));
   } else {
     // A code that names axes switches off those only.
-    if (axes && state_.switchAxes[index] & ~axes &&
-        (code.effect.offByZero || code.action == Action::MirrorOff)) {
-      state_.switchAxes[index] &= uint16_t(~axes);
+    if (axes && were & ~axes && (code.effect.offByZero || code.action == Action::MirrorOff)) {
+      state_.switches.put(index, state_.switchMayBeOn(index), state_.switchMustBeOn(index),
+                          uint16_t(were & ~axes));
       return;
     }
-    state_.switchMay &= ~bit;
-    state_.switchMust &= ~bit;
-    state_.switchAxes[index] = 0;
+    state_.switches.put(index, false, false, 0);
   }
 }
 
@@ -270,16 +269,16 @@ void Execution::applyEarly(const CodeUse &use) {
     break;
   case Action::ToolChange:
     if (block_.has(letterAddress('T')) || state_.preselected != notSet) {
-      const int32_t tool = state_.preselected != notSet ? state_.preselected : notKnown;
-      changeTool(tool, notSet, *use.word, use.code);
+      const int32_t tool = state_.preselected.get();
+      changeTool(tool != notSet ? tool : notKnown, notSet, *use.word, use.code);
     } else {
-      changeTool(state_.tool == notSet ? notKnown : state_.tool, notSet, *use.word, use.code);
+      changeTool(state_.tool == notSet ? notKnown : state_.tool.get(), notSet, *use.word, use.code);
     }
     if (code.stopsSpindle && !startsSpindle()) {
       if (state_.spindle & (spindleCw | spindleCcw))
         state_.set(Fact::SpindleStoppedByTap);
       state_.spindle = spindleOff;
-      state_.origin.spindle = originOf(*use.word);
+      state_.origin.set(StatePart::Spindle, originOf(*use.word));
     }
     break;
   case Action::Reset:
@@ -287,7 +286,7 @@ void Execution::applyEarly(const CodeUse &use) {
     break;
   case Action::ProfileBegin:
     state_.profile = 1;
-    state_.origin.rough = originOf(*use.word);
+    state_.origin.set(StatePart::Roughing, originOf(*use.word));
     break;
   case Action::ProfileRun:
     state_.profile = 0;
@@ -378,11 +377,12 @@ void Execution::applyEarly(const CodeUse &use) {
 
 /// The modes of power-on come back; the spindle turns on.
 void Execution::reset(const Word &word) {
+  stateUse.everything();
   const MachineState fresh = initialState(dialect_);
   for (size_t i = 0; i < dialect_.groups.size(); ++i)
     if (dialect_.groups[i].initial != 0xFF) {
-      state_.group[i] = fresh.group[i];
-      state_.origin.group[i] = originOf(word);
+      state_.setGroup(i, fresh.groups[i]);
+      state_.origin.setGroup(i, originOf(word));
       state_.statedMay &= ~(uint64_t(1) << i);
       state_.statedMust &= ~(uint64_t(1) << i);
     }
@@ -392,11 +392,11 @@ void Execution::reset(const Word &word) {
   for (size_t i = 0; i < dialect_.switches.size(); ++i)
     if (dialect_.switches[i].survivesReset)
       stays |= 1u << i;
-  state_.switchMay &= stays;
-  state_.switchMust &= stays;
+  state_.switches.may &= stays;
+  state_.switches.must &= stays;
   state_.cycle.present = 0;
   state_.modalCalls = nullptr;
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   for (Interval &shift : state_.localShift)
     shift = Interval::unknown();
   state_.frames.clear();
@@ -432,7 +432,7 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
   if (dialect_.offsetsOfTool)
     state_.lengthOffset = notSet;
   state_.preselected = notSet;
-  state_.origin.tool = originOf(word);
+  state_.origin.set(StatePart::Tool, originOf(word));
   state_.set(Fact::ToolCalled);
   state_.clear(Fact::CutSinceTool);
   state_.clear(Fact::MovedSinceTool);
@@ -440,9 +440,9 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
   state_.clear(Fact::OrientedSinceTool);
   state_.clear(Fact::PlungedUncompensated);
   if (dialect_.lengthByTool != noGroup)
-    state_.group[dialect_.lengthByTool] = groupUnset;
-  state_.fedFrom = Interval::unknown();
-  state_.cutArea.fill(emptyInterval);
+    state_.setGroup(dialect_.lengthByTool, groupUnset);
+  state_.fedFrom.forget();
+  state_.cutArea.clear();
   if (dialect_.isLathe()) {
     // Another offset: the same place has other coordinates.
     if (offset != state_.toolOffset || offset == notKnown)

@@ -145,7 +145,7 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
       (condition.any && !(condition.any & present)))
     return false;
   for (const auto &[group, members] : condition.active)
-    if (context.before.group[group] & ~members)
+    if (context.before.group(group) & ~members)
       return false;
   for (const auto &[group, members] : condition.with)
     if (!blockHasMember(context, group, members))
@@ -159,7 +159,7 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
   if (llvm::any_of(condition.withoutCode, [&](CodeIndex c) { return blockHasCode(context, c); }))
     return false;
   if (condition.first && code && code->group != noGroup &&
-      (context.before.group[code->group] >> code->bit & 1))
+      (context.before.group(code->group) >> code->bit & 1))
     return false;
   if (condition.pending &&
       (context.before.pendingCycle == noCode ||
@@ -176,7 +176,8 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
       return false;
   }
   const MachineState &before = context.before;
-  if ((condition.on & ~before.switchMust) || (condition.off & before.switchMay))
+  if ((condition.on & ~before.switches.areOn(condition.on)) ||
+      before.switches.mayBeOn(condition.off))
     return false;
   if ((condition.before || condition.behind) && !standsAround(condition, code, context))
     return false;

@@ -53,7 +53,7 @@ std::optional<Interval> CycleParameters::number(Measure what) const {
 Interval CycleParameters::lengthFactor() const {
   const Dialect &dialect = executed_.dialect;
   const GroupIndex units = dialect.group(StandardGroup::Units);
-  if (units == noGroup || executed_.after.group[units] == groupUnset)
+  if (units == noGroup || executed_.after.group(units) == groupUnset)
     return Interval::exactly(1);
   switch (executed_.after.activeAction(dialect, StandardGroup::Units)) {
   case Action::None:

@@ -59,7 +59,7 @@ void Execution::storeCycleWords(bool fresh) {
 
 void Execution::startCycle(const CodeUse &use) {
   const CodeInfo &code = info(use);
-  const bool same = before_.group[code.group] == (uint64_t(1) << code.bit);
+  const bool same = before_.group(code.group) == (uint64_t(1) << code.bit);
   storeCycleWords(!same);
   if (!same) {
     if (!dialect_.drilling.levelOfRow || before_.cycleActive(dialect_) != Truth::Yes)
@@ -69,7 +69,7 @@ void Execution::startCycle(const CodeUse &use) {
     state_.clear(Fact::CycleRan);
   }
   activate(code, use.word);
-  state_.origin.cycle = originOf(*use.word);
+  state_.origin.set(StatePart::Cycle, originOf(*use.word));
   Event &event = outcome_.emit(EventKind::CycleStart);
   event.code = use.code;
   event.word = use.word;
@@ -92,7 +92,7 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   event.code = index;
   event.axes = axes;
   event.certain = index != noCode;
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   state_.set(Fact::Moved);
   state_.set(Fact::MovedSinceTool);
   state_.set(Fact::MovedSincePreset);
@@ -240,7 +240,7 @@ void Execution::cancelCycle(CodeIndex by, const Word *word) {
     return;
   for (const CodeIndex member : dialect_.groups[group].members)
     if (dialect_.codes[member].action == Action::CycleCancel)
-      state_.group[group] = uint64_t(1) << dialect_.codes[member].bit;
+      state_.setGroup(group, uint64_t(1) << dialect_.codes[member].bit);
 }
 
 /// The cycle works along the contour of a program that its call names.
@@ -313,7 +313,7 @@ void Execution::endOfCall(const CodeInfo &code) {
   if (!called && ((code.cycle < CycleKind::Face && code.count.empty()) ||
                   code.cycle == CycleKind::Measure || code.cycle == CycleKind::ThreadInfeed))
     return;
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   if (has(code, CycleTrait::StartsHere))
     return endDownHere(code);
   const Interval factor = lengthFactor();
@@ -375,7 +375,7 @@ void Execution::runCompound(const CodeUse &use) {
     event.code = use.code;
     event.word = use.word;
     state_.pendingCycle = use.code;
-    state_.origin.pending = originOf(*use.word);
+    state_.origin.set(StatePart::PendingCycle, originOf(*use.word));
     return;
   }
   Event &event = outcome_.emit(EventKind::CycleRun);
@@ -427,7 +427,7 @@ void Execution::runCompound(const CodeUse &use) {
       state_.roughStart[axis == Axis::X ? 0 : 1] =
           state_.inMachineCoordinates(axis) ? Interval::unknown() : state_.at(axis);
     state_.roughLast = flow.last;
-    state_.origin.rough = originOf(*use.word);
+    state_.origin.set(StatePart::Roughing, originOf(*use.word));
   }
 }
 

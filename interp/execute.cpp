@@ -65,7 +65,11 @@ ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
     : motion(dialect.group(StandardGroup::Motion)), cycle(dialect.group(StandardGroup::Cycle)),
       units(dialect.group(StandardGroup::Units)), distance(dialect.group(StandardGroup::Distance)),
       polar(dialect.group(StandardGroup::Polar)), language(dialect.group(StandardGroup::Language)),
-      diameter(dialect.group(StandardGroup::Diameter)) {
+      diameter(dialect.group(StandardGroup::Diameter)),
+      feedMode(dialect.group(StandardGroup::FeedMode)) {
+  for (const GroupIndex group : {motion, cycle, units, distance, polar, language, diameter})
+    if (group != noGroup)
+      everyBlock |= uint64_t(1) << group;
   const auto members = [&](GroupIndex group, Action action) {
     uint64_t mask = 0;
     if (group != noGroup)
@@ -115,9 +119,9 @@ bool Execution::runPlainMove() {
       state_.pendingCycle != noCode || masks_.motion == noGroup || polarMayBeOn() ||
       diameterMayBeOn() || (dialect_.variableRanges.place && !block_.expressions.empty()))
     return false;
-  if (masks_.cycle != noGroup && (state_.group[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
+  if (masks_.cycle != noGroup && (state_.groups[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
     return false;
-  const uint64_t motionSet = state_.group[masks_.motion];
+  const uint64_t motionSet = state_.groups[masks_.motion];
   if ((motionSet & (motionSet - 1)) || motionSet == groupUnset)
     return false;
   const CodeIndex index =
@@ -186,6 +190,7 @@ bool Execution::countIdle(uint16_t axes) {
 }
 
 void Execution::run(bool guardHolds) {
+  stateUse.groups |= masks_.everyBlock;
   if (inForeignLanguage())
     return foreignBlock();
   outcome_.emit(EventKind::Block);
@@ -337,8 +342,9 @@ void Execution::resolveCodes() {
         // The machine's builder knows what it does: it may start or stop anything.
         state_.spindle = spindleAny;
         state_.liveTool = spindleAny;
-        state_.switchMay = ~0u;
-        state_.switchMust = 0;
+        stateUse.everything();
+        state_.switches.may = ~0u;
+        state_.switches.must = 0;
       }
       continue;
     }
@@ -394,8 +400,9 @@ void Execution::technologyWords() {
       if (state_.profile == 1)
         break;
       state_.feed = value(word);
-      state_.origin.feed = originOf(word);
+      state_.origin.set(StatePart::Feed, originOf(word));
       state_.set(Fact::FeedSet);
+      state_.clear(Fact::FeedCarried);
       if (lead)
         state_.set(Fact::FeedIsLead);
       else
@@ -418,7 +425,7 @@ void Execution::technologyWords() {
         event.certain = false; // not a speed
       } else {
         state_.speed = event.value;
-        state_.origin.speed = originOf(word);
+        state_.origin.set(StatePart::Speed, originOf(word));
         state_.set(Fact::SpeedSet);
         state_.set(Fact::SpeedSinceMode);
       }
@@ -447,8 +454,11 @@ void Execution::technologyWords() {
       if (!isD && state_.isActive(dialect_, StandardGroup::LengthOffset,
                                   {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)
         state_.set(Fact::LengthSinceTool);
-      (isD ? state_.radiusOffset : state_.lengthOffset) = offset;
-      (isD ? state_.origin.radiusOffset : state_.origin.lengthOffset) = originOf(word);
+      if (isD)
+        state_.radiusOffset = offset;
+      else
+        state_.lengthOffset = offset;
+      state_.origin.set(isD ? StatePart::RadiusOffset : StatePart::LengthOffset, originOf(word));
       Event &event = outcome_.emit(EventKind::OffsetWord);
       event.word = &word;
       event.value = number;
@@ -471,15 +481,13 @@ void Execution::settingWords() {
       state_.spindle = spindleOriented;
       state_.set(Fact::OrientedSinceTool);
       state_.set(Fact::SpindleStated);
-      state_.origin.spindle = originOf(word);
+      state_.origin.set(StatePart::Spindle, originOf(word));
     } else if (mask & dialect_.switchWords) {
       const unsigned index = dialect_.addresses[word.address].switches;
       const Interval v = value(word);
-      const uint32_t bit = 1u << index;
       const bool off = v.isConstant() && v.value() == 0, on = v.isConstant() && !off;
-      state_.switchMay = off ? state_.switchMay & ~bit : state_.switchMay | bit;
-      state_.switchMust = on ? state_.switchMust | bit : state_.switchMust & ~bit;
-      state_.origin.switched[index] = originOf(word);
+      state_.switches.put(index, !off, on, state_.switches.axesOf(index));
+      state_.origin.setSwitch(index, originOf(word));
     }
   }
 }
@@ -489,7 +497,8 @@ void Execution::finish() {
     writeVariable(state_, variable, value);
   // A parameter block waits for the very next block only.
   if (before_.pendingCycle != noCode && state_.pendingCycle == before_.pendingCycle &&
-      state_.origin.pending.begin == before_.origin.pending.begin)
+      state_.origin.of(StatePart::PendingCycle).begin ==
+          before_.origin.of(StatePart::PendingCycle).begin)
     state_.pendingCycle = noCode;
   if (state_.compensation & phaseOn) {
     uint16_t moved = 0;

@@ -5,17 +5,11 @@
 
 namespace ncvet {
 
-/// Groups whose codes decide what a plain move does to the state; the other modes are nothing to
-/// it.
-inline constexpr StandardGroup plainMoveGroups[] = {
-    StandardGroup::Motion,   StandardGroup::Plane, StandardGroup::Distance,
-    StandardGroup::Units,    StandardGroup::Cycle, StandardGroup::Compensation,
-    StandardGroup::Diameter, StandardGroup::Polar, StandardGroup::Language};
-
 /// What the transfer function asks of tables and profile with every block, looked up once.
 struct ModeMasks {
-  GroupIndex motion, cycle, units, distance, polar, language, diameter;
-  uint64_t cancelled = 0; ///< members of the cycle group that mean "no cycle"
+  GroupIndex motion, cycle, units, distance, polar, language, diameter, feedMode;
+  uint64_t everyBlock = 0; ///< groups that every block depends on
+  uint64_t cancelled = 0;  ///< members of the cycle group that mean "no cycle"
   uint64_t inch = 0, metric = 0;
   uint64_t incremental = 0;
   uint64_t polarOn = 0;

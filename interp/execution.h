@@ -148,17 +148,20 @@ private:
   Origin originOfBlock() const {
     return {file_, block_.begin, std::max(block_.end, block_.begin + 1)};
   }
+  // The groups of these are noted once a block, see `run`.
+
   /// Millimetres per unit of a programmed length; none when it is not known which unit is in force.
   Interval lengthFactor() const;
   Truth incremental() const; ///< distance mode
   bool polarMayBeOn() const {
-    return masks_.polar != noGroup && (state_.group[masks_.polar] & masks_.polarOn);
+    return masks_.polar != noGroup && (state_.groups[masks_.polar] & masks_.polarOn);
   }
   bool diameterMayBeOn() const {
-    return masks_.diameterOn && (state_.group[masks_.diameter] & masks_.diameterOn);
+    return masks_.diameterOn && (state_.groups[masks_.diameter] & masks_.diameterOn);
   }
   Truth polarOn() const {
-    return state_.group[masks_.polar] & ~masks_.polarOn & ~groupUnset ? Truth::Unknown : Truth::Yes;
+    return state_.groups[masks_.polar] & ~masks_.polarOn & ~groupUnset ? Truth::Unknown
+                                                                       : Truth::Yes;
   }
   Interval value(const Word &word) const { return wordValue(word, block_, state_); }
   const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }

@@ -376,7 +376,7 @@ Value coordinateOf(const MachineState &state, size_t axis) {
   if (state.machineAxes >> axis & 1 || !place.isConstant())
     return Value::unknown();
   const bool isLength = Axis(axis) < Axis::A || Axis(axis) > Axis::C;
-  const uint64_t set = state.ranges.units == noGroup ? groupUnset : state.group[state.ranges.units];
+  const uint64_t set = state.ranges.units == noGroup ? groupUnset : state.group(state.ranges.units);
   if (!isLength || !(set & state.ranges.inch))
     return Value::of(place.value());
   constexpr double millimetresPerInch = 25.4;

@@ -8,13 +8,13 @@ bool inForeignLanguage(const Dialect &dialect, const MachineState &state) {
   if (group == noGroup || dialect.groups[group].initial == 0xFF)
     return false;
   const uint64_t own = uint64_t(1) << dialect.groups[group].initial;
-  return !(state.group[group] & groupUnset) && (state.group[group] & ~own);
+  return !(state.group(group) & groupUnset) && (state.group(group) & ~own);
 }
 
 bool Execution::inForeignLanguage() const {
   if (masks_.language == noGroup)
     return false;
-  const uint64_t now = state_.group[masks_.language];
+  const uint64_t now = state_.groups[masks_.language];
   return (now & masks_.foreign) && !(now & groupUnset);
 }
 
@@ -25,11 +25,12 @@ void Execution::foreignBlock() {
   outcome_.setupChanged = true;
   if (block_.isEmpty())
     return;
+  stateUse.everything();
   MachineState any = unknownState(dialect_);
   any.origin = state_.origin;
   any.profile = state_.profile;
   any.modalCalls = state_.modalCalls;
-  any.group[masks_.language] = state_.group[masks_.language];
+  any.setGroup(masks_.language, state_.groups[masks_.language]);
   state_ = std::move(any);
   for (const Word &word : block_.words) {
     if (word.address != keywordAddress &&

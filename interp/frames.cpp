@@ -59,10 +59,12 @@ void Execution::rebase(const FrameStack &frames) {
   const std::optional<Frame> back = to ? to->inverse() : std::nullopt;
   state_.frames = frames;
   // What was cut so far lies elsewhere in the new coordinates.
-  state_.fedFrom = Interval::unknown();
-  for (Interval &area : state_.cutArea)
-    if (area.lo <= area.hi)
-      area = Interval::unknown();
+  state_.fedFrom.forget();
+  CutArea::Box area = state_.cutArea.get();
+  for (Interval &side : area)
+    if (side.lo <= side.hi)
+      side = Interval::unknown();
+  state_.cutArea.set(area);
   Point3 place;
   for (unsigned i = 0; i < spatial; ++i)
     place[i] = state_.machineAxes >> i & 1 ? Interval::unknown() : state_.position[i];

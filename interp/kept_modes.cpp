@@ -21,16 +21,17 @@ bool mayBePreset(const Dialect &dialect, const MachineState &state) {
 /// Any modes may be in force, but for the motion and the cycle.
 void bringBackAny(const Dialect &dialect, MachineState &state) {
   const MachineState any = unknownState(dialect);
-  const auto before = state.group;
-  state.group = any.group;
+  const auto before = state.groups;
+  state.groups = any.groups;
   for (const StandardGroup which : {StandardGroup::Motion, StandardGroup::Cycle})
     if (const GroupIndex kept = dialect.group(which); kept != noGroup)
-      state.group[kept] = before[kept];
-  state.feed = state.speed = Interval::unknown();
+      state.groups[kept] = before[kept];
+  state.feed = Interval::unknown();
+  state.speed = Interval::unknown();
   state.compensation = any.compensation;
-  state.spindle = any.spindle;
-  state.switchMay = any.switchMay;
-  state.switchMust = 0;
+  state.spindle = spindleAny;
+  state.switches.may = any.switches.may;
+  state.switches.must = 0;
   state.factsMay |= technologyFacts;
   state.factsMust &= ~technologyFacts;
   state.position = any.position;
@@ -48,7 +49,7 @@ void bringBackZero(const Dialect &dialect, MachineState &state, const MachineSta
                    bool presetOn) {
   const Zero before = zeroOf(dialect, state);
   const GroupIndex lengths = dialect.group(StandardGroup::LengthOffset);
-  if (lengths != noGroup && state.group[lengths] != was.group[lengths]) {
+  if (lengths != noGroup && state.group(lengths) != was.group(lengths)) {
     Place length;
     if (state.activeAction(dialect, StandardGroup::LengthOffset) == Action::LengthOff)
       length.fill(Interval::exactly(0));
@@ -85,34 +86,33 @@ void bringBackZero(const Dialect &dialect, MachineState &state, const MachineSta
 } // namespace
 
 bool operator==(const KeptModes &a, const KeptModes &b) {
-  return a.modes.group == b.modes.group && a.modes.statedMay == b.modes.statedMay &&
+  return a.modes.groups == b.modes.groups && a.modes.statedMay == b.modes.statedMay &&
          a.modes.statedMust == b.modes.statedMust && a.feed == b.feed && a.speed == b.speed &&
-         a.factsMay == b.factsMay && a.factsMust == b.factsMust && a.switchMay == b.switchMay &&
-         a.switchMust == b.switchMust && a.switchAxes == b.switchAxes && a.spindle == b.spindle &&
-         a.presetOn == b.presetOn;
+         a.factsMay == b.factsMay && a.factsMust == b.factsMust && a.switches == b.switches &&
+         a.spindle == b.spindle && a.presetOn == b.presetOn;
 }
 
 SavedModes keepModes(const Dialect &dialect, const MachineState &state) {
+  stateUse.everything();
   KeptModes kept;
   kept.modes = state;
   kept.feed = state.feed;
   kept.speed = state.speed;
   kept.factsMay = state.factsMay & technologyFacts;
   kept.factsMust = state.factsMust & technologyFacts;
-  kept.switchMay = state.switchMay;
-  kept.switchMust = state.switchMust;
-  kept.switchAxes = state.switchAxes;
+  kept.switches = state.switches;
   kept.spindle = state.spindle;
   kept.presetOn = mayBePreset(dialect, state);
   return {std::make_shared<const KeptModes>(kept), true};
 }
 
 void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &saved) {
+  stateUse.everything();
   const KeptModes *kept = saved.modes.get();
   if (!saved.known || !kept)
     return bringBackAny(dialect, state);
   const MachineState was = state;
-  state.group = kept->modes.group;
+  state.groups = kept->modes.groups;
   if (state.active(dialect, StandardGroup::Compensation) !=
       was.active(dialect, StandardGroup::Compensation)) {
     // With which radius it comes back on is not followed.
@@ -122,14 +122,12 @@ void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &sa
   }
   for (const StandardGroup which : {StandardGroup::Motion, StandardGroup::Cycle})
     if (const GroupIndex stays = dialect.group(which); stays != noGroup)
-      state.group[stays] = was.group[stays];
+      state.groups[stays] = was.groups[stays];
   state.feed = kept->feed;
   state.speed = kept->speed;
   state.factsMay = (state.factsMay & ~technologyFacts) | kept->factsMay;
   state.factsMust = (state.factsMust & ~technologyFacts) | kept->factsMust;
-  state.switchMay = kept->switchMay;
-  state.switchMust = kept->switchMust;
-  state.switchAxes = kept->switchAxes;
+  state.switches = kept->switches;
   state.spindle = kept->spindle;
   if (dialect.zeros.systems)
     bringBackZero(dialect, state, was, kept->presetOn);
@@ -146,11 +144,11 @@ uint64_t hash(const SavedModes &saved) {
     return saved.known;
   const KeptModes &kept = *saved.modes;
   return llvm::hash_combine(
-      llvm::hash_combine_range(kept.modes.group.begin(), kept.modes.group.end()),
+      llvm::hash_combine_range(kept.modes.groups.begin(), kept.modes.groups.end()),
       kept.modes.statedMay, kept.modes.statedMust, std::bit_cast<uint64_t>(kept.feed.lo),
       std::bit_cast<uint64_t>(kept.feed.hi), std::bit_cast<uint64_t>(kept.speed.lo),
-      std::bit_cast<uint64_t>(kept.speed.hi), kept.factsMay, kept.factsMust, kept.switchMay,
-      kept.switchMust, kept.spindle, kept.presetOn);
+      std::bit_cast<uint64_t>(kept.speed.hi), kept.factsMay, kept.factsMust, kept.switches.may,
+      kept.switches.must, kept.spindle, kept.presetOn);
 }
 
 } // namespace ncvet

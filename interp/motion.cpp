@@ -21,7 +21,7 @@ constexpr int32_t curvePoint = 0x7FFFFF00;
 Interval Execution::lengthFactor() const {
   if (masks_.units == noGroup)
     return Interval::exactly(1);
-  const uint64_t set = state_.group[masks_.units];
+  const uint64_t set = state_.groups[masks_.units];
   // Not stated: the program's own unit, whatever it is.
   if (set == groupUnset || !(set & ~masks_.metric))
     return Interval::exactly(1);
@@ -33,7 +33,7 @@ Interval Execution::lengthFactor() const {
 Truth Execution::incremental() const {
   if (masks_.distance == noGroup)
     return Truth::No;
-  const uint64_t set = state_.group[masks_.distance];
+  const uint64_t set = state_.groups[masks_.distance];
   if (!(set & masks_.incremental)) // not stated counts as absolute
     return Truth::No;
   return set & ~masks_.incremental ? Truth::Unknown : Truth::Yes;
@@ -52,7 +52,7 @@ Interval Execution::coordinate(const Word &word) const {
   if (word.isNumber() && !word.has(wordPoint) && masks_.pointlessIsIncrement)
     result = result * leastIncrement;
   if (address.axis == Axis::X && diameterMayBeOn()) {
-    if (state_.group[masks_.diameter] & ~masks_.diameterOn)
+    if (state_.groups[masks_.diameter] & ~masks_.diameterOn)
       return Interval::unknown();
     result = result * 0.5;
   }
@@ -66,7 +66,7 @@ Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
     return result;
   double factor = 1;
   const GroupIndex units = dialect.group(StandardGroup::Units);
-  if (units != noGroup && state.group[units] != groupUnset) {
+  if (units != noGroup && state.group(units) != groupUnset) {
     const Action unit = state.activeAction(dialect, StandardGroup::Units);
     if (unit == Action::None)
       return Interval::unknown();
@@ -155,9 +155,9 @@ void Execution::compensationStep(MotionKind kind, uint16_t axes) {
   Event &event = outcome_.emit(EventKind::CompensationMove);
   event.axes = axes;
   event.certain = state_.compensation == phaseStarting || state_.compensation == phaseEnding;
-  if (group != noGroup && std::has_single_bit(state_.group[group]) &&
-      state_.group[group] != groupUnset)
-    event.code = dialect_.groups[group].members[size_t(std::countr_zero(state_.group[group]))];
+  if (group != noGroup && std::has_single_bit(state_.group(group)) &&
+      state_.group(group) != groupUnset)
+    event.code = dialect_.groups[group].members[size_t(std::countr_zero(state_.group(group)))];
   const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
   if (motion && isArc(motion->action) == (kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw))
     event.by = CodeIndex(motion - dialect_.codes.data());
@@ -268,7 +268,7 @@ void Execution::contourFacts(MotionKind kind, uint16_t axes) {
   if (slanted)
     state_.set(Fact::ContourCompensated);
   else if (maySlant)
-    state_.factsMay |= bitOf(Fact::ContourCompensated);
+    state_.allow(bitOf(Fact::ContourCompensated));
 }
 
 void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes) {
@@ -298,9 +298,9 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
     return;
   }
   if (!code) {
-    state_.fedFrom = Interval::unknown();
-    state_.factsMust |= movedFacts;
-    state_.factsMay |= movedFacts | bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool);
+    state_.fedFrom.forget();
+    state_.put(movedFacts, 0);
+    state_.allow(bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
     state_.clear(Fact::AtMachinePosition);
     return;
   }
@@ -320,14 +320,16 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
 
 /// The facts that a move leaves behind.
 void Execution::afterMove(bool rapid, uint16_t axes) {
+  constexpr uint64_t asked =
+      bitOf(Fact::InContour) | bitOf(Fact::PolarRadiusSet) | bitOf(Fact::PlungedUncompensated);
+  stateUse.facts |= asked;
   const uint64_t on =
-      movedFacts | (state_.must(Fact::InContour) ? bitOf(Fact::ContourBegun) : 0) |
+      movedFacts | (state_.factsMust & bitOf(Fact::InContour) ? bitOf(Fact::ContourBegun) : 0) |
       (rapid ? bitOf(Fact::AwayFromPart) : bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
-  state_.factsMust = (state_.factsMust | on) & ~off;
-  state_.factsMay = (state_.factsMay | on) & ~off;
+  state_.put(on, off);
   // The word of the first plane axis is the radius; polar input takes the last one over.
-  if (masks_.polar != noGroup && !state_.must(Fact::PolarRadiusSet) &&
+  if (masks_.polar != noGroup && !(state_.factsMust & bitOf(Fact::PolarRadiusSet)) &&
       axes & bit(planeOrder(dialect_, state_)[0]))
     state_.set(Fact::PolarRadiusSet);
   if (!dialect_.isLathe())
@@ -348,16 +350,14 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
 void Execution::trackDepth(bool rapid) {
   constexpr Axis tool = Axis::Z;
   const Interval &from = before_.at(tool), &to = state_.at(tool);
-  const bool known = from.isConstant() && to.isConstant() &&
-                     before_.inMachineCoordinates(tool) == state_.inMachineCoordinates(tool);
-  if (!known || (state_.fedFrom.isConstant() && to.value() >= state_.fedFrom.value()))
-    state_.fedFrom = Interval::unknown();
+  if (before_.inMachineCoordinates(tool) == state_.inMachineCoordinates(tool))
+    state_.fedFrom.move(from, to, rapid);
+  else
+    state_.fedFrom.forget();
   if (rapid)
     return;
-  if (known && to.value() < from.value() && !state_.fedFrom.isConstant())
-    state_.fedFrom = from;
   for (unsigned i = 0; i < 2; ++i)
-    state_.cutArea[i] = join(state_.cutArea[i], state_.position[i]);
+    state_.cutArea.add(i, state_.position[i]);
 }
 
 /// G53: this block counts in machine coordinates.
@@ -369,7 +369,7 @@ void Execution::machineMove(uint16_t axes) {
   event.motion = motion && motion->action == Action::Linear ? MotionKind::Feed : MotionKind::Rapid;
   event.code = motion ? CodeIndex(motion - dialect_.codes.data()) : noCode;
   event.number = 1; // in machine coordinates
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address))
       storeTarget(word, true);
@@ -387,7 +387,7 @@ void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
   event.motion = MotionKind::Reference;
   event.axes = axes;
   event.code = use.code;
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   for (const Word &word : block_.words)
     if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
       storeTarget(word, false);
@@ -411,14 +411,14 @@ void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
 void Execution::shiftCoordinates(const CodeUse &use) {
   const CodeInfo &code = info(use);
   outcome_.setupChanged = true;
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   Event &event = outcome_.emit(EventKind::CoordinateChange);
   event.code = use.code;
   event.word = use.word;
   event.axes = axesOf(dialect_, block_);
   if (code.action == Action::PresetPosition && event.axes) {
     state_.clear(Fact::MovedSincePreset);
-    state_.origin.preset = originOf(*use.word);
+    state_.origin.set(StatePart::Preset, originOf(*use.word));
   }
   if (dialect_.zeros.systems)
     return setPreset(code.action == Action::LocalShift);
@@ -445,7 +445,7 @@ void Execution::shiftCoordinates(const CodeUse &use) {
 /// TRANS, ROT, SCALE, MIRROR and their like: the place stays, its coordinates are others.
 void Execution::changeFrame(const CodeUse &use) {
   outcome_.setupChanged = true;
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   Event &event = outcome_.emit(EventKind::CoordinateChange);
   event.code = use.code;
   event.word = use.word;
@@ -458,9 +458,9 @@ void Execution::workOffset(const CodeUse &use) {
   Event &event = outcome_.emit(EventKind::CoordinateChange);
   event.code = use.code;
   event.word = use.word;
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   if (dialect_.zeros.systems || code.group == noGroup ||
-      before_.group[code.group] == (uint64_t(1) << code.bit))
+      before_.group(code.group) == (uint64_t(1) << code.bit))
     return; // the same offset as before
   const CodeInfo *old = before_.activeCode(dialect_, StandardGroup::WorkOffset);
   const auto from = old ? machine_.offsets.find(old->name) : machine_.offsets.end();
@@ -640,7 +640,7 @@ void Execution::moveAxes() {
     return;
   }
   const CodeIndex index =
-      dialect_.groups[group].members[size_t(std::countr_zero(state_.group[group]))];
+      dialect_.groups[group].members[size_t(std::countr_zero(state_.group(group)))];
   const MotionKind kind = motion->action == Action::Rapid    ? MotionKind::Rapid
                           : motion->action == Action::ArcCw  ? MotionKind::ArcCw
                           : motion->action == Action::ArcCcw ? MotionKind::ArcCcw

@@ -329,7 +329,7 @@ private:
 
 void setFeed(const Dialect &dialect, const MachineState &state, Move &move) {
   move.feedMode = state.activeAction(dialect, StandardGroup::FeedMode);
-  move.feed = state.may(Fact::FeedSet) ? state.feed : Interval::unknown();
+  move.feed = state.may(Fact::FeedSet) ? state.feed.get() : Interval::unknown();
   if (state.activeAction(dialect, StandardGroup::Units) == Action::Inch &&
       move.feedMode != Action::FeedInverseTime)
     move.feed = move.feed * millimetresPerInch;

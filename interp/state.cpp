@@ -30,7 +30,7 @@ Origin either(const Origin &a, const Origin &b) { return a.known() ? a : b; }
 MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   MachineState r = a;
   for (size_t i = 0; i < maxGroups; ++i)
-    r.group[i] = a.group[i] | b.group[i];
+    r.groups[i] = a.groups[i] | b.groups[i];
   for (size_t i = 0; i < axisCount; ++i) {
     // A place in machine coordinates and one in work coordinates have nothing in common.
     const bool sameFrame = !((a.machineAxes ^ b.machineAxes) >> i & 1);
@@ -41,25 +41,25 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   r.statedMust = a.statedMust & b.statedMust;
   r.factsMay = a.factsMay | b.factsMay;
   r.factsMust = a.factsMust & b.factsMust;
-  r.feed = combine(a.feed, b.feed, wide);
-  r.fedFrom = combine(a.fedFrom, b.fedFrom, wide);
-  for (size_t i = 0; i < 2; ++i)
-    r.cutArea[i] = combine(a.cutArea[i], b.cutArea[i], wide);
-  r.tool = combine(a.tool, b.tool);
-  r.toolOffset = combine(a.toolOffset, b.toolOffset);
-  r.preselected = combine(a.preselected, b.preselected);
-  r.lengthOffset = combine(a.lengthOffset, b.lengthOffset);
-  r.radiusOffset = combine(a.radiusOffset, b.radiusOffset);
-  r.spindle = a.spindle | b.spindle;
-  r.liveTool = a.liveTool | b.liveTool;
+  r.feed.peek() = combine(a.feed.peek(), b.feed.peek(), wide);
+  r.fedFrom.peek() = combine(a.fedFrom.peek(), b.fedFrom.peek(), wide);
+  const CutArea::Box cutA = a.cutArea.all(), cutB = b.cutArea.all();
+  r.cutArea.set({combine(cutA[0], cutB[0], wide), combine(cutA[1], cutB[1], wide)});
+  r.tool.peek() = combine(a.tool.peek(), b.tool.peek());
+  r.toolOffset.peek() = combine(a.toolOffset.peek(), b.toolOffset.peek());
+  r.preselected.peek() = combine(a.preselected.peek(), b.preselected.peek());
+  r.lengthOffset.peek() = combine(a.lengthOffset.peek(), b.lengthOffset.peek());
+  r.radiusOffset.peek() = combine(a.radiusOffset.peek(), b.radiusOffset.peek());
+  r.spindle.peek() = a.spindle.peek() | b.spindle.peek();
+  r.liveTool.peek() = a.liveTool.peek() | b.liveTool.peek();
   r.compensation = a.compensation | b.compensation;
   r.idleBlocks = std::min(a.idleBlocks, b.idleBlocks);
-  r.speed = combine(a.speed, b.speed, wide);
-  r.speedLimit = combine(a.speedLimit, b.speedLimit, wide);
-  r.switchMay = a.switchMay | b.switchMay;
-  r.switchMust = a.switchMust & b.switchMust;
+  r.speed.peek() = combine(a.speed.peek(), b.speed.peek(), wide);
+  r.speedLimit.peek() = combine(a.speedLimit.peek(), b.speedLimit.peek(), wide);
+  r.switches.may = a.switches.may | b.switches.may;
+  r.switches.must = a.switches.must & b.switches.must;
   for (size_t i = 0; i < maxSwitches; ++i)
-    r.switchAxes[i] = a.switchAxes[i] | b.switchAxes[i];
+    r.switches.axes[i] = a.switches.axes[i] | b.switches.axes[i];
   for (size_t i = 0; i < 3; ++i) {
     r.localShift[i] = combine(a.localShift[i], b.localShift[i], wide);
     r.cycleStart[i] = combine(a.cycleStart[i], b.cycleStart[i], wide);
@@ -91,19 +91,8 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   r.profile = std::max(a.profile, b.profile);
   r.locals = wide ? Variables::widen(a.locals, b.locals) : Variables::join(a.locals, b.locals);
   r.commons = wide ? Variables::widen(a.commons, b.commons) : Variables::join(a.commons, b.commons);
-  for (size_t i = 0; i < maxGroups; ++i)
-    r.origin.group[i] = either(a.origin.group[i], b.origin.group[i]);
-  for (size_t i = 0; i < maxSwitches; ++i)
-    r.origin.switched[i] = either(a.origin.switched[i], b.origin.switched[i]);
-  r.origin.tool = either(a.origin.tool, b.origin.tool);
-  r.origin.spindle = either(a.origin.spindle, b.origin.spindle);
-  r.origin.speed = either(a.origin.speed, b.origin.speed);
-  r.origin.feed = either(a.origin.feed, b.origin.feed);
-  r.origin.cycle = either(a.origin.cycle, b.origin.cycle);
-  r.origin.compensation = either(a.origin.compensation, b.origin.compensation);
-  r.origin.pending = either(a.origin.pending, b.origin.pending);
-  r.origin.preset = either(a.origin.preset, b.origin.preset);
-  r.origin.rough = either(a.origin.rough, b.origin.rough);
+  for (size_t i = 0; i < r.origin.all().size(); ++i)
+    r.origin.all()[i] = either(a.origin.all()[i], b.origin.all()[i]);
   return r;
 }
 
@@ -114,7 +103,7 @@ void visitParts(const MachineState &s, Sink sink) {
     sink(std::bit_cast<uint64_t>(i.lo));
     sink(std::bit_cast<uint64_t>(i.hi));
   };
-  for (uint64_t g : s.group)
+  for (uint64_t g : s.groups)
     sink(g);
   for (const Interval &p : s.position)
     interval(p);
@@ -123,22 +112,23 @@ void visitParts(const MachineState &s, Sink sink) {
   sink(s.machineAxes);
   sink(s.factsMay);
   sink(s.factsMust);
-  interval(s.feed);
-  interval(s.fedFrom);
-  for (const Interval &i : s.cutArea)
+  interval(s.feed.peek());
+  interval(s.fedFrom.peek());
+  for (const Interval &i : s.cutArea.all())
     interval(i);
-  sink(uint64_t(uint32_t(s.tool)) << 32 | uint32_t(s.toolOffset));
-  sink(uint64_t(uint32_t(s.preselected)) << 32 | uint32_t(s.lengthOffset));
-  sink(uint64_t(uint32_t(s.radiusOffset)));
+  sink(uint64_t(uint32_t(s.tool.peek())) << 32 | uint32_t(s.toolOffset.peek()));
+  sink(uint64_t(uint32_t(s.preselected.peek())) << 32 | uint32_t(s.lengthOffset.peek()));
+  sink(uint64_t(uint32_t(s.radiusOffset.peek())));
   sink(s.modalCalls ? s.modalCalls->hash() : 0);
   sink(hash(s.saved));
-  sink(uint64_t(s.spindle) | uint64_t(s.liveTool) << 8 | uint64_t(s.compensation) << 16 |
-       uint64_t(s.idleBlocks) << 24 | uint64_t(s.pendingCycle) << 32 | uint64_t(s.profile) << 48 |
-       uint64_t(s.seeksBranch) << 56 | uint64_t(s.restoresModes) << 57);
-  interval(s.speed);
-  interval(s.speedLimit);
-  sink(uint64_t(s.switchMay) << 32 | s.switchMust);
-  for (uint16_t axes : s.switchAxes)
+  sink(uint64_t(s.spindle.peek()) | uint64_t(s.liveTool.peek()) << 8 |
+       uint64_t(s.compensation) << 16 | uint64_t(s.idleBlocks) << 24 |
+       uint64_t(s.pendingCycle) << 32 | uint64_t(s.profile) << 48 | uint64_t(s.seeksBranch) << 56 |
+       uint64_t(s.restoresModes) << 57);
+  interval(s.speed.peek());
+  interval(s.speedLimit.peek());
+  sink(uint64_t(s.switches.may) << 32 | s.switches.must);
+  for (uint16_t axes : s.switches.axes)
     sink(axes);
   for (const Interval &i : s.localShift)
     interval(i);
@@ -222,9 +212,9 @@ Truth MachineState::compensationActive(const Dialect &dialect) const {
 MachineState initialState(const Dialect &dialect) {
   MachineState state;
   for (size_t i = 0; i < maxGroups; ++i) {
-    state.group[i] = groupUnset;
+    state.groups[i] = groupUnset;
     if (i < dialect.groups.size() && dialect.groups[i].initial != 0xFF)
-      state.group[i] = uint64_t(1) << dialect.groups[i].initial;
+      state.groups[i] = uint64_t(1) << dialect.groups[i].initial;
   }
   state.localShift.fill(Interval::exactly(0));
   state.ranges = dialect.variableRanges;
@@ -238,18 +228,22 @@ MachineState initialState(const Dialect &dialect) {
 MachineState unknownState(const Dialect &dialect) {
   MachineState state;
   for (size_t i = 0; i < maxGroups; ++i) {
-    state.group[i] = groupUnset;
+    state.groups[i] = groupUnset;
     if (i < dialect.groups.size())
-      state.group[i] |= knownMembers(dialect, GroupIndex(i));
+      state.groups[i] |= knownMembers(dialect, GroupIndex(i));
   }
   state.statedMay = ~uint64_t(0);
   state.factsMay = ~uint64_t(0);
-  state.tool = state.toolOffset = state.preselected = state.lengthOffset = state.radiusOffset =
-      notKnown;
-  state.spindle = state.liveTool = spindleAny;
+  state.tool = notKnown;
+  state.toolOffset = notKnown;
+  state.preselected = notKnown;
+  state.lengthOffset = notKnown;
+  state.radiusOffset = notKnown;
+  state.spindle = spindleAny;
+  state.liveTool = spindleAny;
   state.compensation = phaseAny;
-  state.switchMay = ~0u;
-  state.switchAxes.fill(0xFFFF);
+  state.switches.may = ~0u;
+  state.switches.axes.fill(0xFFFF);
   state.roughFirst = state.roughLast = notKnown;
   if (dialect.callsModally)
     state.modalCalls = unknownModalCall();
@@ -266,7 +260,7 @@ MachineState unknownState(const Dialect &dialect) {
 
 bool equal(const MachineState &a, const MachineState &b) {
   // Most states that meet differ in what they have done or where they are.
-  if (a.factsMay != b.factsMay || a.factsMust != b.factsMust || a.group != b.group ||
+  if (a.factsMay != b.factsMay || a.factsMust != b.factsMust || a.groups != b.groups ||
       std::memcmp(a.position.data(), b.position.data(), sizeof a.position) != 0)
     return false;
   llvm::SmallVector<uint64_t, 192> parts;
@@ -302,7 +296,7 @@ uint64_t controlFingerprint(const Dialect &dialect, const MachineState &state) {
       state.active(dialect, StandardGroup::Distance), state.active(dialect, StandardGroup::Plane),
       state.active(dialect, StandardGroup::Units), state.active(dialect, StandardGroup::Cycle),
       state.active(dialect, StandardGroup::Motion),
-      state.active(dialect, StandardGroup::Compensation), state.compensation, state.tool,
+      state.active(dialect, StandardGroup::Compensation), state.compensation, state.tool.peek(),
       state.profile, state.seeksBranch, state.restoresModes);
 }
 

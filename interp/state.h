@@ -4,12 +4,14 @@
 #include "formats/dialect/dialect.h"
 #include "interp/frame.h"
 #include "interp/modal_call.h"
+#include "interp/state_use.h"
 #include "interp/variables.h"
 
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 namespace ncvet {
 
@@ -32,6 +34,7 @@ enum class Fact : uint8_t {
   MovedSinceTool,      ///< … an axis, since the last tool change
   FeedSet,             ///< an F word was executed
   FeedIsLead,          ///< the F in force was given as a thread lead
+  FeedCarried,         ///< the unit of the feed was stated behind the F in force
   SpeedSet,            ///< an S word that sets the spindle's speed was executed
   SpeedSinceMode,      ///< … since G96 or G97 was last switched
   SpeedLimitSet,       ///< the speed clamp was programmed
@@ -100,10 +103,154 @@ struct CycleWords {
 constexpr Interval emptyInterval{std::numeric_limits<double>::infinity(),
                                  -std::numeric_limits<double>::infinity()};
 
-/// Modal codes.
+/// Box of X and Y. What a stretch of blocks adds to it can be added elsewhere too.
+class CutArea {
+public:
+  using Box = std::array<Interval, 2>;
+
+  Box get() const {
+    stateUse.others |= bitOf(StatePart::CutArea);
+    return all();
+  }
+  void set(const Box &box) {
+    stateUse.others |= bitOf(StatePart::CutArea);
+    before_ = box;
+    here_ = none;
+  }
+  void clear() { set(none); }
+  /// A cut reaches up to here.
+  void add(size_t axis, const Interval &at) { here_[axis] = join(here_[axis], at); }
+  /// Without notice.
+  Box all() const { return {join(before_[0], here_[0]), join(before_[1], here_[1])}; }
+  /// What was added since the last call.
+  Box takeAdded() {
+    before_ = all();
+    return std::exchange(here_, none);
+  }
+  void add(const Box &box) {
+    for (size_t axis = 0; axis < box.size(); ++axis)
+      add(axis, box[axis]);
+  }
+  static constexpr Box none{emptyInterval, emptyInterval};
+
+private:
+  Box before_ = none, here_ = none; ///< what was taken, and what was added since then
+};
+
+/// Moves along the tool's axis.
+struct DepthMoves {
+  /// Highest end of one of them; infinite when one is not known.
+  double highest = -std::numeric_limits<double>::infinity();
+  bool feedsDown = false;
+
+  void add(const DepthMoves &other) {
+    highest = std::max(highest, other.highest);
+    feedsDown |= other.feedsDown;
+  }
+  /// Whether they leave the level from which the tool was fed down what it is.
+  bool spare(const Interval &level) const {
+    return level.isConstant() ? highest < level.value() : !feedsDown;
+  }
+};
+
+/// Level from which a tool was fed down and below which it has been since; unknown when it is clear
+/// of the work or nothing is known.
+class FeedLevel {
+public:
+  const Interval &get() const {
+    stateUse.others |= bitOf(StatePart::FeedLevel);
+    return level_;
+  }
+  /// Nothing is known of it any more.
+  void forget() {
+    stateUse.others |= bitOf(StatePart::FeedLevel);
+    level_ = Interval::unknown();
+  }
+  /// A move along the tool's axis, both places in the same coordinates.
+  void move(const Interval &from, const Interval &to, bool isRapid) {
+    const bool known = from.isConstant() && to.isConstant();
+    const bool down = !isRapid && known && to.value() < from.value();
+    moves_.add({known ? to.value() : std::numeric_limits<double>::infinity(), down});
+    if (!known || (level_.isConstant() && to.value() >= level_.value()))
+      level_ = Interval::unknown();
+    if (down && !level_.isConstant())
+      level_ = from;
+  }
+  /// Without notice.
+  const Interval &peek() const { return level_; }
+  Interval &peek() { return level_; }
+  /// The moves since the last call.
+  DepthMoves takeMoves() { return std::exchange(moves_, DepthMoves()); }
+  /// These were made too.
+  void add(const DepthMoves &moves) { moves_.add(moves); }
+
+private:
+  Interval level_;
+  DepthMoves moves_;
+};
+
+/// Modal codes: of each group the members that may be active, and whether the program has stated
+/// it. A look at one group is noted, one at all of them is not.
 struct ModeState {
-  std::array<uint64_t, maxGroups> group;  ///< bit set of members that may be active
-  uint64_t statedMay = 0, statedMust = 0; ///< bit per group: the program has stated it
+  /// The members of the group that may be active, as a bit set.
+  uint64_t group(size_t index) const {
+    touch(index);
+    return groups[index];
+  }
+  void setGroup(size_t index, uint64_t members) {
+    touch(index);
+    groups[index] = members;
+  }
+  /// The program has made `members` the active ones.
+  void state(size_t index, uint64_t members) {
+    setGroup(index, members);
+    statedMay |= uint64_t(1) << index;
+    statedMust |= uint64_t(1) << index;
+  }
+  bool mayBeStated(size_t index) const {
+    touch(index);
+    return statedMay >> index & 1;
+  }
+  bool isStated(size_t index) const {
+    touch(index);
+    return statedMust >> index & 1;
+  }
+
+  std::array<uint64_t, maxGroups> groups;
+  uint64_t statedMay = 0, statedMust = 0; ///< bit per group
+
+private:
+  static void touch(size_t index) { stateUse.groups |= uint64_t(1) << index; }
+};
+
+/// The switches of the dialect. A look at some of them is noted, one at the whole is not.
+struct SwitchState {
+  /// Those of `which` that may be on, and that are.
+  uint32_t mayBeOn(uint32_t which) const {
+    stateUse.others |= which;
+    return may & which;
+  }
+  uint32_t areOn(uint32_t which) const {
+    stateUse.others |= which;
+    return must & which;
+  }
+  /// Axes for which a switch may be on.
+  uint16_t axesOf(unsigned index) const {
+    stateUse.others |= uint64_t(1) << index;
+    return axes[index];
+  }
+  void put(unsigned index, bool mayBe, bool is, uint16_t forAxes) {
+    const uint32_t bit = 1u << index;
+    stateUse.others |= bit;
+    may = mayBe ? may | bit : may & ~bit;
+    must = is ? must | bit : must & ~bit;
+    axes[index] = forAxes;
+  }
+
+  uint32_t may = 0, must = 0; ///< bit per switch
+  std::array<uint16_t, maxSwitches> axes{};
+
+  friend bool operator==(const SwitchState &, const SwitchState &) = default;
 };
 
 /// What a program has kept of its state, to bring it back.
@@ -111,8 +258,7 @@ struct KeptModes {
   ModeState modes;
   Interval feed, speed;
   uint64_t factsMay = 0, factsMust = 0; ///< of the feed and the speed
-  uint32_t switchMay = 0, switchMust = 0;
-  std::array<uint16_t, maxSwitches> switchAxes{};
+  SwitchState switches;
   uint8_t spindle = 0;
   bool presetOn = false; ///< a shift over all work offsets may have been in force
 
@@ -135,30 +281,29 @@ struct MotionState {
   std::array<Interval, axisCount> position; ///< mm or degrees; lathe X as programmed
   uint32_t machineAxes = 0;                 ///< bit per axis: `position` is in machine coordinates
   uint64_t factsMay = 0, factsMust = 0;
-  Interval feed; ///< as programmed; unknown when never set (see Fact::FeedSet)
-  /// Mills: Z from which the tool was fed down and below which it has been
-  /// since; unknown when it is clear of the work or nothing is known.
-  Interval fedFrom;
-  /// Mills: box of X and Y in which the tool in use has cut; empty (lo > hi) before its first cut.
-  std::array<Interval, 2> cutArea{emptyInterval, emptyInterval};
+  /// As programmed; unknown when never set (see Fact::FeedSet).
+  Noted<Interval, StatePart::Feed> feed;
+  FeedLevel fedFrom; ///< mills: Z
+  /// Mills: where the tool in use has cut; empty (lo > hi) before its first cut.
+  CutArea cutArea;
 };
 
 /// What changes with set-up codes.
 struct SetupState {
-  int32_t tool = notSet;         ///< tool in the spindle or in cutting position
-  int32_t toolOffset = notSet;   ///< lathe: offset number of the T word
-  int32_t preselected = notSet;  ///< mill: T word that waits for the change
-  int32_t lengthOffset = notSet; ///< H
-  int32_t radiusOffset = notSet; ///< D
-  uint8_t spindle = spindleOff;
-  uint8_t liveTool = spindleOff;
+  Noted<int32_t, StatePart::Tool> tool = notSet; ///< tool in the spindle or in cutting position
+  Noted<int32_t, StatePart::ToolOffset> toolOffset = notSet; ///< lathe: offset number of the T word
+  Noted<int32_t, StatePart::Preselected> preselected =
+      notSet; ///< mill: T word that waits for the change
+  Noted<int32_t, StatePart::LengthOffset> lengthOffset = notSet; ///< H
+  Noted<int32_t, StatePart::RadiusOffset> radiusOffset = notSet; ///< D
+  Noted<uint8_t, StatePart::Spindle> spindle = spindleOff;
+  Noted<uint8_t, StatePart::LiveTool> liveTool = spindleOff;
   uint8_t compensation = phaseOff;
   uint8_t idleBlocks = 0; ///< blocks without a move in the plane since the last one, at most 255
-  Interval speed;         ///< S as programmed
-  Interval speedLimit;    ///< 1/min
-  uint32_t switchMay = 0, switchMust = 0;         ///< bit per switch of the dialect
-  std::array<uint16_t, maxSwitches> switchAxes{}; ///< axes for which a switch may be on
-  std::array<Interval, 3> localShift;             ///< G52, X Y Z
+  Noted<Interval, StatePart::Speed> speed;           ///< S as programmed
+  Noted<Interval, StatePart::SpeedLimit> speedLimit; ///< 1/min
+  SwitchState switches;
+  std::array<Interval, 3> localShift; ///< G52, X Y Z
   CycleWords cycle;
   Interval initialLevel;              ///< position along the tool axis when the cycle began
   std::array<Interval, 3> cycleStart; ///< X Y Z when the cycle began
@@ -178,28 +323,43 @@ struct SetupState {
   std::array<Interval, 2> pole{Interval::exactly(0), Interval::exactly(0)}; ///< in the plane's axes
 };
 
-/// Where things were set; never compared.
-struct OriginState {
-  std::array<Origin, maxGroups> group;
-  std::array<Origin, maxSwitches> switched;
-  Origin tool, spindle, speed, feed, cycle, compensation, pending, preset, rough, lengthOffset,
-      radiusOffset;
+/// Where things were set; never compared. A look at one of them is noted.
+class OriginState {
+public:
+  /// Of groups, switches and parts.
+  static constexpr size_t count = maxGroups + maxSwitches + size_t(StatePart::Count);
+  using Places = std::array<Origin, count>;
 
-  friend bool operator==(const OriginState &, const OriginState &) = default;
+  const Origin &of(StatePart part) const { return look(indexOf(part)); }
+  const Origin &ofSwitch(size_t index) const { return look(maxGroups + index); }
+  const Origin &ofGroup(size_t group) const { return look(group); }
+  void set(StatePart part, const Origin &origin) { put(indexOf(part), origin); }
+  void setSwitch(size_t index, const Origin &origin) { put(maxGroups + index, origin); }
+  void setGroup(size_t group, const Origin &origin) { put(group, origin); }
+
+  /// Without notice.
+  const Places &all() const { return at_; }
+  Places &all() { return at_; }
+
+private:
+  static constexpr size_t indexOf(StatePart part) { return maxGroups + maxSwitches + size_t(part); }
+  static void touch(size_t index) {
+    if (index < maxGroups)
+      stateUse.groupOrigins |= uint64_t(1) << index;
+    else
+      stateUse.otherOrigins |= uint64_t(1) << (index - maxGroups);
+  }
+  const Origin &look(size_t index) const {
+    touch(index);
+    return at_[index];
+  }
+  void put(size_t index, const Origin &origin) {
+    touch(index);
+    at_[index] = origin;
+  }
+
+  Places at_;
 };
-
-/// Calls `visit` with each place of the state.
-template <typename Origins, typename Visit>
-void forEachOrigin(Origins &origins, const Visit &visit) {
-  for (auto &origin : origins.group)
-    visit(origin);
-  for (auto &origin : origins.switched)
-    visit(origin);
-  for (auto *origin : {&origins.tool, &origins.spindle, &origins.speed, &origins.feed,
-                       &origins.cycle, &origins.compensation, &origins.pending, &origins.preset,
-                       &origins.rough, &origins.lengthOffset, &origins.radiusOffset})
-    visit(*origin);
-}
 
 struct MachineState : ModeState, MotionState, SetupState {
   Variables locals{Value::vacant()};
@@ -207,15 +367,34 @@ struct MachineState : ModeState, MotionState, SetupState {
   VariableRanges ranges; ///< of the dialect; never compared
   OriginState origin;
 
-  bool may(Fact fact) const { return factsMay & bitOf(fact); }
-  bool must(Fact fact) const { return factsMust & bitOf(fact); }
+  bool may(Fact fact) const {
+    stateUse.facts |= bitOf(fact);
+    return factsMay & bitOf(fact);
+  }
+  bool must(Fact fact) const {
+    stateUse.facts |= bitOf(fact);
+    return factsMust & bitOf(fact);
+  }
   void set(Fact fact) {
+    stateUse.facts |= bitOf(fact);
     factsMay |= bitOf(fact);
     factsMust |= bitOf(fact);
   }
   void clear(Fact fact) {
+    stateUse.facts |= bitOf(fact);
     factsMay &= ~bitOf(fact);
     factsMust &= ~bitOf(fact);
+  }
+  /// Several at once: those of `on` hold, those of `off` do not.
+  void put(uint64_t on, uint64_t off) {
+    stateUse.facts |= on | off;
+    factsMust = (factsMust | on) & ~off;
+    factsMay = (factsMay | on) & ~off;
+  }
+  /// They may hold.
+  void allow(uint64_t facts) {
+    stateUse.facts |= facts;
+    factsMay |= facts;
   }
   Truth is(Fact fact) const {
     return must(fact) ? Truth::Yes : may(fact) ? Truth::Unknown : Truth::No;
@@ -230,7 +409,7 @@ struct MachineState : ModeState, MotionState, SetupState {
   /// group.
   uint64_t active(const Dialect &dialect, StandardGroup which) const {
     const GroupIndex index = dialect.group(which);
-    return index == noGroup ? groupUnset : group[index];
+    return index == noGroup ? groupUnset : group(index);
   }
   /// The one active code of a standard group; null when it is not certain or none is.
   const CodeInfo *activeCode(const Dialect &dialect, StandardGroup which) const;
@@ -251,13 +430,13 @@ struct MachineState : ModeState, MotionState, SetupState {
                                                     StandardGroup which) const;
   Origin originOf(const Dialect &dialect, StandardGroup which) const {
     const GroupIndex index = dialect.group(which);
-    return index == noGroup ? Origin() : origin.group[index];
+    return index == noGroup ? Origin() : origin.ofGroup(index);
   }
   Interval &at(Axis axis) { return position[size_t(axis)]; }
   const Interval &at(Axis axis) const { return position[size_t(axis)]; }
   bool inMachineCoordinates(Axis axis) const { return machineAxes >> unsigned(axis) & 1; }
-  bool switchMayBeOn(unsigned index) const { return switchMay >> index & 1; }
-  bool switchMustBeOn(unsigned index) const { return switchMust >> index & 1; }
+  bool switchMayBeOn(unsigned index) const { return switches.mayBeOn(1u << index); }
+  bool switchMustBeOn(unsigned index) const { return switches.areOn(1u << index); }
 };
 
 /// State at the start of a program: power-on modes where the table has them, the rest not stated.

@@ -21,7 +21,7 @@ std::string radiusVariable(llvm::StringRef source, const Dialect &dialect,
       continue;
     const int32_t offset = radiusOffsetNumber(dialect, state);
     const bool given = offset != notSet;
-    const int32_t number = field == "tool" || (field == "offsetOrTool" && !given) ? state.tool
+    const int32_t number = field == "tool" || (field == "offsetOrTool" && !given) ? state.tool.get()
                            : field == "edge" && !given ? 1 // a tool's first one
                                                        : offset;
     if (number < 0)
@@ -65,7 +65,7 @@ const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &m
                                  const MachineState &state) {
   int32_t number = radiusOffsetNumber(dialect, state);
   if (cutterOfBlock(dialect)) {
-    number = number == notSet ? state.tool : number;
+    number = number == notSet ? state.tool.get() : number;
   } else if (dialect.offsetsOfTool) {
     // The list knows a tool's first edge.
     if (number != notSet && number != 1)

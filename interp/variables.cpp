@@ -1,6 +1,8 @@
 // The variables of a macro program: a small map that is cheap to copy.
 #include "interp/variables.h"
 
+#include "interp/state_use.h"
+
 #include "llvm/ADT/Hashing.h"
 
 #include <algorithm>
@@ -23,12 +25,25 @@ Variables::Entry Variables::entryOf(uint64_t number) const {
   return entry ? *entry : Entry{number, fallback_, othersGiven_};
 }
 
+namespace {
+
+void touch() { stateUse.others |= bitOf(StatePart::Variables); }
+
+} // namespace
+
 Value Variables::get(uint64_t number) const {
+  touch();
   const Entry *entry = find(number);
   return entry ? entry->value : fallback_;
 }
 
+bool Variables::empty() const {
+  touch();
+  return !data_ || data_->entries.empty();
+}
+
 Truth Variables::given(uint64_t number) const {
+  touch();
   const Entry *entry = find(number);
   return entry ? entry->given : othersGiven_;
 }
@@ -41,7 +56,10 @@ std::vector<Variables::Entry> &Variables::own() {
   return data_->entries;
 }
 
-void Variables::set(uint64_t number, const Value &value) { write({number, value}); }
+void Variables::set(uint64_t number, const Value &value) {
+  touch();
+  write({number, value});
+}
 
 void Variables::write(const Entry &entry) {
   auto &entries = own();
@@ -53,6 +71,7 @@ void Variables::write(const Entry &entry) {
 }
 
 void Variables::erase(uint64_t number) {
+  touch();
   if (othersGiven_ == Truth::No && !find(number))
     return;
   if (othersGiven_ == Truth::No)
@@ -62,6 +81,7 @@ void Variables::erase(uint64_t number) {
 }
 
 void Variables::forget() {
+  touch();
   data_ = nullptr;
   fallback_ = Value::unknown();
   othersGiven_ = Truth::Unknown;
@@ -107,6 +127,7 @@ Variables Variables::widen(const Variables &previous, const Variables &next) {
 }
 
 bool operator==(const Variables &a, const Variables &b) {
+  touch();
   if (!(a.fallback_ == b.fallback_) || a.othersGiven_ != b.othersGiven_)
     return false;
   if (a.data_ == b.data_)

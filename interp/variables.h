@@ -26,7 +26,7 @@ public:
   void erase(uint64_t key);
   /// Forgets everything: all variables unknown, and any of them may have been given a value.
   void forget();
-  bool empty() const { return !data_ || data_->entries.empty(); }
+  bool empty() const;
 
   static Variables join(const Variables &a, const Variables &b);
   static Variables widen(const Variables &previous, const Variables &next);

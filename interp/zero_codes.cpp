@@ -28,7 +28,7 @@ std::array<Interval, axisCount> Execution::known() const {
 
 /// Gives the tool these coordinates, but for axes of which those on the machine are known.
 void Execution::moveTo(const std::array<Interval, axisCount> &place) {
-  state_.fedFrom = Interval::unknown();
+  state_.fedFrom.forget();
   for (size_t i = 0; i < axisCount; ++i)
     if (!(state_.machineAxes >> i & 1))
       state_.position[i] = place[i];

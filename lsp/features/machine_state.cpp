@@ -61,7 +61,7 @@ private:
   /// The codes of a group that may be active: `G00 or G01`.
   std::string active(GroupIndex index) const {
     const GroupInfo &group = dialect_.groups[index];
-    const uint64_t may = state_.group[index];
+    const uint64_t may = state_.group(index);
     std::vector<std::string> names;
     for (size_t member = 0; member < group.members.size() && member < 63; ++member)
       if (may >> member & 1)
@@ -126,7 +126,7 @@ private:
     }
     if (state_.may(Fact::SpeedSet))
       spindle += (spindle.empty() ? "S" : ", S") + words(state_.speed);
-    if (!state_.speedLimit.isUnknown())
+    if (!state_.speedLimit->isUnknown())
       spindle += ", at most " + words(state_.speedLimit);
     add("spindle", spindle);
   }
@@ -147,7 +147,7 @@ private:
   void switches() {
     std::vector<std::string> on;
     for (size_t i = 0; i < dialect_.switches.size(); ++i) {
-      const bool may = state_.switchMay >> i & 1, must = state_.switchMust >> i & 1;
+      const bool may = state_.switches.may >> i & 1, must = state_.switches.must >> i & 1;
       if (must)
         on.push_back(dialect_.switches[i].title);
       else if (may && on.size() < 4)

@@ -47,7 +47,7 @@ struct Search {
 
 /// The certainly active code of a group; null: none, or it is not certain.
 const CodeInfo *activeCode(const Dialect &dialect, const MachineState &state, GroupIndex group) {
-  const uint64_t set = group == noGroup ? 0 : state.group[group];
+  const uint64_t set = group == noGroup ? 0 : state.group(group);
   if (!set || (set & (set - 1)) || set == groupUnset)
     return nullptr;
   for (const CodeIndex member : dialect.groups[group].members)

@@ -33,7 +33,8 @@ public:
               .message("`{0}` makes a helix whose axis is not that of the tool's infeed: it cannot "
                        "be compensated",
                        ctx.text(word))
-              .note(ctx.before().origin.compensation, "compensation is switched on here");
+              .note(ctx.before().origin.of(StatePart::Compensation),
+                    "compensation is switched on here");
         else
           finding.message("`{0}` lies outside of the plane of `{1}`: whether the axis moves along "
                           "with the arc is not stated",
@@ -47,7 +48,7 @@ private:
   /// The plane of the arc was selected while compensation was on already.
   static bool turnsUnderCompensation(const RuleContext &ctx) {
     const Origin plane = ctx.after().originOf(ctx.dialect(), StandardGroup::Plane);
-    const Origin start = ctx.before().origin.compensation;
+    const Origin start = ctx.before().origin.of(StatePart::Compensation);
     return ctx.before().compensation == phaseOn && ctx.after().compensation == phaseOn &&
            plane.known() && start.known() && plane.file == start.file && plane.begin > start.begin;
   }

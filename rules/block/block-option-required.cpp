@@ -25,7 +25,9 @@ public:
     }
     toolByItself(event, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(lastTool_); }
+  void remember(RuleMemory &memory) const override {
+    memory.aside([&] { memory(lastTool_); });
+  }
 
 private:
   static constexpr llvm::StringLiteral id{"block-option-required"};
@@ -35,8 +37,10 @@ private:
     const MachineState &before = ctx.before();
     if (event.motion == MotionKind::Reference || ctx.after().tool != notSet ||
         before.preselected == notSet || before.may(Fact::ToolCalled) ||
-        before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}) ||
-        lastTool_.file != ctx.source().id() || lastTool_.empty())
+        before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}))
+      return;
+    stateUse.aside = true;
+    if (lastTool_.file != ctx.source().id() || lastTool_.empty())
       return;
     if (auto finding = ctx.report(lastTool_, event.certain))
       finding

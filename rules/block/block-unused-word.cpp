@@ -116,7 +116,7 @@ private:
       if (group == noGroup)
         continue;
       // Behind the block: a code of the block itself has replaced the one before.
-      const uint64_t active = ctx.before().group[group] | ctx.after().group[group];
+      const uint64_t active = ctx.before().group(group) | ctx.after().group(group);
       for (size_t i = 0; i < dialect.groups[group].members.size(); ++i) {
         if (!(active >> i & 1))
           continue;

@@ -54,9 +54,8 @@ public:
           .message("the move that {0} compensation is {1:f3} mm long, {3} than the radius of "
                    "{2:f3} mm: the control stops, or the tool cuts into the contour",
                    off ? "removes" : "builds up", way, radius, longer_ ? "not longer" : "shorter")
-          .note(ctx.before().origin.tool, "the tool is called here");
+          .note(ctx.before().origin.of(StatePart::Tool), "the tool is called here");
   }
-  bool sleeps(const MachineState &state) const override { return state.compensation == phaseOff; }
 
 private:
   /// A control that takes the first move for the one that builds compensation up, whatever its
@@ -75,7 +74,7 @@ private:
               "the move that builds up compensation has no way in the plane, and the radius is "
               "{0:f3} mm: the control stops",
               std::fabs(*radius))
-          .note(state.origin.tool, "the tool is called here");
+          .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 
   bool longer_ = false; ///< the move on has to be longer than the radius; the one off need not

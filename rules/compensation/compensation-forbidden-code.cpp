@@ -19,7 +19,8 @@ public:
     const CodeInfo &code = ctx.code(event);
     // `G40` in the same block comes first.
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    if (active == Truth::No || !ctx.after().origin.compensation.known() || !disturbs(code, ctx))
+    if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known() ||
+        !disturbs(code, ctx))
       return;
     const bool wasOn = ctx.before().compensationActive(ctx.dialect()) != Truth::No;
     // Switched on in this very block: a unit or an offset comes before the move.
@@ -31,7 +32,7 @@ public:
       finding
           .message("`{0}` while {1} is on: the control stops, or shifts the contour under the tool",
                    code.name, on ? "`" + on->name + "`" : std::string("compensation"))
-          .note(ctx.after().origin.compensation, "compensation is switched on here")
+          .note(ctx.after().origin.of(StatePart::Compensation), "compensation is switched on here")
           .fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                ctx.insertBlockBefore(off));
     }
@@ -43,7 +44,7 @@ private:
     case Action::Thread:
       return cycles_;
     case Action::WorkOffset: // the same once more changes nothing
-      return code.group == noGroup || ctx.before().group[code.group] != (uint64_t(1) << code.bit);
+      return code.group == noGroup || ctx.before().group(code.group) != (uint64_t(1) << code.bit);
     case Action::Cycle:
       switch (cycles_ ? code.cycle : CycleKind::None) {
       case CycleKind::TurnPass:

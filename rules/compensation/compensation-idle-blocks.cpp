@@ -32,7 +32,6 @@ public:
   void remember(RuleMemory &memory) const override {
     memory(behindInfeed_, inARow_, behindApproach_);
   }
-  bool sleeps(const MachineState &state) const override { return state.compensation == phaseOff; }
 
 private:
   /// Moves of the infeed axis alone, one behind the other: the path has no next corner to turn to.
@@ -52,7 +51,7 @@ private:
           .message("{0} moves of the infeed axis alone in a row under {1}: the control loses the "
                    "contour",
                    inARow_, name(ctx))
-          .note(state.origin.compensation, "compensation is switched on here");
+          .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
   /// Keeps which block comes next as long as only idle ones follow a soft approach.
@@ -79,7 +78,7 @@ private:
                      "contour: the control stops",
                      allowed + 1)
             .severity(Severity::Error)
-            .note(state.origin.compensation, "compensation is switched on here");
+            .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
       return;
     }
     if (auto finding = ctx.report(ctx.blockRange()))
@@ -90,7 +89,7 @@ private:
                                    "control cannot compute the next corner and cuts into it",
                    allowed_ + 1, name(ctx))
           .severity(severity_)
-          .note(state.origin.compensation, "compensation is switched on here");
+          .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
   /// Looks ahead as the control does: only a compensated move behind the idle blocks is harmed.
@@ -151,7 +150,7 @@ private:
           .message("a move of zero length in the plane under {0}: the control sets the tool square "
                    "to the last element and cuts into the next",
                    name(ctx))
-          .note(ctx.after().origin.compensation, "compensation is switched on here");
+          .note(ctx.after().origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
   static std::string name(RuleContext &ctx) {

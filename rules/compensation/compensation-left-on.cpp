@@ -60,7 +60,7 @@ private:
   }
 
   static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {
-    const Origin &origin = ctx.after().origin.compensation;
+    const Origin &origin = ctx.after().origin.of(StatePart::Compensation);
     return origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
            origin.begin < program.end;
   }
@@ -68,7 +68,7 @@ private:
   static void leftOn(const Event &event, const char *when, std::optional<Severity> severity,
                      RuleContext &ctx) {
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    if (active == Truth::No || !ctx.after().origin.compensation.known())
+    if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known())
       return;
     if (auto finding = ctx.report(event, active == Truth::Yes && event.certain)) {
       finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);
@@ -81,7 +81,8 @@ private:
   }
 
   static void describe(FindingBuilder &finding, RuleContext &ctx) {
-    finding.note(ctx.after().origin.compensation, nameOf(ctx) + " is switched on here");
+    finding.note(ctx.after().origin.of(StatePart::Compensation),
+                 nameOf(ctx) + " is switched on here");
   }
 
   /// A cycle that reads a profile: its last block is where compensation has to be off again.
@@ -104,7 +105,7 @@ private:
     if (found == profiles_.end())
       return;
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    const Origin &origin = ctx.after().origin.compensation;
+    const Origin &origin = ctx.after().origin.of(StatePart::Compensation);
     // Only what the contour itself has switched on; the rest is the program's.
     if (active == Truth::No || !origin.known() || origin.file != ctx.source().id() ||
         origin.begin < found->second.first || origin.begin > ctx.block().end)

@@ -59,7 +59,7 @@ private:
     if (ctx.outcome().flow.kind != FlowKind::Profile || event.code == noCode ||
         ctx.before().compensationActive(ctx.dialect()) != Truth::Yes)
       return;
-    const Origin &origin = ctx.before().origin.compensation;
+    const Origin &origin = ctx.before().origin.of(StatePart::Compensation);
     if (!origin.known() || origin.file != ctx.source().id())
       return;
     if (auto finding = ctx.report(origin.range(), event.certain))

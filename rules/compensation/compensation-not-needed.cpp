@@ -13,7 +13,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.before();
-    const Origin &origin = state.origin.compensation;
+    const Origin &origin = state.origin.of(StatePart::Compensation);
     if (state.compensation != phaseOn || !state.must(Fact::CompensatedCut) ||
         state.may(Fact::ContourCompensated) || !origin.known() || origin.file != ctx.source().id())
       return;

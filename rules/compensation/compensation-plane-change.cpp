@@ -15,10 +15,10 @@ public:
     const Dialect &dialect = ctx.dialect();
     const Truth was = ctx.before().compensationActive(dialect);
     const Truth is = ctx.after().compensationActive(dialect);
-    if (was == Truth::No || is == Truth::No || !ctx.after().origin.compensation.known() ||
-        code.group == noGroup)
+    if (was == Truth::No || is == Truth::No ||
+        !ctx.after().origin.of(StatePart::Compensation).known() || code.group == noGroup)
       return;
-    const uint64_t planes = ctx.before().group[code.group], here = uint64_t(1) << code.bit;
+    const uint64_t planes = ctx.before().group(code.group), here = uint64_t(1) << code.bit;
     // Not stated so far: the machine's usual plane.
     if (planes == groupUnset) {
       const bool usual = code.action == (dialect.isLathe() ? Action::PlaneZX : Action::PlaneXY);
@@ -34,7 +34,7 @@ public:
       finding
           .message("`{0}` changes the plane while {1} is on: the control stops with an alarm",
                    code.name, on ? "`" + on->name + "`" : std::string("compensation"))
-          .note(ctx.after().origin.compensation, "compensation is switched on here");
+          .note(ctx.after().origin.of(StatePart::Compensation), "compensation is switched on here");
     }
   }
 };

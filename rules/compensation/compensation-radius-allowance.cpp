@@ -46,7 +46,8 @@ public:
               "`{0}` with a radius of {1} mm: a negative radius swaps the sides, the tool runs "
               "on the {2} of the contour",
               code->name, *radius, left ? "right" : "left")
-          .note(dialect.isLathe() ? ctx.after().origin.tool : ctx.after().origin.radiusOffset,
+          .note(dialect.isLathe() ? ctx.after().origin.of(StatePart::Tool)
+                                  : ctx.after().origin.of(StatePart::RadiusOffset),
                 dialect.isLathe() ? "the offset is called here" : "the offset is selected here");
     }
   }

@@ -28,7 +28,6 @@ public:
                      const ElementCorners &corners) { judge(element, neighbours, corners, ctx); });
   }
   void remember(RuleMemory &memory) const override { memory(squeezed_, trail_); }
-  bool sleeps(const MachineState &state) const override { return state.compensation == phaseOff; }
 
 private:
   void judge(const ContourTrail::Element &element, const Neighbours &neighbours,

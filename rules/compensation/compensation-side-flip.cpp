@@ -32,7 +32,7 @@ private:
       return;
     const Truth flips = ctx.before().isActive(ctx.dialect(), StandardGroup::Compensation, {other});
     const CodeInfo *was = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
-    if (!ctx.before().origin.compensation.known())
+    if (!ctx.before().origin.of(StatePart::Compensation).known())
       return;
     if (flips == Truth::No) {
       if (again_ && was && was->action == code.action && ctx.before().compensation == phaseOn)
@@ -45,7 +45,7 @@ private:
           .message("`{0}` while {1} is on: the tool changes the side without `{2}` and crosses "
                    "the contour",
                    code.name, was ? "`" + was->name + "`" : std::string("the other side"), off)
-          .note(ctx.before().origin.compensation, "the other side is selected here")
+          .note(ctx.before().origin.of(StatePart::Compensation), "the other side is selected here")
           .fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                ctx.insertBlockBefore(off));
     }
@@ -57,7 +57,8 @@ private:
           .message("`{0}` while compensation is on already: it starts anew in the middle of the "
                    "contour",
                    code.name)
-          .note(ctx.before().origin.compensation, "compensation is switched on here");
+          .note(ctx.before().origin.of(StatePart::Compensation),
+                "compensation is switched on here");
   }
 
   /// An offset of the other sign swaps the sides as well.
@@ -75,7 +76,7 @@ private:
           .message("`{0}` has a radius of the other sign: the tool changes the side without "
                    "`G40` and crosses the contour",
                    ctx.text(*event.word))
-          .note(ctx.before().origin.radiusOffset, "the offset so far is set here");
+          .note(ctx.before().origin.of(StatePart::RadiusOffset), "the offset so far is set here");
   }
 };
 

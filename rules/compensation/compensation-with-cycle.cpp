@@ -20,10 +20,10 @@ public:
     if (code.action == Action::Cycle && !forbidden(code.cycle))
       return;
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    if (active == Truth::No || !ctx.after().origin.compensation.known())
+    if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known())
       return;
     // Told where the cycle begins, not at each of its holes again.
-    const Origin &origin = ctx.after().origin.cycle;
+    const Origin &origin = ctx.after().origin.of(StatePart::Cycle);
     if (code.action == Action::Cycle && origin.known()) {
       if (event.kind == EventKind::CycleStart)
         begun_.insert({origin.file, origin.begin});
@@ -48,7 +48,7 @@ public:
                   ? "`{0}` while {1} is on: the control stops, or the cycle runs on another path"
                   : "`{0}` while {1} is on: the hole is not made, or in another place",
               code.name, on ? "`" + on->name + "`" : std::string("compensation"))
-          .note(ctx.after().origin.compensation, "compensation is switched on here")
+          .note(ctx.after().origin.of(StatePart::Compensation), "compensation is switched on here")
           .fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                ctx.insertBlockBefore(off));
     }

@@ -37,7 +37,7 @@ private:
       finding
           .message("the first piece of the contour under {0} is a rapid move: it is made at feed",
                    nameOf(ctx))
-          .note(before.origin.compensation, "compensation is switched on here");
+          .note(before.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
   static std::string nameOf(RuleContext &ctx) {
@@ -139,7 +139,7 @@ private:
         return; // another block comes before
     }
     // Switched on in the caller, not in a previous pass of this program.
-    const Origin &origin = ctx.before().origin.compensation;
+    const Origin &origin = ctx.before().origin.of(StatePart::Compensation);
     if (origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
         origin.begin < program.end)
       return;

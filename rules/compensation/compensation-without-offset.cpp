@@ -43,7 +43,7 @@ private:
       if (state.must(Fact::UnknownCode) || (!lathe && ctx.block().has(letterAddress('H'))))
         return;
       // Every contour behind one D0 suffers from it; the first says so.
-      if (!lathe && number == 0 && !once_.speaks(state.origin.radiusOffset, ctx))
+      if (!lathe && number == 0 && !once_.speaks(state.origin.of(StatePart::RadiusOffset), ctx))
         return;
       const bool certain = event.certain && !state.may(Fact::UnknownCode);
       auto finding = ctx.report(where, certain);
@@ -62,7 +62,8 @@ private:
                                     : "`{0}` without a D: the radius is zero, the tool runs on the "
                                       "contour line",
                         code.name);
-      finding.note(lathe ? state.origin.tool : state.origin.radiusOffset,
+      finding.note(lathe ? state.origin.of(StatePart::Tool)
+                         : state.origin.of(StatePart::RadiusOffset),
                    lathe ? "the tool is called here" : "D is set here");
       return;
     }
@@ -72,7 +73,7 @@ private:
       finding
           .message("`{0}` with {1} {2}, whose {3} is 0: the tool runs on the contour line",
                    code.name, lathe ? "offset" : "D", number, lathe ? "nose radius" : "radius")
-          .note(lathe ? state.origin.tool : state.origin.radiusOffset,
+          .note(lathe ? state.origin.of(StatePart::Tool) : state.origin.of(StatePart::RadiusOffset),
                 lathe ? "the tool is called here" : "D is set here");
   }
 
@@ -89,7 +90,7 @@ private:
           .message("`{0}` {1}: the tool runs on the contour line", code.name,
                    none ? "before any tool was changed in: the radius is zero"
                         : llvm::formatv("with tool {0}, whose radius is 0", state.tool).str())
-          .note(state.origin.tool, "the tool is called here");
+          .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 
   OncePerCause once_;

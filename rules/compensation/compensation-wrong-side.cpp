@@ -24,7 +24,6 @@ public:
       firstElement(event, ctx);
   }
   void remember(RuleMemory &memory) const override { memory(known_, from_, to_, entry_); }
-  bool sleeps(const MachineState &state) const override { return state.compensation == phaseOff; }
 
 private:
   /// Looks at the first element behind the entry. Cut towards the chuck, an outside contour grows
@@ -56,7 +55,7 @@ private:
     if (!code || code->action == right ||
         (code->action != Action::CompensationLeft && code->action != Action::CompensationRight))
       return;
-    const Origin &origin = after.origin.compensation;
+    const Origin &origin = after.origin.of(StatePart::Compensation);
     const bool here = origin.known() && origin.file == ctx.source().id();
     if (auto finding = ctx.report(here ? origin.range() : ctx.blockRange(), event.certain))
       finding
@@ -123,7 +122,7 @@ private:
     if (event.motion != MotionKind::Feed || along < -tolerance ||
         (right ? left <= tolerance : left >= -tolerance))
       return;
-    const Origin &origin = after.origin.compensation;
+    const Origin &origin = after.origin.of(StatePart::Compensation);
     const bool here = origin.known() && origin.file == ctx.source().id();
     if (auto finding = ctx.report(here ? origin.range() : entry_, event.certain))
       finding

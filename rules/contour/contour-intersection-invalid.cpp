@@ -68,7 +68,6 @@ public:
     previous(event, plane, ctx);
   }
   void remember(RuleMemory &memory) const override { memory(last_, table_); }
-  bool sleeps(const MachineState &) const override { return !open_ && !last_ && ownOnly_; }
 
 private:
   /// A line of which only the direction is given ends where the next element begins.
@@ -255,7 +254,7 @@ private:
 
   static void incremental(RuleContext &ctx, SourceRange range) {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Distance);
-    if (group == noGroup || ctx.after().group[group] == groupUnset ||
+    if (group == noGroup || ctx.after().group(group) == groupUnset ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::Yes)
       return;

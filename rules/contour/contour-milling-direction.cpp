@@ -34,7 +34,7 @@ private:
           .message("`{0}` with this direction of the spindle is conventional milling: each tooth "
                    "begins at the finished surface",
                    ctx.code(event).name)
-          .note(ctx.after().origin.spindle, "the spindle is switched on here");
+          .note(ctx.after().origin.of(StatePart::Spindle), "the spindle is switched on here");
   }
 
   /// Arcs of ZX are seen along Y from its positive end: Z points up and X to the left there.

@@ -112,9 +112,6 @@ public:
   void remember(RuleMemory &memory) const override {
     memory(outline_, last_, closed_, begin_, start_);
   }
-  bool sleeps(const MachineState &state) const override {
-    return usual_ > 0 ? state.compensation == phaseOff && !outline_.known() : state.profile != 1;
-  }
 
 private:
   /// A profile that encloses something has a point from which the tool comes.

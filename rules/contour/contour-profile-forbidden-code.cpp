@@ -27,9 +27,6 @@ public:
       return foreign(event, ctx);
     }
   }
-  bool sleeps(const MachineState &state) const override {
-    return !state.must(Fact::InContour) && !(records_ && state.profile == 1);
-  }
 
 private:
   /// A profile that the control records and runs later: elements of one plane, and nothing else.
@@ -88,7 +85,7 @@ private:
     case Action::PlaneZX:
     case Action::PlaneYZ: {
       const GroupIndex group = ctx.code(event).group;
-      if (group != noGroup && ctx.before().group[group] != (uint64_t(1) << ctx.code(event).bit))
+      if (group != noGroup && ctx.before().group(group) != (uint64_t(1) << ctx.code(event).bit))
         if (auto finding = ctx.report(event))
           finding.message("`{0}` changes the plane inside a contour: a contour lies in one plane",
                           ctx.code(event).name);

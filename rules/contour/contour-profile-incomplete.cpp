@@ -47,7 +47,6 @@ public:
                       "to mill along");
   }
   void remember(RuleMemory &memory) const override { memory(begun_, attached_, pieces_, begin_); }
-  bool sleeps(const MachineState &state) const override { return state.profile != 1; }
 
 private:
   /// A piece of a profile that is recorded.
@@ -85,7 +84,7 @@ private:
       finding.severity(Severity::Warning)
           .message("`{0}` takes compensation off before a piece of a contour was made",
                    ctx.code(event).name)
-          .note(before.origin.compensation, "it is switched on here");
+          .note(before.origin.of(StatePart::Compensation), "it is switched on here");
   }
 
   bool records_ = false;  ///< the control records profiles that a later code runs

@@ -39,7 +39,6 @@ public:
     start_ = {};
   }
   void remember(RuleMemory &memory) const override { memory(elements_, section_, first_, start_); }
-  bool sleeps(const MachineState &state) const override { return state.profile != 1; }
 
 private:
   static constexpr llvm::StringLiteral id{"ecs-section-profile-invalid"};

@@ -55,7 +55,7 @@ private:
           .message("`{0}` with zeros restores the system only where the shift was made, and the "
                    "tool has moved since",
                    ctx.text(*event.word))
-          .note(before.origin.preset, "shifted here");
+          .note(before.origin.of(StatePart::Preset), "shifted here");
   }
 
   static void localShift(const Event &event, RuleContext &ctx) {
@@ -85,14 +85,14 @@ private:
         !ctx.before().switchMustBeOn(code.effect.index))
       return;
     const uint16_t named = axesOf(ctx.dialect(), ctx.block());
-    const uint16_t mirrored = ctx.before().switchAxes[code.effect.index];
+    const uint16_t mirrored = ctx.before().switches.axesOf(code.effect.index);
     if (!named || !mirrored || !(mirrored & ~named))
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
           .message("`{0}` ends the mirror image of the axes that it names only: {1} stays mirrored",
                    ctx.text(*event.word), namesOf(uint16_t(mirrored & ~named)))
-          .note(ctx.before().origin.switched[code.effect.index], "mirrored here");
+          .note(ctx.before().origin.ofSwitch(code.effect.index), "mirrored here");
   }
 
   /// What was switched on last is switched off first.
@@ -119,7 +119,7 @@ private:
       finding
           .message("`{0}` comes too early: {1} was switched on later and has to end first",
                    ctx.text(*event.word), inner.title)
-          .note(ctx.before().origin.switched[last - 1u], inner.title + " begins here");
+          .note(ctx.before().origin.ofSwitch(last - 1u), inner.title + " begins here");
   }
 
   static std::string namesOf(uint16_t axes) {

@@ -13,7 +13,7 @@ public:
     if (code.effect.index >= maxSwitches || !ctx.before().switchMustBeOn(code.effect.index) ||
         ctx.before().may(Fact::UnknownCode))
       return;
-    const Origin &origin = ctx.before().origin.switched[code.effect.index];
+    const Origin &origin = ctx.before().origin.ofSwitch(code.effect.index);
     // The same frame with other values is meant to replace it.
     if (origin.known() && origin.file == ctx.source().id() &&
         ctx.text(origin.range()).equals_insensitive(ctx.text(*event.word)))

@@ -56,7 +56,7 @@ private:
       if (!(ctx.dialect().elementWords & maskOf(word.address)))
         continue;
       const DefinedElements::Element *element = elements_.find(word);
-      if (!element || !(ctx.before().switchMust & frames & ~element->switches))
+      if (!element || !ctx.before().switches.areOn(frames & ~element->switches))
         continue;
       if (auto finding = ctx.report(word))
         finding.severity(Severity::Warning)
@@ -76,7 +76,7 @@ private:
     if (!code || code->effect.index == 0xFF)
       return;
     const auto axes =
-        uint16_t(state.switchAxes[code->effect.index] & planeAxes(ctx.dialect(), state));
+        uint16_t(state.switches.axesOf(code->effect.index) & planeAxes(ctx.dialect(), state));
     if (!axes || (axes & (axes - 1))) // mirrored in both axes, the path keeps its sense
       return;
     if (auto finding = ctx.report(event))
@@ -84,7 +84,7 @@ private:
           .message("one axis of the plane is mirrored: `{0}` runs on the other side, climb becomes "
                    "conventional milling",
                    ctx.text(*event.word))
-          .note(state.origin.switched[code->effect.index], "mirrored here");
+          .note(state.origin.ofSwitch(code->effect.index), "mirrored here");
   }
 
   std::set<uint32_t> reported_; ///< one finding for each scaling code

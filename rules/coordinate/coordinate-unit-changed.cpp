@@ -13,7 +13,7 @@ public:
     const GroupIndex group = ctx.dialect().group(StandardGroup::Units);
     if (group == noGroup || before.may(Fact::UnknownCode))
       return;
-    const bool stated = before.statedMust >> group & 1;
+    const bool stated = before.isStated(group);
     const CodeInfo *active = before.activeCode(ctx.dialect(), StandardGroup::Units);
     const CodeInfo &code = ctx.code(event);
     if (active && active->action == code.action)
@@ -25,7 +25,7 @@ public:
       // Selected for the first time: too late when the tool has been driven by numbers.
       const bool drove = before.must(Fact::Moved) &&
                          (before.must(Fact::Cut) || !before.may(Fact::AtMachinePosition));
-      if (!drove || (before.statedMay >> group & 1))
+      if (!drove || (before.mayBeStated(group)))
         return;
     }
     // The way back belongs to the change that was reported.

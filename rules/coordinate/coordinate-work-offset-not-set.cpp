@@ -17,7 +17,7 @@ public:
         event.number || !event.axes)
       return;
     // A preset makes a coordinate system of its own; increments need none.
-    if (state.origin.preset.known() || state.may(Fact::UnknownCode))
+    if (state.origin.of(StatePart::Preset).known() || state.may(Fact::UnknownCode))
       return;
     const AddressMask absolute = ctx.dialect().axisWords & ~ctx.dialect().incrementWords;
     const Word *word = ctx.block().findAny(absolute);

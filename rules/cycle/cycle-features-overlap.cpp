@@ -43,7 +43,6 @@ public:
     memory(profiles_, begin_, pocketBegin_, attach_, pocket_, current_, elements_, startName_,
            circle_);
   }
-  bool sleeps(const MachineState &state) const override { return state.profile != 1; }
 
 private:
   /// A profile that encloses something has a point from which the tool comes.

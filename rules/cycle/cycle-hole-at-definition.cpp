@@ -25,7 +25,7 @@ public:
     const Axis tool = toolAxis(dialect, ctx.after());
     const GroupIndex group = dialect.group(StandardGroup::Distance);
     const bool allIncremental =
-        group != noGroup && ctx.after().group[group] != groupUnset &&
+        group != noGroup && ctx.after().group(group) != groupUnset &&
         ctx.after().isActive(dialect, StandardGroup::Distance, {Action::Incremental}) == Truth::Yes;
     const auto unit = millimetresPer(dialect, ctx.after());
     if (!unit)

@@ -1,9 +1,8 @@
 // A cycle makes the same hole more than once.
 #include "analyzer/lookahead.h"
 
+#include "llvm/ADT/DenseMap.h"
 #include "llvm/Support/xxhash.h"
-
-#include <unordered_map>
 
 namespace ncvet {
 namespace {
@@ -11,6 +10,7 @@ namespace {
 class CycleHoleDrilledTwice final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    to.gathers();
     to.on({EventKind::CycleStart, EventKind::CycleRun});
     calls_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
       return code.group == noGroup && makesHole(code.cycle);
@@ -27,9 +27,25 @@ public:
       repeatedHere(event, ctx);
     }
   }
-  void remember(RuleMemory &memory) const override {
-    memory(call_, calledAt_, sum_, depth_);
-    memory.place(file_, list_);
+  void remember(RuleMemory &memory) const override { memory(call_, calledAt_); }
+  void startGathering() override { gathered_.emplace(); }
+  std::shared_ptr<Gathered> gathered() const override {
+    if (!gathered_ || gathered_->holes.empty())
+      return nullptr;
+    return std::make_shared<Holes>(*gathered_);
+  }
+  bool gather(const Gathered &gathered) override {
+    const auto &holes = static_cast<const Holes &>(gathered).holes;
+    for (const Place &place : holes) { // of the list that is being run
+      if (!continues(place))
+        break;
+      if (const auto known = byKey_.find(place.key);
+          known != byKey_.end() && places_[known->second].block != place.block)
+        return false;
+    }
+    for (const Place &place : holes)
+      add(place);
+    return true;
   }
 
 private:
@@ -43,7 +59,7 @@ private:
     const Dialect &dialect = ctx.dialect();
     const Axis tool = toolAxis(dialect, ctx.after());
     const GroupIndex group = dialect.group(StandardGroup::Distance);
-    if (group != noGroup && ctx.after().group[group] != groupUnset &&
+    if (group != noGroup && ctx.after().group(group) != groupUnset &&
         ctx.after().isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::No)
       return;
     for (const Word &word : ctx.block().words) {
@@ -98,7 +114,9 @@ private:
     Place place;
     place.file = ctx.source().id();
     place.block = ctx.block().begin;
-    place.list = state.origin.cycle.begin;
+    place.end = ctx.block().end;
+    place.list = state.origin.of(StatePart::Cycle).begin;
+    place.depth = ctx.callDepth();
     place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
     for (unsigned i = 0; i < axisCount; ++i) {
       if (i == unsigned(tool))
@@ -112,25 +130,18 @@ private:
     }
     if (!state.position[0].isConstant())
       return;
-    if (ctx.callDepth() != depth_ || place.list != list_ || place.file != file_) {
-      places_.clear();
-      sum_ = 0;
-      list_ = place.list;
-      file_ = place.file;
-      depth_ = ctx.callDepth();
-    }
+    place.key = keyOf(place);
     // Another depth at the same place is a second step, and a longer path cannot be one list.
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
-    if (places_.size() > longestList)
+    if (gathered_)
+      gathered_->holes.push_back(place);
+    const Place *known = add(place);
+    if (!known)
       return;
-    place.end = ctx.block().end;
-    const auto [known, fresh] = places_.try_emplace(hash(place), place);
-    const Place &other = known->second;
-    if (fresh)
-      sum_ += known->first;
-    if (fresh || other.block == place.block || other.offset != place.offset ||
-        other.at != place.at || (deeper && state.origin.cycle.begin < ctx.block().begin))
+    const Place &other = *known;
+    if (other.block == place.block || other.offset != place.offset || other.at != place.at ||
+        (deeper && state.origin.of(StatePart::Cycle).begin < ctx.block().begin))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
@@ -140,21 +151,55 @@ private:
   struct Place {
     FileId file = 0;
     uint32_t block = 0, end = 0, list = 0;
+    unsigned depth = 0;
     uint64_t offset = 0;
     std::array<double, axisCount> at{};
+    uint64_t key = 0; ///< of offset and position
   };
-  static uint64_t hash(const Place &place) {
-    return place.offset ^
-           llvm::xxHash64({reinterpret_cast<const char *>(place.at.data()), sizeof(place.at)});
+  static uint64_t keyOf(const Place &place) {
+    const uint64_t hash =
+        place.offset ^
+        llvm::xxHash64({reinterpret_cast<const char *>(place.at.data()), sizeof(place.at)});
+    return hash & ~(uint64_t(1) << 63); // DenseMap keeps the two largest for itself
+  }
+
+  /// Holes of a stretch of blocks.
+  struct Holes final : Gathered {
+    std::vector<Place> holes;
+
+    void move(const TextChange &change) override {
+      for (Place &place : holes)
+        for (uint32_t *at : {&place.block, &place.end, &place.list})
+          *at = change.moved(*at);
+    }
+  };
+
+  bool continues(const Place &place) const {
+    return place.depth == last_.depth && place.list == last_.list && place.file == last_.file;
+  }
+  /// The hole that the same list has made there before; null: there is none.
+  const Place *add(const Place &place) {
+    if (!continues(place)) {
+      places_.clear();
+      byKey_.clear();
+    }
+    last_ = place;
+    if (places_.size() > longestList)
+      return nullptr;
+    const auto [known, fresh] = byKey_.try_emplace(place.key, uint32_t(places_.size()));
+    if (fresh) {
+      places_.push_back(place);
+      return nullptr;
+    }
+    return &places_[known->second];
   }
 
   static constexpr size_t longestList = 5000;
   /// The first hole at each place of the list that is being run.
-  std::unordered_map<uint64_t, Place> places_;
-  uint64_t sum_ = 0; ///< of their keys: which places they are
-  uint32_t list_ = 0;
-  FileId file_ = 0;
-  unsigned depth_ = 0;
+  std::vector<Place> places_;
+  llvm::DenseMap<uint64_t, uint32_t> byKey_;
+  Place last_;
+  std::optional<Holes> gathered_; ///< since gathering started
 };
 
 } // namespace

@@ -36,7 +36,7 @@ public:
           (isMotion(code.action) && code.action != Action::None))
         return;
     }
-    const Origin &origin = before.origin.cycle;
+    const Origin &origin = before.origin.of(StatePart::Cycle);
     const char *where = "";
     switch (event.kind) {
     case EventKind::ToolChange:
@@ -92,7 +92,7 @@ private:
     for (const CodeUse &use : ctx.codes())
       if (use.code == event.code)
         return;
-    const Origin &origin = ctx.before().origin.cycle;
+    const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
     const std::string cancel = cancelOf(ctx.dialect(), code);
     // A G code that moves nothing may end the cycle: manuals speak of "another G code".
     const bool mayEnd = ctx.block().has(letterAddress('G'));

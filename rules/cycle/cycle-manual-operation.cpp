@@ -35,7 +35,7 @@ public:
           .message("`{0}` shifts the tool at the bottom, and with this tool no M19 has shown yet "
                    "where its tip stands",
                    code.name)
-          .note(ctx.before().origin.tool, "the tool is changed here");
+          .note(ctx.before().origin.of(StatePart::Tool), "the tool is changed here");
   }
 };
 

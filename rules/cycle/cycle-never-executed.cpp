@@ -16,7 +16,7 @@ public:
     const Dialect &dialect = to.dialect();
     for (unsigned i = 0; i < dialect.switches.size(); ++i)
       if (dialect.switches[i].leftOn == id)
-        stored_ |= uint64_t(1) << i;
+        stored_ |= 1u << i;
     if (stored_)
       to.onCode([&](const CodeInfo &code) {
         return code.action == Action::Switch && code.effect.on && code.effect.index < 64 &&
@@ -64,7 +64,7 @@ public:
       return;
     if (event.kind == EventKind::CycleStart && &ctx.code(event) == cycle)
       return;
-    const Origin &origin = before.origin.cycle;
+    const Origin &origin = before.origin.of(StatePart::Cycle);
     if (!origin.known() || origin.file != ctx.source().id())
       return;
     if (auto finding = ctx.report(origin.range()))
@@ -158,7 +158,7 @@ private:
   /// Parameters that were stored for a cycle that the program does not call.
   void storedForNothing(RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (!(state.switchMust & stored_) || ctx.callDepth() > 0 || state.may(Fact::UnknownCode) ||
+    if (!state.switches.areOn(stored_) || ctx.callDepth() > 0 || state.may(Fact::UnknownCode) ||
         storedIn_.end == 0)
       return;
     if (auto finding = ctx.report(storedIn_))
@@ -207,7 +207,7 @@ private:
     }
   }
 
-  uint64_t stored_ = 0; ///< switches that say that parameters are stored
+  uint32_t stored_ = 0; ///< switches that say that parameters are stored
   SourceRange storedIn_{};
   std::unordered_map<uint64_t, CodeIndex> callParameters_;
 
@@ -247,7 +247,7 @@ private:
           .message(
               "`{0}` of `{1}` stands in a block that makes no hole: the control does not keep it",
               ctx.text(*word), cycle->name)
-          .note(ctx.before().origin.cycle, cycle->name + " becomes active here");
+          .note(ctx.before().origin.of(StatePart::Cycle), cycle->name + " becomes active here");
   }
 };
 

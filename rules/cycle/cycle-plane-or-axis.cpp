@@ -120,7 +120,7 @@ private:
     const GroupIndex group = ctx.dialect().group(StandardGroup::Plane);
     if (event.kind != EventKind::CycleStart || group == noGroup || said_ || ctx.callDepth() > 0 ||
         event.code == noCode || !ctx.code(event).firesInPlane ||
-        ctx.before().may(Fact::UnknownCode) || (ctx.after().statedMay >> group & 1))
+        ctx.before().may(Fact::UnknownCode) || (ctx.after().mayBeStated(group)))
       return;
     said_ = true;
     if (auto finding = ctx.report(event))
@@ -137,7 +137,7 @@ private:
     for (const StandardGroup which :
          {StandardGroup::WorkOffset, StandardGroup::Plane, StandardGroup::Distance}) {
       const GroupIndex group = ctx.dialect().group(which);
-      if (group == noGroup || (ctx.before().statedMay >> group & 1))
+      if (group == noGroup || (ctx.before().mayBeStated(group)))
         continue;
       missing += missing.empty() ? "" : ", ";
       missing += ctx.dialect().groups[group].title;

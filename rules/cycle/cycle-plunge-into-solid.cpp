@@ -2,6 +2,9 @@
 #include "analyzer/lookahead.h"
 #include "formats/dialect/measure.h"
 
+#include "llvm/ADT/Hashing.h"
+
+#include <bit>
 #include <cmath>
 
 namespace ncvet {
@@ -15,8 +18,9 @@ public:
         to.dialect().codes, [](const CodeInfo &code) { return has(code, CycleTrait::WantsHole); });
     if (!wantsHoles_)
       return;
+    to.gathers();
     to.on(EventKind::CycleRun);
-    to.onMoves({MotionKind::Feed});
+    to.onChange({EventKind::Motion}); // further feeds along that axis are at the same place
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -34,7 +38,20 @@ public:
       for (const Place &place : ctx.outcome().holes)
         made(inPlane(place, ctx));
   }
-  void remember(RuleMemory &memory) const override { memory(holes_); }
+  void remember(RuleMemory &memory) const override {
+    memory.aside([&] { memory(holes_.size(), sum_, anywhere_); });
+  }
+  void startGathering() override { gathered_.emplace(); }
+  std::shared_ptr<Gathered> gathered() const override {
+    if (!gathered_ || gathered_->places.empty())
+      return nullptr;
+    return std::make_shared<Holes>(*gathered_);
+  }
+  bool gather(const Gathered &gathered) override {
+    for (const auto &place : static_cast<const Holes &>(gathered).places)
+      add(place);
+    return true;
+  }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-plunge-into-solid"};
@@ -47,21 +64,36 @@ private:
     return {place[size_t(axes[0])], place[size_t(axes[1])]};
   }
 
+  struct Holes final : Gathered {
+    std::vector<std::array<Interval, 2>> places;
+
+    void move(const TextChange &) override {}
+  };
+
   void made(const std::array<Interval, 2> &place) {
-    if (!place[0].isConstant() || !place[1].isConstant() || holes_.size() >= mostHoles)
+    if (gathered_)
+      gathered_->places.push_back(place);
+    add(place);
+  }
+  void add(const std::array<Interval, 2> &place) {
+    if (!place[0].isConstant() || !place[1].isConstant() || holes_.size() >= mostHoles) {
       anywhere_ = true;
-    else
-      holes_.push_back({place[0].value(), place[1].value()});
+      return;
+    }
+    holes_.push_back({place[0].value(), place[1].value()});
+    sum_ = llvm::hash_combine(sum_, std::bit_cast<uint64_t>(place[0].value()),
+                              std::bit_cast<uint64_t>(place[1].value()));
   }
 
   /// A feed along the tool's axis alone.
   void madeByHand(const Event &event, RuleContext &ctx) {
     const Axis tool = toolAxis(ctx.dialect(), ctx.after());
-    if (event.axes == uint16_t(1u << unsigned(tool)))
+    if (event.motion == MotionKind::Feed && event.axes == uint16_t(1u << unsigned(tool)))
       made(inPlane(ctx.after().position, ctx));
   }
 
   void wanted(const Event &event, RuleContext &ctx) {
+    stateUse.aside = true;
     const MachineState &state = ctx.after();
     const auto [x, y] = inPlane(state.position, ctx);
     if (anywhere_ || !x.isConstant() || !y.isConstant() || state.transforms[0] ||
@@ -83,6 +115,8 @@ private:
   bool wantsHoles_ = false; ///< the control has cycles that go down into a hole
   bool anywhere_ = false;   ///< a hole was made at a place that is not known
   std::vector<std::array<double, 2>> holes_;
+  uint64_t sum_ = 0;              ///< of them, to compare them by
+  std::optional<Holes> gathered_; ///< since gathering started
 };
 
 } // namespace

@@ -48,7 +48,7 @@ public:
                           : "`{0}` needs the spindle turning with {1}, but it turns with {2}",
                    code.name, needed == spindleCw ? "M03" : "M04",
                    spindle == spindleCw ? "M03" : "M04")
-          .note(ctx.before().origin.spindle, "the spindle is started here");
+          .note(ctx.before().origin.of(StatePart::Spindle), "the spindle is started here");
   }
 
 private:
@@ -78,7 +78,7 @@ private:
                    "left-hand thread",
                    code.name, towardsMinus ? "-Z" : "+Z", spindle == spindleCw ? "M03" : "M04")
           .severity(Severity::Warning)
-          .note(ctx.before().origin.spindle, "the spindle is started here");
+          .note(ctx.before().origin.of(StatePart::Spindle), "the spindle is started here");
   }
 };
 

@@ -48,17 +48,17 @@ public:
       finding.message(
           "`{0}` stands while `{1}` of line {2} is active: it is not documented that it "
           "cancels the cycle",
-          code.name, cycle->name, lineOf(ctx, before.origin.cycle));
+          code.name, cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)));
     else if (code.action == Action::Cycle)
       finding.severity(Severity::Style)
           .message("`{0}` replaces `{1}` of line {2}: `{3}` in between says it clearly", code.name,
-                   cycle->name, lineOf(ctx, before.origin.cycle), cancel);
+                   cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)), cancel);
     else
       finding.severity(isArc(code.action) ? std::optional(Severity::Error) : Severity::Warning)
           .message("`{0}` stands while `{1}` of line {2} is active: the cycle goes on in what it "
                    "changes",
-                   code.name, cycle->name, lineOf(ctx, before.origin.cycle));
-    finding.note(before.origin.cycle, cycle->name + " becomes active here")
+                   code.name, cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)));
+    finding.note(before.origin.of(StatePart::Cycle), cycle->name + " becomes active here")
         .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
              ctx.insertBlockBefore(cancel));
   }
@@ -77,8 +77,8 @@ private:
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
             .message("`{0}` changes `{1}` of line {2} between its holes", ctx.text(range),
-                     cycle.name, lineOf(ctx, ctx.before().origin.cycle))
-            .note(ctx.before().origin.cycle, cycle.name + " becomes active here");
+                     cycle.name, lineOf(ctx, ctx.before().origin.of(StatePart::Cycle)))
+            .note(ctx.before().origin.of(StatePart::Cycle), cycle.name + " becomes active here");
       return;
     }
   }
@@ -120,7 +120,7 @@ private:
                        ctx.text(*word), cycle.name);
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (!motion || motion->action != Action::Linear || !axesOf(ctx.dialect(), ctx.block()) ||
-        !once_.speaks(ctx.before().origin.cycle, ctx))
+        !once_.speaks(ctx.before().origin.of(StatePart::Cycle), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.severity(Severity::Warning)

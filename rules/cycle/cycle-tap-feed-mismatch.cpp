@@ -24,10 +24,10 @@ public:
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const auto unit = millimetresPer(dialect, state);
-    if (!unit || !state.feed.isConstant() || !state.must(Fact::FeedSet) ||
+    if (!unit || !state.feed->isConstant() || !state.must(Fact::FeedSet) ||
         state.active(dialect, StandardGroup::FeedMode) == groupUnset)
       return;
-    const double feed = state.feed.value() * *unit;
+    const double feed = state.feed->value() * *unit;
     const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
     std::optional<double> pitch;
     if (const auto tool = ctx.machine().tools.find(state.tool); tool != ctx.machine().tools.end())
@@ -57,15 +57,15 @@ public:
           finding.message("`{0}` with F{1} under feed per revolution: that is no pitch, it looks "
                           "like a feed per minute",
                           code.name, text(feed / *unit));
-        finding.note(state.origin.feed, "the feed is set here");
+        finding.note(state.origin.of(StatePart::Feed), "the feed is set here");
       }
       return;
     }
-    if (mode != Action::FeedPerMinute || !state.speed.isConstant() || state.speed.value() <= 0 ||
+    if (mode != Action::FeedPerMinute || !state.speed->isConstant() || state.speed->value() <= 0 ||
         (dialect.group(StandardGroup::SpeedMode) != noGroup &&
          state.activeAction(dialect, StandardGroup::SpeedMode) == Action::SurfaceSpeed))
       return;
-    const double cuts = feed / state.speed.value();
+    const double cuts = feed / state.speed->value();
     const bool off = pitch ? std::fabs(cuts - *pitch) > 0.02 * *pitch
                            : cuts < leastPitch_ || cuts > greatestPitch_;
     if (off) {
@@ -73,24 +73,24 @@ public:
         if (pitch)
           finding.message("`{0}` with F{1} and S{2} taps a pitch of {3}, but the tap has {4}: its "
                           "feed per minute is F{5}",
-                          code.name, text(feed / *unit), text(state.speed.value()),
+                          code.name, text(feed / *unit), text(state.speed->value()),
                           text(cuts / *unit), text(*pitch / *unit),
-                          text(*pitch / *unit * state.speed.value()));
+                          text(*pitch / *unit * state.speed->value()));
         else
           finding.message(
               "`{0}` with F{1} per minute and S{2} taps a pitch of {3}: F is speed times "
               "pitch here",
-              code.name, text(feed / *unit), text(state.speed.value()), text(cuts / *unit));
-        finding.note(state.origin.speed, "the speed is set here");
+              code.name, text(feed / *unit), text(state.speed->value()), text(cuts / *unit));
+        finding.note(state.origin.of(StatePart::Speed), "the speed is set here");
       }
       return;
     }
     // A later hole with another speed, but the old feed.
     const MachineState &before = ctx.before();
-    if (pitch || !word || code_ || !before.feed.isConstant() || !before.speed.isConstant() ||
-        before.speed.value() <= 0 || !before.must(Fact::CycleRan))
+    if (pitch || !word || code_ || !before.feed->isConstant() || !before.speed->isConstant() ||
+        before.speed->value() <= 0 || !before.must(Fact::CycleRan))
       return;
-    const double was = before.feed.value() * *unit / before.speed.value();
+    const double was = before.feed->value() * *unit / before.speed->value();
     if (std::fabs(was - cuts) <= 0.005 * was)
       return;
     if (auto finding = ctx.report(at, event.certain))
@@ -99,7 +99,7 @@ public:
               "`{0}` taps a pitch of {1} from here on, before it was {2}: F and S have to change "
               "together",
               code.name, text(cuts / *unit), text(was / *unit))
-          .note(before.origin.cycle, code.name + " becomes active here");
+          .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
 
 private:

@@ -35,7 +35,7 @@ public:
           finding
               .message("the tool changes while a modal call is on: the way to the change and back "
                        "runs the cycle")
-              .note(ctx.before().origin.cycle, "the modal call begins here");
+              .note(ctx.before().origin.of(StatePart::Cycle), "the modal call begins here");
       return;
     }
     if (event.code == noCode || ctx.block().words.empty())
@@ -64,8 +64,8 @@ private:
       finding
           .message("a program is called while `{0}` of line {1} is active: every place that it "
                    "goes to is drilled",
-                   cycle->name, lineOf(ctx, before.origin.cycle))
-          .note(before.origin.cycle, cycle->name + " becomes active here");
+                   cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)))
+          .note(before.origin.of(StatePart::Cycle), cycle->name + " becomes active here");
   }
 
   bool calls_ = false; ///< calls under a cycle are looked at
@@ -86,8 +86,8 @@ private:
     }
     // The first position after a tool change cannot belong to the list of the old tool.
     if (before.must(Fact::ToolCalled) && !before.may(Fact::MovedSinceTool) &&
-        before.origin.tool.file == before.origin.cycle.file &&
-        before.origin.tool.begin > before.origin.cycle.begin) {
+        before.origin.of(StatePart::Tool).file == before.origin.of(StatePart::Cycle).file &&
+        before.origin.of(StatePart::Tool).begin > before.origin.of(StatePart::Cycle).begin) {
       report(event, code, ctx, true, "with the new tool");
       return;
     }
@@ -226,7 +226,7 @@ private:
 
   /// Whether this position lies farther from the one before than any two of the list.
   bool isFar(const CodeInfo &code, RuleContext &ctx) const {
-    const Origin &origin = ctx.before().origin.cycle;
+    const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
     if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
       return false;
     struct Point {
@@ -269,7 +269,7 @@ private:
 
   static void report(const Event &event, const CodeInfo &code, RuleContext &ctx, bool certain,
                      const char *how) {
-    const Origin &origin = ctx.before().origin.cycle;
+    const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
     const SourceRange range = ctx.blockRange();
     const std::string cancel = cancelOf(ctx.dialect(), code);
     if (auto finding = ctx.report(range, certain && event.certain))

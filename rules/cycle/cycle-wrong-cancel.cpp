@@ -23,7 +23,7 @@ public:
       finding
           .message("`{0}` does not end `{1}`: it goes on{2}", code.name, running->name,
                    right ? ", and `" + right->name + "` ends it" : std::string())
-          .note(ctx.before().origin.cycle, running->name + " becomes active here");
+          .note(ctx.before().origin.of(StatePart::Cycle), running->name + " becomes active here");
       if (right)
         finding.fix(FixSafety::Unsafe, "write `" + right->name + "`",
                     ctx.replace(ctx.range(*event.word), right->name));

@@ -27,7 +27,7 @@ public:
     }
     if (assignsWordOf(ctx.block(), cycle))
       return; // a parameter that comes too late: another rule speaks of it
-    const Origin &origin = ctx.before().origin.cycle;
+    const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
     const std::string cancel = cancelOf(ctx.dialect(), cycle);
     SourceRange range = ctx.blockRange();
     if (range.end <= range.begin)

@@ -18,7 +18,7 @@ public:
     // An F that was fit for its mode may be unfit for the one that is in force at the cut.
     if (carried && (!cuts(event) || ctx.block().has(letterAddress('F')) || !isCarried(ctx)))
       return;
-    const Interval value = carried ? state.feed : event.value;
+    const Interval value = carried ? state.feed.get() : event.value;
     if (!value.isConstant() || value.value() <= 0 || state.may(Fact::FeedIsLead) || isLead(ctx))
       return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
@@ -46,7 +46,8 @@ public:
                    tooSlow ? "revolution" : "minute")
           .note(state.originOf(ctx.dialect(), StandardGroup::FeedMode),
                 "`" + mode->name + "` becomes active here")
-          .note(carried ? state.origin.feed : Origin(), "the feed is programmed here");
+          .note(carried ? state.origin.of(StatePart::Feed) : Origin(),
+                "the feed is programmed here");
   }
   void remember(RuleMemory &memory) const override { memory(once_); }
 
@@ -59,10 +60,11 @@ private:
 
   /// The mode was switched behind the F, in the same text.
   static bool isCarried(RuleContext &ctx) {
-    const Origin &feed = ctx.after().origin.feed;
+    if (!ctx.after().must(Fact::FeedCarried) || ctx.after().may(Fact::UnknownCode))
+      return false;
+    const Origin &feed = ctx.after().origin.of(StatePart::Feed);
     const Origin mode = ctx.after().originOf(ctx.dialect(), StandardGroup::FeedMode);
-    return feed.known() && mode.known() && feed.file == mode.file && feed.begin < mode.begin &&
-           ctx.before().must(Fact::FeedSet) && !ctx.after().may(Fact::UnknownCode);
+    return feed.known() && mode.known() && feed.file == mode.file;
   }
 
   /// The F of a threading or tapping block may be a lead.

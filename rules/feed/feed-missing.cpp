@@ -32,7 +32,8 @@ public:
          (event.motion == MotionKind::Reference || event.motion == MotionKind::Rapid)))
       return;
     if (event.kind == EventKind::CycleRun && hasOwnFeed(code, ctx)) {
-      if (!ctx.after().may(Fact::FeedSet) && once_.speaks(ctx.after().origin.cycle, ctx))
+      if (!ctx.after().may(Fact::FeedSet) &&
+          once_.speaks(ctx.after().origin.of(StatePart::Cycle), ctx))
         if (auto finding = ctx.report(event, event.certain))
           finding.severity(Severity::Style)
               .message("`{0}` lives on the feed of another call's parameters: the program has no F",
@@ -40,7 +41,7 @@ public:
       return;
     }
     // Only the first cut: it is the same mistake in all that follow.
-    if (!once_.speaks(ctx.after().origin.feed, ctx))
+    if (!once_.speaks(ctx.after().origin.of(StatePart::Feed), ctx))
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
     if (auto finding = ctx.report(event, certain))

@@ -24,18 +24,19 @@ public:
       pitchLeftOn(event, ctx);
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
-    const MachineState &state = ctx.after();
-    const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
-    const Origin &feed = state.origin.feed;
-    if (forgets_)
-      return feedForgotten(feeds, mode, event, ctx);
-    if (!feeds || event.code == noCode || !mode.known() || !feed.known() ||
-        mode.file != feed.file || mode.file != ctx.source().id() || !state.must(Fact::FeedSet) ||
-        state.may(Fact::UnknownCode) || feed.begin > mode.begin)
+    if (!feeds || event.code == noCode)
       return;
-    // An F in the block of the mode counts in the new unit, wherever it stands.
-    const llvm::StringRef between = ctx.source().text(feed.end, mode.begin);
-    if (!between.contains('\n') || !changed(mode, ctx) || mode.begin == reported_)
+    if (forgets_)
+      return feedForgotten(event, ctx);
+    const MachineState &state = ctx.after();
+    if (!state.must(Fact::FeedCarried) || !state.must(Fact::FeedSet) ||
+        state.may(Fact::UnknownCode))
+      return;
+    const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
+    const Origin &feed = state.origin.of(StatePart::Feed);
+    if (!mode.known() || !feed.known() || mode.file != feed.file ||
+        mode.file != ctx.source().id() || feed.begin > mode.begin || !changed(mode, ctx) ||
+        mode.begin == reported_)
       return;
     reported_ = mode.begin;
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
@@ -51,18 +52,20 @@ public:
 
 private:
   /// The control forgets F at the code of the feed's unit, be it the one in force.
-  void feedForgotten(bool feeds, const Origin &mode, const Event &event, RuleContext &ctx) {
+  void feedForgotten(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
+    if (!ctx.code(event).needsFeed || state.must(Fact::FeedSet) || state.may(Fact::UnknownCode))
+      return;
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
-    if (!feeds || event.code == noCode || !ctx.code(event).needsFeed || !code || !mode.known() ||
-        !state.origin.feed.known() || state.must(Fact::FeedSet) || mode.begin == reported_ ||
-        state.may(Fact::UnknownCode))
+    const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
+    if (!code || !mode.known() || !state.origin.of(StatePart::Feed).known() ||
+        mode.begin == reported_)
       return;
     reported_ = mode.begin;
     if (auto finding = ctx.report(event, event.certain && !state.may(Fact::FeedSet)))
       finding.message("this move has no feed: `{0}` has forgotten the F of before it", code->name)
           .note(mode, "the feed is forgotten here")
-          .note(state.origin.feed, "the feed is programmed here");
+          .note(state.origin.of(StatePart::Feed), "the feed is programmed here");
   }
 
   /// The feed per revolution that the block of a tapping cycle switched on is still in force.
@@ -70,9 +73,11 @@ private:
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
     const MachineState &state = ctx.after();
+    if (tap_.end == 0)
+      return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     const Origin since = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
-    if (!feeds || tap_.end == 0 || !mode || mode->action != Action::FeedPerRevolution ||
+    if (!feeds || !mode || mode->action != Action::FeedPerRevolution ||
         state.cycleActive(ctx.dialect()) != Truth::No || !since.known() ||
         since.file != tap_.file || since.begin < tap_.begin || since.begin >= tap_.end)
       return;

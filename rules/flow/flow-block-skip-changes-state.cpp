@@ -25,7 +25,7 @@ public:
     const MachineState &before = ctx.before(), &after = ctx.after();
     ModeChanges changes;
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i)
-      if ((watched_ >> i & 1) && before.group[i] != after.group[i])
+      if ((watched_ >> i & 1) && before.group(i) != after.group(i))
         changes.groups |= uint64_t(1) << i;
     changes.tool = before.tool != after.tool && before.tool != notSet;
     if (!changes.any())

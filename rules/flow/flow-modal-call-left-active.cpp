@@ -42,7 +42,7 @@ private:
   static Origin begins(const MachineState &state, Truth cycle) {
     const ModalCall *call = state.modalCalls.get();
     if (cycle != Truth::No || !call || !call->known)
-      return state.origin.cycle;
+      return state.origin.of(StatePart::Cycle);
     return {call->file, call->at, call->at + 1};
   }
 

@@ -34,7 +34,7 @@ public:
     if (state.may(Fact::UnknownCode))
       return;
     for (const GroupIndex group : groups_) {
-      const uint64_t now = state.group[group];
+      const uint64_t now = state.group(group);
       uint64_t &seen = here.seen[group];
       if ((!seen || seen == now) && !(now & (now - 1))) {
         seen = now;
@@ -50,12 +50,11 @@ public:
         finding
             .message("this block is reached with different states of {0}, depending on the way",
                      ctx.dialect().groups[group].title)
-            .note(state.origin.group[group], "one of them is set here");
+            .note(state.origin.ofGroup(group), "one of them is set here");
       return;
     }
   }
   void remember(RuleMemory &memory) const override { memory(targets_); }
-  bool sleeps(const MachineState &) const override { return targets_.empty(); }
 
 private:
   struct Target {

@@ -33,8 +33,8 @@ public:
     ModeChanges changes;
     // A mode that the caller had not stated yet may well be set up by the call.
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i)
-      if ((watched_ >> i & 1) && ((before.statedMust >> i & 1) || (initial_ >> i & 1)) &&
-          !(before.group[i] & (after.group[i] | groupUnset)))
+      if ((watched_ >> i & 1) && ((before.isStated(i)) || (initial_ >> i & 1)) &&
+          !(before.group(i) & (after.group(i) | groupUnset)))
         changes.groups |= uint64_t(1) << i;
     if (!changes.any())
       return;
@@ -53,7 +53,7 @@ public:
       finding
           .message("the {0} here is the one that the called program left behind",
                    ctx.dialect().groups[group].title)
-          .note(after.origin.group[group], "set here and not set back")
+          .note(after.origin.ofGroup(group), "set here and not set back")
           .note(ctx.blockRange(), "called here");
   }
 
@@ -80,20 +80,20 @@ private:
     for (unsigned i = 0; i < dialect.groups.size(); ++i) {
       const GroupInfo &group = dialect.groups[i];
       if (!(watched_ >> i & 1) || GroupIndex(i) == dialect.group(StandardGroup::WorkOffset) ||
-          group.initial == 0xFF || !own(state.origin.group[i]))
+          group.initial == 0xFF || !own(state.origin.ofGroup(i)))
         continue;
       for (size_t member = 0; member < group.members.size(); ++member)
-        if (member != group.initial && state.group[i] == uint64_t(1) << member) {
+        if (member != group.initial && state.group(i) == uint64_t(1) << member) {
           left.push_back("`" + dialect.codes[group.members[member]].name + "`");
-          origins.push_back(state.origin.group[i]);
+          origins.push_back(state.origin.ofGroup(i));
         }
     }
     // At a program's end the rule of the frames speaks.
     for (unsigned i = 0; event.kind != EventKind::ProgramEnd && i < dialect.switches.size(); ++i)
       if (dialect.switches[i].leftOn == "coordinate-frame-left-on" && state.switchMustBeOn(i) &&
-          own(state.origin.switched[i])) {
+          own(state.origin.ofSwitch(i))) {
         left.push_back(dialect.switches[i].title);
-        origins.push_back(state.origin.switched[i]);
+        origins.push_back(state.origin.ofSwitch(i));
       }
     if (left.empty())
       return;
@@ -128,7 +128,7 @@ private:
             .message("the called program comes back with another state of {0}: the caller goes on "
                      "with it",
                      ctx.dialect().groups[i].title)
-            .note(ctx.after().origin.group[i], "it is set here and not set back");
+            .note(ctx.after().origin.ofGroup(i), "it is set here and not set back");
       return;
     }
   }
@@ -137,7 +137,7 @@ private:
   /// Reported where the called program changes the mode, whether or not the caller notices.
   static void atCause(const ModeChanges &changes, RuleContext &ctx) {
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i) {
-      const Origin &origin = ctx.after().origin.group[i];
+      const Origin &origin = ctx.after().origin.ofGroup(i);
       if (!(changes.groups >> i & 1) || !origin.known())
         continue;
       if (auto finding = ctx.report(origin.range()))

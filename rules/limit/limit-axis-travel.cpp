@@ -34,9 +34,6 @@ public:
         volume(event, ctx);
     }
   }
-  bool sleeps(const MachineState &state) const override {
-    return !travels_ && state.commons.get(greatest().on).kind != Value::Kind::Number;
-  }
 
 private:
   /// Keys of the variables in which the table's codes leave one corner of the volume (X Y Z, mm in
@@ -174,7 +171,7 @@ private:
       if (dialect.group(group) != noGroup && state.active(dialect, group) != groupUnset &&
           state.isActive(dialect, group, {action}) != Truth::No)
         return Interval::unknown();
-    if (state.origin.preset.known() || unsigned(axis) >= 3)
+    if (state.origin.of(StatePart::Preset).known() || unsigned(axis) >= 3)
       return Interval::unknown();
     if (axis == toolAxis(dialect, state) &&
         state.active(dialect, StandardGroup::LengthOffset) != groupUnset &&

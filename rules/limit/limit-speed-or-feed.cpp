@@ -14,18 +14,18 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
     // `event.certain` false: the word is the clamp itself.
-    if (!event.certain || !state.must(Fact::SpeedLimitSet) || !state.speedLimit.isConstant())
+    if (!event.certain || !state.must(Fact::SpeedLimitSet) || !state.speedLimit->isConstant())
       return;
     if (!always_ && (ctx.dialect().group(StandardGroup::SpeedMode) == noGroup ||
                      state.isActive(ctx.dialect(), StandardGroup::SpeedMode,
                                     {Action::ConstantSpeed}) != Truth::Yes))
       return;
-    if (!(event.value.lo > state.speedLimit.value()))
+    if (!(event.value.lo > state.speedLimit->value()))
       return;
     if (auto finding = ctx.report(event))
       finding.message(
           "`{0}` lies above the speed limit of {1} 1/min: the spindle turns no faster than that",
-          ctx.text(*event.word), state.speedLimit.value());
+          ctx.text(*event.word), state.speedLimit->value());
   }
 
 private:

@@ -17,18 +17,18 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &before = ctx.before();
     const Dialect &dialect = ctx.dialect();
-    if (before.tool == notSet || !before.origin.lengthOffset.known() ||
+    if (before.tool == notSet || !before.origin.of(StatePart::LengthOffset).known() ||
         before.isActive(dialect, StandardGroup::LengthOffset,
                         {Action::LengthPositive, Action::LengthNegative}) != Truth::Yes)
       return;
     for (size_t i = 0; i < dialect.groups.size(); ++i) {
-      if (!std::has_single_bit(before.group[i]) || before.group[i] == groupUnset)
+      if (!std::has_single_bit(before.group(i)) || before.group(i) == groupUnset)
         continue;
-      const Origin zone = before.origin.group[i];
-      const auto member = size_t(std::countr_zero(before.group[i]));
+      const Origin zone = before.origin.ofGroup(i);
+      const auto member = size_t(std::countr_zero(before.group(i)));
       if (dialect.codes[dialect.groups[i].members[member]].action != Action::ZoneOn ||
-          zone.file != before.origin.lengthOffset.file ||
-          zone.begin < before.origin.lengthOffset.begin)
+          zone.file != before.origin.of(StatePart::LengthOffset).file ||
+          zone.begin < before.origin.of(StatePart::LengthOffset).begin)
         continue;
       if (auto finding = ctx.report(event))
         finding

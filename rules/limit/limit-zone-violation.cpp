@@ -21,11 +21,11 @@ std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const Machine
                                 const RuleContext &ctx) {
   const Dialect &dialect = ctx.dialect();
   for (const GroupIndex i : groups) {
-    if (!std::has_single_bit(state.group[i]) || state.group[i] == groupUnset)
+    if (!std::has_single_bit(state.group(i)) || state.group(i) == groupUnset)
       continue;
     const CodeInfo &code =
-        dialect.codes[dialect.groups[i].members[size_t(std::countr_zero(state.group[i]))]];
-    const Origin origin = state.origin.group[i];
+        dialect.codes[dialect.groups[i].members[size_t(std::countr_zero(state.group(i)))]];
+    const Origin origin = state.origin.ofGroup(i);
     if (code.action != Action::ZoneOn || !origin.known() || origin.file != ctx.source().id())
       continue;
     // The limits are literal words of the block that switched the zone on.
@@ -98,10 +98,6 @@ public:
                        : "this position lies inside of the forbidden zone")
           .note(zone->origin, "the zone is switched on here");
   }
-  bool sleeps(const MachineState &state) const override {
-    return llvm::all_of(groups_,
-                        [&](GroupIndex group) { return state.group[group] == groupUnset; });
-  }
 
 private:
   /// The work offset in force is the one of the zone's block, and nothing distorts the coordinates.
@@ -110,7 +106,8 @@ private:
     const Origin offset = state.originOf(dialect, StandardGroup::WorkOffset);
     if (offset.known() && (offset.file != zone.origin.file || offset.begin > zone.origin.begin))
       return false;
-    if (state.origin.lengthOffset.known() && state.origin.lengthOffset.begin > zone.origin.begin)
+    if (state.origin.of(StatePart::LengthOffset).known() &&
+        state.origin.of(StatePart::LengthOffset).begin > zone.origin.begin)
       return false;
     for (const auto &[group, action] : {std::pair(StandardGroup::Rotation, Action::RotationOn),
                                         std::pair(StandardGroup::Scaling, Action::ScalingOn),
@@ -121,7 +118,8 @@ private:
         return false;
     return state.localShift[0] == Interval::exactly(0) &&
            state.localShift[1] == Interval::exactly(0) &&
-           state.localShift[2] == Interval::exactly(0) && !state.origin.preset.known();
+           state.localShift[2] == Interval::exactly(0) &&
+           !state.origin.of(StatePart::Preset).known();
   }
 
   llvm::SmallVector<GroupIndex, 2> groups_; ///< those that hold a code which switches a zone on

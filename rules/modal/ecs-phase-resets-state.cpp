@@ -17,7 +17,7 @@ public:
       inside = "radius compensation";
     else if (before.cycleActive(ctx.dialect()) == Truth::Yes)
       inside = "a cycle";
-    else if (before.switchMust)
+    else if (before.switches.areOn(~0u))
       inside = "a frame or mode";
     if (inside) {
       if (auto finding = ctx.report(event))
@@ -30,8 +30,8 @@ public:
     // Modes that the program has chosen, and that are no more.
     for (size_t i = 0; i < ctx.dialect().groups.size(); ++i) {
       const GroupInfo &group = ctx.dialect().groups[i];
-      if (group.initial == 0xFF || !(before.statedMust >> i & 1) || group.id == "motion" ||
-          (before.group[i] & (uint64_t(1) << group.initial)) || restated(GroupIndex(i), ctx))
+      if (group.initial == 0xFF || !before.isStated(i) || group.id == "motion" ||
+          (before.group(i) & (uint64_t(1) << group.initial)) || restated(GroupIndex(i), ctx))
         continue;
       if (auto finding = ctx.report(event))
         finding
@@ -39,7 +39,7 @@ public:
                 "`{0}` resets the {1}, which the program has set: the blocks behind it state it "
                 "again",
                 ctx.text(*event.word), group.title)
-            .note(before.origin.group[i], "it is set here");
+            .note(before.origin.ofGroup(i), "it is set here");
       return;
     }
   }
@@ -51,7 +51,7 @@ private:
     if (index == noGroup)
       return false;
     const GroupInfo &group = ctx.dialect().groups[index];
-    if (group.initial == 0xFF || (ctx.before().group[index] & (uint64_t(1) << group.initial)))
+    if (group.initial == 0xFF || (ctx.before().group(index) & (uint64_t(1) << group.initial)))
       return false;
     Block next;
     bool more = readNext(ctx, next);

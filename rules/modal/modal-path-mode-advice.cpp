@@ -28,7 +28,7 @@ public:
     const GroupIndex index = ctx.dialect().group(StandardGroup::PathMode);
     const GroupInfo &group = ctx.dialect().groups[index];
     if (inARow_ != moves_ || said_ || group.initial == 0xFF ||
-        ctx.after().group[index] != (uint64_t(1) << group.initial))
+        ctx.after().group(index) != (uint64_t(1) << group.initial))
       return;
     said_ = true;
     if (auto finding = ctx.report(ctx.blockRange()))

@@ -51,26 +51,26 @@ private:
     // The first one, and one at the head of a tool's section, makes the state certain.
     if (before.compensation != phaseOff || !before.must(Fact::Cut) ||
         before.may(Fact::UnknownCode) || !before.must(Fact::CutSinceTool) ||
-        code.group == noGroup || !(before.statedMust >> code.group & 1) ||
-        before.group[code.group] != (uint64_t(1) << code.bit) || isSafeLine(ctx))
+        code.group == noGroup || !(before.isStated(code.group)) ||
+        before.group(code.group) != (uint64_t(1) << code.bit) || isSafeLine(ctx))
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}`: compensation is off already", code.name)
-          .note(before.origin.group[code.group], "since here");
+          .note(before.origin.ofGroup(code.group), "since here");
   }
 
   /// As for compensation: only behind a cycle that has ended.
   static void cycleOffAgain(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before();
     const CodeInfo &code = ctx.code(event);
-    if (code.group == noGroup || before.group[code.group] != (uint64_t(1) << code.bit) ||
-        !(before.statedMust >> code.group & 1) || !before.must(Fact::MovedSinceTool) ||
+    if (code.group == noGroup || before.group(code.group) != (uint64_t(1) << code.bit) ||
+        !(before.isStated(code.group)) || !before.must(Fact::MovedSinceTool) ||
         before.may(Fact::UnknownCode) || isSafeLine(ctx) || before.modalCalls ||
         ctx.after().modalCalls)
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}`: no cycle is active", code.name)
-          .note(before.origin.group[code.group], "since here");
+          .note(before.origin.ofGroup(code.group), "since here");
   }
 
   /// Advice: a block that holds a number and nothing else.
@@ -89,7 +89,7 @@ private:
     const MachineState &before = ctx.before();
     const GroupIndex group = ctx.dialect().group(StandardGroup::Cycle);
     if (!ctx.asked() || ctx.callDepth() > 0 || group == noGroup || before.may(Fact::UnknownCode) ||
-        before.statedMay >> group & 1 || !before.must(Fact::Moved) || isSafeLine(ctx))
+        before.mayBeStated(group) || !before.must(Fact::Moved) || isSafeLine(ctx))
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Style)

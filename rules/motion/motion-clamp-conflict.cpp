@@ -37,7 +37,7 @@ public:
         return;
       if (auto finding = ctx.report(event, certain))
         finding.message("`{0}` opens the chuck while the spindle turns", ctx.text(*event.word))
-            .note(before.origin.spindle, "the spindle is started here");
+            .note(before.origin.of(StatePart::Spindle), "the spindle is started here");
       return;
     }
     const struct {
@@ -58,7 +58,8 @@ public:
 
 private:
   void clamped(const Event &event, RuleContext &ctx) const {
-    if (!(event.axes & clamped_) || !(ctx.before().switchMust & ctx.after().switchMust & switches_))
+    if (!(event.axes & clamped_) ||
+        !(ctx.before().switches.areOn(switches_) & ctx.after().switches.areOn(switches_)))
       return;
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = ctx.dialect().addresses[word.address];

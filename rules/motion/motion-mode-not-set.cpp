@@ -25,7 +25,7 @@ public:
       return;
     reported_ = true;
     const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
-    const bool ended = ctx.after().statedMust >> group & 1; // a code has ended the one in force
+    const bool ended = ctx.after().isStated(group); // a code has ended the one in force
     if (auto finding = ctx.report(*word))
       finding
           .message(ended ? "`{0}` stands where no motion code is in force: the control stops"
@@ -42,7 +42,7 @@ private:
   void powerOn(const Event &event, RuleContext &ctx) {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
     const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
-    if (group == noGroup || (ctx.after().statedMay >> group & 1) || !word || event.number ||
+    if (group == noGroup || (ctx.after().mayBeStated(group)) || !word || event.number ||
         event.motion == MotionKind::Reference || ctx.after().may(Fact::UnknownCode) ||
         event.code == noCode || ctx.callDepth() > 0 || ctx.before().profile)
       return;

@@ -32,14 +32,14 @@ public:
                         "in between");
     if (!(event.axes & plane) || staysInPlane(before, after))
       return;
-    if (throughObstacle(event, ctx) || !before.fedFrom.isConstant() ||
-        before.compensation != phaseOff)
+    // The last move was a cut.
+    if (throughObstacle(event, ctx) || before.compensation != phaseOff ||
+        before.must(Fact::AwayFromPart) || !before.fedFrom.get().isConstant())
       return;
     const Interval &from = before.at(tool), &to = after.at(tool);
-    const double level = before.fedFrom.value();
-    // Down in the work at both ends of the move, and the last move was a cut.
-    if (!from.isConstant() || !to.isConstant() || from.value() >= level || to.value() >= level ||
-        before.must(Fact::AwayFromPart))
+    const double level = before.fedFrom.get().value();
+    // Down in the work at both ends of the move.
+    if (!from.isConstant() || !to.isConstant() || from.value() >= level || to.value() >= level)
       return;
     if (auto finding = ctx.report(event, !before.may(Fact::AwayFromPart)))
       finding.message("rapid in the plane at depth {0:f3}: the tool was fed in from {1:f3}",

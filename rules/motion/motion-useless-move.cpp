@@ -23,17 +23,18 @@ public:
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
     if (event.number || !event.axes || (event.axes & ~plane))
       return;
+    if (!changesToolNext(ctx))
+      return;
     const MachineState &state = ctx.after();
-    const Interval &x = state.cutArea[0], &y = state.cutArea[1];
+    const auto cut = state.cutArea.get();
+    const Interval &x = cut[0], &y = cut[1];
     if (!x.isBounded() || !y.isBounded() || (x.hi <= x.lo && y.hi <= y.lo))
       return;
     for (unsigned i = 0; i < 2; ++i) {
-      const Interval &area = state.cutArea[i], &to = state.position[i];
+      const Interval &area = cut[i], &to = state.position[i];
       if (!to.isConstant() || to.value() < area.lo - margin_ || to.value() > area.hi + margin_)
         return;
     }
-    if (!changesToolNext(ctx))
-      return;
     if (auto finding = ctx.report(event))
       finding.message("the tool is sent to where it has been cutting and then changed: was an "
                       "operation forgotten?");

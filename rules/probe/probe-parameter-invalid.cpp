@@ -19,7 +19,7 @@ public:
 
   /// Behind the series the feed of measuring may still be in force.
   void on(const Event &event, RuleContext &ctx) override {
-    const Origin &feed = ctx.after().origin.feed;
+    const Origin &feed = ctx.after().origin.of(StatePart::Feed);
     if (event.kind == EventKind::Code) {
       end_ = ctx.range(*event.word);
       feed_ = feed;
@@ -37,7 +37,6 @@ public:
     end_ = {};
   }
   void remember(RuleMemory &memory) const override { memory(end_, feed_); }
-  bool sleeps(const MachineState &) const override { return !end_.end; }
 
 private:
   /// A code that ends a series of measurements.

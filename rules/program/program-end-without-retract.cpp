@@ -34,15 +34,14 @@ public:
     }
     // Fed down since, and not above that level again.
     if (ctx.callDepth() > 0 || !state.must(Fact::Cut) || state.may(Fact::UnknownCode) ||
-        !state.fedFrom.isConstant() || !state.at(tool).isConstant() ||
-        state.at(tool).value() >= state.fedFrom.value())
+        !state.fedFrom.get().isConstant() || !state.at(tool).isConstant() ||
+        state.at(tool).value() >= state.fedFrom.get().value())
       return;
     if (auto finding = ctx.report(event))
       finding.message(
           "the program ends with the tool at depth: the next one begins inside the work");
   }
   void remember(RuleMemory &memory) const override { memory(job_); }
-  bool sleeps(const MachineState &) const override { return !job_.end; }
 
 private:
   SourceRange job_; ///< what has left the tool somewhere, until its axis moves

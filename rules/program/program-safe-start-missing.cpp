@@ -30,12 +30,11 @@ public:
     if (event.kind != EventKind::FeedWord)
       return atUse(event, ctx);
     const GroupIndex group = ctx.dialect().group(StandardGroup::FeedMode);
-    const uint64_t bit = uint64_t(1) << group;
     // A thread's F is a lead whatever the mode; the first F says it once for the program.
     if (ctx.after().must(Fact::FeedIsLead) || ctx.before().must(Fact::FeedSet) ||
-        ctx.after().statedMust & bit || ctx.before().may(Fact::UnknownCode))
+        ctx.after().isStated(group) || ctx.before().may(Fact::UnknownCode))
       return;
-    if (auto finding = ctx.report(event, event.certain && !(ctx.after().statedMay & bit)))
+    if (auto finding = ctx.report(event, event.certain && !(ctx.after().mayBeStated(group))))
       finding.message(
           "`{0}` stands before the program has stated {1}: its unit is what the machine "
           "was left in",
@@ -69,7 +68,7 @@ private:
       // What the machine profile says that the control sets before every program is stated.
       const bool set = ctx.machine().option("priorityBlock") && group != noGroup &&
                        ctx.dialect().groups[group].initial != 0xFF;
-      if (group != noGroup && !set && !(ctx.after().statedMay >> group & 1))
+      if (group != noGroup && !set && !(ctx.after().mayBeStated(group)))
         missing += (missing.empty() ? "" : "; ") + modes(ctx.dialect(), group);
     }
     if (missing.empty())

@@ -29,7 +29,7 @@ public:
       if (auto finding = ctx.report(event))
         finding.severity(Severity::Style)
             .message("the spindle still turns where the program stops")
-            .note(ctx.after().origin.spindle, "it is started here");
+            .note(ctx.after().origin.of(StatePart::Spindle), "it is started here");
       return;
     }
     if (event.kind != EventKind::ToolChange || !atToolChange_ ||
@@ -39,7 +39,7 @@ public:
     if (auto finding = ctx.report(event))
       finding.severity(always_ ? Severity::Warning : Severity::Style)
           .message("the spindle still turns at this tool change")
-          .note(ctx.before().origin.spindle, "it is started here");
+          .note(ctx.before().origin.of(StatePart::Spindle), "it is started here");
   }
 
 private:

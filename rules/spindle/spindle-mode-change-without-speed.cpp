@@ -36,12 +36,13 @@ private:
     const bool surface = mode->action == Action::SurfaceSpeed;
     if (auto finding = ctx.report(origin.range())) {
       std::string number = "the old S";
-      if (state.speed.isConstant())
-        number = llvm::formatv("S{0}", state.speed.value()).str();
+      if (state.speed->isConstant())
+        number = llvm::formatv("S{0}", state.speed->value()).str();
       finding
           .message("`{0}` comes without an S: {1} counts as {2} from here on", mode->name, number,
                    surface ? "cutting speed" : "revolutions per minute")
-          .note(state.origin.speed, "the speed is programmed here, for the other mode")
+          .note(state.origin.of(StatePart::Speed),
+                "the speed is programmed here, for the other mode")
           .note(ctx.blockRange(), "the first cut with it is here");
     }
   }

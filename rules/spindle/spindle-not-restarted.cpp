@@ -34,7 +34,8 @@ public:
     const bool certain = event.certain && ctx.before().must(Fact::SpindleStoppedByTap);
     if (!certain && ctx.before().may(Fact::UnknownCode))
       return;
-    if (!once_.speaks(stoppedBy(ctx) ? ctx.before().origin.spindle : ctx.before().origin.cycle,
+    if (!once_.speaks(stoppedBy(ctx) ? ctx.before().origin.of(StatePart::Spindle)
+                                     : ctx.before().origin.of(StatePart::Cycle),
                       ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), certain)) {
@@ -43,13 +44,13 @@ public:
             .message(
                 "`{0}` cuts behind `{1}`, which has stopped the spindle: nothing starts it again",
                 code.name, stop->name)
-            .note(ctx.before().origin.spindle, "the spindle is stopped here");
+            .note(ctx.before().origin.of(StatePart::Spindle), "the spindle is stopped here");
       else
         finding
             .message("`{0}` cuts behind rigid tapping: the tapping cycle has stopped the spindle "
                      "and nothing starts it again",
                      code.name)
-            .note(ctx.before().origin.cycle, "the tapping cycle is called here");
+            .note(ctx.before().origin.of(StatePart::Cycle), "the tapping cycle is called here");
       for (const CodeInfo &start : ctx.dialect().codes)
         if (start.action == Action::SpindleCw) {
           finding.fix(FixSafety::Unsafe, "insert `" + start.name + "` before this block",
@@ -63,7 +64,7 @@ public:
 private:
   /// The code that stopped the spindle besides doing its own work; null: a tapping cycle did.
   static const CodeInfo *stoppedBy(const RuleContext &ctx) {
-    const Origin &origin = ctx.before().origin.spindle;
+    const Origin &origin = ctx.before().origin.of(StatePart::Spindle);
     if (!origin.known() || origin.file != ctx.source().id())
       return nullptr;
     const CodeIndex code = ctx.dialect().find(ctx.text(origin.range()));
@@ -85,7 +86,7 @@ private:
                           ? makesHole(code.cycle)
                           : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                                 event.motion == MotionKind::ArcCcw;
-    const Origin &start = ctx.after().origin.spindle;
+    const Origin &start = ctx.after().origin.of(StatePart::Spindle);
     if (!cuts || tap_.end == 0 || tap_.file != ctx.source().id() || !start.known() ||
         start.file != tap_.file || start.begin >= tap_.end || ctx.block().begin < tap_.end)
       return;
@@ -101,7 +102,7 @@ private:
   /// The code that stopped it along with its own work is where the start is missing.
   void stopped(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    const Origin &cause = state.origin.spindle;
+    const Origin &cause = state.origin.of(StatePart::Spindle);
     if (!wanted_ || event.code == noCode || event.number == 1 || !cause.known() ||
         cause.file != ctx.source().id() || state.spindle != spindleOriented ||
         state.may(Fact::UnknownCode))

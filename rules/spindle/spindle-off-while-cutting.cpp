@@ -30,7 +30,7 @@ public:
         return;
       // No motion was asked for, and none is made for want of a feed: other rules say so.
       if (const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
-          motion != noGroup && !(ctx.after().statedMay >> motion & 1) &&
+          motion != noGroup && !(ctx.after().mayBeStated(motion)) &&
           !ctx.after().may(Fact::FeedSet))
         return;
     } else if (code.spindle == SpindleNeed::Any || code.spindle == SpindleNeed::StartsItself ||
@@ -59,7 +59,7 @@ public:
       return;
     if (const ToolData *tool = toolInUse(ctx.machine(), state); tool && tool->kind == "probe")
       return;
-    const Origin &origin = state.origin.spindle;
+    const Origin &origin = state.origin.of(StatePart::Spindle);
     if (!once_.speaks(origin, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {

@@ -27,7 +27,7 @@ public:
       finding
           .message("`{0}` reverses the spindle while it turns: chuck and drive take the load",
                    code.name)
-          .note(ctx.before().origin.spindle, "it is started here");
+          .note(ctx.before().origin.of(StatePart::Spindle), "it is started here");
       if (code.opposite != noCode) {
         const std::string &stop = ctx.dialect().codes[code.opposite].name;
         finding.fix(FixSafety::Unsafe, "insert `" + stop + "` before this block",

@@ -31,10 +31,10 @@ private:
     const bool starts = code.action == Action::SpindleCw || code.action == Action::SpindleCcw;
     if (ctx.after().must(Fact::SpeedSet)) {
       // An S0 of an earlier block; in the same block the S itself is reported.
-      if (starts && ctx.after().speed.hi <= 0 && !ctx.block().has(letterAddress('S')))
+      if (starts && ctx.after().speed->hi <= 0 && !ctx.block().has(letterAddress('S')))
         if (auto finding = ctx.report(event))
           finding.message("`{0}` starts the spindle with a speed of zero", code.name)
-              .note(ctx.after().origin.speed, "the speed is programmed here");
+              .note(ctx.after().origin.of(StatePart::Speed), "the speed is programmed here");
       return;
     }
     const bool taps = code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||

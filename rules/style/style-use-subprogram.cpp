@@ -20,7 +20,7 @@ public:
 
   /// A move of a profile that is recorded where it is used.
   void on(const Event &event, RuleContext &ctx) override {
-    const Origin &begin = ctx.before().origin.rough;
+    const Origin &begin = ctx.before().origin.of(StatePart::Roughing);
     if (ctx.before().profile != 1 || ctx.callDepth() > 0 || !event.axes || !begin.known() ||
         begin.begin == said_)
       return;

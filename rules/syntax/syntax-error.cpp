@@ -46,6 +46,7 @@ public:
       break;
     case SyntaxIssueKind::NotABlock: {
       // Of lines of prose in a row only the first is reported.
+      stateUse.aside = true;
       const bool goesOn = ctx.block().begin == behindText_;
       behindText_ = ctx.block().next;
       if (goesOn)
@@ -60,7 +61,9 @@ public:
     if (auto finding = ctx.report(range))
       finding.message(what, ctx.source().displayText(ctx.text(range)));
   }
-  void remember(RuleMemory &memory) const override { memory(behindText_); }
+  void remember(RuleMemory &memory) const override {
+    memory.aside([&] { memory(behindText_); });
+  }
 
 private:
   /// Arguments of one instruction that are separated by `;` and by `,`.

@@ -38,7 +38,7 @@ public:
           .message("{0} with `{1}` still on: the next move in the tool axis is off by the tool's "
                    "length",
                    where, code->name)
-          .note(state.origin.lengthOffset, "the length offset is switched on here");
+          .note(state.origin.of(StatePart::LengthOffset), "the length offset is switched on here");
       if (event.kind == EventKind::Motion || code->opposite == noCode)
         return;
       const std::string &off = ctx.dialect().codes[code->opposite].name;

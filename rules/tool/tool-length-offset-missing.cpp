@@ -17,19 +17,19 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
+    // Drilling goes along the tool axis in every hole.
+    if (event.kind == EventKind::Motion && !(event.axes >> unsigned(tool) & 1))
+      return;
     const bool called = state.must(Fact::ToolCalled) || state.preselected > 0;
     if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode || event.number == 1 ||
         event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
-      return;
-    // Drilling goes along the tool axis in every hole.
-    if (event.kind == EventKind::Motion && !(event.axes >> unsigned(tool) & 1))
       return;
     // Cancelled on purpose in this block, on the way up.
     if (ctx.find({Action::LengthOff}))
       return;
     const bool certain =
         event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
-    const Origin &origin = state.origin.tool;
+    const Origin &origin = state.origin.of(StatePart::Tool);
     if (!once_.speaks(origin, ctx))
       return;
     // A program that never speaks of length offsets may be for a machine without any, and with one
@@ -47,7 +47,10 @@ public:
         finding.severity(first ? Severity::Style : Severity::Warning);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(onlyTool_, uses_, once_); }
+  void remember(RuleMemory &memory) const override {
+    memory.aside([&] { memory(onlyTool_, uses_); });
+    memory(once_);
+  }
 
 private:
   /// Whether the file names a code of the length offset's group anywhere; looked up once a file.

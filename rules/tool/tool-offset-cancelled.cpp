@@ -30,13 +30,13 @@ public:
     const bool rapid = event.kind == EventKind::Motion && event.motion == MotionKind::Rapid;
     if (rapid && ctx.before().may(Fact::CutSinceTool))
       return;
-    if (!once_.speaks(state.origin.tool, ctx))
+    if (!once_.speaks(state.origin.of(StatePart::Tool), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding
           .message("tool {0} moves without an offset: its length, nose radius and tip are missing",
                    state.tool)
-          .note(state.origin.tool, "the tool is called here");
+          .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
   void remember(RuleMemory &memory) const override { memory(once_); }
 
@@ -51,15 +51,15 @@ private:
       return;
     for (const CodeIndex member : ctx.dialect().groups[group].members) {
       const CodeInfo &code = ctx.dialect().codes[member];
-      if (code.action != Action::LengthOff || state.group[group] != uint64_t(1) << code.bit ||
-          !once_.speaks(state.origin.group[group], ctx))
+      if (code.action != Action::LengthOff || state.group(group) != uint64_t(1) << code.bit ||
+          !once_.speaks(state.origin.ofGroup(group), ctx))
         continue;
       if (auto finding = ctx.report(ctx.blockRange(), event.certain))
         finding
             .message("`{0}` has switched the length of the tool off: this height is that of the "
                      "spindle",
                      code.name)
-            .note(state.origin.group[group], "it is switched off here");
+            .note(state.origin.ofGroup(group), "it is switched off here");
     }
   }
 
@@ -70,11 +70,11 @@ private:
                       (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
     if (!cuts || event.number == 1 || ctx.after().radiusOffset != 0 ||
         state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
-        !once_.speaks(ctx.after().origin.radiusOffset, ctx))
+        !once_.speaks(ctx.after().origin.of(StatePart::RadiusOffset), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain)) {
       finding.message("the tool cuts with D0: neither its length nor its radius is in force")
-          .note(ctx.after().origin.radiusOffset, "D0 is programmed here");
+          .note(ctx.after().origin.of(StatePart::RadiusOffset), "D0 is programmed here");
       if (event.kind == EventKind::Motion)
         finding.severity(Severity::Warning);
     }

@@ -37,7 +37,7 @@ public:
       finding
           .message("`{0}` is not the offset of tool {1}: it runs with another tool's data",
                    ctx.text(word), tool)
-          .note(state.origin.tool, "the tool is called here");
+          .note(state.origin.of(StatePart::Tool), "the tool is called here");
       if (word.isNumber())
         finding.fix(FixSafety::Unsafe, "use the tool's own number",
                     ctx.replace({ctx.source().id(), word.offset + 1, ctx.block().endOf(word)},

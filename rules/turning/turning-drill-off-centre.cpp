@@ -34,7 +34,7 @@ public:
           .message("`{0}` drills at X{1} while the main spindle turns: the drill does not stand on "
                    "its axis",
                    ctx.code(event).name, llvm::formatv("{0}", llvm::format("%g", x.value())).str())
-          .note(before.origin.spindle, "the spindle is started here");
+          .note(before.origin.of(StatePart::Spindle), "the spindle is started here");
   }
 };
 

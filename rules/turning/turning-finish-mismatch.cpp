@@ -35,9 +35,9 @@ public:
       finding
           .message(
               "`{0}` finishes N{1} to N{2}, but the roughing of line {3} worked along N{4} to N{5}",
-              cycle.name, flow.first, flow.last, lineOf(ctx, before.origin.rough),
+              cycle.name, flow.first, flow.last, lineOf(ctx, before.origin.of(StatePart::Roughing)),
               before.roughFirst, before.roughLast)
-          .note(before.origin.rough, "the roughing cycle");
+          .note(before.origin.of(StatePart::Roughing), "the roughing cycle");
   }
 
 private:
@@ -86,9 +86,9 @@ private:
                      "returns to its own start",
                      cycle.name, axis == Axis::X ? "X" : "Z",
                      llvm::formatv("{0}", llvm::format("%g", is.value() / *unit)).str(),
-                     lineOf(ctx, before.origin.rough),
+                     lineOf(ctx, before.origin.of(StatePart::Roughing)),
                      llvm::formatv("{0}", llvm::format("%g", was.value() / *unit)).str())
-            .note(before.origin.rough, "the roughing cycle");
+            .note(before.origin.of(StatePart::Roughing), "the roughing cycle");
       return;
     }
   }

@@ -10,7 +10,7 @@ public:
 
   void on(const Event &, RuleContext &ctx) override {
     const MachineState &before = ctx.before();
-    const Origin &origin = before.origin.rough;
+    const Origin &origin = before.origin.of(StatePart::Roughing);
     if (before.roughFirst < 0 || ctx.callDepth() != 0 || ctx.dialect().profileRunsThrough ||
         before.may(Fact::UnknownCode) || !origin.known() || origin.file != ctx.source().id())
       return;

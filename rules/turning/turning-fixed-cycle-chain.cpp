@@ -38,7 +38,7 @@ public:
                    "not deeper",
                    ctx.text(*word), code.name, std::string(1, letter),
                    llvm::formatv("{0}", llvm::format("%g", last)).str())
-          .note(ctx.before().origin.cycle, code.name + " becomes active here");
+          .note(ctx.before().origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
 };
 

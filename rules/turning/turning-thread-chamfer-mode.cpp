@@ -26,18 +26,18 @@ public:
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const GroupInfo &group = ctx.dialect().groups[group_];
-    if (!(state.statedMust >> group_ & 1)) {
+    if (!(state.isStated(group_))) {
       std::string names;
       for (const CodeIndex member : group.members)
         names += (names.empty() ? "" : " or ") + ctx.dialect().codes[member].name;
-      if (auto finding = ctx.report(*word, event.certain && !(state.statedMay >> group_ & 1)))
+      if (auto finding = ctx.report(*word, event.certain && !(state.mayBeStated(group_))))
         finding.message("`{0}` ends as an earlier program left the run-out: {1} is not stated",
                         code.name, names);
       return;
     }
     for (const CodeIndex member : group.members) {
       const CodeInfo &mode = ctx.dialect().codes[member];
-      if (mode.opposite == noCode || state.group[group_] != uint64_t(1) << mode.bit)
+      if (mode.opposite == noCode || state.group(group_) != uint64_t(1) << mode.bit)
         continue;
       const auto pitches = ctx.machine().number("setting95");
       if (auto finding = ctx.report(*word, event.certain))
@@ -46,7 +46,7 @@ public:
                      "is shorter",
                      code.name, mode.name,
                      llvm::formatv("{0}", llvm::format("%g", pitches.value_or(1))).str())
-            .note(state.origin.group[group_], mode.name + " becomes active here");
+            .note(state.origin.ofGroup(group_), mode.name + " becomes active here");
     }
   }
 

@@ -57,7 +57,7 @@ private:
               "the first cut `{0}` of `{1}` is smaller than the least cut {2} of its data block",
               ctx.text(*firstWord), code.name,
               llvm::formatv("{0}", llvm::format("%g", *least)).str())
-          .note(before.origin.pending, "the data block");
+          .note(before.origin.of(StatePart::PendingCycle), "the data block");
   }
 
   static void pass(const Event &event, const CodeInfo &code, RuleContext &ctx) {
@@ -84,7 +84,7 @@ private:
             .message("`{0}` cuts the last pass of `{1}` once more, although deeper passes follow",
                      ctx.text(*x), code.name)
             .severity(Severity::Style)
-            .note(before.origin.cycle, code.name + " becomes active here");
+            .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
       return;
     }
     const bool outside = from > last;
@@ -95,7 +95,7 @@ private:
           .message("the pass at `{0}` of `{1}` is less deep than the one before at X{2}: it cuts "
                    "nothing",
                    ctx.text(*x), code.name, llvm::formatv("{0}", llvm::format("%g", last)).str())
-          .note(before.origin.cycle, code.name + " becomes active here");
+          .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
 
   /// Whether a later pass of the list is deeper than `x`.

@@ -41,11 +41,12 @@ public:
       if (before.must(Fact::FeedSet))
         finding.message(
             "`{0}` cuts a thread without {1} of its own: the feed of line {2} becomes the pitch",
-            code.name, ctx.dialect().alternatives(lead), lineOf(ctx, before.origin.feed));
+            code.name, ctx.dialect().alternatives(lead),
+            lineOf(ctx, before.origin.of(StatePart::Feed)));
       else
         finding.message("`{0}` cuts a thread, and its pitch {1} is not given", code.name,
                         ctx.dialect().alternatives(lead));
-      finding.note(before.origin.feed, "the feed in force is set here");
+      finding.note(before.origin.of(StatePart::Feed), "the feed in force is set here");
     }
   }
 };

@@ -58,10 +58,10 @@ private:
     const auto unit = millimetresPer(ctx.dialect(), before);
     const Interval &x = before.at(Axis::X);
     constexpr double pi = 3.14159265358979323846;
-    if (!unit || *unit != 1 || !x.isConstant() || x.value() < 1 || !before.speed.isConstant() ||
-        before.speed.value() <= 0 || before.inMachineCoordinates(Axis::X))
+    if (!unit || *unit != 1 || !x.isConstant() || x.value() < 1 || !before.speed->isConstant() ||
+        before.speed->value() <= 0 || before.inMachineCoordinates(Axis::X))
       return;
-    const double speed = std::floor(before.speed.value() * 1000 / (pi * x.value()));
+    const double speed = std::floor(before.speed->value() * 1000 / (pi * x.value()));
     if (speed < 1)
       return;
     const std::string block = llvm::formatv("G97 S{0}", int64_t(speed)).str();

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 namespace {
@@ -46,6 +47,9 @@ public:
     const std::string fresh = told(*lsp::check(job_, nullptr));
     return again == fresh ? "" : "with memory:\n" + again + "fresh:\n" + fresh;
   }
+
+  /// Blocks that the last comparison did not execute again.
+  uint64_t taken() { return memory_.takeTaken(); }
 
 private:
   CheckJob job_;
@@ -167,6 +171,74 @@ INSTANTIATE_TEST_SUITE_P(Incremental, MovesGoOn,
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+/// A program of many blocks of one kind, behind a proper begin.
+std::string manyTimes(const std::string &begin, unsigned blocks,
+                      const std::function<std::string(unsigned)> &block) {
+  std::string text = "%\nO1 (PART)\nG17 G40 G80 G90 G94\nT1 M06\nG54 G00 X0. Y0. S2000 M03\n"
+                     "G43 H1 Z50.\nZ5.\n" +
+                     begin;
+  for (unsigned i = 0; i < blocks; ++i)
+    text += block(i);
+  return text + "G80\nG00 Z50.\nM05\nM30\n%\n";
+}
+
+std::string at(unsigned i) {
+  return "X" + std::to_string(i % 90) + "." + std::to_string(i % 7) + " Y" +
+         std::to_string(i / 90) + ".";
+}
+
+/// What blocks do not look at may change in front of them: they are not executed again.
+TEST(Incremental, AnEditCostsWhatItChanges) {
+  constexpr unsigned blocks = 6000;
+  const std::string arcs = manyTimes("G01 Z-1. F200.\n", blocks, [](unsigned i) {
+    return i % 2 ? "G02 " + at(i - 1) + " I1. J0.\n" : "G01 " + at(i) + "\n";
+  });
+  const std::string holes = manyTimes("G98 G81 X0. Y0. Z-3. R2. F100.\n", blocks,
+                                      [](unsigned i) { return at(i + 90) + "\n"; });
+  struct Case {
+    const std::string &text;
+    const char *where, *added;
+    bool taken; ///< what stands behind it is taken over
+  };
+  const Case cases[] = {
+      {arcs, "G02 X44", "F77.\n", true},  {arcs, "G02 X44", "M08\n", true},
+      {arcs, "G02 X44", "G99\n", true}, // behind an unknown code rules only say less
+      {arcs, "G02 X44", "X500.\n", true}, {arcs, "G02 X44", "(X)\n", true},
+      {arcs, "G02 X44", "G91\n", false}, // other places
+      {arcs, "G02 X44", "G55\n", false},  {holes, "X44", "X1.5\n", true},
+      {holes, "X44", "F77.\n", false}, // a word of the cycle
+      {holes, "X44", "G80\n", false},
+  };
+  for (const Case &c : cases) {
+    SCOPED_TRACE(c.added);
+    Edited edited("haas-mill", "/nowhere/O0001.nc");
+    ASSERT_EQ(edited.difference(c.text), "");
+    std::string changed = c.text;
+    changed.insert(changed.find(c.where), c.added);
+    edited.taken();
+    EXPECT_EQ(edited.difference(changed), "");
+    const uint64_t taken = edited.taken();
+    EXPECT_EQ(taken > blocks * 4 / 5, c.taken) << taken;
+    EXPECT_EQ(edited.difference(c.text), "");
+    EXPECT_EQ(edited.taken() > blocks * 4 / 5, c.taken) << "taken back";
+  }
+}
+
+/// Holes of runs that are taken over count as well.
+TEST(Incremental, AHoleIsMissedNowhere) {
+  const std::string text = manyTimes("G98 G81 X0. Y0. Z-3. R2. F100.\n", 2000,
+                                     [](unsigned i) { return at(i + 90) + "\n"; });
+  Edited edited("haas-mill", "/nowhere/O0001.nc");
+  ASSERT_EQ(edited.difference(text), "");
+  std::string twice = text; // the place of a hole that lies far behind
+  twice.insert(twice.find("X1.1 "), "X80.3 Y20.\n");
+  EXPECT_EQ(edited.difference(twice), "");
+  EXPECT_EQ(edited.difference(text), "");
+  std::string last = text; // and of one far in front
+  last.insert(last.rfind("G80"), "X1.0 Y1.\n");
+  EXPECT_EQ(edited.difference(last), "");
+}
 
 TEST(Incremental, WhatStandsBehindTheClosingMarkStaysUnread) {
   std::string text = "%\nO1\nM30\n";
