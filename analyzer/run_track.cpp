@@ -17,6 +17,7 @@ void RunTrack::begin(uint32_t offset, const MachineState &state, const PlainRun 
   run_->entry = state;
   run_->plainEntry = plain;
   run_->memory = memory;
+  origin_ = state.origin;
   here_ = *run_;
   use_ = {};
   looks_ = {};
@@ -63,14 +64,13 @@ bool RunTrack::mark(uint32_t end, const MachineState &state, const PlainRun &pla
   run.from = std::min(run.from, looks_.from);
   run.to = std::max({run.to, end, looks_.to});
   run.isClean = clean_;
-  run.use = use_;
   // Of what nothing is said, nothing is said either where an unknown code has gone before.
+  StateUse use = use_;
   if (!((run.entry.factsMay | state.factsMay) & silencing))
-    run.use.facts &= ~silencing;
+    use.facts &= ~silencing;
   run.cut = cut_;
   run.depth = depth_;
-  run.exit = state;
-  run.plainExit = plain;
+  run.finish(use, origin_, state, plain);
   run.gathered = std::move(gathered);
   return true;
 }
@@ -110,7 +110,7 @@ void RunTrack::takeOver(const StraightRun &run, MachineState &state, PlainRun &p
     return run.carry(state, plain);
   // Another may become a part of it: then what it leaves alone must be what it is here.
   StraightRun &whole = *runs_->find(run.begin);
-  const MachineState entry = state;
+  const KnownState entry = state;
   const PlainRun plainEntry = plain;
   run.carry(state, plain);
   whole.entry = entry;

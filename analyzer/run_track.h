@@ -46,6 +46,7 @@ private:
   RunStore<StraightRun> *runs_;
   std::optional<StraightRun> run_; ///< up to the last mark
   RunPlace here_;                  ///< up to the last block
+  OriginState origin_;             ///< when it began
   StateUse use_;
   FileIndex::Looks looks_;
   CutArea::Box cut_ = CutArea::none;

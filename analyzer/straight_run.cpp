@@ -27,8 +27,14 @@ void forEachOrigin(const StateUse &use, const Visit &visit) {
   });
 }
 
+std::vector<Origin> originsOf(const StateUse &use, const OriginState &state) {
+  std::vector<Origin> origins;
+  forEachOrigin(use, [&](size_t i) { origins.push_back(state.all()[i]); });
+  return origins;
+}
+
 /// Gives `to` those parts of `from` that are neither looked at nor set.
-void putUnused(MachineState &to, const MachineState &from, const StateUse &use) {
+void putUnused(KnownState &to, const KnownState &from, const StateUse &use) {
   const uint64_t groups = ~use.groups;
   forEachBit(groups, [&](size_t i) { to.groups[i] = from.groups[i]; });
   putUnused(to.statedMay, from.statedMay, use.groups);
@@ -57,22 +63,27 @@ void putUnused(MachineState &to, const MachineState &from, const StateUse &use) 
     to.locals = from.locals;
     to.commons = from.commons;
   }
-  auto &origins = to.origin.all();
-  const auto before = origins;
-  origins = from.origin.all();
-  forEachOrigin(use, [&](size_t i) { origins[i] = before[i]; });
 }
 
-bool isSettled(const PlainRun &plain, const MachineState &state) {
+bool isSettled(const PlainRun &plain, const KnownState &state) {
   return plain.may == state.factsMay && plain.must == state.factsMust;
 }
 
 } // namespace
 
 /// Whether its moves leave the level from which the tool was fed down what it is.
-bool StraightRun::sparesLevel(const MachineState &state) const {
+bool StraightRun::sparesLevel(const KnownState &state) const {
   return !use.has(StatePart::FeedLevel) && depth.spare(state.fedFrom.peek()) &&
          depth.spare(entry.fedFrom.peek());
+}
+
+void StraightRun::finish(const StateUse &used, const OriginState &before,
+                         const MachineState &behind, const PlainRun &plainBehind) {
+  use = used;
+  exit = behind;
+  plainExit = plainBehind;
+  entryOrigins_ = originsOf(use, before);
+  exitOrigins_ = originsOf(use, behind.origin);
 }
 
 bool StraightRun::begins(const MachineState &state, const PlainRun &plain,
@@ -83,21 +94,23 @@ bool StraightRun::begins(const MachineState &state, const PlainRun &plain,
   // Most states that meet differ in where they are.
   if (std::memcmp(state.position.data(), entry.position.data(), sizeof state.position) != 0)
     return false;
-  MachineState here = state;
+  KnownState here = state;
   putUnused(here, entry, use);
   if (sparesLevel(state))
     here.fedFrom = entry.fedFrom;
   if (!use.has(StatePart::CutArea))
     here.cutArea = entry.cutArea;
-  return equal(here, entry) && here.origin.all() == entry.origin.all();
+  return equal(here, entry) && originsOf(use, state.origin) == entryOrigins_;
 }
 
 void StraightRun::carry(MachineState &state, PlainRun &plain) const {
   const uint64_t may = plainExit.may ^ exit.factsMay, must = plainExit.must ^ exit.factsMust;
   const bool spared = sparesLevel(state);
-  MachineState before = std::move(state);
-  state = exit;
+  const KnownState before = std::move(state);
+  static_cast<KnownState &>(state) = exit;
   putUnused(state, before, use);
+  size_t next = 0;
+  forEachOrigin(use, [&](size_t i) { state.origin.all()[i] = exitOrigins_[next++]; });
   state.fedFrom = before.fedFrom;
   state.fedFrom.add(depth);
   if (!spared)
@@ -118,13 +131,19 @@ void StraightRun::join(const StraightRun &next, const MachineState &behind,
   from = std::min(from, next.from);
   to = std::max(to, next.to);
   isClean &= next.isClean;
-  use |= next.use;
+  // What only the next one looks at was set there before this one as well.
+  OriginState before;
+  size_t i = 0;
+  forEachOrigin(next.use, [&](size_t at) { before.all()[at] = next.entryOrigins_[i++]; });
+  i = 0;
+  forEachOrigin(use, [&](size_t at) { before.all()[at] = entryOrigins_[i++]; });
+  StateUse both = use;
+  both |= next.use;
   for (size_t axis = 0; axis < cut.size(); ++axis)
     cut[axis] = ncvet::join(cut[axis], next.cut[axis]);
   depth.add(next.depth);
   gathered.insert(gathered.end(), next.gathered.begin(), next.gathered.end());
-  exit = behind;
-  plainExit = plainBehind;
+  finish(both, before, behind, plainBehind);
 }
 
 void StraightRun::move(const TextChange &change) {
@@ -133,27 +152,23 @@ void StraightRun::move(const TextChange &change) {
     from = change.moved(from);
     to = change.moved(to);
   }
-  for (MachineState *state : {&entry, &exit})
-    forEachOrigin(use, [&](size_t i) {
-      Origin &origin = state->origin.all()[i];
+  for (std::vector<Origin> *origins : {&entryOrigins_, &exitOrigins_})
+    for (Origin &origin : *origins) {
       if (!origin.known() || origin.file != memory.file())
-        return;
+        continue;
       origin.begin = change.moved(origin.begin);
       origin.end = change.moved(origin.end);
-    });
+    }
   memory.move(change);
   for (const auto &[rule, what] : gathered)
     what->move(change);
 }
 
 bool StraightRun::stemsFrom(const TextChange &change) const {
-  bool stems = false;
-  forEachOrigin(use, [&](size_t i) {
-    const Origin &origin = entry.origin.all()[i];
-    stems |=
-        origin.known() && origin.file == memory.file() && !change.spares(origin.begin, origin.end);
+  return llvm::any_of(entryOrigins_, [&](const Origin &origin) {
+    return origin.known() && origin.file == memory.file() &&
+           !change.spares(origin.begin, origin.end);
   });
-  return stems;
 }
 
 } // namespace ncvet

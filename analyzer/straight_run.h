@@ -16,13 +16,16 @@ struct StraightRun : RunPlace {
   StateUse use;
   CutArea::Box cut = CutArea::none; ///< what is added to it
   DepthMoves depth;
-  MachineState entry, exit;
+  KnownState entry, exit;
   PlainRun plainEntry, plainExit;
   RuleMemory memory;   ///< at its begin, and at its end as well
   Gatherings gathered; ///< what it adds to it
 
   explicit StraightRun(FileId file) : memory(file) {}
 
+  /// It ends here, has used this much, and things were set there when it began.
+  void finish(const StateUse &used, const OriginState &before, const MachineState &behind,
+              const PlainRun &plainBehind);
   /// Whether it does the same from here.
   bool begins(const MachineState &state, const PlainRun &plain, const RuleMemory &now) const;
   /// Makes of what stands in front of it what stands behind it.
@@ -35,7 +38,10 @@ struct StraightRun : RunPlace {
   bool stemsFrom(const TextChange &change) const;
 
 private:
-  bool sparesLevel(const MachineState &state) const;
+  bool sparesLevel(const KnownState &state) const;
+
+  /// Where things were set that it looks at or sets, in the order of their places in the state.
+  std::vector<Origin> entryOrigins_, exitOrigins_;
 };
 
 } // namespace ncvet

@@ -98,7 +98,7 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
 
 /// A canonical sequence of numbers that says all that `equal` and `hash` look at.
 template <typename Sink>
-void visitParts(const MachineState &s, Sink sink) {
+void visitParts(const KnownState &s, Sink sink) {
   const auto interval = [&](const Interval &i) {
     sink(std::bit_cast<uint64_t>(i.lo));
     sink(std::bit_cast<uint64_t>(i.hi));
@@ -258,7 +258,7 @@ MachineState unknownState(const Dialect &dialect) {
   return state;
 }
 
-bool equal(const MachineState &a, const MachineState &b) {
+bool equal(const KnownState &a, const KnownState &b) {
   // Most states that meet differ in what they have done or where they are.
   if (a.factsMay != b.factsMay || a.factsMust != b.factsMust || a.groups != b.groups ||
       std::memcmp(a.position.data(), b.position.data(), sizeof a.position) != 0)

@@ -361,10 +361,14 @@ private:
   Places at_;
 };
 
-struct MachineState : ModeState, MotionState, SetupState {
+/// All that the machine does next depends on.
+struct KnownState : ModeState, MotionState, SetupState {
   Variables locals{Value::vacant()};
   Variables commons;
   VariableRanges ranges; ///< of the dialect; never compared
+};
+
+struct MachineState : KnownState {
   OriginState origin;
 
   bool may(Fact fact) const {
@@ -444,8 +448,8 @@ MachineState initialState(const Dialect &dialect);
 /// State on entry of a program whose caller is not known: everything is possible.
 MachineState unknownState(const Dialect &dialect);
 
-/// Exact equality of what the two states say (origins are not compared).
-bool equal(const MachineState &a, const MachineState &b);
+/// Exact equality of what the two states say.
+bool equal(const KnownState &a, const KnownState &b);
 uint64_t hash(const MachineState &state);
 /// True when every concrete machine that `b` stands for is also one of `a`.
 bool covers(const MachineState &a, const MachineState &b);

@@ -11,7 +11,7 @@ namespace {
 constexpr double oneFrame = 0.016;
 constexpr std::chrono::milliseconds longestDelay(200);
 /// So many checks leave so much free memory in pieces that it is worth giving back.
-constexpr unsigned checksBetweenTrims = 512;
+constexpr unsigned checksBetweenTrims = 32;
 /// A waiting request looks for its cancellation so often.
 constexpr std::chrono::milliseconds patience(20);
 
