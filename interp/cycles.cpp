@@ -334,8 +334,10 @@ void Execution::endOfCall(const CodeInfo &code) {
     for (unsigned i = 0; i < axisCount; ++i)
       if (plane >> i & 1)
         state_.position[i] = Interval::unknown();
-  if (code.cycle == CycleKind::Pattern)
+  if (code.cycle == CycleKind::Pattern) { // somewhere, but not where the tool stands
+    outcome_.holes.push_back(state_.position);
     return;
+  }
   state_.at(tool) = Interval::unknown();
   state_.machineAxes &= ~(1u << unsigned(tool) | plane);
   unsigned axis = 0; // the centre is given by the first and the second axis of the plane

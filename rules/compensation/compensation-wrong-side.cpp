@@ -1,5 +1,6 @@
-// Radius compensation on the side of the material.
-#include "analyzer/rule.h"
+// Radius compensation on the side of the material, or on that which the tool's nose does not have.
+#include "analyzer/once.h"
+#include "interp/tool_data.h"
 
 #include <algorithm>
 
@@ -16,16 +17,55 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (ctx.dialect().isLathe())
+    if (ctx.dialect().isLathe()) {
       onLathe(event, ctx);
-    else if (event.kind == EventKind::CompensationMove)
+      besideNose(event, ctx);
+    } else if (event.kind == EventKind::CompensationMove)
       enters(event, ctx);
     else
       firstElement(event, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(known_, from_, to_, entry_); }
+  void remember(RuleMemory &memory) const override {
+    memory(known_, from_, to_, entry_);
+    noses_.remember(memory);
+  }
 
 private:
+  /// A cut along Z touches the work on one side of the nose: above the centre of a tool that turns
+  /// inside (tip codes 1 and 2), below that of one that turns outside (3 and 4). NCT manual, lines
+  /// 1440-1445. A full radius may cut on its other side all the same.
+  void besideNose(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    if (event.motion != MotionKind::Feed || event.code == noCode || ctx.machine().tools.empty() ||
+        before.compensation != phaseOn || after.compensation != phaseOn ||
+        before.may(Fact::UnknownCode))
+      return;
+    const Interval dz = after.at(Axis::Z) - before.at(Axis::Z);
+    const Interval &x = after.at(Axis::X);
+    if (!x.isConstant() || !(before.at(Axis::X) == x) || (dz.lo <= 0 && dz.hi >= 0))
+      return;
+    const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), after);
+    const auto radius = compensationRadius(ctx.dialect(), ctx.machine(), after);
+    const int8_t side = compensatedSide(ctx.dialect(), after);
+    if (!tool || !tool->tip || *tool->tip < 1 || *tool->tip > 4 || !radius || *radius <= 0 || !side)
+      return;
+    // On the left of a cut towards the chuck lies the axis of the work.
+    const bool touchesAbove = (dz.hi < 0) == (side > 0);
+    const bool inside = *tool->tip <= 2;
+    const Origin &origin = after.origin.of(StatePart::Compensation);
+    if (touchesAbove == inside || !noses_.speaks(origin, ctx))
+      return;
+    const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
+    const bool here = origin.known() && origin.file == ctx.source().id();
+    if (auto finding = ctx.report(here ? origin.range() : ctx.blockRange(), /*certain=*/false))
+      finding
+          .message("`{0}` cuts with the side of the nose at X{1}, and the tool's nose direction "
+                   "{2} is that of a tool which turns {3}",
+                   code ? code->name : std::string("compensation"), touchesAbove ? "+" : "-",
+                   *tool->tip, inside ? "inside" : "outside")
+          .note(ctx.blockRange(), "this cut lies along Z");
+  }
+
   /// Looks at the first element behind the entry. Cut towards the chuck, an outside contour grows
   /// and a bore shrinks; only when the entry came from the same side is it taken for certain.
   static void onLathe(const Event &event, RuleContext &ctx) {
@@ -135,6 +175,7 @@ private:
   bool known_ = false; ///< of the last entry: from where to where
   Point from_{}, to_{};
   SourceRange entry_{};
+  OncePerCause noses_;
 };
 
 } // namespace

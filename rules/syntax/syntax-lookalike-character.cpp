@@ -47,7 +47,10 @@ public:
       if ((letter != 'O' && letter != 'o' && letter != 'l') || word.offset <= block.begin)
         continue;
       const char before = all[word.offset - 1];
-      if (inNumber(before) || before == '-')
+      // Behind the block's number the name of an element stands as well without a space: `N40O5`.
+      const bool element = ctx.dialect().elementWords & maskOf(word.address) && block.number >= 0 &&
+                           word.offset == block.numberEnd;
+      if ((inNumber(before) && !element) || before == '-')
         report(startOf(word.offset, all), word.offset, ctx); // `X1O5`, `Z-l0.`
     }
   }

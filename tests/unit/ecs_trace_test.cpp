@@ -149,6 +149,17 @@ TEST(EcsTrace, DrillsAtThePlacesOfAPattern) {
       ElementsAre("2 linear X20 Y0 Z-5", "2 linear X0 Y20 Z-5", "2 linear X-20 Y0 Z-5"));
   EXPECT_THAT(placesOf("N81 L<FORMAT> X1 Y2 <%NHL=3> <%NRG=0> <PXL=10> <PYL=5>\nN82 G80 Z100\n"),
               ElementsAre("2 linear X1 Y2 Z-5", "2 linear X11 Y7 Z-5", "2 linear X21 Y12 Z-5"));
+  const std::string rows = "N81 L<FORMAT> X10 Y20 <%NHL=2> <%NRG=2> <PXL=10> <PYL=0> <PXR=1> ";
+  EXPECT_THAT(placesOf(rows + "<PYR=20>\nN82 G80 Z100\n"),
+              ElementsAre("2 linear X10 Y20 Z-5", "2 linear X20 Y20 Z-5", "2 linear X11 Y40 Z-5",
+                          "2 linear X21 Y40 Z-5"));
+  // Where the second row lies is not said.
+  EXPECT_THAT(placesOf(rows + "\nN82 G80 Z100\n"),
+              ElementsAre("2 linear X10 Y20 Z-5", "2 linear X20 Y20 Z-5", "2 linear X11 Z-5",
+                          "2 linear X21 Z-5"));
+  // Nor how many holes.
+  EXPECT_THAT(placesOf("N81 L<FORMAT> X1 Y2 <%NRG=0> <PXL=10> <PYL=5>\nN82 G80 Z100\n"),
+              ElementsAre("2 linear Z-5"));
 }
 
 } // namespace

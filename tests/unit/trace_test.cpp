@@ -377,6 +377,18 @@ TEST(Trace, PecksGetSmaller) {
                           "3 rapid X0 Y0", "3 linear X0 Y0 Z-14", "3 rapid X0 Y0 Z50", "4 end"));
 }
 
+/// The rows of a grid are drilled to and fro; the angle turns the grid about its first hole.
+TEST(Trace, AGridIsDrilledRowByRow) {
+  EXPECT_THAT(traceOf("sinumerik", "G17 G90 S1000 M3 F100\nG0 X0 Y0 Z50\nMCALL CYCLE81(50,0,2,-5)\n"
+                                   "CYCLE801(10,20,90,10,30,2,2)\nMCALL\nM30\n"),
+              ElementsAre("2 rapid X0 Y0 Z50", "4 rapid X10 Y20 Z50", "4 rapid X10 Y20 Z2",
+                          "4 linear X10 Y20 Z-5", "4 rapid X10 Y20 Z50", "4 rapid X10 Y30 Z50",
+                          "4 rapid X10 Y30 Z2", "4 linear X10 Y30 Z-5", "4 rapid X10 Y30 Z50",
+                          "4 rapid X-20 Y30 Z50", "4 rapid X-20 Y30 Z2", "4 linear X-20 Y30 Z-5",
+                          "4 rapid X-20 Y30 Z50", "4 rapid X-20 Y20 Z50", "4 rapid X-20 Y20 Z2",
+                          "4 linear X-20 Y20 Z-5", "4 rapid X-20 Y20 Z50", "6 end"));
+}
+
 /// However small the cut, the passes end.
 TEST(Trace, AMillionPassesAreNotFollowed) {
   const auto lines = traceOf("fanuc-0t", "G0 X50. Z2.\nG73 U.00001 R1.\nG73 P10 Q20 U0 W0 F0.2\n"
