@@ -80,8 +80,11 @@ public:
     moves_.clear();
     appendMoves(executed, moves_);
     const uint64_t tag = uint64_t(unit.source.id()) << 32 | block.begin;
-    if (before.profile == readAsData)
-      return contour_.take(executed, moves_);
+    if (before.profile == readAsData && after.profile == readAsData) {
+      if (cycle_) // the contour of no cycle is not followed
+        contour_.take(executed, moves_);
+      return;
+    }
     if (before.profile == run && cycle_)
       for (Move &move : moves_)
         shiftByRest(*cycle_, move);

@@ -2,8 +2,8 @@
 // reported, the same ones each time, and fixes that fit.
 #include "analyzer/checker.h"
 #include "analyzer/fix.h"
-#include "formats/dialect/loader.h"
 #include "formats/reports/report.h"
+#include "tests/fuzz/sessions.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -11,29 +11,11 @@
 namespace {
 
 using namespace ncvet;
+using fuzz::sessionOf;
 
 void require(bool holds) {
   if (!holds)
     std::abort();
-}
-
-/// One session a dialect, kept over all inputs: tables are loaded once.
-Session &sessionOf(size_t which) {
-  static const std::vector<DialectSummary> dialects = [] {
-    std::vector<DialectSummary> all = listDialects();
-    llvm::erase_if(all, [](const DialectSummary &d) { return d.abstract; });
-    return all;
-  }();
-  static std::vector<std::unique_ptr<Session>> sessions(dialects.size() + 1);
-  which %= sessions.size();
-  if (!sessions[which]) {
-    SessionOptions options;
-    options.dialect = which == dialects.size() ? "auto" : dialects[which].id;
-    options.profile = "all";
-    options.limits.repeatedBlocks = 20'000; // loops that count for ever are no hang
-    sessions[which] = std::make_unique<Session>(options);
-  }
-  return *sessions[which];
 }
 
 /// Findings of `text` as text, or in every format: one of them holds the pages of all rules, which
