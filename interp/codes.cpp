@@ -126,6 +126,7 @@ void Execution::applyModal(const CodeUse &use) {
     case Action::SpeedLimit:
     case Action::MacroCall:
     case Action::Cycle:
+    case Action::ProfileRun:
     case Action::ZoneOn:
       if (!actionCode_.word)
         actionCode_ = use;
@@ -397,8 +398,6 @@ void Execution::reset(const Word &word) {
   state_.cycle.present = 0;
   state_.modalCalls = nullptr;
   state_.fedFrom.forget();
-  for (Interval &shift : state_.localShift)
-    shift = Interval::unknown();
   state_.frames.clear();
   for (Interval &position : state_.position)
     position = Interval::unknown();

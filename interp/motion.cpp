@@ -432,9 +432,7 @@ void Execution::shiftCoordinates(const CodeUse &use) {
       // The present place gets this coordinate; an increment shifts by so much.
       state_.at(axis) = address.kind == AddressKind::Increment ? state_.at(axis) + v : v;
       state_.machineAxes &= ~uint32_t(bit(axis));
-    } else if (unsigned(axis) < 3) {
-      state_.localShift[unsigned(axis)] = v;
-    } else {
+    } else if (unsigned(axis) >= 3) { // frames know no others
       state_.at(axis) = Interval::unknown();
     }
   }
@@ -575,6 +573,7 @@ void Execution::moveAxes() {
           state_.position[i] = Interval::unknown();
       return;
     case Action::Cycle:
+    case Action::ProfileRun:
       runCompound(actionCode_);
       return;
     case Action::SpeedLimit:

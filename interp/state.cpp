@@ -60,10 +60,8 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   r.switches.must = a.switches.must & b.switches.must;
   for (size_t i = 0; i < maxSwitches; ++i)
     r.switches.axes[i] = a.switches.axes[i] | b.switches.axes[i];
-  for (size_t i = 0; i < 3; ++i) {
-    r.localShift[i] = combine(a.localShift[i], b.localShift[i], wide);
+  for (size_t i = 0; i < 3; ++i)
     r.cycleStart[i] = combine(a.cycleStart[i], b.cycleStart[i], wide);
-  }
   r.cycle.present = a.cycle.present | b.cycle.present;
   for (size_t i = 0; i < 26; ++i) {
     const bool both = (a.cycle.present & b.cycle.present) >> i & 1;
@@ -130,8 +128,6 @@ void visitParts(const KnownState &s, Sink sink) {
   sink(uint64_t(s.switches.may) << 32 | s.switches.must);
   for (uint16_t axes : s.switches.axes)
     sink(axes);
-  for (const Interval &i : s.localShift)
-    interval(i);
   for (const Interval &i : s.cycleStart)
     interval(i);
   interval(s.initialLevel);
@@ -216,7 +212,6 @@ MachineState initialState(const Dialect &dialect) {
     if (i < dialect.groups.size() && dialect.groups[i].initial != 0xFF)
       state.groups[i] = uint64_t(1) << dialect.groups[i].initial;
   }
-  state.localShift.fill(Interval::exactly(0));
   state.ranges = dialect.variableRanges;
   if (!dialect.localsBeginVacant)
     state.locals = Variables(); // unknown, and none given

@@ -303,7 +303,6 @@ struct SetupState {
   Noted<Interval, StatePart::Speed> speed;           ///< S as programmed
   Noted<Interval, StatePart::SpeedLimit> speedLimit; ///< 1/min
   SwitchState switches;
-  std::array<Interval, 3> localShift; ///< G52, X Y Z
   CycleWords cycle;
   Interval initialLevel;              ///< position along the tool axis when the cycle began
   std::array<Interval, 3> cycleStart; ///< X Y Z when the cycle began

@@ -164,13 +164,10 @@ private:
     }
     if (dialect.isLathe()) // every tool has offsets in both axes
       return Interval::unknown();
-    for (const auto &[group, action] : {std::pair(StandardGroup::Rotation, Action::RotationOn),
-                                        std::pair(StandardGroup::Scaling, Action::ScalingOn),
-                                        std::pair(StandardGroup::Mirror, Action::MirrorOn),
-                                        std::pair(StandardGroup::Polar, Action::PolarOn)})
-      if (dialect.group(group) != noGroup && state.active(dialect, group) != groupUnset &&
-          state.isActive(dialect, group, {action}) != Truth::No)
-        return Interval::unknown();
+    if (dialect.group(StandardGroup::Polar) != noGroup &&
+        state.active(dialect, StandardGroup::Polar) != groupUnset &&
+        state.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::No)
+      return Interval::unknown();
     if (state.origin.of(StatePart::Preset).known() || unsigned(axis) >= 3)
       return Interval::unknown();
     if (axis == toolAxis(dialect, state) &&
@@ -183,8 +180,19 @@ private:
     const auto origin = ctx.machine().offsets.find(offset->name);
     if (origin == ctx.machine().offsets.end() || !origin->second[unsigned(axis)])
       return Interval::unknown();
-    return place + Interval::exactly(*origin->second[unsigned(axis)]) +
-           state.localShift[unsigned(axis)];
+    return inOffset(axis, state) + Interval::exactly(*origin->second[unsigned(axis)]);
+  }
+
+  /// Coordinate of an axis of space in the work offset, with the frames that lie over it.
+  static Interval inOffset(Axis axis, const MachineState &state) {
+    if (state.frames.empty())
+      return state.at(axis);
+    const std::optional<Frame> frame = state.frames.total();
+    Point3 place;
+    for (unsigned i = 0; i < place.size(); ++i)
+      if (!state.inMachineCoordinates(Axis(i)))
+        place[i] = state.position[i];
+    return frame ? (*frame * place)[size_t(axis)] : Interval::unknown();
   }
 
   bool travels_ = false; ///< the machine profile knows the travel of an axis

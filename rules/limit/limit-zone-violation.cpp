@@ -109,17 +109,11 @@ private:
     if (state.origin.of(StatePart::LengthOffset).known() &&
         state.origin.of(StatePart::LengthOffset).begin > zone.origin.begin)
       return false;
-    for (const auto &[group, action] : {std::pair(StandardGroup::Rotation, Action::RotationOn),
-                                        std::pair(StandardGroup::Scaling, Action::ScalingOn),
-                                        std::pair(StandardGroup::Mirror, Action::MirrorOn),
-                                        std::pair(StandardGroup::Polar, Action::PolarOn)})
-      if (dialect.group(group) != noGroup && state.active(dialect, group) != groupUnset &&
-          state.isActive(dialect, group, {action}) != Truth::No)
-        return false;
-    return state.localShift[0] == Interval::exactly(0) &&
-           state.localShift[1] == Interval::exactly(0) &&
-           state.localShift[2] == Interval::exactly(0) &&
-           !state.origin.of(StatePart::Preset).known();
+    if (dialect.group(StandardGroup::Polar) != noGroup &&
+        state.active(dialect, StandardGroup::Polar) != groupUnset &&
+        state.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::No)
+      return false;
+    return state.frames.empty() && !state.origin.of(StatePart::Preset).known();
   }
 
   llvm::SmallVector<GroupIndex, 2> groups_; ///< those that hold a code which switches a zone on
