@@ -1,4 +1,5 @@
 // A cycle makes the same hole more than once.
+#include "analyzer/gathered_list.h"
 #include "analyzer/lookahead.h"
 
 #include "llvm/ADT/DenseMap.h"
@@ -8,6 +9,20 @@ namespace ncvet {
 namespace {
 
 class CycleHoleDrilledTwice final : public Rule {
+  struct Place {
+    FileId file = 0;
+    uint32_t block = 0, end = 0, list = 0;
+    unsigned depth = 0;
+    uint64_t offset = 0;
+    std::array<double, axisCount> at{};
+    uint64_t key = 0; ///< of offset and position
+
+    void move(const TextChange &change) {
+      for (uint32_t *place : {&block, &end, &list})
+        *place = change.moved(*place);
+    }
+  };
+
 public:
   void listen(Subscriptions &to) override {
     to.gathers();
@@ -28,14 +43,10 @@ public:
     }
   }
   void remember(RuleMemory &memory) const override { memory(call_, calledAt_); }
-  void startGathering() override { gathered_.emplace(); }
-  std::shared_ptr<Gathered> gathered() const override {
-    if (!gathered_ || gathered_->holes.empty())
-      return nullptr;
-    return std::make_shared<Holes>(*gathered_);
-  }
+  void startGathering() override { gathered_.start(); }
+  std::shared_ptr<Gathered> gathered() const override { return gathered_.part(); }
   bool gather(const Gathered &gathered) override {
-    const auto &holes = static_cast<const Holes &>(gathered).holes;
+    const llvm::ArrayRef<Place> holes = GatheredList<Place>::itemsOf(gathered);
     for (const Place &place : holes) { // of the list that is being run
       if (!continues(place))
         break;
@@ -134,8 +145,7 @@ private:
     // Another depth at the same place is a second step, and a longer path cannot be one list.
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
-    if (gathered_)
-      gathered_->holes.push_back(place);
+    gathered_.add(place);
     const Place *known = add(place);
     if (!known)
       return;
@@ -148,31 +158,12 @@ private:
           .note(SourceRange{place.file, other.block, other.end}, "this block was here already");
   }
 
-  struct Place {
-    FileId file = 0;
-    uint32_t block = 0, end = 0, list = 0;
-    unsigned depth = 0;
-    uint64_t offset = 0;
-    std::array<double, axisCount> at{};
-    uint64_t key = 0; ///< of offset and position
-  };
   static uint64_t keyOf(const Place &place) {
     const uint64_t hash =
         place.offset ^
         llvm::xxHash64({reinterpret_cast<const char *>(place.at.data()), sizeof(place.at)});
     return hash & ~(uint64_t(1) << 63); // DenseMap keeps the two largest for itself
   }
-
-  /// Holes of a stretch of blocks.
-  struct Holes final : Gathered {
-    std::vector<Place> holes;
-
-    void move(const TextChange &change) override {
-      for (Place &place : holes)
-        for (uint32_t *at : {&place.block, &place.end, &place.list})
-          *at = change.moved(*at);
-    }
-  };
 
   bool continues(const Place &place) const {
     return place.depth == last_.depth && place.list == last_.list && place.file == last_.file;
@@ -199,7 +190,7 @@ private:
   std::vector<Place> places_;
   llvm::DenseMap<uint64_t, uint32_t> byKey_;
   Place last_;
-  std::optional<Holes> gathered_; ///< since gathering started
+  GatheredList<Place> gathered_;
 };
 
 } // namespace

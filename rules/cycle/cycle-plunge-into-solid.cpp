@@ -1,4 +1,5 @@
 // A tool is fed down where material stands.
+#include "analyzer/gathered_list.h"
 #include "analyzer/lookahead.h"
 #include "formats/dialect/measure.h"
 
@@ -11,6 +12,8 @@ namespace ncvet {
 namespace {
 
 class CyclePlungeIntoSolid final : public Rule {
+  using PlaceInPlane = std::array<Interval, 2>;
+
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
@@ -41,14 +44,10 @@ public:
   void remember(RuleMemory &memory) const override {
     memory.aside([&] { memory(holes_.size(), sum_, anywhere_); });
   }
-  void startGathering() override { gathered_.emplace(); }
-  std::shared_ptr<Gathered> gathered() const override {
-    if (!gathered_ || gathered_->places.empty())
-      return nullptr;
-    return std::make_shared<Holes>(*gathered_);
-  }
+  void startGathering() override { gathered_.start(); }
+  std::shared_ptr<Gathered> gathered() const override { return gathered_.part(); }
   bool gather(const Gathered &gathered) override {
-    for (const auto &place : static_cast<const Holes &>(gathered).places)
+    for (const PlaceInPlane &place : GatheredList<PlaceInPlane>::itemsOf(gathered))
       add(place);
     return true;
   }
@@ -59,23 +58,16 @@ private:
   static constexpr size_t mostHoles = 4096;
   using Place = std::array<Interval, axisCount>;
 
-  static std::array<Interval, 2> inPlane(const Place &place, RuleContext &ctx) {
+  static PlaceInPlane inPlane(const Place &place, RuleContext &ctx) {
     const auto axes = planeOrder(ctx.dialect(), ctx.after());
     return {place[size_t(axes[0])], place[size_t(axes[1])]};
   }
 
-  struct Holes final : Gathered {
-    std::vector<std::array<Interval, 2>> places;
-
-    void move(const TextChange &) override {}
-  };
-
-  void made(const std::array<Interval, 2> &place) {
-    if (gathered_)
-      gathered_->places.push_back(place);
+  void made(const PlaceInPlane &place) {
+    gathered_.add(place);
     add(place);
   }
-  void add(const std::array<Interval, 2> &place) {
+  void add(const PlaceInPlane &place) {
     if (!place[0].isConstant() || !place[1].isConstant() || holes_.size() >= mostHoles) {
       anywhere_ = true;
       return;
@@ -115,8 +107,8 @@ private:
   bool wantsHoles_ = false; ///< the control has cycles that go down into a hole
   bool anywhere_ = false;   ///< a hole was made at a place that is not known
   std::vector<std::array<double, 2>> holes_;
-  uint64_t sum_ = 0;              ///< of them, to compare them by
-  std::optional<Holes> gathered_; ///< since gathering started
+  uint64_t sum_ = 0; ///< of them, to compare them by
+  GatheredList<PlaceInPlane> gathered_;
 };
 
 } // namespace
