@@ -69,6 +69,7 @@ struct RuleInfo {
   llvm::StringRef fix; ///< "safe", "unsafe" or "none"
   /// Rules whose finding on the same block is dropped when this one speaks, as it names the cause.
   llvm::ArrayRef<llvm::StringRef> subsumes;
+  bool unreachable = false; ///< what it reports is not executed
 };
 
 } // namespace ncvet

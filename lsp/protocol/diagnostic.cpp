@@ -26,9 +26,6 @@ int severityNumber(Severity severity) {
 
 /// `DiagnosticTag.Unnecessary`: code that nothing reaches is shown faded.
 constexpr int tagUnnecessary = 1;
-bool isUnnecessary(const RuleInfo &rule) {
-  return rule.id == "flow-unreachable-block" || rule.id == "program-code-after-end";
-}
 
 } // namespace
 
@@ -61,7 +58,7 @@ Json DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) 
                {"message", std::move(message)}};
   if (!related.empty())
     json["relatedInformation"] = std::move(related);
-  if (support_.tags && isUnnecessary(rule))
+  if (support_.tags && rule.unreachable)
     json["tags"] = {tagUnnecessary};
   if (support_.codeLink)
     if (std::string page = rulePageUri(rule); !page.empty())
