@@ -1,6 +1,6 @@
-// The motions of cycles that mill an area, as its envelope: the approach, at each depth the way
-// along the outline that the tool's centre may reach, the withdrawal. How an area is cleared inside
-// that outline the manuals do not say.
+// The motions of cycles that mill an area or a surface, as its envelope: the approach, at each
+// depth the way along the outline that the tool's centre may reach, the withdrawal. How an area is
+// cleared inside that outline the manuals do not say.
 #include "interp/cycle_moves.h"
 #include "interp/cycle_writer.h"
 #include "interp/depth_levels.h"
@@ -25,6 +25,8 @@ public:
 
   /// False when the table says nothing of the cycle's levels.
   bool run() {
+    if (cycle_.cycle == CycleKind::Surface)
+      return surface();
     const bool here = has(cycle_, CycleTrait::StartsHere);
     const auto approach = here ? at_[size_t(tool_)] : approachLevel(parameters_);
     levels_ = here ? levelsFromHere() : depthLevels(parameters_);
@@ -113,6 +115,33 @@ private:
       setPlane(centre);
       go(MoveKind::Rapid);
     }
+  }
+
+  /// Down to where the surface begins, along it on a way that is not known, at its end at the
+  /// bottom where the table names one. Without words for its begin the tool begins where it stands.
+  bool surface() {
+    const auto approach = approachLevel(parameters_);
+    const auto top = parameters_.length(Measure::Top);
+    if (!approach || !top)
+      return false;
+    const Place before = at_;
+    if (parameters_.has(Measure::CentreFirst)) {
+      const auto first = parameters_.length(Measure::CentreFirst),
+                 second = parameters_.length(Measure::CentreSecond);
+      if (first || second)
+        setPlane({first.value_or(at_[size_t(axes_[0])]), second.value_or(at_[size_t(axes_[1])])});
+    } else {
+      setPlane({Interval::unknown(), Interval::unknown()});
+    }
+    if (at_ != before)
+      go(MoveKind::Rapid);
+    go(MoveKind::Rapid, tool_, *approach);
+    feed(go(MoveKind::Linear, tool_, *top), Measure::FeedDown);
+    setPlane({Interval::unknown(), Interval::unknown()});
+    feed(go(MoveKind::Linear, tool_,
+            parameters_.length(Measure::Bottom).value_or(Interval::unknown())),
+         Measure::FeedAlong);
+    return true;
   }
 
   void feed(Move &move, Measure what) const {

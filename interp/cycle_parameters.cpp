@@ -27,6 +27,8 @@ const CodeInfo *CycleParameters::parameterBlock() const {
   return cycle_.twoBlock && pending != noCode ? &executed_.dialect.codes[pending] : nullptr;
 }
 
+bool CycleParameters::has(Measure what) const { return formulaOf(cycle_, what); }
+
 std::optional<Interval> CycleParameters::number(Measure what) const {
   if (const Formula *formula = formulaOf(cycle_, what))
     return valueOfGiven(*formula, cycle_,

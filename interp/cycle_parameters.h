@@ -12,6 +12,8 @@ class CycleParameters {
 public:
   CycleParameters(const ExecutedBlock &executed, const CodeInfo &cycle);
 
+  /// Whether the cycle has such a formula.
+  bool has(Measure what) const;
   /// Value of the formula as it stands; none when the cycle has no such formula, or a word that it
   /// names is not given.
   std::optional<Interval> number(Measure what) const;

@@ -334,6 +334,9 @@ void Execution::applyFrame(const CodeUse &use) {
     break;
   }
   rebase(frames);
+  if (!code.losesPlace.empty() && truthOf(code.losesPlace, code, context_) != Truth::No)
+    for (Interval &place : state_.position)
+      place = Interval::unknown();
 }
 
 } // namespace ncvet

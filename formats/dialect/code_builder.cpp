@@ -31,7 +31,7 @@ llvm::ArrayRef<llvm::StringRef> codeKeys() {
                                                  "places",       "measures",
                                                  "traits",       "firesByMotionCode",
                                                  "storedAt",     "returns",
-                                                 "steps"};
+                                                 "steps",        "losesPlace"};
   static const std::vector<llvm::StringRef> list(std::begin(keys), std::end(keys));
   return list;
 }
@@ -312,6 +312,8 @@ void DialectBuilder::readPlaces(const Json &value, CodeInfo &info) {
 /// `{"when": "…", "of": [{"shift": ["X", "Y", "0"]}, {"turn": ["ANR"], "axis": "Z"},
 /// {"scale": ["SCA", "SCA", "SCA"]}, {"matrix": [twelve numbers]}]}`
 void DialectBuilder::readSteps(const Json &value, CodeInfo &info) {
+  if (const Json *when = in_.member(value, "losesPlace"))
+    info.losesPlace = formula(*when);
   info.frameSteps.clear();
   const Json *steps = in_.member(value, "steps");
   if (!steps || steps->is_null() || !in_.isObject(*steps))

@@ -80,8 +80,9 @@ enum class CycleKind : uint8_t {
   Pocket,
   Slot,
   ThreadMill,
-  Measure,     ///< touches the work
-  ThreadInfeed ///< threads pass by pass beside a line along Z, each deeper than the one before
+  Measure,      ///< touches the work
+  ThreadInfeed, ///< threads pass by pass beside a line along Z, each deeper than the one before
+  Surface       ///< mills a surface: at each place at another depth
 };
 llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
 std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
@@ -279,7 +280,8 @@ struct CodeInfo {
   FrameKind frame = FrameKind::None; ///< of frame-set and frame-add; None: nothing is known of it
   std::vector<FrameStep> frameSteps; ///< of a frame of steps, the outermost first
   Formula frameWhen;                 ///< the steps are right only then; empty: always
-  bool cancelsCycle = false;         ///< ends an active canned cycle of the group "cycle"
+  Formula losesPlace;        ///< when it holds, no position is known behind the code; empty: never
+  bool cancelsCycle = false; ///< ends an active canned cycle of the group "cycle"
   SpindleNeed spindle = SpindleNeed::Any;
   bool needsFeed = false;  ///< a feed must be in force
   bool needsSpeed = false; ///< a spindle speed must be in force

@@ -34,8 +34,9 @@ constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "pattern",        "face",
                                           "contour",        "pocket",
                                           "slot",           "thread-mill",
-                                          "measure",        "thread-infeed"};
-static_assert(std::size(cycles) == size_t(CycleKind::ThreadInfeed) + 1);
+                                          "measure",        "thread-infeed",
+                                          "surface"};
+static_assert(std::size(cycles) == size_t(CycleKind::Surface) + 1);
 
 constexpr llvm::StringLiteral needs[] = {"optional", "required", "first"};
 constexpr llvm::StringLiteral points[] = {"any", "required", "forbidden"};

@@ -85,6 +85,7 @@ private:
     case CycleKind::RoughFace:
     case CycleKind::PatternRepeat:
     case CycleKind::Finish:
+    case CycleKind::Surface:
       return false;
     default:
       return true;

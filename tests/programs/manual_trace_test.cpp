@@ -1,5 +1,6 @@
 // The motions of the programs that the manuals print lead through the points that the corpus beside
 // the project gives for them, when it is there.
+#include "tests/support/outer_program.h"
 #include "tests/support/process.h"
 
 #include <cmath>
@@ -14,6 +15,9 @@ struct Way {
   const char *dialect;
   const char *points; ///< "(10,0) (10,20)", the last one being where the program ends if `ends`
   bool ends = true;
+  /// Programs that it calls, by the name that it calls them, with their files beside `file`.
+  std::vector<std::pair<const char *, const char *>> called = {};
+  std::vector<std::string> axes = {}; ///< when they are others
 };
 
 void PrintTo(const Way &way, std::ostream *out) { *out << way.file; }
@@ -88,6 +92,14 @@ std::vector<Way> ways() {
       {"fanuc-nct/nct104t-O5008-L5008E.nc", "nct-104t",
        "(8,1) (12,-1) (12,-8) (18,-9.732) (18,-20) (14,-23.464) (26,-30) (30,-32) (32,-46) "
        "(32,-50) (52,-58) (56,-60) (56,100) (50,80)"},
+      {"fanuc-nct/fanuc0t-g73-rough-g70-finish.nc", "fanuc-0t",
+       "(100,65) (186.603,40) (140,30) (142,142)"},
+      {"fanuc-nct/nct104t-g71-rough.nc", "nct-104t", "(100,65) (186.603,40) (140,30) (150,30)"},
+      {"fanuc-nct/nct104t-O5001-g78-thread.nc", "nct-104t",
+       "(47.2,-55) (46.5,-55) (46,-55) (45.5,-55) (41.185,-55) (52,100)"},
+      {"fanuc-nct/nct104t-O807-2-L807-2-outer.nc", "nct-104t",
+       "(7,1) (7,0.5) (11.5,-1.75) (16,-9.5) (38,-45) (41,-46.5) (50,100)"},
+      {"fanuc-nct/nct104m-O0002-M0002.nc", "nct-104m", "(45,10) (60,-5) (75,10) (0,0,60)"},
       {"fanuc-nct/nct104m-O0001-M0001.nc", "nct-104m",
        "(0,5) (0,25) (-10,25) (-10,55) (0,55) (0,65) (-23.958,82.857) (-33.541,90) (-80,90) "
        "(-100,70) (-100,25) (-90,0) (-10,0) (1,11) (-75,-5) (-75,15) (-55,-5) (-55,15) "
@@ -144,6 +156,40 @@ std::vector<Way> ways() {
        "(20,20,-10) (50,20,-10) (50,50,-10) (20,20,-10) (20,20,-18) (20,20,-22) (20,20,-26) "
        "(20,20,-30) (20,20,100)"},
       {"ecs/a-d10-g184-wrong-cancel.ecs", "ecs", "(20,20) (60,60)", false},
+      {"ecs/a-d02-g48-tangent-filled.ecs", "ecs",
+       "(30,80) (60,110) (156.57,70) (156.57,0) (0,0) (0,50) (30,80) (80,30,100)"},
+      {"ecs/a-d06-MAIN.ecs", "ecs", "(0,0) (10,0) (10,10)", false, {{"SUBA", "a-d06-SUBA"}}},
+      {"ecs/a-d11-indirect-and-computed.ecs",
+       "ecs",
+       "(0,0) (25,-1) (20,-1)",
+       false,
+       {{"100", "a-d11-100"}}},
+      {"ecs/b-derived-mat-static.ecs", "ecs", "(230,150) (250,150) (250,150,100)", false},
+      {"ecs/b-derived-trans-grid.ecs", "ecs",
+       "(0,0) (20,0) (180,120) (200,120) (360,240) (380,240) (540,360) (560,360)", false},
+      {"ecs/b-rotras.ecs", "ecs",
+       "(198.600,235.594) (157.642,206.915) (215,125) (378.830,239.715) (321.473,321.630) "
+       "(239.558,264.273) (182.200,346.188) (100.285,288.830) (157.642,206.915) "
+       "(198.600,235.594,100)"},
+      {"ecs/b-tracyl.ecs",
+       "ecs",
+       "(0,110) (0,120) (1200.09,120) (1200.09,110)",
+       false,
+       {},
+       {"B", "Y"}},
+      {"ecs/b-g728-main.ecs",
+       "ecs",
+       "(0,0,13) (0,0,10) (0,0,50)",
+       true,
+       {{"BOUNDARY", "b-g728-sub-BOUNDARY"}, {"HOLE", "b-g728-sub-HOLE"}}},
+      {"ecs/b-g722-spiral.ecs", "ecs", "(0) (-10) (50)", true, {}, {"Z"}},
+      {"ecs/b-derived-g778-main-fixed.ecs",
+       "ecs",
+       "(32) (24) (20) (100)",
+       true,
+       {{"CIRCLE", "b-derived-g778-sub-CIRCLE-fixed"},
+        {"ISLAND", "b-derived-g778-sub-ISLAND-fixed"}},
+       {"Z"}},
   };
   llvm::erase_if(list, [](const Way &w) { return !std::filesystem::exists(pathOf(w)); });
   return list;
@@ -170,10 +216,18 @@ TEST_P(ManualTraces, LeadThroughTheirPoints) {
   const Way &way = GetParam();
   const std::string dialect = way.dialect;
   const bool lathe = dialect.back() == 't' || dialect == "haas-lathe";
-  const std::vector<std::string> axes =
-      lathe ? std::vector<std::string>{"X", "Z"} : std::vector<std::string>{"X", "Y", "Z"};
+  const std::vector<std::string> axes = !way.axes.empty() ? way.axes
+                                        : lathe           ? std::vector<std::string>{"X", "Z"}
+                                                          : std::vector<std::string>{"X", "Y", "Z"};
+  const std::filesystem::path file = pathOf(way);
   test::Shop shop;
-  const test::ProcessResult result = shop.run({"trace", "--dialect", dialect, pathOf(way)});
+  for (const auto &[name, called] : way.called)
+    shop.file(name + file.extension().string(),
+              test::contentsOf(file.parent_path() / (called + file.extension().string())));
+  shop.file("main" + file.extension().string(), test::contentsOf(file));
+  const test::ProcessResult result =
+      shop.run({"trace", "--dialect", dialect,
+                way.called.empty() ? file.string() : "main" + file.extension().string()});
   EXPECT_EQ(result.err, "");
   std::vector<std::vector<double>> path; // NaN: not known
   for (const std::string &line : test::linesOf(result.out)) {

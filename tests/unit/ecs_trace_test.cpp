@@ -98,13 +98,15 @@ TEST(EcsTrace, AppliesTheMatricesOfTheLibrary) {
 }
 
 /// Manual, line 3870: a dynamic matrix transforms as a static one does. With what the head does
-/// beside a tilted plane, and on a cylinder, the places are not known.
+/// beside a tilted plane the places are not known. On a cylinder they are those of its surface laid
+/// flat (4074 to 4099): in front of it and behind it they are others.
 TEST(EcsTrace, AppliesADynamicMatrix) {
   EXPECT_THAT(pointsOf("N60 <MAT:QUART; 0; -1; 0; 0; 1; 0; 0; 0; 0; 0; 1; 0>\n"
                        "N61 <DMX:X;Y;Z>\nN62 <DCT:ON;QUART>\nN63 X10 Y0\nN64 <DCT:OFF>\n"
                        "N65 X1 Y2 Z3\nN66 L<DROTY> <ANR=90>\nN67 X10 Y5 Z1\nN68 <DCT:OFF>\n"
-                       "N69 L<TRACYL> <DIA=100>\nN70 X1 Y2 Z3\nN71 <DCT:OFF>\n"),
-              ElementsAre("4 rapid X0 Y10 Z50", "6 rapid X1 Y2 Z3", "8 rapid", "11 rapid"));
+                       "N69 L<TRACYL> <DIA=100>\nN70 X1 Y2 Z3\nN71 Y5\nN72 <DCT:OFF>\nN73 X1\n"),
+              ElementsAre("4 rapid X0 Y10 Z50", "6 rapid X1 Y2 Z3", "8 rapid", "11 rapid X1 Y2 Z3",
+                          "12 rapid X1 Y5 Z3", "14 rapid X1"));
 }
 
 /// In which order it turns about several axes the manual does not say.
@@ -129,6 +131,27 @@ TEST(EcsTrace, PecksByTheWordsOfTheCycle) {
               ElementsAre("2 rapid X5 Y5 Z50", "2 rapid X5 Y5 Z2", "2 linear X5 Y5 Z-8",
                           "2 rapid X5 Y5", "2 linear X5 Y5 Z-18", "2 rapid X5 Y5",
                           "2 linear X5 Y5 Z-20", "2 dwell 1", "2 rapid X5 Y5 Z10"));
+}
+
+/// Manual, lines 3047 to 3125 and 3286 to 3424: profiles are recorded, and cut when the start code
+/// comes; of the heights is known what the words say, of the way between them nothing.
+TEST(EcsTrace, CutsRecordedProfilesAtTheirHeights) {
+  const std::string square = "N20 G1 G42 X20 Y0\nN21 Y20\nN22 X-20\nN23 Y-20\nN24 X20\nN25 Y0\n"
+                             "N26 G40 X0 Y0\n";
+  EXPECT_THAT(pointsOf("N10 G777 <QFO=20> <QIN=40> <PPA=8> <QPO=50> <KPE=0> <DRA:0>\n"
+                       "N11 G701 <XAT=0> <YAT=0>\n" +
+                       square + "N30 G778\nN31 G0 Z100\n"),
+              ElementsAre("10 rapid", "10 rapid Z42", "10 linear Z32", "10 linear Z32",
+                          "10 linear Z24", "10 linear Z24", "10 linear Z20", "10 linear Z20",
+                          "10 rapid", "11 rapid Z100"));
+  EXPECT_THAT(pointsOf("N10 G0 X0 Y0\nN11 G726 <QIN=10> <DPA=3> <DQS=3> <DRA:0>\n" + square +
+                       "N30 G727 <QFO=5>\n" + square + "N40 G728\nN41 G0 Z50\n"),
+              ElementsAre("1 rapid X0 Y0 Z50", "18 rapid X0 Y0 Z13", "18 linear X0 Y0 Z10",
+                          "18 linear", "19 rapid Z50"));
+  EXPECT_THAT(
+      pointsOf("N10 G722 I0 J0 <RIN=40> <RFI=20> <QIN=0> <QFI=-10> <DPA=2>\n"
+               "N11 G0 Z50\n"),
+      ElementsAre("1 rapid Z50", "1 rapid Z0", "1 linear Z0", "1 linear Z-10", "2 rapid Z50"));
 }
 
 /// Manual, lines 3638 to 3731: the cycle that is armed runs at each place.
