@@ -1,9 +1,11 @@
 // Sessions for fuzzing, one a dialect.
 #pragma once
 
+#include "analyzer/rule.h"
 #include "analyzer/session.h"
 #include "formats/dialect/loader.h"
 
+#include <cstdlib>
 #include <memory>
 
 namespace ncvet::fuzz {
@@ -16,6 +18,8 @@ inline Session &sessionOf(size_t which) {
     return all;
   }();
   static std::vector<std::unique_ptr<Session>> sessions(dialects.size() + 1);
+  if (allRules().empty()) // names the rules' library to the linker
+    std::abort();
   which %= sessions.size();
   if (!sessions[which]) {
     SessionOptions options;
