@@ -3,20 +3,16 @@
 #include "analyzer/checker.h"
 #include "analyzer/fix.h"
 #include "formats/reports/report.h"
+#include "tests/fuzz/require.h"
 #include "tests/fuzz/sessions.h"
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace {
 
 using namespace ncvet;
+using fuzz::require;
 using fuzz::sessionOf;
-
-void require(bool holds) {
-  if (!holds)
-    std::abort();
-}
 
 /// Findings of `text` as text, or in every format: one of them holds the pages of all rules, which
 /// takes longer than the check.

@@ -2,16 +2,11 @@
 #pragma once
 
 #include "formats/readers/reader.h"
+#include "tests/fuzz/require.h"
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace ncvet::fuzz {
-
-inline void require(bool holds) {
-  if (!holds)
-    std::abort();
-}
 
 inline bool sameWord(const Word &a, const Word &b) {
   return a.address == b.address && a.flags == b.flags && a.decimals == b.decimals &&

@@ -2,16 +2,13 @@
 // together.
 #include "formats/text/edit.h"
 #include "formats/text/source.h"
+#include "tests/fuzz/require.h"
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace {
 
-void require(bool holds) {
-  if (!holds)
-    std::abort();
-}
+using ncvet::fuzz::require;
 
 /// Line number by reading every byte: what the index must agree with.
 uint32_t countedLine(llvm::StringRef text, uint32_t offset) {

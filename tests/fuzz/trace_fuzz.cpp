@@ -1,18 +1,14 @@
 // Fuzzes the trace: any bytes, in any dialect, give motions that end, the same ones each time.
 #include "analyzer/trace.h"
+#include "tests/fuzz/require.h"
 #include "tests/fuzz/sessions.h"
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace {
 
 using namespace ncvet;
-
-void require(bool holds) {
-  if (!holds)
-    std::abort();
-}
+using fuzz::require;
 
 /// Counts motions, and adds up what they say.
 class Sum : public TraceSink {

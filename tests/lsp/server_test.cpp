@@ -75,6 +75,23 @@ TEST(LanguageServer, ABrokenMessageGetsAnErrorAndNoEnd) {
   EXPECT_EQ(client.shutDown(), 0);
 }
 
+/// Code that nothing reaches is tagged as unnecessary (1), and nothing else is.
+TEST(LanguageServer, BlocksThatAreNotExecutedAreShownFaded) {
+  LanguageClient client;
+  client.initialize(
+      Json::parse(R"({"textDocument":{"publishDiagnostics":{"tagSupport":{"valueSet":[1,2]}}}})"),
+      {{"dialect", "fanuc-0m"}});
+  client.open("/nowhere/O1.nc", "O1\nG21 G90 G54 T1 M6\nG0 X0 Y0 X5\nM30\nG0 X1\n");
+  std::map<std::string, Json> tags;
+  for (const Json &diagnostic : client.diagnostics("/nowhere/O1.nc"))
+    tags[diagnostic["code"].get<std::string>()] =
+        diagnostic.contains("tags") ? diagnostic["tags"] : Json();
+  ASSERT_TRUE(tags.count("program-code-after-end") && tags.count("block-duplicate-address"));
+  for (const auto &[rule, tag] : tags)
+    EXPECT_EQ(tag, rule == "program-code-after-end" ? Json::parse("[1]") : Json()) << rule;
+  EXPECT_EQ(client.shutDown(), 0);
+}
+
 TEST(LanguageServer, AFindingIsShownWithItsFurtherPlaceAndGoesWhenItsCauseGoes) {
   LanguageClient client;
   client.initialize(

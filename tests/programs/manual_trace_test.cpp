@@ -219,15 +219,17 @@ TEST_P(ManualTraces, LeadThroughTheirPoints) {
   const std::vector<std::string> axes = !way.axes.empty() ? way.axes
                                         : lathe           ? std::vector<std::string>{"X", "Z"}
                                                           : std::vector<std::string>{"X", "Y", "Z"};
-  const std::filesystem::path file = pathOf(way);
+  std::filesystem::path file = pathOf(way);
   test::Shop shop;
-  for (const auto &[name, called] : way.called)
-    shop.file(name + file.extension().string(),
-              test::contentsOf(file.parent_path() / (called + file.extension().string())));
-  shop.file("main" + file.extension().string(), test::contentsOf(file));
-  const test::ProcessResult result =
-      shop.run({"trace", "--dialect", dialect,
-                way.called.empty() ? file.string() : "main" + file.extension().string()});
+  if (!way.called.empty()) { // called by other names than the files have
+    const std::filesystem::path folder = file.parent_path();
+    const std::string ending = file.extension().string();
+    for (const auto &[name, called] : way.called)
+      shop.file(name + ending, test::contentsOf(folder / (called + ending)));
+    shop.file("main" + ending, test::contentsOf(file));
+    file = "main" + ending;
+  }
+  const test::ProcessResult result = shop.run({"trace", "--dialect", dialect, file.string()});
   EXPECT_EQ(result.err, "");
   std::vector<std::vector<double>> path; // NaN: not known
   for (const std::string &line : test::linesOf(result.out)) {
