@@ -7,6 +7,10 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
                        const RuleSelection &selection, Collector &collector)
     : byCode_(dialect.codes.size()), context_(collector) {
   const llvm::ArrayRef<RuleEntry> table = allRules();
+  std::vector<CodeIndex> noticed; // codes of which the table has something to say
+  for (size_t code = 0; code < dialect.codes.size(); ++code)
+    if (!dialect.codes[code].notices.empty())
+      noticed.push_back(CodeIndex(code));
   for (size_t i = 0; i < table.size(); ++i) {
     if (i < selection.enabled.size() && !selection.enabled[i])
       continue;
@@ -36,7 +40,7 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
         everyBlock_.emplace_back(kind, listener);
     // Facts of the table are reported for every rule; some do so themselves.
     if (!subscriptions.noticesHandled())
-      for (size_t code = 0; code < dialect.codes.size(); ++code)
+      for (const CodeIndex code : noticed)
         if (llvm::any_of(dialect.codes[code].notices,
                          [&](const Notice &n) { return n.rule == table[i].info.id; })) {
           kinds_ |= bitOf(EventKind::Code);

@@ -169,7 +169,6 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
   PlainRun plainRun;
   const bool recorded = runs_ && &unit == &unit_ && region.kind == Kind::Main &&
                         region.depth == 0 && callStack_.empty();
-  uint32_t executedEnd = 0; // up to here a run must be executed
   RunRecorder recorder(recorded ? runs_ : nullptr, unit, dispatcher_, collector_);
 
   while (!stopped_) {
@@ -203,25 +202,24 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       continue;
     }
 
-    if (recorder.isOn() && at >= executedEnd) {
-      // What is not in step with the state begins anew with the next block.
-      const PlainRun present = synced ? plainRun : PlainRun();
+    if (recorder.isOn()) {
       const bool straight =
           lives.size() == 1 && activation.pending.empty() && at >= activation.high;
-      const StraightRun *run =
-          straight ? recorder.at(at, lives[0].state, present) : recorder.interrupt();
-      if (run) {
-        const RunPlace place = *run;
-        PlainRun behind = present;
-        if (mayTakeOver(place, unit) && recorder.takeOver(*run, lives[0].state, behind)) {
-          follow(place, activation);
-          before = lives[0].state;
-          synced = &lives[0].state;
-          plainRun = behind;
-          at = place.end;
-          continue;
-        }
-        executedEnd = place.end;
+      // What is not in step with the state begins anew with the next block.
+      PlainRun present = synced ? plainRun : PlainRun();
+      std::optional<RunPlace> known;
+      if (straight)
+        known = recorder.takeOver(at, lives[0].state, present,
+                                  [&](const RunPlace &run) { return mayTakeOver(run, unit); });
+      else
+        recorder.interrupt();
+      if (known) {
+        follow(*known, activation);
+        before = lives[0].state;
+        synced = &lives[0].state;
+        plainRun = present;
+        at = known->end;
+        continue;
       }
     }
     unit.reader->read(at, block_);

@@ -48,7 +48,7 @@ void Engine::endings(uint32_t begin, uint32_t end, bool &ends, bool &returns) {
     } else {
       run.begin = run.end = at;
       const uint32_t stop = runs_ ? std::min(end, runs_->endings.next(at + 1)) : end;
-      for (; run.end < stop && run.blocks < StraightRuns::longest; ++run.blocks) {
+      for (; run.end < stop && run.blocks < longestRun; ++run.blocks) {
         unit_.reader->read(run.end, block);
         ending(block, run.ends, run.returns);
         run.end = block.next;
@@ -120,7 +120,7 @@ void Engine::inspectUnreached() {
   size_t range = 0;
   RunPlace quiet;
   const auto keep = [&](uint32_t next) {
-    if (runs_ && quiet.blocks >= StraightRuns::shortest)
+    if (runs_ && quiet.blocks >= shortestRun)
       runs_->quiet.insert(quiet);
     quiet = RunPlace();
     quiet.begin = next;
@@ -153,7 +153,7 @@ void Engine::inspectUnreached() {
         continue;
       }
       quiet.end = block_.next;
-      if (++quiet.blocks == StraightRuns::longest)
+      if (++quiet.blocks == longestRun)
         keep(at);
       continue;
     }

@@ -14,6 +14,9 @@ namespace {
 constexpr size_t mostPlaces = 1u << 22;
 /// Blocks of a piece whose names are kept together.
 constexpr uint64_t pieceBlocks = 512;
+/// After so many plain blocks the next one that is not begins a piece of its own, and so many end
+/// such a piece: who looks for them reads little else.
+constexpr uint64_t plainBlocks = 32;
 
 /// Files with lone CR as line end are rare.
 bool endsLinesByLineFeed(llvm::StringRef text, uint32_t begin) {
@@ -102,14 +105,19 @@ std::vector<Entry> linesIn(const SourceFile &source, uint32_t begin, size_t end,
 uint32_t &offsetOf(uint32_t &offset) { return offset; }
 uint32_t &offsetOf(NumberedBlock &block) { return block.offset; }
 
-void look(TextPiece &piece, const SourceFile &source, const Reader &reader, const Block &block) {
+bool holdsNothing(const Block &block) { return block.isEmpty() && block.number < 0; }
+
+/// See `TextPiece::isPlain`.
+bool isPlain(const Block &block) {
   constexpr AddressMask control = maskOf('M') | maskOf(keywordAddress);
-  const bool empty = block.isEmpty() && block.number < 0;
-  piece.blocks += !empty;
-  piece.isPlain &= empty ? block.kind == BlockKind::Empty
-                         : block.kind == BlockKind::Normal && block.items.empty() &&
-                               !block.hasAny(control) && block.number < 0 && !block.hasLabel() &&
-                               !block.words.empty();
+  if (holdsNothing(block))
+    return block.kind == BlockKind::Empty;
+  return block.kind == BlockKind::Normal && block.items.empty() && !block.hasAny(control) &&
+         block.number < 0 && !block.hasLabel() && !block.words.empty();
+}
+
+void look(TextPiece &piece, const SourceFile &source, const Reader &reader, const Block &block) {
+  piece.blocks += !holdsNothing(block);
   if (block.hasLabel())
     piece.labels.emplace_back(reader.labelKey(source.text(block.labelBegin, block.labelEnd)),
                               piece.end);
@@ -199,8 +207,18 @@ void FileScan::eachPiece(const SourceFile &source, const Reader &reader, uint32_
       TextPiece piece;
       piece.begin = piece.end = at;
       const uint32_t stop = std::min(end, pieces_.next(at + 1));
+      uint64_t plain = 0; // in a row
       for (uint64_t read = 0; piece.end < stop && read < pieceBlocks; ++read) {
         reader.read(piece.end, block);
+        if (isPlain(block)) {
+          if (++plain > plainBlocks && !piece.isPlain)
+            break;
+        } else {
+          if (plain > plainBlocks)
+            break;
+          plain = 0;
+          piece.isPlain = false;
+        }
         look(piece, source, reader, block);
         piece.end = block.next;
       }

@@ -10,7 +10,7 @@ constexpr unsigned step = 32;
 /// The same of blocks that only go on, which end at any other one.
 constexpr unsigned stretchStep = 16;
 /// So many blocks are waited for the end of a contour.
-constexpr unsigned longestWait = 2 * RunTrack::longest;
+constexpr unsigned longestWait = 2 * longestRun;
 /// In front of so many blocks rules are not asked again: where nothing can be compared, and where
 /// they have had something to say.
 constexpr unsigned shortPause = 3;
@@ -23,82 +23,136 @@ constexpr unsigned worthIt = 2;
 RunRecorder::RunRecorder(StraightRuns *runs, FileUnit &unit, const Dispatcher &dispatcher,
                          const Collector &collector)
     : runs_(runs), unit_(unit), dispatcher_(dispatcher), collector_(collector),
-      whole_(runs ? &runs->straight : nullptr, unit.source.id()),
-      stretch_(runs ? &runs->stretches : nullptr, unit.source.id()) {}
+      whole_(runs ? &runs->straight : nullptr), stretch_(runs ? &runs->stretches : nullptr),
+      chains_(runs), memory_(unit.source.id()), moves_(unit.source.id()) {}
 
-const StraightRun *RunRecorder::at(uint32_t offset, MachineState &state, const PlainRun &plain) {
-  if (state.modalCalls || state.profile != 0)
-    return interrupt();
-  const StraightRun *run = whole(offset, state, plain);
-  foundWhole_ = run;
-  return run ? run : stretch(offset, state, plain);
+std::optional<RunPlace> RunRecorder::takeOver(uint32_t offset, MachineState &state, PlainRun &plain,
+                                              May may) {
+  if (offset < executedEnd_)
+    return std::nullopt;
+  if (state.modalCalls || state.profile != 0) {
+    end();
+    return std::nullopt;
+  }
+  auto place = takeWhole(offset, state, plain, may);
+  if (!place && offset >= executedEnd_)
+    place = takeStretch(offset, state, plain, may);
+  if (place)
+    runs_->taken += place->blocks;
+  return place;
 }
 
-const StraightRun *RunRecorder::whole(uint32_t offset, MachineState &state, const PlainRun &plain) {
+/// Ends the run that is being recorded where it is time. Whether the next one may begin here, with
+/// what `memory_` says then.
+bool RunRecorder::mayBegin(uint32_t offset, MachineState &state, const PlainRun &plain) {
+  const auto remember = [&] {
+    memory_.clear();
+    dispatcher_.remember(memory_);
+  };
   if (whole_.isRecording()) {
     const bool meets = offset == whole_.nextKnown();
     if (whole_.unseen() < step && !meets)
-      return nullptr;
+      return false;
     collect(state);
-    whole_.memory.clear();
-    dispatcher_.remember(whole_.memory);
+    remember();
     // Inside of a contour nothing can be compared: it is waited for its end.
-    if (!whole_.memory.isComparable() && whole_.unseen() < longestWait)
-      return nullptr;
-    if (whole_.mark(offset, state, plain, dispatcher_.gathered()) && !whole_.isFull() && !meets)
-      return nullptr;
+    if (!memory_.isComparable() && whole_.unseen() < longestWait)
+      return false;
+    if (whole_.mark(offset, state, plain, memory_, dispatcher_.gathered()) && !whole_.isFull() &&
+        !meets)
+      return false;
     whole_.keep();
   }
-  if (pause_ > 0 && --pause_ > 0 && !runs_->straight.find(offset))
-    return nullptr;
-  whole_.memory.clear();
-  dispatcher_.remember(whole_.memory);
-  if (!whole_.memory.isComparable()) {
+  if (pause_ > 0 && --pause_ > 0 && !chains_.isRecording() && !runs_->straight.find(offset))
+    return false;
+  remember();
+  if (!memory_.isComparable()) {
+    chains_.drop();
     pause_ = shortPause;
-    return nullptr;
+    return false;
   }
-  if (const StraightRun *run = whole_.find(offset, state, plain)) {
-    if (stretch_.isRecording()) {
-      collect(state);
-      stretch_.mark(offset, state, plain, {});
-      stretch_.keep();
-    }
-    return run;
-  }
-  collect(state);
-  dispatcher_.startGathering();
-  whole_.begin(offset, state, plain, collector_.reports());
-  return nullptr;
+  return true;
 }
 
-const StraightRun *RunRecorder::stretch(uint32_t offset, MachineState &state,
-                                        const PlainRun &plain) {
+std::optional<RunPlace> RunRecorder::takeWhole(uint32_t offset, MachineState &state,
+                                               PlainRun &plain, May may) {
+  if (!mayBegin(offset, state, plain))
+    return std::nullopt;
+  for (size_t level = RunChains::levels; level > 0; --level) {
+    const StraightRun *chain = chains_.find(level, offset, state, plain, memory_);
+    if (!chain || !may(*chain))
+      continue;
+    const RunPlace place = *chain;
+    finishStretch(offset, state, plain);
+    chains_.take(level, *chain, state, plain, memory_);
+    chains_.takeOver(level, *chain, state, plain, memory_);
+    return place;
+  }
+  if (const StraightRun *run = whole_.find(offset, state, plain, memory_)) {
+    const RunPlace place = *run;
+    finishStretch(offset, state, plain);
+    if (may(place) && dispatcher_.gather(run->gathered)) {
+      chains_.take(0, *run, state, plain, memory_);
+      whole_.takeOver(*run, state, plain, memory_);
+      return place;
+    }
+    chains_.end(offset, state, plain, memory_);
+    executedEnd_ = place.end;
+    return std::nullopt;
+  }
+  chains_.end(offset, state, plain, memory_);
+  collect(state);
+  dispatcher_.startGathering();
+  whole_.begin(offset, state, plain, memory_, collector_.reports());
+  return std::nullopt;
+}
+
+/// A whole run follows: what was recorded up to here is a stretch.
+void RunRecorder::finishStretch(uint32_t offset, MachineState &state, const PlainRun &plain) {
+  if (!stretch_.isRecording())
+    return;
+  collect(state);
+  stretch_.mark(offset, state, plain, moves_, {});
+  stretch_.keep();
+}
+
+std::optional<RunPlace> RunRecorder::takeStretch(uint32_t offset, MachineState &state,
+                                                 PlainRun &plain, May may) {
   const auto remember = [&] {
-    stretch_.memory.clear();
-    dispatcher_.rememberMoves(stretch_.memory);
+    moves_.clear();
+    dispatcher_.rememberMoves(moves_);
   };
   if (stretch_.isRecording()) {
     const bool meets = offset == stretch_.nextKnown();
     if (stretch_.unseen() < stretchStep && !meets)
-      return nullptr;
+      return std::nullopt;
     collect(state);
     remember();
-    if (stretch_.mark(offset, state, plain, {}) && !stretch_.isFull() && !meets)
-      return nullptr;
+    if (stretch_.mark(offset, state, plain, moves_, {}) && !stretch_.isFull() && !meets)
+      return std::nullopt;
     stretch_.keep();
   }
   if (streak_ < worthIt)
-    return nullptr;
+    return std::nullopt;
   remember();
-  if (!stretch_.memory.isComparable()) {
+  if (!moves_.isComparable()) {
     streak_ = 0;
-    return nullptr;
+    return std::nullopt;
   }
-  if (const StraightRun *run = stretch_.find(offset, state, plain))
-    return run;
+  if (const StraightRun *run = stretch_.find(offset, state, plain, moves_)) {
+    const RunPlace place = *run;
+    if (!may(place)) {
+      executedEnd_ = place.end;
+      return std::nullopt;
+    }
+    if (whole_.isRecording())
+      whole_.take(*run);
+    stretch_.takeOver(*run, state, plain, moves_);
+    return place;
+  }
   collect(state);
-  stretch_.begin(offset, state, plain, collector_.reports());
-  return nullptr;
+  stretch_.begin(offset, state, plain, moves_, collector_.reports());
+  return std::nullopt;
 }
 
 /// What was done since the last call belongs to what is being recorded.
@@ -109,23 +163,6 @@ void RunRecorder::collect(MachineState &state) {
   whole_.collect(stateUse, looks, cut, depth);
   stretch_.collect(stateUse, looks, cut, depth);
   stateUse = {};
-}
-
-bool RunRecorder::takeOver(const StraightRun &run, MachineState &state, PlainRun &plain) {
-  if (foundWhole_) {
-    if (!dispatcher_.gather(run.gathered))
-      return false;
-    runs_->taken += run.blocks;
-    whole_.takeOver(run, state, plain);
-    return true;
-  }
-  if (whole_.isRecording()) {
-    stateUse |= run.use;
-    whole_.take(run);
-  }
-  runs_->taken += run.blocks;
-  stretch_.takeOver(run, state, plain);
-  return true;
 }
 
 void RunRecorder::take(const Block &block, bool goesOn) {
@@ -152,6 +189,7 @@ void RunRecorder::end() {
   for (RunTrack *track : {&whole_, &stretch_})
     if (track->isRecording())
       track->keep();
+  chains_.drop();
   streak_ = 0;
 }
 

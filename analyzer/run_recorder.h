@@ -3,7 +3,7 @@
 
 #include "analyzer/collector.h"
 #include "analyzer/dispatch.h"
-#include "analyzer/straight_runs.h"
+#include "analyzer/run_chains.h"
 
 namespace ncvet {
 
@@ -15,30 +15,32 @@ public:
               const Collector &collector);
 
   bool isOn() const { return runs_; }
-  /// In front of the block at `offset`, which one state alone reaches: the run that can be taken
-  /// over from here, or null.
-  const StraightRun *at(uint32_t offset, MachineState &state, const PlainRun &plain);
-  /// Takes over what `run`, which `at` has found, does; false when a rule has something to say of
-  /// it after all: then its blocks are executed.
-  bool takeOver(const StraightRun &run, MachineState &state, PlainRun &plain);
+  /// In front of the block at `offset`, which one state alone reaches: takes over what a known run
+  /// from here does, of those that `may` allows. Nothing: the block is to be executed.
+  std::optional<RunPlace> takeOver(uint32_t offset, MachineState &state, PlainRun &plain,
+                                   llvm::function_ref<bool(const RunPlace &)> may);
   /// A block was executed, and the next one follows. `goesOn`: it only goes on as the one before.
   void executed(const Block &block, bool goesOn) {
     if (runs_)
       take(block, goesOn);
   }
-  /// What is being recorded is no run. Returns null.
-  const StraightRun *interrupt() {
+  /// What is being recorded is no run.
+  void interrupt() {
     if (runs_)
       end();
-    return nullptr;
   }
 
 private:
+  using May = llvm::function_ref<bool(const RunPlace &)>;
+
   void take(const Block &block, bool goesOn);
   void end();
   void collect(MachineState &state);
-  const StraightRun *whole(uint32_t offset, MachineState &state, const PlainRun &plain);
-  const StraightRun *stretch(uint32_t offset, MachineState &state, const PlainRun &plain);
+  bool mayBegin(uint32_t offset, MachineState &state, const PlainRun &plain);
+  void finishStretch(uint32_t offset, MachineState &state, const PlainRun &plain);
+  std::optional<RunPlace> takeWhole(uint32_t offset, MachineState &state, PlainRun &plain, May may);
+  std::optional<RunPlace> takeStretch(uint32_t offset, MachineState &state, PlainRun &plain,
+                                      May may);
 
   StraightRuns *runs_;
   FileUnit &unit_;
@@ -46,9 +48,12 @@ private:
   const Collector &collector_;
   RunTrack whole_;
   RunTrack stretch_;
-  bool foundWhole_ = false; ///< the run that was found last
-  unsigned pause_ = 0;      ///< blocks in front of which rules are not asked again
-  unsigned streak_ = 0;     ///< blocks in a row that only went on
+  RunChains chains_;
+  RuleMemory memory_;         ///< of the moment, for all but stretches
+  RuleMemory moves_;          ///< the same for stretches
+  uint32_t executedEnd_ = 0;  ///< up to here a run must be executed
+  unsigned pause_ = 0;        ///< blocks in front of which rules are not asked again
+  unsigned streak_ = 0;       ///< blocks in a row that only went on
 };
 
 } // namespace ncvet

@@ -9,6 +9,11 @@
 
 namespace ncvet {
 
+/// So many blocks make a run that is worth keeping, so many are enough: a text has few runs, and an
+/// edit costs little.
+constexpr unsigned shortestRun = 16;
+constexpr unsigned longestRun = 512;
+
 /// Where a run of blocks stands that are executed one after the other.
 struct RunPlace {
   uint32_t begin = 0, end = 0;         ///< [begin, end) in the text

@@ -11,7 +11,7 @@ constexpr uint64_t silencing = bitOf(Fact::UnknownCode);
 } // namespace
 
 void RunTrack::begin(uint32_t offset, const MachineState &state, const PlainRun &plain,
-                     uint64_t reports) {
+                     const RuleMemory &memory, uint64_t reports) {
   run_.emplace(memory.file());
   run_->begin = run_->end = run_->from = run_->to = offset;
   run_->entry = state;
@@ -51,11 +51,11 @@ void RunTrack::take(const StraightRun &run) {
   here_.lastBegin = run.lastBegin;
   here_.lastEnd = run.lastEnd;
   clean_ &= run.isClean;
-  looks_ |= {run.from, run.to, false};
+  collect(run.use, {run.from, run.to, false}, run.cut, run.depth);
 }
 
 bool RunTrack::mark(uint32_t end, const MachineState &state, const PlainRun &plain,
-                    Gatherings gathered) {
+                    const RuleMemory &memory, Gatherings gathered) {
   StraightRun &run = *run_;
   if (looks_.anywhere || !run.memory.isSame(memory, use_.aside))
     return false;
@@ -76,7 +76,7 @@ bool RunTrack::mark(uint32_t end, const MachineState &state, const PlainRun &pla
 }
 
 void RunTrack::keep() {
-  if (run_->blocks >= shortest) {
+  if (run_->blocks >= shortestRun) {
     lastRun_ = run_->begin;
     lastEnd_ = run_->end;
     runs_->insert(std::move(*run_));
@@ -84,8 +84,8 @@ void RunTrack::keep() {
   run_.reset();
 }
 
-const StraightRun *RunTrack::find(uint32_t offset, const MachineState &state,
-                                  const PlainRun &plain) {
+const StraightRun *RunTrack::find(uint32_t offset, const MachineState &state, const PlainRun &plain,
+                                  const RuleMemory &memory) {
   const StraightRun *run = runs_->find(offset);
   if (!run || run->begins(state, plain, memory))
     return run;
@@ -93,9 +93,10 @@ const StraightRun *RunTrack::find(uint32_t offset, const MachineState &state,
   return nullptr;
 }
 
-void RunTrack::takeOver(const StraightRun &run, MachineState &state, PlainRun &plain) {
+void RunTrack::takeOver(const StraightRun &run, MachineState &state, PlainRun &plain,
+                        const RuleMemory &memory) {
   StraightRun *const before = lastEnd_ == run.begin ? runs_->find(lastRun_) : nullptr;
-  if (before && before->end == run.begin && before->blocks + run.blocks <= longest &&
+  if (before && before->end == run.begin && before->blocks + run.blocks <= longest_ &&
       !((before->use.facts ^ run.use.facts) & silencing)) {
     run.carry(state, plain);
     before->join(run, state, plain);
@@ -106,7 +107,7 @@ void RunTrack::takeOver(const StraightRun &run, MachineState &state, PlainRun &p
   }
   lastRun_ = run.begin;
   lastEnd_ = run.end;
-  if (run.blocks >= longest)
+  if (run.blocks >= longest_)
     return run.carry(state, plain);
   // Another may become a part of it: then what it leaves alone must be what it is here.
   StraightRun &whole = *runs_->find(run.begin);

@@ -5,7 +5,7 @@ namespace ncvet {
 
 void StraightRuns::edit(const TextChange &change) {
   // Text that is put in right at an end may belong to the block there.
-  for (RunStore<StraightRun> *runs : {&straight, &stretches})
+  for (RunStore<StraightRun> *runs : {&straight, &stretches, &chains[0], &chains[1]})
     runs->edit([&](StraightRun &run) {
       if ((change.begin <= run.to && change.end >= run.from) || run.stemsFrom(change))
         return true;

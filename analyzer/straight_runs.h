@@ -1,7 +1,7 @@
 // What is known of the blocks of a file from an earlier analysis of almost the same text.
 #pragma once
 
-#include "analyzer/run_track.h"
+#include "analyzer/straight_run.h"
 
 namespace ncvet {
 
@@ -19,14 +19,12 @@ inline bool isClean(const Block &block, const Dialect &dialect) {
 /// The runs of one file, from one analysis to the next. Belongs to one thread.
 class StraightRuns {
 public:
-  /// Blocks of a run, see `RunTrack`.
-  static constexpr unsigned longest = RunTrack::longest;
-  static constexpr unsigned shortest = RunTrack::shortest;
-
   /// Every run that has seen the changed text is forgotten, those behind it move.
   void edit(const TextChange &change);
   void clear() {
     straight.clear();
+    for (RunStore<StraightRun> &level : chains)
+      level.clear();
     stretches.clear();
     endings.clear();
     quiet.clear();
@@ -34,6 +32,8 @@ public:
 
   uint64_t taken = 0; ///< blocks that were taken over since that was last set to 0
   RunStore<StraightRun> straight;
+  /// Of those above, or of the chains of the level below, that follow each other.
+  std::array<RunStore<StraightRun>, 2> chains;
   /// Of blocks that only go on as the one before them, whatever stands between these.
   RunStore<StraightRun> stretches;
   RunStore<EndingRun> endings;

@@ -11,7 +11,8 @@ SharedText textOf(std::string bytes) {
   return text;
 }
 
-SharedText changed(SharedText text, const Json &changes, PositionEncoding encoding) {
+SharedText changed(SharedText text, const Json &changes, PositionEncoding encoding,
+                   TextBuffers &buffers) {
   for (const Json &each : changes) {
     const auto &replacement = each.at("text").get_ref<const std::string &>();
     if (!each.contains("range")) {
@@ -22,13 +23,12 @@ SharedText changed(SharedText text, const Json &changes, PositionEncoding encodi
     Positions positions(*source, encoding);
     const auto [begin, end] = offsetsOf(positions, each["range"]);
     const std::string &before = *text.bytes;
-    auto bytes = std::make_shared<std::string>();
-    bytes->reserve(before.size() - (end - begin) + replacement.size());
+    const auto bytes = buffers.take(before.size() - (end - begin) + replacement.size());
     bytes->append(before, 0, begin).append(replacement).append(before, end, std::string::npos);
     const TextChange change{begin, end, uint32_t(replacement.size())};
     auto lines = std::make_shared<LineIndex>(*bytes, *text.lines, begin, end, change.added);
     lines->countAll();
-    SharedText next(std::move(bytes));
+    SharedText next(bytes);
     next.lines = std::move(lines);
     next.history = TextHistory::with(text, change);
     text = std::move(next);
@@ -47,7 +47,7 @@ const Document *Documents::change(llvm::StringRef uri, int64_t version, const Js
   if (found == byUri_.end())
     return nullptr;
   Document &document = found->second;
-  document.text = changed(document.text, changes, encoding_);
+  document.text = changed(document.text, changes, encoding_, buffers_);
   document.version = version;
   overlay_.reset();
   return &document;
@@ -56,6 +56,7 @@ const Document *Documents::change(llvm::StringRef uri, int64_t version, const Js
 void Documents::close(llvm::StringRef uri) {
   byUri_.erase(uri.str());
   overlay_.reset();
+  buffers_ = TextBuffers();
 }
 
 const Document *Documents::find(llvm::StringRef uri) const {

@@ -4,6 +4,7 @@
 #include "formats/text/source_set.h"
 #include "formats/text/text_change.h"
 #include "lsp/protocol/json.h"
+#include "lsp/server/text_buffers.h"
 
 #include "llvm/ADT/StringMap.h"
 
@@ -40,12 +41,14 @@ public:
 
 private:
   PositionEncoding encoding_;
+  TextBuffers buffers_;
   std::map<std::string, Document> byUri_;
   std::shared_ptr<const SourceSet::Overlay> overlay_;
 };
 
 /// `text` with the changes, one after the other. Throws `Json::exception` when they have another
 /// form.
-SharedText changed(SharedText text, const Json &changes, PositionEncoding encoding);
+SharedText changed(SharedText text, const Json &changes, PositionEncoding encoding,
+                   TextBuffers &buffers);
 
 } // namespace ncvet::lsp
