@@ -189,10 +189,18 @@ StraightRuns *CheckMemory::runsFor(const FileIndex &index) {
   return &runs_;
 }
 
+namespace {
+
+const std::string &nameOf(const SourceFile &file) {
+  return file.path().empty() ? file.display() : file.path();
+}
+
+} // namespace
+
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
                       const std::atomic<bool> *cancel, Recheck *again) {
   FileOutcome outcome;
-  const std::string &name = file.path().empty() ? file.display() : file.path();
+  const std::string &name = nameOf(file);
   auto setup = session.setup(name, file.text());
   if (!setup) {
     outcome.error = llvm::toString(setup.takeError());
@@ -225,6 +233,18 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
     namer.name(outcome.findings.back());
   }
   return outcome;
+}
+
+void prepareChecks(Session &session, SourceSet &sources, const SourceFile &file, Recheck &first) {
+  auto setup = session.setup(nameOf(file), file.text());
+  if (!setup)
+    return llvm::consumeError(setup.takeError()); // the check has told
+  session.otherControl(*setup->config, nameOf(file), file.text());
+  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
+                  setup->folders);
+  FileUnit &unit = project.unit(file, first.memory.scanFor(*setup, file, first.text));
+  for (const ProgramInfo &program : unit.index.programs())
+    unit.index.definitions(program);
 }
 
 } // namespace ncvet

@@ -252,13 +252,9 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   return detector;
 }
 
-bool Detector::Mark::matches(llvm::ArrayRef<std::string> lines,
-                             llvm::ArrayRef<uint64_t> chars) const {
-  for (size_t i = 0; i < lines.size(); ++i)
-    if (llvm::any_of(required, [&](uint64_t bits) { return (chars[i] & bits) == bits; }) &&
-        pattern.match(lines[i]))
-      return true;
-  return false;
+bool Detector::Mark::matches(llvm::StringRef line, uint64_t chars) const {
+  return llvm::any_of(required, [&](uint64_t bits) { return (chars & bits) == bits; }) &&
+         pattern.match(line);
 }
 
 llvm::Error Detector::addMarks() {
@@ -286,16 +282,46 @@ llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidat
   return llvm::Error::success();
 }
 
-std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName,
-                                              llvm::StringRef text) const {
-  const std::vector<std::string> lines = firstLines(text);
+/// Which marks match one of the lines.
+std::vector<bool> Detector::matching(llvm::ArrayRef<std::string> lines) const {
   std::vector<uint64_t> chars;
   for (const std::string &line : lines)
     chars.push_back(charBits(line));
+  std::vector<bool> found(marks_.size());
+  for (size_t mark = 0; mark < marks_.size(); ++mark)
+    for (size_t i = 0; i < lines.size() && !found[mark]; ++i)
+      found[mark] = marks_[mark].matches(lines[i], chars[i]);
+  return found;
+}
+
+/// The same, with a look at those lines only that are not known.
+std::vector<bool> Detector::matching(llvm::ArrayRef<std::string> lines, LineMarks &known) const {
+  constexpr size_t mostLines = 4 * shownLines;
+  if (known.size() > mostLines)
+    known.clear();
+  std::vector<bool> found(marks_.size());
+  for (const std::string &line : lines) {
+    const auto [entry, isNew] = known.try_emplace(line);
+    if (isNew) {
+      const uint64_t chars = charBits(line);
+      for (size_t mark = 0; mark < marks_.size(); ++mark)
+        if (marks_[mark].matches(line, chars))
+          entry->second.push_back(mark);
+    }
+    for (const size_t mark : entry->second)
+      found[mark] = true;
+  }
+  return found;
+}
+
+std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName, llvm::StringRef text,
+                                              LineMarks *known) const {
+  const std::vector<std::string> lines = firstLines(text);
+  const std::vector<bool> found = known ? matching(lines, *known) : matching(lines);
   std::vector<Score> scores(dialects_.size() + others_.size());
-  for (const Mark &mark : marks_)
-    if (mark.matches(lines, chars))
-      for (const Mark::Vote &vote : mark.votes) {
+  for (size_t mark = 0; mark < marks_.size(); ++mark)
+    if (found[mark])
+      for (const Mark::Vote &vote : marks_[mark].votes) {
         scores[vote.candidate].value += vote.score;
         if (vote.score > 0)
           scores[vote.candidate].votes.push_back(&vote);
@@ -325,8 +351,8 @@ std::string Detector::Score::reason() const {
   return text;
 }
 
-Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const {
-  const std::vector<Score> all = scores(fileName, text);
+Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text, LineMarks *known) const {
+  const std::vector<Score> all = scores(fileName, text, known);
   const auto less = [](const Score &a, const Score &b) { return a.value < b.value; };
   // The first of equals: dialects that are preferred stand first.
   const auto firstOther = all.begin() + ptrdiff_t(dialects_.size());

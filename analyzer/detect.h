@@ -39,8 +39,12 @@ public:
   static llvm::Expected<ProgramEndings> builtinEndings();
   /// Bytes of a text that are looked at.
   static constexpr size_t shownBytes = 16 * 1024;
-  /// The dialect of a program, from its file name's ending and its first blocks.
-  Detection detect(llvm::StringRef fileName, llvm::StringRef text) const;
+  /// The marks that match a line, by the line. For a text that is looked at again and again.
+  using LineMarks = llvm::StringMap<std::vector<size_t>>;
+  /// The dialect of a program, from its file name's ending and its first blocks. `known`: lines
+  /// that were looked at before, to which the new ones are added.
+  Detection detect(llvm::StringRef fileName, llvm::StringRef text,
+                   LineMarks *known = nullptr) const;
   /// Endings that programs have in folders.
   const ProgramEndings &endings() const { return endings_; }
   const UnsureReports &unsure() const { return unsure_; }
@@ -57,7 +61,7 @@ private:
     };
     std::vector<Vote> votes;
 
-    bool matches(llvm::ArrayRef<std::string> lines, llvm::ArrayRef<uint64_t> chars) const;
+    bool matches(llvm::StringRef line, uint64_t chars) const;
   };
 
   /// What speaks for a candidate.
@@ -75,7 +79,9 @@ private:
   };
   struct Settings;
   static llvm::Expected<Settings> readSettings();
-  std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text) const;
+  std::vector<bool> matching(llvm::ArrayRef<std::string> lines) const;
+  std::vector<bool> matching(llvm::ArrayRef<std::string> lines, LineMarks &known) const;
+  std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text, LineMarks *known) const;
   llvm::Error addMarks();
   llvm::Error addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
                        const llvm::Twine &owner);

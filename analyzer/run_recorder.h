@@ -49,11 +49,11 @@ private:
   RunTrack whole_;
   RunTrack stretch_;
   RunChains chains_;
-  RuleMemory memory_;         ///< of the moment, for all but stretches
-  RuleMemory moves_;          ///< the same for stretches
-  uint32_t executedEnd_ = 0;  ///< up to here a run must be executed
-  unsigned pause_ = 0;        ///< blocks in front of which rules are not asked again
-  unsigned streak_ = 0;       ///< blocks in a row that only went on
+  RuleMemory memory_;        ///< of the moment, for all but stretches
+  RuleMemory moves_;         ///< the same for stretches
+  uint32_t executedEnd_ = 0; ///< up to here a run must be executed
+  unsigned pause_ = 0;       ///< blocks in front of which rules are not asked again
+  unsigned streak_ = 0;      ///< blocks in a row that only went on
 };
 
 } // namespace ncvet

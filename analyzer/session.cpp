@@ -223,19 +223,25 @@ Detection Session::detect(const Detector &detector, llvm::StringRef fileName,
                           llvm::StringRef text) {
   // An editor's text is set up anew with every letter; files on a command line come once.
   constexpr size_t mostKept = 64;
-  const uint64_t key = llvm::hash_combine(&detector, llvm::xxHash64(fileName),
-                                          llvm::xxHash64(text.take_front(Detector::shownBytes)));
+  std::shared_ptr<Looked> looked;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto known = detected_.find(key);
-    if (known != detected_.end())
-      return known->second;
+    if (looked_.size() >= mostKept)
+      looked_.clear();
+    auto &known = looked_[{&detector, fileName.str()}];
+    if (!known)
+      known = std::make_shared<Looked>();
+    looked = known;
   }
-  Detection detection = detector.detect(fileName, text);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (detected_.size() >= mostKept)
-    detected_.clear();
-  return detected_[key] = std::move(detection);
+  const std::lock_guard<std::mutex> lock(looked->mutex);
+  const uint64_t head = llvm::xxHash64(text.take_front(Detector::shownBytes));
+  if (!looked->detection || looked->head != head) {
+    // Line by line is more work, which pays when the file comes again.
+    const bool again = looked->detection.has_value();
+    looked->detection = detector.detect(fileName, text, again ? &looked->lines : nullptr);
+    looked->head = head;
+  }
+  return *looked->detection;
 }
 
 std::shared_ptr<ProgramFolders> Session::folders() {

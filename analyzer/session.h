@@ -72,6 +72,14 @@ private:
   static llvm::Expected<T> keep(std::map<std::string, Kept<T>> &cache, const std::string &key,
                                 llvm::function_ref<llvm::Expected<T>()> make);
 
+  /// What a detector said of a file.
+  struct Looked {
+    std::mutex mutex;
+    std::optional<Detection> detection;
+    uint64_t head = 0; ///< hash of the text that it looked at
+    Detector::LineMarks lines;
+  };
+
   llvm::Expected<std::shared_ptr<const Detector>> detector(const Config &config);
   /// What the detector says; the same head of the same file is looked at once.
   Detection detect(const Detector &detector, llvm::StringRef fileName, llvm::StringRef text);
@@ -89,7 +97,7 @@ private:
   std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file
   std::map<std::string, Kept<std::shared_ptr<const Detector>>> detectors_;
   std::map<std::string, Kept<Language>> languages_;
-  std::map<uint64_t, Detection> detected_;
+  std::map<std::pair<const Detector *, std::string>, std::shared_ptr<Looked>> looked_; ///< by file
   std::map<std::string, Kept<std::shared_ptr<const RuleSelection>>> selections_;
 };
 

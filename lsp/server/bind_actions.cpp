@@ -60,7 +60,7 @@ void fixesOfFinding(const Problem &problem, const CheckResult &result, Json &act
   if (problem.fixTitle.empty())
     return;
   Json fix = action(problem.fixTitle, "quickfix", problem.changes);
-  fix["diagnostics"] = {problem.diagnostic};
+  fix["diagnostics"] = {Json::parse(problem.diagnostic)};
   fix["isPreferred"] = problem.safe;
   actions.push_back(std::move(fix));
   if (!problem.safe)
@@ -83,7 +83,7 @@ void suppressions(const Problem &problem, View &view, Json &actions) {
       return;
     Json silence =
         action(title.str(), "quickfix", {{view.document.uri, editsJson(view.positions, *edit)}});
-    silence["diagnostics"] = {problem.diagnostic};
+    silence["diagnostics"] = {Json::parse(problem.diagnostic)};
     actions.push_back(std::move(silence));
   };
   offer("Allow " + rule + " here", allowHere(view.snapshot, problem.begin, rule));

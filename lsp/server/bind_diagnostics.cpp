@@ -11,17 +11,12 @@ namespace ncvet::lsp {
 
 namespace {
 
-std::string resultId(const Json &diagnostics) {
-  return llvm::utohexstr(
-      llvm::xxHash64(diagnostics.dump(-1, ' ', false, Json::error_handler_t::replace)));
-}
-
-/// A report in full, or that it is what the client has already.
-Json report(Json diagnostics, const std::string &previous) {
-  std::string id = resultId(diagnostics);
+/// A report in full, or that it is what the client has already. `diagnostics`: a list as JSON.
+Json report(const std::string &diagnostics, const std::string &previous) {
+  std::string id = llvm::utohexstr(llvm::xxHash64(diagnostics));
   if (id == previous)
     return {{"kind", "unchanged"}, {"resultId", std::move(id)}};
-  return {{"kind", "full"}, {"resultId", std::move(id)}, {"items", std::move(diagnostics)}};
+  return {{"kind", "full"}, {"resultId", std::move(id)}, {"items", Json::parse(diagnostics)}};
 }
 
 Json ofDocument(Context &context, View &view, const Json &params) {
@@ -32,11 +27,8 @@ Json ofDocument(Context &context, View &view, const Json &params) {
   context.problems.take(result);
   const std::string &path = view.document.path;
   Json answer = report(context.problems.diagnostics(path), params.value("previousResultId", ""));
-  for (const std::string &file : context.problems.relatedTo(path)) {
-    Json items = context.problems.diagnostics(file);
-    answer["relatedDocuments"][uriOfPath(file)] = {
-        {"kind", "full"}, {"resultId", resultId(items)}, {"items", std::move(items)}};
-  }
+  for (const std::string &file : context.problems.relatedTo(path))
+    answer["relatedDocuments"][uriOfPath(file)] = report(context.problems.diagnostics(file), "");
   return answer;
 }
 
@@ -58,9 +50,10 @@ public:
       if (cancelled)
         break;
       const bool open = base.overlay->count(input.path);
-      Json diagnostics = open ? board.diagnostics(input.path) : ofFile(base, input.path, cancelled);
       const std::string uri = uriOfPath(input.path);
-      Json one = lsp::report(std::move(diagnostics), previous[uri]);
+      Json one =
+          lsp::report(open ? board.diagnostics(input.path) : ofFile(base, input.path, cancelled),
+                      previous[uri]);
       one["uri"] = uri;
       one["version"] = nullptr;
       items.push_back(std::move(one));
@@ -71,7 +64,7 @@ public:
 private:
   /// What a check of a closed file has found, and what it rests on.
   struct Kept {
-    Json diagnostics = Json::array();
+    std::string diagnostics = "[]";          ///< a list as JSON
     std::shared_ptr<ProgramFolders> folders; ///< null: nothing was found out
     std::map<std::string, std::shared_ptr<const std::string>> files; ///< see `CheckResult`
     std::map<std::string, llvm::sys::TimePoint<>> written;
@@ -93,8 +86,8 @@ private:
                                                : status.getLastModificationTime();
   }
 
-  const Json &ofFile(const CheckJob &base, const std::string &path,
-                     const std::atomic<bool> &cancelled) {
+  const std::string &ofFile(const CheckJob &base, const std::string &path,
+                            const std::atomic<bool> &cancelled) {
     Kept &kept = closed_[path];
     if (kept.holds(base))
       return kept.diagnostics;
@@ -109,7 +102,7 @@ private:
       return kept.diagnostics;
     for (const Problem &problem : result->problems)
       if (problem.path == path)
-        kept.diagnostics.push_back(problem.diagnostic);
+        appendJson(kept.diagnostics, problem.diagnostic);
     kept.folders = job.session->folders();
     kept.files = result->files;
     for (const auto &[file, open] : kept.files)

@@ -2,6 +2,7 @@
 #include "lsp/server/checks.h"
 
 #include "lsp/server/heap.h"
+#include "lsp/transport/rpc.h"
 
 namespace ncvet::lsp {
 
@@ -22,13 +23,21 @@ Problem problemOf(const Finding &finding, const SourceSet &sources, DiagnosticWr
   problem.begin = finding.range.begin;
   problem.end = finding.range.end;
   problem.rule = finding.rule;
-  problem.diagnostic = writer.diagnostic(finding, rule);
+  problem.diagnostic = jsonText(writer.diagnostic(finding, rule));
   if (finding.fix) {
     problem.fixTitle = finding.fix->description;
     problem.safe = finding.fix->safety == FixSafety::Safe;
     problem.changes = writer.changes(*finding.fix);
   }
   return problem;
+}
+
+/// While nobody waits.
+void prepareNext(const CheckJob &job, CheckMemory &memory) {
+  SourceSet sources(job.overlay);
+  const SourceFile &file = sources.add(job.document.path, job.document.text, job.document.path);
+  Recheck first{job.document.text, memory};
+  prepareChecks(*job.session, sources, file, first);
 }
 
 } // namespace
@@ -164,7 +173,8 @@ void Checks::run() {
     runningText_ = job.document.text.bytes;
     cancel_ = false;
     lock.unlock();
-    std::shared_ptr<const CheckResult> result = check(job, &cancel_, &memories[job.document.path]);
+    const auto [memory, isFirst] = memories.try_emplace(job.document.path);
+    std::shared_ptr<const CheckResult> result = check(job, &cancel_, &memory->second);
     lock.lock();
     const bool stale = cancel_;
     running_.clear();
@@ -173,6 +183,8 @@ void Checks::run() {
       results_[job.document.path] = result;
       lock.unlock();
       done_(std::move(result));
+      if (isFirst)
+        prepareNext(job, memory->second);
       if (++untrimmed % checksBetweenTrims == 0)
         giveBackFreeMemory();
       lock.lock();

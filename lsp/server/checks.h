@@ -18,8 +18,8 @@ struct Problem {
   std::string path;
   uint32_t begin = 0, end = 0; ///< offsets in the text of that file
   RuleId rule = 0;
-  Json diagnostic;
-  std::string fixTitle; ///< empty: there is no fix
+  std::string diagnostic; ///< `Diagnostic` as JSON: most are sent, few are looked into
+  std::string fixTitle;   ///< empty: there is no fix
   bool safe = false;
   Json changes; ///< edits of the fix by URI
 };

@@ -37,16 +37,19 @@ const MachineState *View::stateBefore(uint32_t offset) {
 
 Context::Context(MessageWriter &writer)
     : rpc(writer), problems([this](const std::string &path, std::optional<int64_t> version,
-                                   Json diagnostics, bool own) {
+                                   llvm::StringRef diagnostics, bool own) {
         if (client.pullsDiagnostics) {
           // The client asks for a document that it changed; of others it has to be told.
           wantsRefresh = wantsRefresh || !own;
           return;
         }
-        Json params = {{"uri", uriOfPath(path)}, {"diagnostics", std::move(diagnostics)}};
+        Json params = {{"uri", uriOfPath(path)}};
         if (version)
           params["version"] = *version;
-        rpc.notify("textDocument/publishDiagnostics", std::move(params));
+        std::string text = jsonText(params);
+        text.pop_back();
+        rpc.notifyText("textDocument/publishDiagnostics",
+                       text + R"(,"diagnostics":)" + diagnostics.str() + "}");
       }) {
   features = std::make_unique<Worker>();
   checks = std::make_unique<Checks>([this](std::shared_ptr<const CheckResult> result) {

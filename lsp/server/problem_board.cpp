@@ -2,7 +2,15 @@
 // told.
 #include "lsp/server/problem_board.h"
 
+#include "lsp/transport/rpc.h"
+
 namespace ncvet::lsp {
+
+namespace {
+
+constexpr llvm::StringLiteral none = "[]";
+
+} // namespace
 
 bool ProblemBoard::isPresent(const std::string &path,
                              const std::shared_ptr<const std::string> &text) const {
@@ -10,8 +18,8 @@ bool ProblemBoard::isPresent(const std::string &path,
   return document == documents_.end() ? !text : document->second.text.bytes == text;
 }
 
-Json ProblemBoard::collect(const std::string &path) const {
-  Json all = Json::array();
+std::string ProblemBoard::collect(const std::string &path) const {
+  std::string all = none.str();
   std::set<std::tuple<uint32_t, uint32_t, RuleId>> known;
   for (const auto &[checked, result] : results_) {
     const auto file = result->files.find(path);
@@ -19,23 +27,22 @@ Json ProblemBoard::collect(const std::string &path) const {
       continue;
     for (const Problem &problem : result->problems)
       if (problem.path == path && known.emplace(problem.begin, problem.end, problem.rule).second)
-        all.push_back(problem.diagnostic);
+        appendJson(all, problem.diagnostic);
   }
   return all;
 }
 
 void ProblemBoard::send(const std::string &path, bool own) {
-  Json diagnostics = collect(path);
+  const std::string diagnostics = collect(path);
   const auto document = documents_.find(path);
   const bool open = document != documents_.end();
-  if (diagnostics.empty() && !sent_.count(path) && !open)
+  if (diagnostics == none && !sent_.count(path) && !open)
     return;
-  if (diagnostics.empty())
+  if (diagnostics == none)
     sent_.erase(path);
   else
     sent_.insert(path);
-  send_(path, open ? std::optional(document->second.version) : std::nullopt, std::move(diagnostics),
-        own);
+  send_(path, open ? std::optional(document->second.version) : std::nullopt, diagnostics, own);
 }
 
 void ProblemBoard::opened(const Document &document) {
@@ -75,7 +82,7 @@ void ProblemBoard::take(std::shared_ptr<const CheckResult> result) {
     send(file, file == path);
 }
 
-Json ProblemBoard::diagnostics(const std::string &path) {
+std::string ProblemBoard::diagnostics(const std::string &path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return collect(path);
 }

@@ -12,10 +12,10 @@ namespace ncvet::lsp {
 /// for several threads.
 class ProblemBoard {
 public:
-  /// Sends the diagnostics of a file; null `version`: the document is not open. `own`: they come
-  /// from the file's own check.
+  /// Sends the diagnostics of a file, a list as JSON; null `version`: the document is not open.
+  /// `own`: they come from the file's own check.
   using Send = std::function<void(const std::string &path, std::optional<int64_t> version,
-                                  Json diagnostics, bool own)>;
+                                  llvm::StringRef diagnostics, bool own)>;
   explicit ProblemBoard(Send send) : send_(std::move(send)) {}
 
   /// A document has this text now; what was found in another text of it no longer counts.
@@ -24,8 +24,8 @@ public:
   /// Takes the result of a check and sends what has changed by it; does nothing when the document
   /// has another text by now.
   void take(std::shared_ptr<const CheckResult> result);
-  /// The diagnostics of a file.
-  Json diagnostics(const std::string &path);
+  /// The diagnostics of a file, a list as JSON.
+  std::string diagnostics(const std::string &path);
   /// Files other than `path` itself in which its check found problems.
   std::vector<std::string> relatedTo(const std::string &path);
   /// Open documents whose check looked at the file.
@@ -37,7 +37,7 @@ public:
 
 private:
   bool isPresent(const std::string &path, const std::shared_ptr<const std::string> &text) const;
-  Json collect(const std::string &path) const;
+  std::string collect(const std::string &path) const;
   void send(const std::string &path, bool own);
 
   Send send_;

@@ -42,6 +42,19 @@ bool nestsTooDeep(llvm::StringRef text) {
 
 } // namespace
 
+std::string jsonText(const Json &value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void appendJson(std::string &list, llvm::StringRef value) {
+  if (list.size() == 2) // both brackets
+    list.pop_back();
+  else
+    list.back() = ',';
+  list += value;
+  list += ']';
+}
+
 Reply::~Reply() {
   // While an exception unwinds, whoever catches it answers.
   if (rpc_ && std::uncaught_exceptions() == 0)
@@ -67,10 +80,7 @@ void Reply::fail(RpcError code, const llvm::Twine &why) {
   send("error", {{"code", int(code)}, {"message", why.str()}});
 }
 
-void Rpc::send(const Json &message) {
-  // Texts of programs may hold any bytes.
-  writer_.write(message.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
+void Rpc::send(const Json &message) { writer_.write(jsonText(message)); }
 
 void Rpc::complain(RpcError code, const llvm::Twine &why) {
   send({{"jsonrpc", "2.0"},
@@ -83,6 +93,11 @@ void Rpc::notify(llvm::StringRef method, Json params) {
   if (!params.is_null())
     message["params"] = std::move(params);
   send(message);
+}
+
+void Rpc::notifyText(llvm::StringRef method, llvm::StringRef params) {
+  const std::string name = Json(method.str()).dump();
+  writer_.write((R"({"jsonrpc":"2.0","method":)" + name + R"(,"params":)" + params + "}").str());
 }
 
 void Rpc::request(llvm::StringRef method, Json params, AnswerHandler answer) {

@@ -16,6 +16,11 @@ namespace ncvet::lsp {
 
 using Json = nlohmann::json;
 
+/// A value as it is sent. Bytes of programs that are no UTF-8 become replacement characters.
+std::string jsonText(const Json &value);
+/// Adds a value to a list, both as text.
+void appendJson(std::string &list, llvm::StringRef value);
+
 /// Error codes of JSON-RPC and of the language server protocol.
 enum class RpcError : int {
   ParseError = -32700,
@@ -86,6 +91,8 @@ public:
   void complain(RpcError code, const llvm::Twine &why);
 
   void notify(llvm::StringRef method, Json params);
+  /// The same with parameters that are text already.
+  void notifyText(llvm::StringRef method, llvm::StringRef params);
   /// Asks the client; `answer` is called on the thread of `handle`.
   void request(llvm::StringRef method, Json params, AnswerHandler answer);
 

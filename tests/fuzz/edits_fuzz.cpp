@@ -41,7 +41,7 @@ std::shared_ptr<Session> sessionOf(unsigned which) {
 std::string told(const lsp::CheckResult &result) {
   std::string all = result.error;
   for (const lsp::Problem &problem : result.problems)
-    all += problem.diagnostic.dump(-1, ' ', false, lsp::Json::error_handler_t::replace) + "\n";
+    all += problem.diagnostic + "\n";
   return all;
 }
 

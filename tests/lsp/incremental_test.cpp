@@ -20,8 +20,7 @@ using test::RandomEdits;
 std::string told(const CheckResult &result) {
   std::string all = result.error + (result.complete ? "complete\n" : "cut\n");
   for (const lsp::Problem &problem : result.problems)
-    all += problem.path + " " +
-           problem.diagnostic.dump(-1, ' ', false, lsp::Json::error_handler_t::replace) + "\n" +
+    all += problem.path + " " + problem.diagnostic + "\n" +
            problem.changes.dump(-1, ' ', false, lsp::Json::error_handler_t::replace) + "\n";
   return all;
 }
