@@ -221,7 +221,6 @@ Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &
 
 Detection Session::detect(const Detector &detector, llvm::StringRef fileName,
                           llvm::StringRef text) {
-  // An editor's text is set up anew with every letter; files on a command line come once.
   constexpr size_t mostKept = 64;
   std::shared_ptr<Looked> looked;
   {
@@ -236,9 +235,7 @@ Detection Session::detect(const Detector &detector, llvm::StringRef fileName,
   const std::lock_guard<std::mutex> lock(looked->mutex);
   const uint64_t head = llvm::xxHash64(text.take_front(Detector::shownBytes));
   if (!looked->detection || looked->head != head) {
-    // Line by line is more work, which pays when the file comes again.
-    const bool again = looked->detection.has_value();
-    looked->detection = detector.detect(fileName, text, again ? &looked->lines : nullptr);
+    looked->detection = detector.detect(fileName, text, options_.edited ? &looked->lines : nullptr);
     looked->head = head;
   }
   return *looked->detection;

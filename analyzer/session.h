@@ -21,6 +21,7 @@ struct SessionOptions {
   RuleSettings rules;
   AnalysisLimits limits;
   bool contours = false; ///< compensated contours are to be told
+  bool edited = false;   ///< texts come again and again, each time a little changed
 };
 
 /// All that the check of one file needs.

@@ -54,15 +54,23 @@ std::string plainText(llvm::StringRef snippet) {
 Json completed(View &view, const Json &params) {
   constexpr int snippetFormat = 2;
   const uint32_t offset = view.offset(params);
+  const std::vector<CompletionItem> found =
+      completions(view.snapshot, offset, view.stateBefore(offset));
+  const bool shared = view.client.sharesEditRange && !found.empty() &&
+                      llvm::all_of(found, [&](const CompletionItem &item) {
+                        return item.replace == found.front().replace;
+                      });
   Json items = Json::array();
-  for (const CompletionItem &item : completions(view.snapshot, offset, view.stateBefore(offset))) {
+  for (const CompletionItem &item : found) {
     const bool snippet = item.snippet && view.client.snippets;
     Json json = {{"label", item.label},
                  {"kind", completionKind(item.kind)},
-                 {"sortText", llvm::formatv("{0:d3}{1}", int(item.rank), item.label).str()},
-                 {"textEdit",
-                  {{"range", view.places.range(item.replace)},
-                   {"newText", item.snippet && !snippet ? plainText(item.insert) : item.insert}}}};
+                 {"sortText", llvm::formatv("{0:d3}{1}", int(item.rank), item.label).str()}};
+    std::string text = item.snippet && !snippet ? plainText(item.insert) : item.insert;
+    if (!shared)
+      json["textEdit"] = {{"range", view.places.range(item.replace)}, {"newText", std::move(text)}};
+    else if (text != item.label)
+      json["textEditText"] = std::move(text);
     if (snippet)
       json["insertTextFormat"] = snippetFormat;
     if (!item.detail.empty())
@@ -71,7 +79,10 @@ Json completed(View &view, const Json &params) {
       json["data"] = {{"uri", view.document.uri}, {"id", item.documentation}};
     items.push_back(std::move(json));
   }
-  return {{"isIncomplete", false}, {"items", std::move(items)}};
+  Json list = {{"isIncomplete", false}, {"items", std::move(items)}};
+  if (shared)
+    list["itemDefaults"] = {{"editRange", view.places.range(found.front().replace)}};
+  return list;
 }
 
 void resolveCompletion(Context &context) {

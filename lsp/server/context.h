@@ -21,6 +21,7 @@ struct ClientSupport {
   bool configuration = false;
   bool watchesFiles = false;
   bool snippets = false;
+  bool sharesEditRange = false; ///< of completions: what they replace is said once for all
   bool markdown = false;
   bool nestedSymbols = false;
   bool lineFoldingOnly = false;

@@ -55,6 +55,9 @@ ClientSupport readSupport(const Json &capabilities) {
   client.configuration = has({"workspace", "configuration"});
   client.watchesFiles = has({"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
   client.snippets = has({"textDocument", "completion", "completionItem", "snippetSupport"});
+  for (const Json &name :
+       lookUp(capabilities, {"textDocument", "completion", "completionList", "itemDefaults"}))
+    client.sharesEditRange |= name == "editRange";
   for (const Json &format : lookUp(capabilities, {"textDocument", "hover", "contentFormat"}))
     client.markdown |= format == "markdown";
   client.nestedSymbols =

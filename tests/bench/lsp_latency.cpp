@@ -70,7 +70,9 @@ int main(int argc, char **argv) {
   const std::string path = "/nowhere/bench.nc";
 
   LanguageClient client(argv[1]);
-  client.initialize(Json::object(), {{"dialect", argv[3]}});
+  client.initialize(
+      {{"textDocument", {{"completion", {{"completionList", {{"itemDefaults", {"editRange"}}}}}}}}},
+      {{"dialect", argv[3]}});
   client.open(path, text);
   Json last = client.diagnostics(path);
   RandomEdits random(1, text);

@@ -131,6 +131,21 @@ TEST_F(Features, CompletionKnowsTheWordsOfACycle) {
   EXPECT_NE(help.dump().find("G71"), std::string::npos) << help.dump();
 }
 
+TEST(Completions, WhatTheyReplaceIsSaidOnceWhereTheClientKnowsThat) {
+  LanguageClient client;
+  client.initialize(Json::parse(R"({"textDocument": {"completion": {"completionList":
+                       {"itemDefaults": ["commitCharacters", "editRange"]}}}})"),
+                    {{"dialect", "haas-mill"}});
+  client.open("/nowhere/a.nc", "O1\nG90 G54\nX1. G8\n");
+  const Json list =
+      client.request("textDocument/completion",
+                     {{"textDocument", documentOf("/nowhere/a.nc")}, {"position", at(2, 6)}});
+  EXPECT_EQ(list["itemDefaults"]["editRange"], Json({{"start", at(2, 4)}, {"end", at(2, 6)}}));
+  ASSERT_FALSE(list["items"].empty());
+  for (const Json &item : list["items"])
+    EXPECT_FALSE(item.contains("textEdit")) << item;
+}
+
 TEST_F(Features, TokensThatChangeAreTheWholeOnesAgain) {
   const Json full = ask("semanticTokens/full");
   ASSERT_FALSE(full["data"].empty());

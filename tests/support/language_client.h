@@ -81,12 +81,12 @@ public:
   }
   /// The result of a request; an error is a failure of the test.
   Json request(const std::string &method, Json params) {
-    const Json message = answer(ask(method, std::move(params)));
+    Json message = answer(ask(method, std::move(params)));
     if (!message.is_object() || !message.contains("result")) {
       ADD_FAILURE() << method << ": " << message.dump();
       return nullptr;
     }
-    return message["result"];
+    return std::move(message["result"]);
   }
   /// Parameters of the next notification of this method.
   Json notification(const std::string &method) {
@@ -129,11 +129,11 @@ public:
   }
   /// The diagnostics of the version of a document, once they come.
   Json diagnostics(const std::string &path, int version = 1) {
-    const Json message = next([&](const Json &m) {
+    Json message = next([&](const Json &m) {
       return m.value("method", "") == "textDocument/publishDiagnostics" &&
              m["params"]["uri"] == "file://" + path && m["params"].value("version", 0) == version;
     });
-    return message.is_object() ? message["params"]["diagnostics"] : Json();
+    return message.is_object() ? std::move(message["params"]["diagnostics"]) : Json();
   }
 
   /// The exit code; -1 when the server did not end in time.
