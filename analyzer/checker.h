@@ -41,8 +41,8 @@ public:
   StraightRuns *runsFor(const FileIndex &index);
   /// Blocks that the next check need not follow when nothing changes.
   uint64_t blocks() const { return runs_.straight.blocks(); }
-  /// Blocks that were taken over since the last call.
-  uint64_t takeTaken() { return std::exchange(runs_.taken, 0); }
+  /// What was taken over since the last call.
+  StraightRuns::Taken takeTaken() { return std::exchange(runs_.taken, {}); }
 
 private:
   FileScan scan_;

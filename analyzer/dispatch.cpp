@@ -31,6 +31,10 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     listener.moves = subscriptions.moves();
     if (subscriptions.isGathering())
       gatherers_.push_back(listener.rule);
+    RuleMemory first(FileId(0));
+    listener.rule->remember(first);
+    if (!first.isLeftOut())
+      rememberers_.push_back(listener.rule);
     kinds_ |= subscriptions.kinds();
     for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
       if (subscriptions.kinds() >> kind & 1)

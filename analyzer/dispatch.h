@@ -33,8 +33,8 @@ public:
   void finish(const FileSummary &summary, FileUnit &unit);
   /// What the rules remember at this moment.
   void remember(RuleMemory &memory) const {
-    for (const Listener &listener : all_)
-      listener.rule->remember(memory);
+    for (const Rule *rule : rememberers_)
+      rule->remember(memory);
   }
   /// The same of those that are told of moves that only go on.
   void rememberMoves(RuleMemory &memory) const {
@@ -77,6 +77,7 @@ private:
   std::vector<std::unique_ptr<Rule>> rules_;
   std::vector<Listener> all_;
   std::vector<Rule *> gatherers_;
+  std::vector<const Rule *> rememberers_;
   std::array<std::vector<Listener>, size_t(EventKind::Count)> byKind_;
   std::vector<std::vector<Listener>> byCode_;
   std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of `Block` and `Motion`

@@ -347,6 +347,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
         issue(FlowIssue::RunsIntoSubprogram, activation, live, before,
               {unit.source.id(), block_.begin, block_.end});
       goesOn = plainRun.goesOn(block_, outcome_, before);
+      if (!goesOn)
+        recorder.goesOnNoMore(before);
       if (goesOn)
         dispatcher_.dispatchMove(unit, block_, outcome_, before, live.state, region.depth);
       else if (outcome_.kinds & dispatcher_.kinds())

@@ -107,6 +107,7 @@ public:
       return *this;
     }
   };
+  Looks looks() const { return looks_; }
   /// What has been looked at since the last call.
   Looks takeLooks() const { return std::exchange(looks_, Looks()); }
 

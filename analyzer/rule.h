@@ -289,7 +289,7 @@ public:
   virtual void on(const Event &, RuleContext &) {}
   /// Gives all that `on` has changed in the rule and that decides what it does later. Rules that
   /// remember nothing leave it out.
-  virtual void remember(RuleMemory &) const {}
+  virtual void remember(RuleMemory &memory) const { memory.leaveOut(); }
   /// For rules that gather more than can be compared, and that have said so in `listen`: forgets
   /// what was gathered since the last call, gives it, and takes it for its own as if the blocks had
   /// been executed; false when the rule would have had something to say.

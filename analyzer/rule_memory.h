@@ -53,6 +53,9 @@ public:
     remember();
     kind_ = 0;
   }
+  /// Of a rule that never remembers anything.
+  void leaveOut() { leftOut_ = true; }
+  bool isLeftOut() const { return leftOut_; }
   /// A place in a file.
   void place(FileId file, uint32_t offset) {
     add(file);
@@ -139,6 +142,7 @@ private:
   std::array<Words, 2> kinds_; ///< what decides what rules do, and what they keep aside
   unsigned kind_ = 0;          ///< that is being written
   bool comparable_ = true;
+  bool leftOut_ = false;
 };
 
 } // namespace ncvet

@@ -37,8 +37,12 @@ std::optional<RunPlace> RunRecorder::takeOver(uint32_t offset, MachineState &sta
   auto place = takeWhole(offset, state, plain, may);
   if (!place && offset >= executedEnd_)
     place = takeStretch(offset, state, plain, may);
-  if (place)
-    runs_->taken += place->blocks;
+  if (place) {
+    runs_->taken.blocks += place->blocks;
+    ++runs_->taken.runs;
+  } else if (stretch_.isRecording()) {
+    inFront_ = {offset, stateUse, unit_.index.looks(), plain};
+  }
   return place;
 }
 
@@ -112,29 +116,42 @@ void RunRecorder::finishStretch(uint32_t offset, MachineState &state, const Plai
   if (!stretch_.isRecording())
     return;
   collect(state);
+  rememberMoves();
   stretch_.mark(offset, state, plain, moves_, {});
   stretch_.keep();
 }
 
+void RunRecorder::endStretchInFront(MachineState &before) {
+  if (stretch_.unseen() > 0 && collector_.reports() == stretch_.reports()) {
+    // What the whole run has used is collected with it.
+    stretch_.collect(inFront_.use, inFront_.looks, before.cutArea.takeAdded(),
+                     before.fedFrom.takeMoves());
+    rememberMoves();
+    stretch_.mark(inFront_.offset, before, inFront_.plain, moves_, {});
+  }
+  stretch_.keep();
+}
+
+void RunRecorder::rememberMoves() {
+  moves_.clear();
+  dispatcher_.rememberMoves(moves_);
+}
+
 std::optional<RunPlace> RunRecorder::takeStretch(uint32_t offset, MachineState &state,
                                                  PlainRun &plain, May may) {
-  const auto remember = [&] {
-    moves_.clear();
-    dispatcher_.rememberMoves(moves_);
-  };
   if (stretch_.isRecording()) {
     const bool meets = offset == stretch_.nextKnown();
     if (stretch_.unseen() < stretchStep && !meets)
       return std::nullopt;
     collect(state);
-    remember();
+    rememberMoves();
     if (stretch_.mark(offset, state, plain, moves_, {}) && !stretch_.isFull() && !meets)
       return std::nullopt;
     stretch_.keep();
   }
   if (streak_ < worthIt)
     return std::nullopt;
-  remember();
+  rememberMoves();
   if (!moves_.isComparable()) {
     streak_ = 0;
     return std::nullopt;

@@ -24,6 +24,12 @@ public:
     if (runs_)
       take(block, goesOn);
   }
+  /// The block for which `takeOver` had nothing was executed, and is not one that only goes on;
+  /// `before` is the state in front of it, and no rule has heard of it yet.
+  void goesOnNoMore(MachineState &before) {
+    if (stretch_.isRecording())
+      endStretchInFront(before);
+  }
   /// What is being recorded is no run.
   void interrupt() {
     if (runs_)
@@ -37,7 +43,9 @@ private:
   void end();
   void collect(MachineState &state);
   bool mayBegin(uint32_t offset, MachineState &state, const PlainRun &plain);
+  void rememberMoves();
   void finishStretch(uint32_t offset, MachineState &state, const PlainRun &plain);
+  void endStretchInFront(MachineState &before);
   std::optional<RunPlace> takeWhole(uint32_t offset, MachineState &state, PlainRun &plain, May may);
   std::optional<RunPlace> takeStretch(uint32_t offset, MachineState &state, PlainRun &plain,
                                       May may);
@@ -49,6 +57,14 @@ private:
   RunTrack whole_;
   RunTrack stretch_;
   RunChains chains_;
+  /// How it was in front of a block behind which it may be found that the stretch has ended there.
+  struct InFront {
+    uint32_t offset = 0;
+    StateUse use;
+    FileIndex::Looks looks;
+    PlainRun plain;
+  };
+  InFront inFront_;
   RuleMemory memory_;        ///< of the moment, for all but stretches
   RuleMemory moves_;         ///< the same for stretches
   uint32_t executedEnd_ = 0; ///< up to here a run must be executed

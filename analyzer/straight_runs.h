@@ -30,7 +30,12 @@ public:
     quiet.clear();
   }
 
-  uint64_t taken = 0; ///< blocks that were taken over since that was last set to 0
+  /// What was taken over since that was last set to 0.
+  struct Taken {
+    uint64_t blocks = 0;
+    uint64_t runs = 0; ///< in so many steps
+  };
+  Taken taken;
   RunStore<StraightRun> straight;
   /// Of those above, or of the chains of the level below, that follow each other.
   std::array<RunStore<StraightRun>, 2> chains;

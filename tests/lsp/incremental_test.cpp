@@ -47,8 +47,8 @@ public:
     return again == fresh ? "" : "with memory:\n" + again + "fresh:\n" + fresh;
   }
 
-  /// Blocks that the last comparison did not execute again.
-  uint64_t taken() { return memory_.takeTaken(); }
+  /// What the last comparison did not execute again.
+  StraightRuns::Taken taken() { return memory_.takeTaken(); }
 
 private:
   CheckJob job_;
@@ -217,11 +217,39 @@ TEST(Incremental, AnEditCostsWhatItChanges) {
     changed.insert(changed.find(c.where), c.added);
     edited.taken();
     EXPECT_EQ(edited.difference(changed), "");
-    const uint64_t taken = edited.taken();
+    const uint64_t taken = edited.taken().blocks;
     EXPECT_EQ(taken > blocks * 4 / 5, c.taken) << taken;
     EXPECT_EQ(edited.difference(c.text), "");
-    EXPECT_EQ(edited.taken() > blocks * 4 / 5, c.taken) << "taken back";
+    EXPECT_EQ(edited.taken().blocks > blocks * 4 / 5, c.taken) << "taken back";
   }
+}
+
+/// Runs that follow each other are taken over as one, and those again: a long text costs little
+/// more than a short one.
+TEST(Incremental, ALongTextIsTakenOverInFewSteps) {
+  constexpr unsigned blocks = 60000;
+  const std::string text = manyTimes("G01 Z-1. F200.\n", blocks, [](unsigned i) {
+    return (i % 400 ? "" : "G00 Z5.\n" + at(i) + "\nG01 Z-1. F200.\n") + at(i) + "\n";
+  });
+  Edited edited("haas-mill", "/nowhere/O0001.nc");
+  ASSERT_EQ(edited.difference(text), "");
+  ASSERT_EQ(edited.difference(text), ""); // what is taken over makes chains
+  for (unsigned part = 1; part < 5; ++part) {
+    SCOPED_TRACE(part);
+    std::string changed = text;
+    changed.insert(text.find('\n', text.size() * part / 5) + 1, "(X)\n");
+    for (const std::string &version : {changed, text}) {
+      edited.taken();
+      EXPECT_EQ(edited.difference(version), "");
+      const StraightRuns::Taken taken = edited.taken();
+      EXPECT_GT(taken.blocks, blocks - 2000u);
+      EXPECT_LT(taken.runs, 80u);
+    }
+  }
+}
+
+TEST(Incremental, EditsOfAVeryLongProgramGiveWhatAFreshCheckGives) {
+  editAndCompare("haas-mill", "/nowhere/O0001.nc", machining(6000), 60, 5);
 }
 
 /// Holes of runs that are taken over count as well.

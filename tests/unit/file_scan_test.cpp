@@ -1,5 +1,6 @@
 // What is kept of a text from one version to the next is what a look at all of it finds.
 #include "analyzer/file_scan.h"
+#include "formats/dialect/loader.h"
 #include "tests/support/random_edits.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,24 @@ TEST(FileScanTest, LinesMayEndWithACarriageReturnAlone) {
     text += "N" + std::to_string(i * 10) + " G1 X" + std::to_string(i) + "\r";
   for (unsigned seed = 0; seed < 4; ++seed)
     editAndCompare(text, seed);
+}
+
+/// Where few blocks hold more than words, only these and a few beside them must be read.
+TEST(FileScanTest, AnMCodeMakesLittleOfItsNeighboursUnplain) {
+  std::string text = "O1\n";
+  for (unsigned i = 1; i < 2000; ++i)
+    text += i % 400 ? "G1 X" + std::to_string(i) + "\n" : "M8\n";
+  const auto source = SourceFile::fromText(0, "a.nc", text);
+  const auto dialect = llvm::cantFail(loadDialect("haas-mill", builtinDialects()));
+  const auto reader = makeReader(*dialect, text);
+  FileScan scan;
+  uint64_t plain = 0, others = 0;
+  scan.eachPiece(*source, *reader, 0, uint32_t(text.size()), [&](const TextPiece &piece) {
+    (piece.isPlain ? plain : others) += piece.blocks;
+    return true;
+  });
+  EXPECT_EQ(plain + others, 1999u);
+  EXPECT_LT(others, 6 * 34u);
 }
 
 TEST(FileScanTest, AByteOrderMarkIsNoText) {
