@@ -1,5 +1,6 @@
 // Runs what a block calls: subprograms, macros, sections that are repeated, turning profiles.
 #include "analyzer/engine.h"
+#include "formats/dialect/measure.h"
 #include "interp/expression.h"
 #include "interp/kept_modes.h"
 
@@ -591,28 +592,53 @@ uint32_t Engine::endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const
 /// A milling cycle reads a program as the contour that it works along.
 void Engine::contour(Activation &activation, Live &live, const MachineState &before) {
   FileUnit &unit = activation.region.unit;
+  const Flow flow = outcome_.flow;
   const SourceRange where = flowRange(unit);
   const uint32_t next = block_.next;
-  const llvm::StringRef name = unit.source.text(where.begin, where.end);
-  if (name.contains(':')) // two labels of this program: its blocks are looked at where they stand
+  std::string name = unit.source.text(where.begin, where.end).str();
+  // The contour of a turning cycle is a subprogram between brackets, by its number.
+  const bool isTurned = has(unit.dialect->codes[flow.code], CycleTrait::Turned);
+  if (isTurned && !flow.target.isConstant())
     return add(activation, next, std::move(live));
-  calledNames_.insert(name.upper());
-  const auto [other, program] = project_.findProgram(unit, name);
-  if (!program) {
-    issue(FlowIssue::UnknownProgram, activation, live, before, where);
+  if (isTurned)
+    name = std::to_string(std::llround(flow.target.number.value()));
+  else if (llvm::StringRef(name).contains(':')) // two labels of this program: its blocks are looked
+    return add(activation, next, std::move(live)); // at where they stand
+  calledNames_.insert(llvm::StringRef(name).upper());
+  Callee callee{&unit, &activation.region.program, 0, Kind::Subprogram, notSet};
+  std::optional<uint32_t> body;
+  if (isTurned) {
+    body = subprogramBody(unit, name, callee.program);
+    callee.kind = Kind::LocalSubprogram;
+  } else {
+    std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
+    if (callee.program)
+      body = callee.program->body;
+  }
+  if (body && callee.unit == &unit_ && isTurned)
+    calledBodies_.insert(*body);
+  if (!body) {
+    if (!isTurned || !callerUnknown_)
+      issue(FlowIssue::UnknownProgram, activation, live, before, where);
     return add(activation, next, std::move(live));
   }
   Live read = live;
   read.state.profile = 1;
-  read.state.set(Fact::InContour);
-  for (const Fact fact : {Fact::ContourBegun, Fact::Cut})
-    read.state.clear(fact);
+  read.state.clear(Fact::Cut);
+  if (!isTurned) { // rules of contours that are milled
+    read.state.set(Fact::InContour);
+    read.state.clear(Fact::ContourBegun);
+  }
   read.path = step(live.path, PathNode::Kind::Call, where);
-  const Region body{*other, *program, program->body, Kind::Subprogram, activation.region.depth + 1};
-  if (!isRunning(*other, body.start, body.kind) && body.depth < limits_.callDepth)
-    callBody(body, std::move(read));
+  const Region region{*callee.unit, *callee.program, *body, callee.kind,
+                      activation.region.depth + 1};
+  if (!isRunning(region.unit, region.start, region.kind) && region.depth < limits_.callDepth)
+    callBody(region, std::move(read));
   if (watcher_)
     watcher_->profileEnds();
+  if (isTurned) // it ends where its passes do
+    for (const Axis axis : {Axis::X, Axis::Z})
+      live.state.at(axis) = Interval::unknown();
   add(activation, next, std::move(live));
 }
 

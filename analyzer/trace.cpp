@@ -121,7 +121,9 @@ public:
       return;
     const auto write = [&](const Move &move) { add(cycleTag_, move, {}, {Axis::Z, Axis::X}); };
     const llvm::ArrayRef<Move> contour = contour_.end(*cycle_);
-    if (cycle_->kind == CycleKind::Contour) {
+    if (cycle_->has(CycleTrait::Turned)) {
+      turn(*cycle_, contour, write);
+    } else if (cycle_->kind == CycleKind::Contour) {
       millContour(*cycle_, contour, write);
     } else {
       if (cycle_->kind != CycleKind::Finish)
@@ -142,6 +144,15 @@ private:
            const std::array<Axis, 2> &plane) {
     last_ = move.to;
     path_.add(tag, move, corner, plane, [&](uint64_t from, const Move &m) { compensate(from, m); });
+  }
+  /// Passes of which nothing is known lead nobody knows where.
+  static void turn(const ContourCycle &cycle, llvm::ArrayRef<Move> contour,
+                   llvm::function_ref<void(const Move &)> write) {
+    if (cycle.profile && profilePasses(*cycle.profile, cycle.start, cycle.feed, contour, write))
+      return;
+    Move lost = cycle.start;
+    lost.to[size_t(Axis::X)] = lost.to[size_t(Axis::Z)] = Interval::unknown();
+    write(lost);
   }
   const FileUnit &unitOf(FileId file) { return project_.unit(project_.sources().get(file)); }
   void compensate(uint64_t tag, const Move &move) {

@@ -43,6 +43,32 @@ void readLevels(const ExecutedBlock &executed, const CycleParameters &words, Con
   cycle.onContour = !rest || *rest == Interval::exactly(0);
 }
 
+std::optional<ProfilePasses> readPasses(const CycleParameters &words) {
+  ProfilePasses passes;
+  bool known = true;
+  const auto read = [&](double &into, const std::optional<Interval> &value) {
+    known &= value && value->isConstant();
+    if (known)
+      into = value->value();
+  };
+  const auto number = [&](Measure what, double absent) {
+    return words.number(what).value_or(Interval::exactly(absent));
+  };
+  passes.finishing = !words.has(Measure::Step);
+  read(passes.firstDistance, number(Measure::FirstDistance, passes.firstDistance));
+  read(passes.lastDistance, number(Measure::LastDistance, passes.lastDistance));
+  read(passes.count, number(Measure::Count, passes.count));
+  read(passes.step, number(Measure::Step, passes.step));
+  read(passes.retract, number(Measure::Retract, passes.retract));
+  read(passes.unit, words.lengthFactor());
+  double pockets = 0, across = 0;
+  read(pockets, number(Measure::Pockets, 0));
+  read(across, number(Measure::Across, 0));
+  passes.pockets = ProfilePasses::Pockets(uint8_t(pockets));
+  passes.across = across != 0;
+  return known ? std::optional(passes) : std::nullopt;
+}
+
 ContourCycle read(const ExecutedBlock &executed, const CodeInfo &code) {
   ContourCycle cycle;
   cycle.kind = code.cycle;
@@ -54,6 +80,14 @@ ContourCycle read(const ExecutedBlock &executed, const CodeInfo &code) {
   }
   setFeed(executed.dialect, executed.after, cycle.feed);
   const CycleParameters words(executed, code);
+  if (cycle.has(CycleTrait::Turned)) {
+    cycle.profile = readPasses(words);
+    cycle.start.to = executed.after.position; // as its axis words say
+    cycle.start.machineAxes = executed.after.machineAxes;
+    if (!executed.after.frames.empty())
+      cycle.profile.reset();
+    return cycle;
+  }
   if (code.cycle == CycleKind::Contour) {
     readLevels(executed, words, cycle);
     return cycle;

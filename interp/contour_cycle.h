@@ -4,6 +4,7 @@
 
 #include "formats/dialect/measure.h"
 #include "interp/moves.h"
+#include "interp/profile_passes.h"
 
 #include <optional>
 
@@ -28,6 +29,9 @@ struct ContourCycle {
   llvm::SmallVector<Interval, 8> levels; ///< of the passes
   std::optional<Interval> feedDown;      ///< mm/min
   bool onContour = true;                 ///< false: the passes keep a distance from it
+
+  /// Of passes along a turned contour; none: not all that they need is known.
+  std::optional<ProfilePasses> profile;
 
   bool bothAxes = false; ///< the first block of the contour names both axes: type 2
 

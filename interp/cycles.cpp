@@ -245,6 +245,16 @@ void Execution::cancelCycle(CodeIndex by, const Word *word) {
 
 /// The cycle works along the contour of a program that its call names.
 void Execution::contourProgram(const CodeUse &use, const WordSpec &spec) {
+  Flow &flow = outcome_.flow;
+  if (const Word *word = spec.text ? nullptr : wordFor(block_, spec)) {
+    flow.kind = FlowKind::Contour;
+    flow.target = Value::of(value(*word));
+    flow.code = use.code;
+    flow.word = use.word;
+    flow.begin = word->offset;
+    flow.end = block_.endOf(*word);
+    return;
+  }
   for (size_t i = 0; i < block_.items.size(); ++i) {
     const Item &item = block_.items[i];
     if (item.kind != ItemKind::Instruction || item.arguments < spec.position ||
@@ -400,7 +410,7 @@ void Execution::runCompound(const CodeUse &use) {
       if (dialect_.axisWords & maskOf(word.address) && !word.has(wordNoValue))
         storeTarget(word, false);
   for (const WordSpec &spec : code.words)
-    if (spec.role == Role::Program && spec.text)
+    if (spec.role == Role::Program)
       contourProgram(use, spec);
   if (!first)
     return;

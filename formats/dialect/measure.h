@@ -53,7 +53,12 @@ enum class Measure : uint8_t {
   Direction, ///< 2: clockwise round the area
   Island,    ///< 1: the area is what stays
   FeedDown,  ///< mm/min
-  FeedAlong
+  FeedAlong,
+  // passes along a turned contour
+  FirstDistance, ///< from the contour, of the first pass
+  LastDistance,
+  Pockets, ///< 0: all is cut, 1: but the pockets, 2: these alone
+  Across   ///< not 0: levels run along X
 };
 llvm::ArrayRef<llvm::StringLiteral> measureNames();
 /// Of `Measure::Direction`, as G02.
@@ -65,7 +70,8 @@ enum class CycleTrait : uint8_t {
   ReturnsByAxes,  ///< back to the start the axis that leaves the work goes first
   IgnoresCorners, ///< corners and lines by angle in the contour do not count
   WantsHole,      ///< goes straight down where a hole must be
-  StartsHere      ///< begins where the tool is, or at the axis words of its block; stays down
+  StartsHere,     ///< begins where the tool is, or at the axis words of its block; stays down
+  Turned          ///< makes passes along a turned contour, see `ProfilePasses`
 };
 llvm::ArrayRef<llvm::StringLiteral> cycleTraitNames();
 

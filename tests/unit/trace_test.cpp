@@ -195,6 +195,36 @@ TEST(Trace, RoughingCutsLevelsDownToTheContour) {
                           "2 rapid X74.3 Z3", "2 rapid X70 Z3", "11 end"));
 }
 
+/// The interpreter's motions: down to each level along the way to the contour, the pocket behind
+/// the first shoulder once the contour before it is cut, then its walls.
+TEST(Trace, LinuxCncRoughsAContourAndItsPocket) {
+  EXPECT_THAT(
+      traceOf("linuxcnc", "o1 sub\ng1 x10 z0\nz-5\ng2 x12 z-7 i2 k0\ng1 x11 z-9\nz-12\nx14\n"
+                          "o1 endsub\ng18 g21 g90 f100\ng0 x14 z2\ng71 q1 i2 r0.5\nm2\n"),
+      ElementsAre("10 rapid X14 Z2", "11 rapid X14 Z2", "11 rapid X14 Z2", "11 rapid X14 Z2",
+                  "11 linear X14 Z-12", "11 rapid X14.5 Z-11.5", "11 rapid X14.5 Z1.5",
+                  "11 rapid X14 Z2", "11 rapid X12 Z1", "11 linear X12 Z-7", "11 rapid X12.5 Z-6.5",
+                  "11 rapid X12.5 Z0.5", "11 rapid X12 Z1", "11 rapid X10 Z0", "11 linear X10 Z-5",
+                  "11 arc X12 Z-7 cw -5/12 0.25", "11 linear X12 Z-7", "11 linear X12 Z-12",
+                  "11 rapid X12.5 Z-11.5", "11 rapid X12.5 Z-7.5", "11 linear X12 Z-7",
+                  "11 linear X11 Z-9", "11 linear X11 Z-12", "11 linear X14 Z-12", "12 end"));
+}
+
+TEST(Trace, LinuxCncFinishesInPassesAtADistance) {
+  EXPECT_THAT(traceOf("linuxcnc", "o1 sub\ng1 x10 z0\ng1 z-5\ng1 x12 z-7\no1 endsub\n"
+                                  "g18 g21 g90 f100\ng0 x14 z2\ng70 q1 d1 e0 p2\nm2\n"),
+              ElementsAre("7 rapid X14 Z2", "8 rapid X14 Z2", "8 rapid X14 Z2", "8 rapid X10.5 Z0",
+                          "8 linear X10.5 Z-4.793", "8 linear X12.354 Z-6.646", "8 rapid X14 Z2",
+                          "8 rapid X10 Z0", "8 linear X10 Z-5", "8 linear X12 Z-7", "9 end"));
+}
+
+/// A contour that turns back stops the interpreter: where the tool is then nobody knows.
+TEST(Trace, LinuxCncDoesNotRoughAContourThatTurnsBack) {
+  EXPECT_THAT(traceOf("linuxcnc", "o1 sub\ng1 x10 z0\ng1 z-5\ng1 x12 z-2\ng1 x14 z-9\no1 endsub\n"
+                                  "g18 g21 g90 f100\ng0 x14 z2\ng71 q1\nm2\n"),
+              ElementsAre("8 rapid X14 Z2", "9 rapid", "10 end"));
+}
+
 /// Without the setting only the withdrawal between the passes is not known.
 TEST(Trace, RoughingWithoutTheSettingKeepsItsLevels) {
   EXPECT_THAT(traceOf("haas-lathe", "G54 G00 X20. Z2.\nG71 P10 Q20 U0. W0. D3. F0.3\n"
