@@ -1,6 +1,7 @@
 // Looks ahead in the text for rules: the next block, and the blocks of a turning profile.
 #include "analyzer/lookahead.h"
 
+#include "formats/dialect/measure.h"
 #include "interp/expression.h"
 
 #include <cmath>
@@ -84,18 +85,63 @@ bool hasMotionCode(const Dialect &dialect, const Block &block) {
   return false;
 }
 
-Profile readProfile(const RuleContext &ctx) {
-  Profile profile;
-  const Flow &flow = ctx.outcome().flow;
-  if (flow.kind != FlowKind::Profile || flow.first < 0 || flow.last < 0)
-    return profile;
+namespace {
+
+/// Offsets of a profile's first block and of its last one.
+using ProfileEnds = std::optional<std::pair<uint32_t, uint32_t>>;
+
+/// Of the blocks between two numbers.
+ProfileEnds numberedProfile(const RuleContext &ctx, const Flow &flow) {
+  if (flow.first < 0 || flow.last < 0)
+    return std::nullopt;
   const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
   const auto first = ctx.index().block(program, flow.first, ctx.block().begin);
   if (!first)
-    return profile;
+    return std::nullopt;
   const auto last = ctx.index().block(program, flow.last, *first ? *first - 1 : 0);
-  if (!last || *last <= *first)
+  return last && *last > *first ? ProfileEnds({*first, *last}) : std::nullopt;
+}
+
+/// Of the subprogram between brackets that a turning cycle names.
+ProfileEnds bracketedProfile(const RuleContext &ctx, const Flow &flow) {
+  if (flow.code == noCode || !has(ctx.dialect().codes[flow.code], CycleTrait::Turned) ||
+      !flow.target.isConstant())
+    return std::nullopt;
+  const std::string name = std::to_string(std::llround(flow.target.number.value()));
+  for (const ProgramInfo &program : ctx.index().programs()) {
+    const auto head = ctx.index().label(program, name, program.begin);
+    if (!head)
+      continue;
+    Block block;
+    ctx.index().read(*head, block);
+    const uint32_t first = block.next;
+    uint32_t last = first;
+    for (uint32_t at = first; at < program.end; at = block.next) {
+      ctx.index().read(at, block);
+      if (!block.items.empty()) {
+        const Item &item = block.items.front();
+        const bool ends = item.kind == ItemKind::Structure && item.structure == Structure::EndSub;
+        return ends && last > first ? ProfileEnds({first, last}) : std::nullopt;
+      }
+      last = at;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+Profile readProfile(const RuleContext &ctx) {
+  Profile profile;
+  const Flow &flow = ctx.outcome().flow;
+  ProfileEnds ends;
+  if (flow.kind == FlowKind::Profile)
+    ends = numberedProfile(ctx, flow);
+  else if (flow.kind == FlowKind::Contour)
+    ends = bracketedProfile(ctx, flow);
+  if (!ends)
     return profile;
+  const auto [first, last] = *ends;
   MachineState state = ctx.after(), before;
   state.profile = 1;
   for (const Axis axis : {Axis::X, Axis::Z})
@@ -105,7 +151,7 @@ Profile readProfile(const RuleContext &ctx) {
   const Executor executor(ctx.dialect(), ctx.machine(), ctx.source().id());
   Outcome outcome;
   constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-  for (uint32_t offset = *first; offset <= *last && profile.blocks.size() < maxProfileBlocks;) {
+  for (uint32_t offset = first; offset <= last && profile.blocks.size() < maxProfileBlocks;) {
     ProfileBlock &entry = profile.blocks.emplace_back();
     ctx.index().read(offset, entry.block);
     offset = entry.block.next;

@@ -5,10 +5,8 @@ namespace ncvet {
 
 namespace {
 
-constexpr double least = 1e-4; // mm
-
 ShapeBreak turnsBack(const Profile &profile, Interval ProfileBlock::*from,
-                     Interval ProfileBlock::*to, int expected) {
+                     Interval ProfileBlock::*to, int expected, double least) {
   ShapeBreak result;
   if (!profile.known)
     return result;
@@ -42,13 +40,13 @@ ShapeBreak turnsBack(const Profile &profile, Interval ProfileBlock::*from,
 
 } // namespace
 
-ShapeBreak undercutOf(const Profile &profile) {
+ShapeBreak undercutOf(const Profile &profile, double least) {
   const int expected = profile.side == Side::Outside ? 1 : profile.side == Side::Inside ? -1 : 0;
-  return turnsBack(profile, &ProfileBlock::fromX, &ProfileBlock::toX, expected);
+  return turnsBack(profile, &ProfileBlock::fromX, &ProfileBlock::toX, expected, least);
 }
 
-ShapeBreak returnInZ(const Profile &profile) {
-  return turnsBack(profile, &ProfileBlock::fromZ, &ProfileBlock::toZ, 0);
+ShapeBreak returnInZ(const Profile &profile, double least) {
+  return turnsBack(profile, &ProfileBlock::fromZ, &ProfileBlock::toZ, 0, least);
 }
 
 } // namespace ncvet

@@ -13,9 +13,9 @@ struct ShapeBreak {
   unsigned pockets = 0; ///< how often it turns into a pocket
 };
 
-/// Where the contour's X turns back, so that a pocket forms.
-ShapeBreak undercutOf(const Profile &profile);
+/// Where the contour's X turns back by more than `least` (mm), so that a pocket forms.
+ShapeBreak undercutOf(const Profile &profile, double least = 1e-4);
 /// Where Z turns back.
-ShapeBreak returnInZ(const Profile &profile);
+ShapeBreak returnInZ(const Profile &profile, double least = 1e-4);
 
 } // namespace ncvet

@@ -1,5 +1,6 @@
 // A profile turns back where its roughing cycle needs a steadily rising or falling contour.
 #include "analyzer/profile_shape.h"
+#include "formats/dialect/measure.h"
 
 namespace ncvet {
 namespace {
@@ -13,9 +14,13 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+    if (event.code == noCode)
       return;
     const CodeInfo &cycle = ctx.code(event);
+    if (ctx.outcome().flow.kind == FlowKind::Contour && has(cycle, CycleTrait::Turned))
+      return passes(event, cycle, ctx);
+    if (ctx.outcome().flow.kind != FlowKind::Profile)
+      return;
     if (cycle.cycle != CycleKind::RoughTurn && cycle.cycle != CycleKind::RoughFace)
       return;
     const Profile profile = readProfile(ctx);
@@ -48,6 +53,27 @@ public:
   }
 
 private:
+  /// Passes that cut at levels need a contour that is steady along these.
+  static void passes(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
+    const auto says = [&](Measure what) {
+      return llvm::any_of(cycle.measures, [&](const CycleMeasure &m) { return m.what == what; });
+    };
+    if (!says(Measure::Step))
+      return;
+    Profile profile = readProfile(ctx);
+    profile.side = Side::Unknown;
+    constexpr double borne = 0.03; // mm: the interpreter's thousandth of an inch
+    const bool across = says(Measure::Across);
+    const ShapeBreak along = across ? undercutOf(profile, borne) : returnInZ(profile, borne);
+    if (!along.decided || !along.found)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("`{0}` stops: its contour turns back in {1}, along which it cuts", cycle.name,
+                   across ? "X" : "Z")
+          .note(profile.blocks[along.index].range, "it turns back here");
+  }
+
   static void report(const Event &event, const CodeInfo &cycle, const ProfileBlock &block,
                      char axis, RuleContext &ctx) {
     if (auto finding = ctx.report(block.range, event.certain))
