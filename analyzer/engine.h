@@ -165,6 +165,7 @@ private:
   void structure(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   static Truth countUp(const Block &head, MachineState &state);
   static Truth countDown(const Block &head, MachineState &state);
+  bool findBracketed(Callee &callee, llvm::StringRef name);
   static std::optional<uint32_t> subprogramBody(const FileUnit &unit, llvm::StringRef label,
                                                 const ProgramInfo *&program);
   void runOtherSubprograms();

@@ -82,22 +82,12 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
     }
     calledNames_.insert(llvm::StringRef(name).upper());
     if (item.positional) {
-      auto body = subprogramBody(unit, name, callee.program);
-      if (!body) {
-        std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
-        if (callee.program)
-          body = subprogramBody(*callee.unit, name, callee.program);
-      }
-      if (!body) {
+      if (!findBracketed(callee, name)) {
         // Whoever calls this subprogram may lie elsewhere, and have what it calls beside it.
         if (callerUnknown_)
           return std::nullopt;
         return missing(FlowIssue::UnknownProgram, range);
       }
-      if (callee.unit == &unit_)
-        calledBodies_.insert(*body);
-      callee.start = *body;
-      callee.kind = Kind::LocalSubprogram;
       return callee;
     }
     std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
@@ -141,6 +131,24 @@ std::optional<Engine::Callee> Engine::callee(Activation &activation, const Live 
       callee.start = *offset;
   }
   return callee;
+}
+
+/// The subprogram `name` between brackets, in the callee's file or in one of its own; false: there
+/// is none.
+bool Engine::findBracketed(Callee &callee, llvm::StringRef name) {
+  auto body = subprogramBody(*callee.unit, name, callee.program);
+  if (!body) {
+    std::tie(callee.unit, callee.program) = project_.findProgram(*callee.unit, name);
+    if (callee.program)
+      body = subprogramBody(*callee.unit, name, callee.program);
+  }
+  if (!body)
+    return false;
+  if (callee.unit == &unit_)
+    calledBodies_.insert(*body);
+  callee.start = *body;
+  callee.kind = Kind::LocalSubprogram;
+  return true;
 }
 
 /// First block behind the bracket that opens the subprogram `label`, and the program that holds it.
@@ -598,6 +606,10 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
   std::string name = unit.source.text(where.begin, where.end).str();
   // The contour of a turning cycle is a subprogram between brackets, by its number.
   const bool isTurned = has(unit.dialect->codes[flow.code], CycleTrait::Turned);
+  Live read = live;
+  if (isTurned) // it ends where its passes do
+    for (const Axis axis : {Axis::X, Axis::Z})
+      live.state.at(axis) = Interval::unknown();
   if (isTurned && !flow.target.isConstant())
     return add(activation, next, std::move(live));
   if (isTurned)
@@ -606,23 +618,19 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
     return add(activation, next, std::move(live)); // at where they stand
   calledNames_.insert(llvm::StringRef(name).upper());
   Callee callee{&unit, &activation.region.program, 0, Kind::Subprogram, notSet};
-  std::optional<uint32_t> body;
   if (isTurned) {
-    body = subprogramBody(unit, name, callee.program);
-    callee.kind = Kind::LocalSubprogram;
+    if (!findBracketed(callee, name))
+      callee.program = nullptr;
   } else {
     std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
     if (callee.program)
-      body = callee.program->body;
+      callee.start = callee.program->body;
   }
-  if (body && callee.unit == &unit_ && isTurned)
-    calledBodies_.insert(*body);
-  if (!body) {
+  if (!callee.program) {
     if (!isTurned || !callerUnknown_)
       issue(FlowIssue::UnknownProgram, activation, live, before, where);
     return add(activation, next, std::move(live));
   }
-  Live read = live;
   read.state.profile = 1;
   read.state.clear(Fact::Cut);
   if (!isTurned) { // rules of contours that are milled
@@ -630,15 +638,12 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
     read.state.clear(Fact::ContourBegun);
   }
   read.path = step(live.path, PathNode::Kind::Call, where);
-  const Region region{*callee.unit, *callee.program, *body, callee.kind,
+  const Region region{*callee.unit, *callee.program, callee.start, callee.kind,
                       activation.region.depth + 1};
   if (!isRunning(region.unit, region.start, region.kind) && region.depth < limits_.callDepth)
     callBody(region, std::move(read));
   if (watcher_)
     watcher_->profileEnds();
-  if (isTurned) // it ends where its passes do
-    for (const Axis axis : {Axis::X, Axis::Z})
-      live.state.at(axis) = Interval::unknown();
   add(activation, next, std::move(live));
 }
 

@@ -10,13 +10,6 @@ namespace ncvet {
 
 namespace {
 constexpr double millimetresPerInch = 25.4;
-
-const Formula *formulaOf(const CodeInfo &code, Measure what) {
-  for (const CycleMeasure &measure : code.measures)
-    if (measure.what == what)
-      return &measure.formula;
-  return nullptr;
-}
 } // namespace
 
 CycleParameters::CycleParameters(const ExecutedBlock &executed, const CodeInfo &cycle)

@@ -26,7 +26,8 @@ constexpr double nothing = 1e-12;
 constexpr double atTop = 1e-9;       ///< of an arc, or at its bottom
 constexpr double widestGap = 1e-2;   ///< between two pieces that are led to their intersection
 constexpr size_t mostMoves = 200000; ///< of one cycle: no program is followed without end
-constexpr unsigned mostSteps = 1000000;
+/// Looks at pieces that one cycle may cost: a contour of many pieces takes as long as any other.
+constexpr size_t mostLooks = 20000000;
 
 double cross(const Point &a, const Point &b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -179,15 +180,14 @@ public:
   bool isMirrored() const { return flippedAlong_ != flippedUp_; }
 
   /// The contour that runs at this distance, on the side of the start; false: none can be made.
-  bool keepDistance(double distance) {
+  /// `looks` counts those at pieces.
+  bool keepDistance(double distance, size_t &looks) {
     lead();
     const Point toFirst = first() - start_, toLast = pieces_.back().from - start_;
     if (cross(toLast, toFirst) < 0)
       distance = -distance;
-    constexpr unsigned mostOffsets = 10000;
-    unsigned offsets = 0;
-    for (double done = 0; std::fabs(distance - done) > nothing;) {
-      if (++offsets > mostOffsets)
+    for (double done = 0; !(std::fabs(distance - done) <= nothing);) {
+      if ((looks += pieces_.size()) > mostLooks)
         return false;
       double step = std::fabs(distance - done);
       for (const Piece &piece : pieces_)
@@ -396,8 +396,8 @@ private:
   /// follows it up to the next pocket, whose first piece is the answer.
   size_t pocket(size_t piece, bool around) {
     double level = top_;
-    while (piece < pieces_.size() && fits_ && ++steps_ < mostSteps && !pen_.isFull()) {
-      while (level > at_.y() && ++steps_ < mostSteps)
+    while (piece < pieces_.size() && fits_ && ++looks_ < mostLooks && !pen_.isFull()) {
+      while (level > at_.y() && ++looks_ < mostLooks)
         level -= passes_.step;
       if (!dives(piece, level)) {
         for (; fits_ && piece < pieces_.size(); ++piece)
@@ -420,6 +420,8 @@ private:
   size_t cut(size_t piece, double &level) {
     for (size_t next = piece; next < pieces_.size(); ++next) {
       const auto places = pieces_[next].at(at_.y());
+      if (++looks_ > mostLooks)
+        break;
       if (places.empty())
         continue;
       const double place = next == piece ? places.back() : places.front();
@@ -451,22 +453,24 @@ private:
   Point at_;
   Pieces pieces_; ///< the way from the start to the contour first
   bool fits_ = true;
-  unsigned steps_ = 0;
+  size_t looks_ = 0;
 };
 
 bool finish(const ProfilePasses &passes, Profile profile, const Move &start, const Move &feed,
             Motions &motions) {
   constexpr double mostPasses = 10000;
-  if (passes.count > mostPasses)
+  if (!(passes.count >= 0 && passes.count <= mostPasses))
     return false;
+  size_t looks = 0;
   if (!profile.isSteady() || !profile.beginsSteady())
     profile.turn();
   profile.lead();
   for (auto pass = int(passes.count); pass > 0; --pass) {
     Profile path = profile;
     if (!path.keepDistance((pass - 1) * (passes.firstDistance - passes.lastDistance) /
-                               passes.count +
-                           passes.lastDistance))
+                                   passes.count +
+                               passes.lastDistance,
+                           looks))
       return false;
     Pen pen(path, start, feed, passes.unit, motions);
     pen.rapid(path.start());
@@ -481,14 +485,15 @@ bool finish(const ProfilePasses &passes, Profile profile, const Move &start, con
 
 bool rough(const ProfilePasses &passes, Profile profile, const Move &start, const Move &feed,
            Motions &motions) {
-  if (passes.step <= 0 || passes.retract < 0)
+  if (!(passes.step > 0) || !(passes.retract >= 0))
     return false;
+  size_t looks = 0;
   if (passes.across)
     profile.turn();
   profile.lead();
   if (profile.first().x() > profile.start().x())
     profile.setStart({profile.first().x(), profile.start().y()});
-  if (!profile.isSteady() || !profile.keepDistance(passes.lastDistance))
+  if (!profile.isSteady() || !profile.keepDistance(passes.lastDistance, looks))
     return false;
   profile.closeAt(profile.start().y());
   Pen pen(profile, start, feed, passes.unit, motions);

@@ -80,4 +80,12 @@ inline bool has(const CodeInfo &code, CycleTrait trait) {
   return code.traits >> unsigned(trait) & 1;
 }
 
+/// The cycle's formula for a quantity; null when it has none.
+inline const Formula *formulaOf(const CodeInfo &code, Measure what) {
+  for (const CycleMeasure &measure : code.measures)
+    if (measure.what == what)
+      return &measure.formula;
+  return nullptr;
+}
+
 } // namespace ncvet

@@ -55,15 +55,12 @@ public:
 private:
   /// Passes that cut at levels need a contour that is steady along these.
   static void passes(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
-    const auto says = [&](Measure what) {
-      return llvm::any_of(cycle.measures, [&](const CycleMeasure &m) { return m.what == what; });
-    };
-    if (!says(Measure::Step))
+    if (!formulaOf(cycle, Measure::Step)) // finishing
       return;
     Profile profile = readProfile(ctx);
     profile.side = Side::Unknown;
     constexpr double borne = 0.03; // mm: the interpreter's thousandth of an inch
-    const bool across = says(Measure::Across);
+    const bool across = formulaOf(cycle, Measure::Across) != nullptr;
     const ShapeBreak along = across ? undercutOf(profile, borne) : returnInZ(profile, borne);
     if (!along.decided || !along.found)
       return;

@@ -209,6 +209,14 @@ TEST(LinuxCnc, ASubprogramMayLieInAFileOfItsName) {
               ElementsAre("2 variable-domain-error", "3 flow-undefined-subprogram"));
 }
 
+/// A turning cycle finds its contour where a call finds its subprogram.
+TEST(LinuxCnc, TheContourOfACycleMayLieInAFileOfItsNumber) {
+  EXPECT_THAT(errors({{"part.ngc", "G18 G90 F100\nG0 X14 Z2\no5 call\nG0 X14 Z2\n"
+                                   "G71 Q5 I2\nG71 Q6 I2\nM2\n"},
+                      {"5.ngc", "o5 sub\nG1 X10 Z0\nZ-5\nX12 Z-7\no5 endsub\nM2\n"}}),
+              ElementsAre("6 flow-undefined-subprogram"));
+}
+
 TEST(LinuxCnc, AFileOfSubprogramsIsNoMainProgram) {
   EXPECT_THAT(errors("o<drill> sub\n"
                      "  G0 X#1\n"
