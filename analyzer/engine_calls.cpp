@@ -633,7 +633,8 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
   }
   read.state.profile = 1;
   read.state.clear(Fact::Cut);
-  if (!isTurned) { // rules of contours that are milled
+  if (!isTurned && !has(unit.dialect->codes[flow.code], CycleTrait::TurnsContour)) {
+    // rules of contours that are milled
     read.state.set(Fact::InContour);
     read.state.clear(Fact::ContourBegun);
   }

@@ -126,13 +126,12 @@ std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
   const std::array<Axis, 2> axes = planeOrder(dialect, after);
   StraightElement result;
   for (size_t i = 0; i < 2; ++i) {
-    const Interval &from = before.at(axes[i]), &to = after.at(axes[i]);
-    if (!from.isConstant() || !to.isConstant() || before.inMachineCoordinates(axes[i]) ||
-        after.inMachineCoordinates(axes[i]))
+    const auto from = placeInPlane(dialect, before, axes[i]),
+               to = placeInPlane(dialect, after, axes[i]);
+    if (!from || !to)
       return std::nullopt;
-    const double units = dialect.lengthsPerUnit(axes[i]);
-    result.from[i] = from.value() / units;
-    result.to[i] = to.value() / units;
+    result.from[i] = *from;
+    result.to[i] = *to;
   }
   return result.length() < shortest ? std::nullopt : std::optional(result);
 }

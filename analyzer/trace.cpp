@@ -123,6 +123,8 @@ public:
     const llvm::ArrayRef<Move> contour = contour_.end(*cycle_);
     if (cycle_->has(CycleTrait::Turned)) {
       turn(*cycle_, contour, write);
+    } else if (cycle_->has(CycleTrait::TurnsContour)) {
+      turnContour(*cycle_, contour, write);
     } else if (cycle_->kind == CycleKind::Contour) {
       millContour(*cycle_, contour, write);
     } else {

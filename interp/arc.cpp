@@ -52,6 +52,19 @@ std::optional<ArcGeometry::Point> ArcGeometry::centre() const {
   return Point{(*start)[0] + (*centreWords)[0], (*start)[1] + (*centreWords)[1]};
 }
 
+std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &state, Axis axis) {
+  const Interval &position = state.at(axis);
+  if (!position.isConstant() || state.inMachineCoordinates(axis))
+    return std::nullopt;
+  // Nothing ever moved along Y and the plane is ZX: the machine is a lathe.
+  if (axis == Axis::X && dialect.group(StandardGroup::Diameter) != noGroup &&
+      state.active(dialect, StandardGroup::Diameter) & groupUnset &&
+      state.isActive(dialect, StandardGroup::Plane, {Action::PlaneZX}) != Truth::No &&
+      state.at(Axis::Y).isUnknown())
+    return std::nullopt;
+  return position.value() / dialect.lengthsPerUnit(axis);
+}
+
 ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
                         const MachineProfile &machine, const Block &block,
                         const MachineState &before, const MachineState &after) {
@@ -61,11 +74,10 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
   const auto place = [&](const MachineState &state) -> std::optional<ArcGeometry::Point> {
     ArcGeometry::Point point{};
     for (size_t i = 0; i < 2; ++i) {
-      const Axis axis = words.axes[i];
-      const Interval &position = state.at(axis);
-      if (!position.isConstant() || state.inMachineCoordinates(axis))
+      const auto along = placeInPlane(dialect, state, words.axes[i]);
+      if (!along)
         return std::nullopt;
-      point[i] = position.value() / dialect.lengthsPerUnit(axis);
+      point[i] = *along;
     }
     return point;
   };
@@ -91,7 +103,9 @@ ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
         point[i] = v.value_or(0);
         if (words.centre[i]->reading() == WordReading::Absolute) {
           known &= result.start.has_value();
-          point[i] -= result.start ? (*result.start)[i] : 0;
+          const Interval share = shareOfDiameter(dialect, after, words.axes[i], Truth::No);
+          known &= share.isConstant();
+          point[i] = point[i] * share.lo - (result.start ? (*result.start)[i] : 0);
         }
       }
     if (known)

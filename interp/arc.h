@@ -40,6 +40,11 @@ struct ArcGeometry {
   std::optional<Point> centre() const;
 };
 
+/// Where the tool stands along an axis in its plane, in millimetres, a diameter turned into a
+/// radius. None where that is not known, as on a lathe whose program does not say which of both X
+/// is.
+std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &state, Axis axis);
+
 ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
                         const MachineProfile &machine, const Block &block,
                         const MachineState &before, const MachineState &after);

@@ -88,6 +88,13 @@ ContourCycle read(const ExecutedBlock &executed, const CodeInfo &code) {
       cycle.profile.reset();
     return cycle;
   }
+  if (cycle.has(CycleTrait::TurnsContour)) {
+    cycle.roughs = words.number(Measure::MostStep) != Interval::exactly(0);
+    cycle.finishes = words.number(Measure::FinishPasses) == Interval::exactly(1);
+    cycle.feed.feed = words.length(Measure::FeedDown).value_or(Interval::unknown());
+    cycle.finishFeed = words.length(Measure::FeedAlong).value_or(Interval::unknown());
+    return cycle;
+  }
   if (code.cycle == CycleKind::Contour) {
     readLevels(executed, words, cycle);
     return cycle;

@@ -29,6 +29,9 @@ struct ContourCycle {
   llvm::SmallVector<Interval, 8> levels; ///< of the passes
   std::optional<Interval> feedDown;      ///< mm/min
   bool onContour = true;                 ///< false: the passes keep a distance from it
+  // of turning in passes that are not stated
+  bool roughs = true, finishes = false;
+  Interval finishFeed;
 
   /// Of passes along a turned contour; none: not all that they need is known.
   std::optional<ProfilePasses> profile;
@@ -52,6 +55,10 @@ void roughContour(const ContourCycle &cycle, llvm::ArrayRef<Move> contour,
 /// Gives the motions of a cycle that mills along `contour`: at each level the contour itself; how
 /// the tool comes to it and leaves it the manuals do not say.
 void millContour(const ContourCycle &cycle, llvm::ArrayRef<Move> contour,
+                 llvm::function_ref<void(const Move &)> give);
+
+/// Gives the motions of a cycle that turns along `contour` (CycleTrait::TurnsContour).
+void turnContour(const ContourCycle &cycle, llvm::ArrayRef<Move> contour,
                  llvm::function_ref<void(const Move &)> give);
 
 /// Gives the way back from the contour's last point to where the cycle began.

@@ -22,6 +22,9 @@ bool appendAreaMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
 /// Pass by pass beside a line along Z (CycleKind::ThreadInfeed).
 void appendInfeedThreadMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                              llvm::SmallVectorImpl<Move> &moves);
+/// Pass by pass along a chain of places (CycleKind::ThreadChain).
+void appendThreadChainMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
+                            llvm::SmallVectorImpl<Move> &moves);
 /// Single passes and grooves; false when the cycle is none of these.
 bool appendTurningMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                         llvm::SmallVectorImpl<Move> &moves);

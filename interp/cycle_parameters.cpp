@@ -22,7 +22,7 @@ const CodeInfo *CycleParameters::parameterBlock() const {
 
 bool CycleParameters::has(Measure what) const { return formulaOf(cycle_, what); }
 
-std::optional<Interval> CycleParameters::number(Measure what) const {
+std::optional<Interval> CycleParameters::number(Measure what, double index) const {
   if (const Formula *formula = formulaOf(cycle_, what))
     return valueOfGiven(*formula, cycle_,
                         {executed_.dialect,
@@ -30,7 +30,8 @@ std::optional<Interval> CycleParameters::number(Measure what) const {
                          executed_.block,
                          {},
                          executed_.after,
-                         /*keptWords=*/!cycle_.twoBlock});
+                         /*keptWords=*/!cycle_.twoBlock,
+                         index});
   const CodeInfo *data = parameterBlock();
   const Formula *formula = data ? formulaOf(*data, what) : nullptr;
   if (!formula)
@@ -42,7 +43,8 @@ std::optional<Interval> CycleParameters::number(Measure what) const {
                        none,
                        {},
                        executed_.before,
-                       /*keptWords=*/true});
+                       /*keptWords=*/true,
+                       index});
 }
 
 Interval CycleParameters::lengthFactor() const {
@@ -60,8 +62,8 @@ Interval CycleParameters::lengthFactor() const {
   }
 }
 
-std::optional<Interval> CycleParameters::length(Measure what) const {
-  const auto value = number(what);
+std::optional<Interval> CycleParameters::length(Measure what, double index) const {
+  const auto value = number(what, index);
   const Interval factor = lengthFactor();
   if (!value || !factor.isConstant())
     return value ? std::optional(Interval::unknown()) : std::nullopt;

@@ -15,10 +15,10 @@ public:
   /// Whether the cycle has such a formula.
   bool has(Measure what) const;
   /// Value of the formula as it stands; none when the cycle has no such formula, or a word that it
-  /// names is not given.
-  std::optional<Interval> number(Measure what) const;
+  /// names is not given. `index` is the place that its `index()` means.
+  std::optional<Interval> number(Measure what, double index = 0) const;
   /// The same of a length, in millimetres.
-  std::optional<Interval> length(Measure what) const;
+  std::optional<Interval> length(Measure what, double index = 0) const;
   /// Length (mm) of the word with that role.
   std::optional<Interval> length(Role role) const;
   std::optional<Interval> length(Measure what, Role role) const {

@@ -274,7 +274,7 @@ void Execution::contourProgram(const CodeUse &use, const WordSpec &spec) {
 /// The places of a pattern, of which the last one is where it leaves the tool; false when they are
 /// not known.
 bool Execution::patternPlaces(const CodeInfo &code) {
-  if (code.count.empty())
+  if (code.count.empty() || code.cycle == CycleKind::ThreadChain)
     return false;
   ConditionContext context{dialect_, machine_, block_, {}, before_};
   const Interval count = levelOf(code.count, code, context);

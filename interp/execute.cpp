@@ -87,6 +87,7 @@ ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
     foreign = ((uint64_t(1) << dialect.groups[language].members.size()) - 1) &
               ~(uint64_t(1) << dialect.groups[language].initial);
   diameterOn = members(diameter, Action::DiameterOn);
+  diameterAbsolute = members(diameter, Action::DiameterAbsolute);
   pointlessIsIncrement = machine.option("decimalPoint") == llvm::StringRef("increment");
 }
 
@@ -117,7 +118,8 @@ bool Execution::runPlainMove() {
       !(block_.addresses & dialect_.axisWords) ||
       (state_.compensation != phaseOff && state_.compensation != phaseOn) || state_.modalCalls ||
       state_.pendingCycle != noCode || masks_.motion == noGroup || polarMayBeOn() ||
-      diameterMayBeOn() || (dialect_.variableRanges.place && !block_.expressions.empty()))
+      (diameterMayBeOn() && (state_.groups[masks_.diameter] & ~masks_.diameterOn)) ||
+      (dialect_.variableRanges.place && !block_.expressions.empty()))
     return false;
   if (masks_.cycle != noGroup && (state_.groups[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
     return false;
@@ -139,6 +141,7 @@ bool Execution::runPlainMove() {
     technologyWords();
     plain = false;
   }
+  const bool halvesX = diameterMayBeOn();
   uint16_t axes = 0;
   for (const Word &word : block_.words) {
     const AddressInfo &address = dialect_.addresses[word.address];
@@ -155,6 +158,8 @@ bool Execution::runPlainMove() {
       target *= leastIncrement;
     if (factor.lo != 1 && address.unit == AddressUnit::Length)
       target *= factor.lo;
+    if (halvesX && address.axis == Axis::X && address.unit == AddressUnit::Length)
+      target *= 0.5;
     Interval &position = state_.at(address.axis);
     if (relative == Truth::Yes || address.kind == AddressKind::Increment) {
       position.lo += target;

@@ -13,8 +13,9 @@ struct ModeMasks {
   uint64_t inch = 0, metric = 0;
   uint64_t incremental = 0;
   uint64_t polarOn = 0;
-  uint64_t foreign = 0;    ///< members of the language group that are not the control's own
-  uint64_t diameterOn = 0; ///< words of X are diameters, its coordinates radii
+  uint64_t foreign = 0;          ///< members of the language group that are not the control's own
+  uint64_t diameterOn = 0;       ///< words of X are diameters, its coordinates radii
+  uint64_t diameterAbsolute = 0; ///< … where they are no increments
   bool pointlessIsIncrement = false; ///< the profile reads `X100` as 0.1 mm
 
   ModeMasks(const Dialect &dialect, const MachineProfile &machine);
@@ -59,6 +60,10 @@ Axis toolAxis(const Dialect &dialect, const MachineState &state);
 /// profile's reading of numbers without a point.
 Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
                   const MachineProfile &machine, const MachineState &state);
+/// What a word of the axis counts for its coordinate: half where codes have made X a diameter, for
+/// coordinates or for increments too. Unknown where they may have.
+Interval shareOfDiameter(const Dialect &dialect, const MachineState &state, Axis axis,
+                         Truth increment);
 /// Bit mask over `Axis` of the axes that the block's words name.
 uint16_t axesOf(const Dialect &dialect, const Block &block);
 

@@ -83,6 +83,8 @@ private:
   void changeFrame(const CodeUse &use);
   void workOffset(const CodeUse &use);
   Interval coordinate(const Word &word) const;
+  /// The same of a word that is never a diameter.
+  Interval lengthOfWord(const Word &word) const;
   void storeTarget(const Word &word, bool machineCoordinates);
   void storeTargets();
   void storePolarEnd(const CodeInfo &code);
@@ -157,7 +159,8 @@ private:
     return masks_.polar != noGroup && (state_.groups[masks_.polar] & masks_.polarOn);
   }
   bool diameterMayBeOn() const {
-    return masks_.diameterOn && (state_.groups[masks_.diameter] & masks_.diameterOn);
+    const uint64_t on = masks_.diameterOn | masks_.diameterAbsolute;
+    return on && (state_.groups[masks_.diameter] & on);
   }
   Truth polarOn() const {
     return state_.groups[masks_.polar] & ~masks_.polarOn & ~groupUnset ? Truth::Unknown

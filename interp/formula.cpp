@@ -203,6 +203,13 @@ private:
     }
     case FormulaOp::Index:
       return push(Interval::exactly(context_.index));
+    case FormulaOp::Unknown:
+      return push(Interval::unknown());
+    case FormulaOp::SquareRoot: {
+      const Interval x = pop();
+      return push(x.isConstant() && x.value() >= 0 ? Interval::exactly(std::sqrt(x.value()))
+                                                   : Interval::unknown());
+    }
     case FormulaOp::Option: {
       const auto number = context_.machine.number(names_[step.index]);
       return push(number ? Interval::exactly(*number) : Interval::unknown());

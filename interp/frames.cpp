@@ -93,7 +93,7 @@ std::optional<Execution::FrameWords> Execution::frameWords(FrameKind kind, bool 
     words.given[axis] = true;
     if (word.has(wordNoValue))
       continue;
-    const Interval v = lengths ? coordinate(word) : value(word);
+    const Interval v = lengths ? lengthOfWord(word) : value(word);
     words.adds[axis] = kind == FrameKind::Offset && address.kind == AddressKind::Increment;
     if (!v.isConstant() || (address.kind == AddressKind::Increment && !words.adds[axis]) ||
         word.has(wordIncremental))

@@ -39,7 +39,31 @@ Truth Execution::incremental() const {
   return set & ~masks_.incremental ? Truth::Unknown : Truth::Yes;
 }
 
+Interval shareOfDiameter(const Dialect &dialect, const MachineState &state, Axis axis,
+                         Truth increment) {
+  if (axis != Axis::X || dialect.group(StandardGroup::Diameter) == noGroup)
+    return Interval::exactly(1);
+  const Truth always = state.isActive(dialect, StandardGroup::Diameter, {Action::DiameterOn}),
+              absolute =
+                  state.isActive(dialect, StandardGroup::Diameter, {Action::DiameterAbsolute});
+  if (always == Truth::No && absolute == Truth::No)
+    return Interval::exactly(1);
+  if (always == Truth::Yes || (absolute == Truth::Yes && increment == Truth::No))
+    return Interval::exactly(0.5);
+  return absolute == Truth::Yes && increment == Truth::Yes ? Interval::exactly(1)
+                                                           : Interval::unknown();
+}
+
 Interval Execution::coordinate(const Word &word) const {
+  const Interval given = lengthOfWord(word);
+  const AddressInfo &address = dialect_.addresses[word.address];
+  if (address.axis != Axis::X || address.unit != AddressUnit::Length || !diameterMayBeOn())
+    return given;
+  const Interval share = shareOfDiameter(dialect_, state_, address.axis, countsFromBefore(word));
+  return share.isConstant() ? given * share.value() : Interval::unknown();
+}
+
+Interval Execution::lengthOfWord(const Word &word) const {
   Interval result = value(word);
   if (result.isUnknown())
     return result;
@@ -51,11 +75,6 @@ Interval Execution::coordinate(const Word &word) const {
     return Interval::unknown();
   if (word.isNumber() && !word.has(wordPoint) && masks_.pointlessIsIncrement)
     result = result * leastIncrement;
-  if (address.axis == Axis::X && diameterMayBeOn()) {
-    if (state_.groups[masks_.diameter] & ~masks_.diameterOn)
-      return Interval::unknown();
-    result = result * 0.5;
-  }
   return factor.value() == 1 ? result : result * factor.value();
 }
 

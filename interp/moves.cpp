@@ -306,7 +306,12 @@ private:
         const WordReading reading = word->reading();
         const bool added =
             reading == WordReading::Incremental || (reading == WordReading::Modal && incremental);
-        through[i] = *v / dialect_.lengthsPerUnit(move.plane[i]) + (added ? (*arc.start)[i] : 0);
+        const Interval share = shareOfDiameter(dialect_, executed_.after, move.plane[i],
+                                               added ? Truth::Yes : Truth::No);
+        if (!share.isConstant())
+          return;
+        through[i] = *v * share.value() / dialect_.lengthsPerUnit(move.plane[i]) +
+                     (added ? (*arc.start)[i] : 0);
       }
     const auto centre = centreOfThree(*arc.start, through, *arc.end);
     if (!centre)

@@ -2,6 +2,7 @@
 #include "interp/cycle_moves.h"
 #include "interp/cycle_parameters.h"
 #include "interp/cycle_writer.h"
+#include "interp/thread_depths.h"
 
 #include <cmath>
 #include <numbers>
@@ -63,54 +64,15 @@ private:
     if (word && word->address != letterAddress('F'))
       lead_ = Interval::unknown();
   }
-  std::optional<double> known(Measure what, Role role) const {
-    const auto value = parameters_.length(what, role);
-    return value && value->isConstant() ? std::optional(value->value()) : std::nullopt;
-  }
-  /// Of a measure that has no bearing when the table does not name it.
-  double knownOr(Measure what, double otherwise) const {
-    const auto value = parameters_.number(what);
-    return value && value->isConstant() ? value->value() : otherwise;
-  }
-
-  /// Depths of the passes, as radii. None when the words do not say them: only the last pass is
-  /// certain then.
-  llvm::SmallVector<double, 32> depths() const {
-    llvm::SmallVector<double, 32> list;
-    const auto height = known(Measure::Height, Role::Height);
-    const auto first = known(Measure::FirstCut, Role::FirstCut);
-    const auto least = parameters_.length(Measure::LeastCut, Role::LeastCut);
-    const auto last = parameters_.length(Measure::LastCut);
-    if (!height || !first || *height <= 0 || *first <= 0 || (least && !least->isConstant()) ||
-        (last && !last->isConstant()))
-      return list;
-    const double rest = last ? std::fabs(last->value()) : 0, rough = *height - rest;
-    const bool constant = knownOr(Measure::ConstantDepth, 0) != 0;
-    double depth = 0;
-    for (unsigned n = 1; n <= mostSteps && rough - depth > tolerance; ++n) {
-      const double next = constant ? n * *first : *first * std::sqrt(double(n));
-      depth = std::min(rough, std::max(next, depth + (least ? std::fabs(least->value()) : 0)));
-      list.push_back(depth);
-    }
-    const double finishing = knownOr(Measure::FinishPasses, rest > 0 ? 1 : 0);
-    for (double n = 0; n < finishing && list.size() < mostSteps; ++n)
-      list.push_back(*height);
-    return list;
-  }
-
   void passes() {
-    const auto height = known(Measure::Height, Role::Height);
-    const auto list = depths();
+    const auto height = parameters_.length(Measure::Height, Role::Height);
+    const auto list = threadDepths(parameters_);
     if (list.empty() || !root_.isConstant() || !startX().isConstant())
       return pass(root_, Interval::unknown());
     const double in = root_.value() < startX().value() ? -1 : 1;
-    // A tool that follows a flank begins elsewhere for each depth; the manuals do not say where.
-    const auto flanks = parameters_.number(Measure::FlankAngle);
-    const bool straight =
-        !flanks || *flanks == Interval::exactly(0) || knownOr(Measure::BothFlanks, 0) != 0;
-    const Interval from = straight ? startZ() : Interval::unknown();
+    const Interval from = feedsStraightIn(parameters_) ? startZ() : Interval::unknown();
     for (const double depth : list)
-      pass(root_ - Interval::exactly(in * (*height - depth) * unit_), from);
+      pass(root_ - Interval::exactly(in * (height->value() - depth) * unit_), from);
   }
 
   /// In to a diameter, along the thread and out of it, back.
@@ -144,7 +106,7 @@ private:
   }
   /// The last part of the thread leads out of it, at an angle to the axis.
   void outOfThread(const Interval &x, const Interval &runOut) {
-    const double angle = knownOr(Measure::RunOutAngle, 45);
+    const double angle = knownOr(parameters_, Measure::RunOutAngle, 45);
     if (!runOut.isConstant() || !x.isConstant() || !end_.isConstant() || !startZ().isConstant() ||
         !startX().isConstant() || !(angle > 0 && angle < 90)) {
       atX() = Interval::unknown();

@@ -56,6 +56,7 @@ namespace ncvet {
   X(ZeroHere, "zero-here")                                                                         \
   X(StorePlace, "store-place")                                                                     \
   X(DiameterOn, "diameter-on")                                                                     \
+  X(DiameterAbsolute, "diameter-absolute")                                                         \
   X(DiameterOff, "diameter-off")                                                                   \
   X(MachineMove, "machine-move")                                                                   \
   X(WorkOffset, "work-offset")                                                                     \

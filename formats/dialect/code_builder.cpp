@@ -475,32 +475,55 @@ void DialectBuilder::readExcludes(const Json &value, CodeInfo &info) {
 }
 
 void DialectBuilder::readNotices(const Json &value, CodeInfo &info) {
-  const Json *list = in_.member(value, "notices");
-  if (!list)
+  if (const Json *list = in_.member(value, "notices"))
+    readNoticeList(*list, /*shared=*/false, info);
+}
+
+/// Notices, and names of lists that several codes share.
+void DialectBuilder::readNoticeList(const Json &list, bool shared, CodeInfo &info) {
+  if (!list.is_array())
+    return in_.fail(list, "a list of notices is expected");
+  for (const Json &element : list)
+    if (element.is_string() && !shared)
+      readSharedNotices(element, info);
+    else
+      readNotice(element, info);
+}
+
+void DialectBuilder::readSharedNotices(const Json &name, CodeInfo &info) {
+  const Json *lists = in_.member(root_, "sharedNotices");
+  if (lists && !in_.isObject(*lists))
     return;
-  if (!list->is_array())
-    return in_.fail(*list, "a list of notices is expected");
-  for (const Json &element : *list) {
-    in_.allowKeys(element, {"rule", "severity", "when", "message", "at", "advice"});
-    Notice notice;
-    in_.read(element, "rule", notice.rule);
-    in_.read(element, "severity", notice.severity);
-    in_.read(element, "message", notice.message);
-    in_.read(element, "advice", notice.advice);
-    if (notice.rule.empty() || notice.message.empty())
-      return in_.fail(element, "a notice needs \"rule\" and \"message\"");
-    if (const Json *when = in_.member(element, "when"))
-      readFormula(*when, notice.when = readCondition(*when));
-    if (const Json *at = in_.member(element, "at"))
-      if (std::optional<std::string> name = in_.text(*at)) {
-        llvm::StringRef spelling = *name;
-        if (spelling.consume_front("@"))
-          notice.atVariable = variableKey(spelling);
-        else
-          notice.at = addressId(*at, *name).value_or(noAddress);
-      }
-    info.notices.push_back(std::move(notice));
-  }
+  const auto &id = name.get_ref<const std::string &>();
+  if (const Json *list = lists ? in_.member(*lists, id.c_str()) : nullptr)
+    return readNoticeList(*list, /*shared=*/true, info);
+  std::vector<llvm::StringRef> known;
+  if (lists)
+    for (auto entry = lists->begin(); entry != lists->end(); ++entry)
+      known.push_back(entry.key());
+  in_.fail(name, "unknown shared notices" + suggest(id, known));
+}
+
+void DialectBuilder::readNotice(const Json &element, CodeInfo &info) {
+  in_.allowKeys(element, {"rule", "severity", "when", "message", "at", "advice"});
+  Notice notice;
+  in_.read(element, "rule", notice.rule);
+  in_.read(element, "severity", notice.severity);
+  in_.read(element, "message", notice.message);
+  in_.read(element, "advice", notice.advice);
+  if (notice.rule.empty() || notice.message.empty())
+    return in_.fail(element, "a notice needs \"rule\" and \"message\"");
+  if (const Json *when = in_.member(element, "when"))
+    readFormula(*when, notice.when = readCondition(*when));
+  if (const Json *at = in_.member(element, "at"))
+    if (std::optional<std::string> name = in_.text(*at)) {
+      llvm::StringRef spelling = *name;
+      if (spelling.consume_front("@"))
+        notice.atVariable = variableKey(spelling);
+      else
+        notice.at = addressId(*at, *name).value_or(noAddress);
+    }
+  info.notices.push_back(std::move(notice));
 }
 
 /// A variant is the code's own entry with the variant's keys laid over it.

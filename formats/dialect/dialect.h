@@ -82,7 +82,8 @@ enum class CycleKind : uint8_t {
   ThreadMill,
   Measure,      ///< touches the work
   ThreadInfeed, ///< threads pass by pass beside a line along Z, each deeper than the one before
-  Surface       ///< mills a surface: at each place at another depth
+  Surface,      ///< mills a surface: at each place at another depth
+  ThreadChain   ///< threads from place to place, pass by pass
 };
 llvm::StringRef toString(CycleKind kind); ///< as in the tables: "chip-break"
 std::optional<CycleKind> parseCycleKind(llvm::StringRef text);

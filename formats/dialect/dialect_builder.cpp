@@ -63,6 +63,7 @@ void DialectBuilder::build() {
                         "addresses",
                         "groups",
                         "switches",
+                        "sharedNotices",
                         "codes",
                         "rules",
                         "detect"});

@@ -45,6 +45,9 @@ private:
   WordSpec readWord(const std::string &name, const Json &value);
   void readExcludes(const Json &value, CodeInfo &info);
   void readNotices(const Json &value, CodeInfo &info);
+  void readNoticeList(const Json &list, bool shared, CodeInfo &info);
+  void readSharedNotices(const Json &name, CodeInfo &info);
+  void readNotice(const Json &element, CodeInfo &info);
   void readVariants(const std::string &name, const Json &value, CodeIndex base);
   Condition readCondition(const Json &value);
   void readFormula(const Json &value, Condition &when);

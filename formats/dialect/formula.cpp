@@ -140,6 +140,7 @@ private:
     case FormulaOp::Origin:
     case FormulaOp::Index:
     case FormulaOp::Option:
+    case FormulaOp::Unknown:
       return 0;
     case FormulaOp::Element:
     case FormulaOp::Negate:
@@ -147,6 +148,7 @@ private:
     case FormulaOp::Floor:
     case FormulaOp::Sine:
     case FormulaOp::Cosine:
+    case FormulaOp::SquareRoot:
     case FormulaOp::Not:
       return 1;
     case FormulaOp::Select:
@@ -231,7 +233,8 @@ private:
         {"toolRadius", FormulaOp::ToolRadius}, {"tool", FormulaOp::Tool},
         {"level", FormulaOp::Level},           {"feed", FormulaOp::Feed},
         {"speed", FormulaOp::Speed},           {"note", FormulaOp::Note},
-        {"origin", FormulaOp::Origin},         {"index", FormulaOp::Index}};
+        {"origin", FormulaOp::Origin},         {"index", FormulaOp::Index},
+        {"unknown", FormulaOp::Unknown}};
     for (const auto &[known, op] : ofState)
       if (name == known) {
         emit(op);
@@ -271,8 +274,9 @@ private:
       return take(")") || fail("lacks a \")\"");
     }
     constexpr std::pair<llvm::StringLiteral, FormulaOp> ofValues[] = {
-        {"abs", FormulaOp::Absolute}, {"floor", FormulaOp::Floor}, {"sin", FormulaOp::Sine},
-        {"cos", FormulaOp::Cosine},   {"min", FormulaOp::Minimum}, {"max", FormulaOp::Maximum}};
+        {"abs", FormulaOp::Absolute},   {"floor", FormulaOp::Floor}, {"sin", FormulaOp::Sine},
+        {"cos", FormulaOp::Cosine},     {"min", FormulaOp::Minimum}, {"max", FormulaOp::Maximum},
+        {"sqrt", FormulaOp::SquareRoot}};
     for (const auto &[known, op] : ofValues)
       if (name == known) {
         const bool two = operands(op) == 2;

@@ -36,6 +36,7 @@ enum class FormulaOp : uint8_t {
   Origin,        ///< number of the work offset in force: 3 of G54.03
   Index,         ///< of the place in a pattern, from 0
   Option,        ///< number of the machine profile's option `names[index]`
+  Unknown,       ///< a value that no reference gives
   Add,
   Subtract,
   Multiply,
@@ -45,6 +46,7 @@ enum class FormulaOp : uint8_t {
   Floor,
   Sine, ///< of degrees
   Cosine,
+  SquareRoot,
   Minimum,
   Maximum,
   Less,
@@ -79,9 +81,9 @@ struct FormulaName {
 
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
 /// `$NAME` for a variable of the program, `$NAME[x]` for one of several, `abs(x) min(x,y) max(x,y)
-/// floor(x) sin(x) cos(x) select(x,y,z) index() given(NAME) toolRadius() tool() level() feed()
-/// speed() note() origin() key(SYMBOL) option(NAME) length(NAME) here(NAME) bare(ADDRESS)
-/// place(AXIS)`. None, with `error` set, when it cannot.
+/// floor(x) sqrt(x) sin(x) cos(x) select(x,y,z) index() unknown() given(NAME) toolRadius() tool()
+/// level() feed() speed() note() origin() key(SYMBOL) option(NAME) length(NAME) here(NAME)
+/// bare(ADDRESS) place(AXIS)`. None, with `error` set, when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

@@ -14,12 +14,13 @@ constexpr llvm::StringLiteral measures[] = {
     "centre-second",  "length",        "width",          "radius",        "rounding",
     "angle",          "side-rest",     "count",          "direction",     "island",
     "feed-down",      "feed-along",    "first-distance", "last-distance", "pockets",
-    "across"};
-static_assert(std::size(measures) == size_t(Measure::Across) + 1);
+    "across",         "lead",          "inside"};
+static_assert(std::size(measures) == size_t(Measure::Inside) + 1);
 
 constexpr llvm::StringLiteral traits[] = {"follows-contour", "returns-by-axes", "ignores-corners",
-                                          "wants-hole",      "starts-here",     "turned"};
-static_assert(std::size(traits) == size_t(CycleTrait::Turned) + 1);
+                                          "wants-hole",      "starts-here",     "turned",
+                                          "turns-contour"};
+static_assert(std::size(traits) == size_t(CycleTrait::TurnsContour) + 1);
 } // namespace
 
 llvm::ArrayRef<llvm::StringLiteral> measureNames() { return measures; }

@@ -58,7 +58,10 @@ enum class Measure : uint8_t {
   FirstDistance, ///< from the contour, of the first pass
   LastDistance,
   Pockets, ///< 0: all is cut, 1: but the pockets, 2: these alone
-  Across   ///< not 0: levels run along X
+  Across,  ///< not 0: levels run along X
+  // threads from place to place
+  Lead,  ///< behind the place `index()`
+  Inside ///< 1: the thread is cut in a bore
 };
 llvm::ArrayRef<llvm::StringLiteral> measureNames();
 /// Of `Measure::Direction`, as G02.
@@ -71,7 +74,8 @@ enum class CycleTrait : uint8_t {
   IgnoresCorners, ///< corners and lines by angle in the contour do not count
   WantsHole,      ///< goes straight down where a hole must be
   StartsHere,     ///< begins where the tool is, or at the axis words of its block; stays down
-  Turned          ///< makes passes along a turned contour, see `ProfilePasses`
+  Turned,         ///< makes passes along a turned contour, see `ProfilePasses`
+  TurnsContour    ///< the contour that its word names is turned; how it is roughed is not known
 };
 llvm::ArrayRef<llvm::StringLiteral> cycleTraitNames();
 

@@ -35,8 +35,8 @@ constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "contour",        "pocket",
                                           "slot",           "thread-mill",
                                           "measure",        "thread-infeed",
-                                          "surface"};
-static_assert(std::size(cycles) == size_t(CycleKind::Surface) + 1);
+                                          "surface",        "thread-chain"};
+static_assert(std::size(cycles) == size_t(CycleKind::ThreadChain) + 1);
 
 constexpr llvm::StringLiteral needs[] = {"optional", "required", "first"};
 constexpr llvm::StringLiteral points[] = {"any", "required", "forbidden"};

@@ -52,10 +52,11 @@ private:
     for (unsigned i = 0; i < 2; ++i) {
       if (!(axesOf(dialect, ctx.block()) >> unsigned(axes[i]) & 1))
         continue;
-      const Interval &from = ctx.before().at(axes[i]), &to = ctx.outcome().via[size_t(axes[i])];
-      if (!from.isConstant() || !to.isConstant() || ctx.before().inMachineCoordinates(axes[i]))
+      const auto from = placeInPlane(dialect, ctx.before(), axes[i]);
+      const Interval &to = ctx.outcome().via[size_t(axes[i])];
+      if (!from || !to.isConstant())
         return;
-      way[i] = (to.value() - from.value()) / dialect.lengthsPerUnit(axes[i]);
+      way[i] = to.value() / dialect.lengthsPerUnit(axes[i]) - *from;
       which = i;
       ++given;
     }

@@ -180,6 +180,24 @@ TEST(DialectLoader, ConditionsNameGroupsOrCodes) {
   EXPECT_TRUE(when.broken[0].integer);
 }
 
+TEST(DialectLoader, CodesShareNoticesByName) {
+  const std::string shared =
+      R"(, "M05": { "notices": [ "late", { "rule": "r", "message": "own" } ] },
+    "M09": { "notices": [ "late" ] } }, "sharedNotices": { "late": [
+      { "rule": "r", "message": "first" }, { "rule": "r", "message": "second" } ])";
+  auto dialect = load({{"t", table(plain + shared)}}, "t");
+  ASSERT_TRUE(dialect);
+  const auto &notices = dialect->codes[dialect->find("M05")].notices;
+  ASSERT_EQ(notices.size(), 3u);
+  EXPECT_EQ(notices[1].message, "second");
+  EXPECT_EQ(notices[2].message, "own");
+  EXPECT_EQ(dialect->codes[dialect->find("M09")].notices.size(), 2u);
+  const std::string misspelt = R"(, "M05": { "notices": [ "lated" ] } }, "sharedNotices": {
+    "late": [])";
+  EXPECT_THAT(errorOf({{"t", table(plain + misspelt)}}, "t"),
+              HasSubstr("unknown shared notices; did you mean \"late\"?"));
+}
+
 TEST(DialectLoader, ACodeNamesItsSwitchAndWhereItLeavesIt) {
   Files files{{"t", table(plain + R"(, "M09": { "switch": { "id": "coolant", "to": "off" } },
     "G52": { "switch": { "id": "shift", "to": "on", "offByZero": true } })")}};
