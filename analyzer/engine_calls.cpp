@@ -597,45 +597,44 @@ uint32_t Engine::endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const
   return last;
 }
 
-/// A milling cycle reads a program as the contour that it works along.
+/// A cycle reads a program as the contour that it works along.
 void Engine::contour(Activation &activation, Live &live, const MachineState &before) {
   FileUnit &unit = activation.region.unit;
   const Flow flow = outcome_.flow;
+  const CodeInfo &cycle = unit.dialect->codes[flow.code];
   const SourceRange where = flowRange(unit);
   const uint32_t next = block_.next;
-  std::string name = unit.source.text(where.begin, where.end).str();
-  // The contour of a turning cycle is a subprogram between brackets, by its number.
-  const bool isTurned = has(unit.dialect->codes[flow.code], CycleTrait::Turned);
   Live read = live;
-  if (isTurned) // it ends where its passes do
-    for (const Axis axis : {Axis::X, Axis::Z})
-      live.state.at(axis) = Interval::unknown();
-  if (isTurned && !flow.target.isConstant())
-    return add(activation, next, std::move(live));
-  if (isTurned)
-    name = std::to_string(std::llround(flow.target.number.value()));
-  else if (llvm::StringRef(name).contains(':')) // two labels of this program: its blocks are looked
-    return add(activation, next, std::move(live)); // at where they stand
-  calledNames_.insert(llvm::StringRef(name).upper());
   Callee callee{&unit, &activation.region.program, 0, Kind::Subprogram, notSet};
-  if (isTurned) {
-    if (!findBracketed(callee, name))
-      callee.program = nullptr;
+  bool found = false;
+  if (has(cycle, CycleTrait::Turned)) { // a subprogram between brackets, by its number
+    for (const Axis axis : {Axis::X, Axis::Z}) // where the passes end is not followed
+      live.state.at(axis) = Interval::unknown();
+    if (!flow.target.isConstant())
+      return add(activation, next, std::move(live));
+    const std::string name = std::to_string(std::llround(flow.target.number.value()));
+    calledNames_.insert(name);
+    found = findBracketed(callee, name);
+    if (!found && callerUnknown_)
+      return add(activation, next, std::move(live));
   } else {
-    std::tie(callee.unit, callee.program) = project_.findProgram(unit, llvm::StringRef(name));
-    if (callee.program)
+    const llvm::StringRef name = unit.source.text(where.begin, where.end);
+    if (name.contains(':')) // two labels of this program: its blocks are looked at where they stand
+      return add(activation, next, std::move(live));
+    calledNames_.insert(name.upper());
+    std::tie(callee.unit, callee.program) = project_.findProgram(unit, name);
+    found = callee.program;
+    if (found)
       callee.start = callee.program->body;
   }
-  if (!callee.program) {
-    if (!isTurned || !callerUnknown_)
-      issue(FlowIssue::UnknownProgram, activation, live, before, where);
+  if (!found) {
+    issue(FlowIssue::UnknownProgram, activation, live, before, where);
     return add(activation, next, std::move(live));
   }
   read.state.profile = 1;
   read.state.clear(Fact::Cut);
-  if (!isTurned && !has(unit.dialect->codes[flow.code], CycleTrait::TurnsContour)) {
-    // rules of contours that are milled
-    read.state.set(Fact::InContour);
+  if (!has(cycle, CycleTrait::Turned) && !has(cycle, CycleTrait::TurnsContour)) {
+    read.state.set(Fact::InContour); // rules of contours that are milled
     read.state.clear(Fact::ContourBegun);
   }
   read.path = step(live.path, PathNode::Kind::Call, where);
