@@ -4,6 +4,7 @@
 #include "llvm/ADT/StringSet.h"
 
 #include <algorithm>
+#include <set>
 
 namespace ncvet {
 
@@ -35,10 +36,16 @@ void fillPath(Finding &finding, const PathNode *path) {
 } // namespace
 
 std::vector<PathStep> stepsOf(const PathNode *path) {
-  std::vector<PathStep> steps;
+  std::vector<const PathNode *> nodes;
   for (const PathNode *node = path; node; node = node->before)
-    steps.push_back({node->range, describe(*node)});
-  std::reverse(steps.begin(), steps.end());
+    nodes.push_back(node);
+  std::vector<PathStep> steps;
+  // A loop that is run for real takes the same jump in every pass: said once, it explains as much.
+  std::set<std::pair<FileId, uint32_t>> jumps;
+  for (const PathNode *node : llvm::reverse(nodes))
+    if (node->kind != PathNode::Kind::Jump ||
+        jumps.insert({node->range.file, node->range.begin}).second)
+      steps.push_back({node->range, describe(*node)});
   return steps;
 }
 

@@ -1,6 +1,8 @@
 // Which words of a block are chamfers, roundings and line angles.
 #include "analyzer/corner_words.h"
 
+#include "interp/corner_path.h"
+
 namespace ncvet {
 
 CornerAddresses cornerAddresses(const Dialect &dialect) {
@@ -20,8 +22,11 @@ CornerAddresses cornerAddresses(const Dialect &dialect) {
   result.chamfer |= takes & maskOf(commaC);
   result.rounding |= takes & maskOf(commaR);
   for (unsigned address = 0; address < addressCount; ++address)
-    if (const AddressInfo &info = dialect.addresses[address]; info.corner)
+    if (const AddressInfo &info = dialect.addresses[address]; info.corner) {
       (info.rounding ? result.rounding : result.chamfer) |= maskOf(AddressId(address));
+      if (info.kind == AddressKind::Axis)
+        result.plain |= maskOf(AddressId(address));
+    }
   result.angle |= (takes & maskOf(commaA)) | dialect.lineAngleWords;
   return result;
 }
@@ -38,6 +43,11 @@ bool takenByOther(const RuleContext &ctx, AddressMask letters) {
       return true;
   }
   return false;
+}
+
+bool asksForCorner(const RuleContext &ctx, const Word &word) {
+  return ctx.dialect().addresses[word.address].kind != AddressKind::Axis ||
+         isCornerOfAxis(ctx.dialect(), ctx.block(), ctx.after());
 }
 
 bool isLine(const RuleContext &ctx, const Event &motion) {

@@ -22,6 +22,10 @@ bool isLine(const RuleContext &ctx, const Event &motion);
 /// True when a code of the block other than a motion takes one of the letters for itself.
 bool takenByOther(const RuleContext &ctx, AddressMask letters);
 
+/// Whether the block's word asks for a corner: the letter of an axis does only while the main
+/// spindle turns, see `isCornerOfAxis`.
+bool asksForCorner(const RuleContext &ctx, const Word &word);
+
 /// Axes that the words of a block that was read ahead name.
 uint16_t axesOf(const RuleContext &ctx, const Block &block);
 

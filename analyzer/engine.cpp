@@ -17,8 +17,13 @@ constexpr uint64_t cancelInterval = 256;
 
 /// What executing a block costs, in plain moves.
 uint64_t workOf(const Block &block) {
-  constexpr uint64_t statement = 4; // expressions, states that meet
-  return block.items.empty() ? 1 : statement;
+  constexpr uint64_t statement = 4; // expressions
+  constexpr uint64_t turn = 8;      // states that wait and meet
+  const auto turns = [](const Item &item) {
+    return item.kind == ItemKind::Structure || item.kind == ItemKind::Jump ||
+           item.kind == ItemKind::End;
+  };
+  return block.items.empty() ? 1 : llvm::any_of(block.items, turns) ? turn : statement;
 }
 
 /// Issues behind which the control stops, or goes where the text does not say.
@@ -140,7 +145,38 @@ void Engine::mergeInto(const FileUnit &unit, Lives &lives, Live live) {
       target->skip[i] = 0;
 }
 
+/// Whether a way that comes to a place executed before brings nothing new there. With many jumps
+/// back, most rounds differ in a trifle, and each would run on to the program's end: a place that
+/// many of them come by takes their states as a loop head does.
+bool Engine::bringsNothing(Activation &activation, uint32_t offset, MachineState &state) {
+  constexpr unsigned roundsBeforeJoining = 8, roundsBeforeWidening = 16;
+  if (!activation.rounds || offset >= activation.high)
+    return false;
+  Meeting &meeting = activation.meetings[offset];
+  if (meeting.lastRound != activation.rounds) {
+    meeting.lastRound = activation.rounds;
+    ++meeting.rounds;
+  }
+  if (meeting.rounds <= roundsBeforeJoining)
+    return false;
+  if (!meeting.seen) {
+    meeting.seen = std::make_unique<MachineState>(state);
+    return false;
+  }
+  if (covers(*meeting.seen, state))
+    return true;
+  *meeting.seen = meeting.rounds <= roundsBeforeWidening ? join(*meeting.seen, state)
+                                                         : widen(*meeting.seen, state);
+  state = *meeting.seen;
+  return false;
+}
+
 void Engine::add(Activation &activation, uint32_t offset, Live live) {
+  if (!bringsNothing(activation, offset, live.state))
+    wait(activation, offset, std::move(live));
+}
+
+void Engine::wait(Activation &activation, uint32_t offset, Live live) {
   mergeInto(activation.region.unit, activation.pending[offset], std::move(live));
   activation.nextPending = activation.pending.begin()->first;
 }
@@ -185,7 +221,7 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       } else {
         // A backward jump: those states go first, these wait.
         for (Live &live : lives)
-          add(activation, at, std::move(live));
+          wait(activation, at, std::move(live));
         lives = takePending(activation, at);
       }
       synced = nullptr;
@@ -337,6 +373,11 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
       const bool guardHolds =
           block_.items.empty() || unit.executor.guard(block_, live.state) != Truth::No;
       unit.executor.execute(block_, before, live.state, outcome_, guardHolds);
+      if (!activation.heads.empty() || !callStack_.empty())
+        stops_ += llvm::any_of(outcome_.codes, [&](const CodeUse &use) {
+          const Action action = unit.dialect->codes[use.code].action;
+          return action == Action::ProgramStop || action == Action::OptionalStop;
+        });
       if (watcher_ && !stopped_)
         watcher_->executed(unit, block_, outcome_, before, live.state);
       if (at == observedAt_ && unit.source.id() == observedFile_)
@@ -346,6 +387,8 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
           localTargets_.count(at))
         issue(FlowIssue::RunsIntoSubprogram, activation, live, before,
               {unit.source.id(), block_.begin, block_.end});
+      if (region.kind == Kind::Main && block_.number >= 0 && &unit == &unit_)
+        runsIntoProfile(activation, live, before, at);
       goesOn = plainRun.goesOn(block_, outcome_, before);
       if (!goesOn)
         recorder.goesOnNoMore(before);
@@ -393,13 +436,28 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
   return std::move(activation.exits);
 }
 
+/// Plain flow comes to a profile along which a cycle in front of it has finished already.
+void Engine::runsIntoProfile(Activation &activation, const Live &live, const MachineState &before,
+                             uint32_t at) {
+  const auto finished = finishedAhead_.find(at);
+  if (finished == finishedAhead_.end())
+    return;
+  const Flow flow = outcome_.flow;
+  outcome_.flow = finished->second.first;
+  issue(FlowIssue::ProfileReached, activation, live, before, finished->second.second,
+        {unit_.source.id(), at, at + 1});
+  outcome_.flow = flow;
+}
+
 /// A run is executed all the same where somebody wants to see what happens in it, and where a
 /// subprogram that was called begins in it.
 bool Engine::mayTakeOver(const RunPlace &run, const FileUnit &unit) const {
   const bool observed =
       unit.source.id() == observedFile_ && run.begin <= observedAt_ && observedAt_ < run.end;
   const auto target = localTargets_.lower_bound(run.begin);
-  return !observed && (target == localTargets_.end() || *target >= run.end);
+  const auto finished = finishedAhead_.lower_bound(run.begin);
+  return !observed && (target == localTargets_.end() || *target >= run.end) &&
+         (finished == finishedAhead_.end() || finished->first >= run.end);
 }
 
 /// Takes over what a run of an earlier analysis has done, but for the state.

@@ -13,6 +13,7 @@
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <set>
 #include <tuple>
 
@@ -114,10 +115,17 @@ private:
     uint64_t snapshot = 0; ///< hash of the state at an earlier visit
     unsigned nextSnapshot = 16;
     unsigned snapshotForks = 0; ///< forks of the activation at the time of the snapshot
+    unsigned snapshotStops = 0; ///< and how often the operator had been asked to go on by then
     unsigned windowEnd = 0;     ///< visits up to this one are compared with the snapshot
     unsigned lastForks = 0;     ///< forks of the activation at the last visit
     unsigned forkedVisits = 0;  ///< visits behind a pass in which something unknown decided
     uint64_t firstStep = 0;     ///< steps of the engine at the first visit
+  };
+  /// What is remembered of a place at which ways arrive again and again.
+  struct Meeting {
+    unsigned lastRound = 0;
+    unsigned rounds = 0;                ///< in so many rounds a way arrived
+    std::unique_ptr<MachineState> seen; ///< all that has gone on from here, since it is kept
   };
   struct Activation {
     const Region &region;
@@ -129,18 +137,24 @@ private:
     uint32_t high = 0;                 ///< behind the last block executed for the first time
     uint32_t lastBegin = 0, lastEnd = 0;
     bool executedAny = false;
-    unsigned forks = 0; ///< times that the way went on in more than one direction
+    unsigned forks = 0;     ///< times that the way went on in more than one direction
+    unsigned rounds = 0;    ///< times that joined states went back over a backward jump
+    uint32_t lastNoted = 0; ///< the labels of jumps in front of this place are noted
+    std::map<uint32_t, Meeting> meetings{};
   };
   struct Memo {
     uint64_t hash;
     MachineState entry;
     Exits exits;
     unsigned sections; ///< repeated sections around it
+    bool stops;        ///< the program stops in it until the operator goes on
   };
   Exits execute(const Region &region, Lives entry);
   void follow(const RunPlace &run, Activation &activation);
   bool mayTakeOver(const RunPlace &run, const FileUnit &unit) const;
   void add(Activation &activation, uint32_t offset, Live live);
+  void wait(Activation &activation, uint32_t offset, Live live);
+  static bool bringsNothing(Activation &activation, uint32_t offset, MachineState &state);
   Lives takePending(Activation &activation, uint32_t &offset);
   void mergeInto(const FileUnit &unit, Lives &lives, Live live);
   /// Handles the flow of one executed block for one state; false when the state goes on with the
@@ -151,7 +165,11 @@ private:
   void goTo(Activation &activation, uint32_t from, uint32_t target, Live live, bool certain);
   void jump(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   void loop(Activation &activation, Live &live, uint32_t at, const MachineState &before);
-  void anywhere(Activation &activation, const Live &live, uint32_t at);
+  void anywhere(Activation &activation, const Live &live, uint32_t at,
+                const Argument *target = nullptr, JumpKind kind = JumpKind::Anywhere);
+  void anyLabel(Activation &activation, const Live &live, uint32_t at, const Argument &target,
+                JumpKind kind);
+  void noteTargets(const FileUnit &unit);
   std::optional<uint32_t> resolve(Activation &activation, const Live &live,
                                   const MachineState &before, FileUnit &unit,
                                   const ProgramInfo &program, const Argument &target, uint32_t at,
@@ -204,6 +222,8 @@ private:
   std::optional<Block> parametersOf(const Callee &callee) const;
   void profile(Activation &activation, Live &live, uint32_t at, const MachineState &before);
   Exits callBody(const Region &region, Live live);
+  void runsIntoProfile(Activation &activation, const Live &live, const MachineState &before,
+                       uint32_t at);
   void runOut(Activation &activation, Lives &lives);
   void issue(FlowIssue kind, Activation &activation, const Live &live, const MachineState &before,
              SourceRange where, SourceRange related = {});
@@ -245,10 +265,13 @@ private:
   std::set<int64_t> usedNumbers_;
   std::set<int64_t> calledPrograms_;
   std::set<uint32_t> localTargets_, profileStarts_;
+  /// Profiles that stand behind the cycle which finished along them: by their first block.
+  std::map<uint32_t, std::pair<Flow, SourceRange>> finishedAhead_;
   std::set<uint32_t> calledBodies_; ///< of the main file: subprograms between brackets
   std::set<std::string> usedLabels_, calledNames_; ///< by key, in capitals
   std::vector<Running> callStack_;
   uint64_t steps_ = 0;
+  unsigned stops_ = 0; ///< programmed stops so far: at each one the operator decides
   uint64_t repeated_ = 0;
   uint64_t blocks_ = 0;
   bool abstract_ = false;      ///< the budget is spent: loops are no longer run for real

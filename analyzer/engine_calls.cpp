@@ -14,6 +14,8 @@ namespace {
 constexpr size_t memosPerProgram = 64;
 /// Passes of one call's repeat count that are run for real.
 constexpr double maxRepeats = 10000;
+/// What a called body costs besides its blocks, in plain moves: states are copied and compared.
+constexpr uint64_t workOfCall = 16;
 
 } // namespace
 
@@ -27,16 +29,19 @@ Engine::Exits Engine::callBody(const Region &region, Live live) {
     if (!watcher_ && memo.hash == print && sections <= memo.sections &&
         equal(memo.entry, live.state)) {
       Exits exits = memo.exits;
+      stops_ += memo.stops;
       for (Returned &exit : exits)
         exit.live.path = live.path;
       return exits;
     }
+  repeated_ += workOfCall;
   // The storage of the block at hand is needed again behind the call.
   Block savedBlock = block_;
   Outcome savedOutcome = outcome_;
   callStack_.push_back(keyOf(region));
   const MachineState entry = live.state;
   const PathNode *path = live.path;
+  const unsigned stops = stops_;
   Lives lives;
   lives.push_back(std::move(live));
   Exits raw = execute(region, std::move(lives));
@@ -54,7 +59,7 @@ Engine::Exits Engine::callBody(const Region &region, Live live) {
     for (Live &exit : group)
       exits.push_back({std::move(exit), target});
   if (!stopped_ && !watcher_ && memos.size() < memosPerProgram)
-    memos.push_back({print, entry, exits, sections});
+    memos.push_back({print, entry, exits, sections, stops_ != stops});
   return exits;
 }
 
@@ -444,6 +449,12 @@ void Engine::runPasses(Activation &activation, const Region &body, Live live,
       }
     }
     current = std::move(behind);
+    // The budget is spent: what the passes that are left may do is not known.
+    if (abstract_ && pass + 1 < passes.count && pass > 0 && changed) {
+      for (Live &one : current)
+        forget(one, *region.unit.dialect);
+      break;
+    }
     if (!changed && !watcher_) { // every further pass is the same
       // A section behind which its repeat stands has run once already.
       const bool ran = pass > 0 || (body.kind == Kind::Section && body.start < passes.at);
@@ -607,7 +618,7 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
   Live read = live;
   Callee callee{&unit, &activation.region.program, 0, Kind::Subprogram, notSet};
   bool found = false;
-  if (has(cycle, CycleTrait::Turned)) { // a subprogram between brackets, by its number
+  if (has(cycle, CycleTrait::Turned)) {        // a subprogram between brackets, by its number
     for (const Axis axis : {Axis::X, Axis::Z}) // where the passes end is not followed
       live.state.at(axis) = Interval::unknown();
     if (!flow.target.isConstant())
@@ -691,6 +702,9 @@ void Engine::profile(Activation &activation, Live &live, uint32_t at, const Mach
     }
     return true;
   }();
+  // Behind its own block the control goes on: it must not come to the profile.
+  if (finishing && !dialect.profileRunsThrough && &unit == &unit_ && *first > at)
+    finishedAhead_.try_emplace(*first, flow, where);
   const bool runsThrough = !finishing && dialect.profileRunsThrough;
   if (!runsThrough && &unit == &unit_)
     profileStarts_.insert(*first);

@@ -22,6 +22,15 @@ Search searchOf(JumpKind kind) {
                                       : Search::Anywhere;
 }
 
+/// The targets of a choice by value have their directions each for itself.
+JumpKind searchKind(const Item &item, const Argument &target) {
+  return item.jump != JumpKind::ByValue ? item.jump
+         : target.separator == 'F'      ? JumpKind::Forward
+         : target.separator == 'B'      ? JumpKind::Backward
+         : target.separator == 'C'      ? JumpKind::IfFound
+                                        : JumpKind::Anywhere;
+}
+
 } // namespace
 
 bool Engine::leave(Activation &activation, Live &live, uint32_t at, const MachineState &before) {
@@ -142,15 +151,17 @@ void Engine::backTo(Activation &activation, uint32_t target, Live live, bool cer
     if (head.visits == head.nextSnapshot) {
       head.snapshot = hash(live.state);
       head.snapshotForks = activation.forks;
+      head.snapshotStops = stops_;
       head.windowEnd = head.visits + window;
       head.nextSnapshot *= 4;
     } else if (head.visits <= head.windowEnd && hash(live.state) == head.snapshot) {
-      // A way out that depends on something unknown was taken beside this one.
-      if (head.snapshotForks == activation.forks)
+      // A way out that depends on something unknown was taken beside this one, or the operator is
+      // asked in every pass: who loads the next part leaves the loop by reset.
+      if (head.snapshotForks == activation.forks && head.snapshotStops == stops_)
         issue(FlowIssue::EndlessLoop, activation, live, live.state, loopAt(activation, target));
       return;
     }
-    add(activation, target, std::move(live));
+    wait(activation, target, std::move(live));
     return;
   }
   if (head.hasSeen) {
@@ -165,7 +176,8 @@ void Engine::backTo(Activation &activation, uint32_t target, Live live, bool cer
   live.state = head.seen;
   live.path = step(live.path, PathNode::Kind::LoopPass,
                    {activation.region.unit.source.id(), activation.lastBegin, activation.lastEnd});
-  add(activation, target, std::move(live));
+  ++activation.rounds;
+  wait(activation, target, std::move(live));
 }
 
 /// Whether the jump of the block at hand leads back over blocks that hold no way out, whatever the
@@ -258,9 +270,14 @@ void Engine::loop(Activation &activation, Live &live, uint32_t at, const Machine
   add(activation, behind->second, std::move(live));
 }
 
-/// A jump of which only the run decides where it leads: to any numbered block.
-void Engine::anywhere(Activation &activation, const Live &live, uint32_t at) {
+/// A jump of which only the run decides where it leads: to any numbered block, or where its target
+/// is put together from texts to any label that begins as they do.
+void Engine::anywhere(Activation &activation, const Live &live, uint32_t at, const Argument *text,
+                      JumpKind kind) {
   const Region &region = activation.region;
+  if (text && text->expression < block_.expressions.size() &&
+      block_.expressions[text->expression].bad)
+    return anyLabel(activation, live, at, *text, kind);
   const llvm::ArrayRef<NumberedBlock> all = region.unit.index.numbers(region.program);
   if (all.size() > maxComputedTargets) {
     cut("a computed jump may lead to too many blocks");
@@ -270,6 +287,47 @@ void Engine::anywhere(Activation &activation, const Live &live, uint32_t at) {
   for (const NumberedBlock &target : targets) {
     usedNumbers_.insert(target.number);
     goTo(activation, at, target.offset, live, false);
+  }
+}
+
+void Engine::anyLabel(Activation &activation, const Live &live, uint32_t at, const Argument &target,
+                      JumpKind kind) {
+  const Region &region = activation.region;
+  fork(activation, {region.unit.source.id(), target.begin, target.end});
+  llvm::StringRef text = region.unit.source.text(target.begin, target.end);
+  const bool literal = text.consume_front("\"");
+  const std::string begin =
+      literal ? region.unit.reader->labelKey(text.take_until([](char c) { return c == '"'; })) : "";
+  std::vector<uint32_t> places;
+  for (const auto &label : region.unit.index.labels(region.program)) {
+    if (!label.getKey().startswith(begin))
+      continue;
+    usedLabels_.insert(label.getKey().str());
+    for (const uint32_t place : label.getValue())
+      if (kind == JumpKind::Forward ? place > at : kind != JumpKind::Backward || place <= at)
+        places.push_back(place);
+  }
+  llvm::sort(places);
+  if (places.size() > maxComputedTargets)
+    return cut("a computed jump may lead to too many blocks");
+  for (const uint32_t place : places)
+    goTo(activation, at, place, live, false);
+}
+
+/// Every label and number of the block's jumps is in use, wherever this time's values lead.
+void Engine::noteTargets(const FileUnit &unit) {
+  for (const Item &item : block_.items) {
+    if (item.kind != ItemKind::Jump || item.nameEnd > item.nameBegin)
+      continue;
+    for (const Argument &target : block_.argumentsOf(item)) {
+      if (target.kind == ArgumentKind::Label) {
+        usedLabels_.insert(unit.reader->labelKey(unit.source.text(target.begin, target.end)));
+      } else if (target.kind == ArgumentKind::BlockNumber) {
+        const Value number = evaluate(block_, target.expression, MachineState(), nullptr);
+        if (number.isConstant())
+          usedNumbers_.insert(std::llround(number.number.value()));
+      }
+    }
   }
 }
 
@@ -299,7 +357,7 @@ std::optional<uint32_t> Engine::resolve(Activation &activation, const Live &live
       issue(number.isVacant() ? FlowIssue::NoTarget : FlowIssue::ComputedTarget, activation, live,
             before, where);
       if (!number.isVacant() && &unit == &activation.region.unit)
-        anywhere(activation, live, at);
+        anywhere(activation, live, at, &target, kind);
       return std::nullopt;
     }
   }
@@ -366,6 +424,10 @@ void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const Machi
   const Flow flow = outcome_.flow;
   const Item item = block_.items[size_t(flow.item)];
   const SourceRange where = flowRange(region.unit);
+  if (at >= activation.lastNoted) {
+    noteTargets(region.unit);
+    activation.lastNoted = at + 1;
+  }
   if (flow.condition != Truth::Yes) {
     Live straight = live;
     if (flow.condition == Truth::Unknown) {
@@ -400,10 +462,10 @@ void Engine::jumpTo(Activation &activation, Live &live, uint32_t at, const Machi
   std::vector<uint32_t> offsets;
   for (const Argument *argument : arguments) {
     const auto target = resolve(activation, live, before, *unit, *program, *argument,
-                                here ? at : program->begin, item.jump);
+                                here ? at : program->begin, searchKind(item, *argument));
     if (target)
       offsets.push_back(*target);
-    else if (item.jump == JumpKind::IfFound)
+    else if (searchKind(item, *argument) == JumpKind::IfFound)
       offsets.push_back(block_.next);
   }
   for (const uint32_t target : offsets) {

@@ -68,12 +68,14 @@ private:
 
 class NumbersOf {
 public:
-  explicit NumbersOf(llvm::StringRef text) : text_(text) {}
+  /// `mainBlocks`: the number of a main block stands behind `:`.
+  NumbersOf(llvm::StringRef text, bool mainBlocks) : text_(text), mainBlocks_(mainBlocks) {}
   std::optional<NumberedBlock> operator()(uint32_t line, uint32_t at) const {
     // Block skip may stand in front of the number.
     while (at < text_.size() && (text_[at] == '/' || llvm::isDigit(text_[at]) || text_[at] == ' '))
       ++at;
-    if (at >= text_.size() || (text_[at] != 'N' && text_[at] != 'n'))
+    if (at >= text_.size() ||
+        (text_[at] != 'N' && text_[at] != 'n' && !(mainBlocks_ && text_[at] == ':')))
       return std::nullopt;
     ++at;
     while (at < text_.size() && text_[at] == ' ')
@@ -89,6 +91,7 @@ public:
 
 private:
   llvm::StringRef text_;
+  bool mainBlocks_;
 };
 
 template <typename Entry, typename Look>
@@ -101,6 +104,9 @@ std::vector<Entry> linesIn(const SourceFile &source, uint32_t begin, size_t end,
   });
   return found;
 }
+
+/// The number of a main block stands behind `:`, where that is no mark of a head.
+bool hasMainBlocks(llvm::StringRef marks) { return !marks.contains(':'); }
 
 uint32_t &offsetOf(uint32_t &offset) { return offset; }
 uint32_t &offsetOf(NumberedBlock &block) { return block.offset; }
@@ -159,6 +165,8 @@ void replace(std::vector<Entry> &entries, uint32_t begin, uint32_t end, const Te
 const std::vector<uint32_t> &FileScan::heads(const SourceFile &source, llvm::StringRef marks) {
   if (!heads_ || marks_ != marks) {
     lineFeeds_ = endsLinesByLineFeed(source.text(), source.textBegin());
+    if (marks_ != marks)
+      numbers_.reset();
     marks_ = marks.str();
     source.forget(0);
     heads_ = linesIn<uint32_t>(source, source.textBegin(), source.text().size(), lineFeeds_,
@@ -172,7 +180,7 @@ const std::vector<NumberedBlock> &FileScan::numbers(const SourceFile &source) {
     lineFeeds_ = endsLinesByLineFeed(source.text(), source.textBegin());
     source.forget(0);
     numbers_ = linesIn<NumberedBlock>(source, source.textBegin(), source.text().size(), lineFeeds_,
-                                      NumbersOf(source.text()));
+                                      NumbersOf(source.text(), hasMainBlocks(marks_)));
   }
   return *numbers_;
 }
@@ -254,7 +262,8 @@ void FileScan::edit(const TextChange &change, const SourceFile &after) {
             linesIn<uint32_t>(after, begin, end, lineFeeds_, HeadsOf(text, marks_)));
   if (numbers_)
     replace(*numbers_, begin, endBefore, change,
-            linesIn<NumberedBlock>(after, begin, end, lineFeeds_, NumbersOf(text)));
+            linesIn<NumberedBlock>(after, begin, end, lineFeeds_,
+                                   NumbersOf(text, hasMainBlocks(marks_))));
   pieces_.edit([&](TextPiece &piece) {
     if (change.begin <= piece.end && change.end >= piece.begin)
       return true;

@@ -73,6 +73,11 @@ Dialogs dialogsOf(const Dialect &dialect, const MachineProfile &machine) {
     const auto [file, part] = entry.split('=');
     dialogs.list.push_back({file.str(), part.upper()});
   }
+  llvm::SmallVector<llvm::StringRef, 16> lines;
+  const std::string ofDialog = optionOf(dialect, machine, "dialogLines");
+  llvm::SplitString(ofDialog, lines, " ,");
+  for (const llvm::StringRef line : lines)
+    dialogs.lines.push_back(line.upper());
   return dialogs;
 }
 

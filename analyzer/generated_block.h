@@ -14,11 +14,12 @@ struct Dialog {
   std::string part; ///< part cycle that it writes, in capitals; empty: none
 };
 
-/// The dialogs that are installed: option `dialogFolder` and option `dialogs`, a list of
-/// `PAGE=PART` between blanks.
+/// The dialogs that are installed: option `dialogFolder`, option `dialogs`, a list of `PAGE=PART`
+/// between blanks, and option `dialogLines`, the names that the dialog of one part sets.
 struct Dialogs {
   std::string folder;
   std::vector<Dialog> list;
+  std::vector<std::string> lines; ///< names that a dialog sets, in its order; empty: not known
 
   /// The dialog with this page, whatever its folder and capitals; null when it is not known.
   const Dialog *find(llvm::StringRef path) const;

@@ -278,7 +278,7 @@ AddressMask addressesOf(const CodeInfo &code, Role role) {
 std::optional<double> kept(const MachineState &state, const CodeInfo &code, Role role) {
   for (const WordSpec &spec : code.words)
     if (spec.role == role && spec.variable) {
-      const Value value = readVariable(state, int64_t(spec.variable));
+      const Value value = readVariable(state, int64_t(givenVariable(spec, state)));
       return value.isConstant() ? std::optional(value.number.value()) : std::nullopt;
     }
   const CycleWords &words = state.cycle;
@@ -403,6 +403,13 @@ llvm::StringRef verbOf(CycleKind kind) {
   case CycleKind::ThreadPass:
   case CycleKind::ThreadMulti:
     return "cuts the thread";
+  case CycleKind::Measure:
+    return "measures";
+  case CycleKind::Face:
+  case CycleKind::Contour:
+  case CycleKind::Pocket:
+  case CycleKind::Slot:
+    return "mills";
   default:
     return "drills";
   }
@@ -412,6 +419,7 @@ const Word *undefinedElement(const RuleContext &ctx) {
   const Block &block = ctx.block();
   // What a called program uses its caller may have defined; main programs open with a mark.
   if (block.words.size() != 1 || !block.items.empty() || ctx.callDepth() > 0 ||
+      ctx.before().profile == 1 || ctx.before().compensation != phaseOff ||
       ctx.index().tapeMarks().empty())
     return nullptr;
   const Word &word = block.words.front();

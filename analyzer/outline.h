@@ -64,6 +64,16 @@ public:
     return !inside;
   }
 
+  /// Whether a point lies inside, and not on the outline.
+  bool encloses(const Point &p) const {
+    if (excludes(p))
+      return false;
+    for (size_t i = 0; i + 1 < points_.size(); ++i)
+      if (distance(p, points_[i], points_[i + 1]) < least)
+        return false;
+    return points_.size() > 3;
+  }
+
   /// See `Rule::remember`.
   template <typename Memory>
   void remember(Memory &memory) const {

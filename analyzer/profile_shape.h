@@ -13,9 +13,10 @@ struct ShapeBreak {
   unsigned pockets = 0; ///< how often it turns into a pocket
 };
 
-/// Where the contour's X turns back by more than `least` (mm), so that a pocket forms.
-ShapeBreak undercutOf(const Profile &profile, double least = 1e-4);
+/// Where the contour's X turns back by more than `least` (mm), so that a pocket forms: from one
+/// block's end to the next, or inside of an arc.
+ShapeBreak undercutOf(const RuleContext &ctx, const Profile &profile, double least = 1e-4);
 /// Where Z turns back.
-ShapeBreak returnInZ(const Profile &profile, double least = 1e-4);
+ShapeBreak returnInZ(const RuleContext &ctx, const Profile &profile, double least = 1e-4);
 
 } // namespace ncvet

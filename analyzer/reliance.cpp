@@ -73,9 +73,10 @@ ModeChanges usedBy(const ModeChanges &changes, const Block &block, const Dialect
   });
   if (special)
     return {};
-  if (rapid) // plane, feed and compensation say nothing to a rapid move
-    for (const StandardGroup group : {StandardGroup::FeedMode, StandardGroup::SpeedMode,
-                                      StandardGroup::Plane, StandardGroup::Compensation})
+  if (rapid) // plane, feed, speed and compensation say nothing to a rapid move
+    for (const StandardGroup group :
+         {StandardGroup::FeedMode, StandardGroup::SpeedMode, StandardGroup::Plane,
+          StandardGroup::Compensation, StandardGroup::Spindle})
       drop(used, dialect, group);
   if (!(block.addresses & dialect.axisWords & ~dialect.incrementWords))
     drop(used, dialect, StandardGroup::Distance);

@@ -1,6 +1,8 @@
 // The sections of a program that statements of it repeat, as the text says it.
 #include "analyzer/repeated_sections.h"
 
+#include "interp/condition.h"
+
 namespace ncvet {
 
 std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block,
@@ -37,6 +39,26 @@ std::vector<RepeatedSection> repeatedSections(const FileIndex &index) {
       break;
   }
   return sections;
+}
+
+CountedFrame countedFrame(const FileIndex &index, const Dialect &dialect,
+                          const RepeatedSection &section) {
+  Block block;
+  for (uint32_t at = section.first; at < section.behind; at = block.next) {
+    index.read(at, block);
+    for (const Word &word : block.words) {
+      const CodeIndex code = codeOf(dialect, word);
+      if (code == noCode || dialect.codes[code].action != Action::FrameAdd)
+        continue;
+      for (const Notice &notice : dialect.codes[code].notices)
+        for (const FormulaStep &step : notice.when.formula.steps)
+          if (notice.rule == "flow-loop-counter" && step.op == FormulaOp::GivenVariable)
+            return {&dialect.codes[code], uint64_t(step.number)};
+    }
+    if (block.next <= at)
+      break;
+  }
+  return {};
 }
 
 } // namespace ncvet

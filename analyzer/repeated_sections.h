@@ -23,4 +23,13 @@ std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block,
 /// All repeats with two bounds in front of which their section ends, in text order. Reads the file.
 std::vector<RepeatedSection> repeatedSections(const FileIndex &index);
 
+/// A code of the section that lays its frame by a variable which counts the passes, as the notices
+/// of `flow-loop-counter` in the tables say, and the key of that variable.
+struct CountedFrame {
+  const CodeInfo *code = nullptr; ///< null: the section has none
+  uint64_t counter = 0;
+};
+CountedFrame countedFrame(const FileIndex &index, const Dialect &dialect,
+                          const RepeatedSection &section);
+
 } // namespace ncvet

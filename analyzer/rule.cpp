@@ -57,7 +57,7 @@ void RuleContext::reportNotices(llvm::StringRef id, const Event &event) {
         const llvm::StringRef name = llvm::StringRef(message).slice(open + 1, close);
         std::string text;
         if (name == "code") {
-          text = this->text(*event.word).str();
+          text = event.kind == EventKind::Code ? this->text(*event.word).str() : info.name;
         } else if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') {
           if (const Word *named = block_->find(name[0]))
             text = this->text(*named).str();
@@ -89,14 +89,19 @@ llvm::StringRef lineEndAt(llvm::StringRef text, uint32_t end) {
 }
 } // namespace
 
+/// Where blocks span lines a new one begins with its mark.
+static llvm::StringRef headOf(const Dialect &dialect) {
+  return dialect.lexical.blocksSpanLines ? "N " : "";
+}
+
 TextEdit RuleContext::insertBlockBefore(llvm::StringRef text) const {
   return {{source_->id(), block_->begin, block_->begin},
-          (text + lineEndAt(source_->text(), block_->end)).str()};
+          (headOf(*dialect_) + text + lineEndAt(source_->text(), block_->end)).str()};
 }
 
 TextEdit RuleContext::insertBlockAfter(llvm::StringRef text) const {
   return {{source_->id(), block_->end, block_->end},
-          (lineEndAt(source_->text(), block_->end) + text).str()};
+          (lineEndAt(source_->text(), block_->end) + headOf(*dialect_) + text).str()};
 }
 
 bool FileSummary::isAnyReached(uint32_t begin, uint32_t end) const {

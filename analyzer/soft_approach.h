@@ -14,4 +14,13 @@ inline llvm::SmallVector<CodeIndex, 4> softApproaches(const Dialect &dialect) {
   return codes;
 }
 
+/// Codes of the retracts that belong to them (G148, G248, G348).
+inline llvm::SmallVector<CodeIndex, 4> softRetracts(const Dialect &dialect) {
+  llvm::SmallVector<CodeIndex, 4> codes;
+  for (const CodeInfo &code : dialect.codes)
+    if (llvm::StringRef(code.title).startswith("retract on"))
+      codes.push_back(code.base);
+  return codes;
+}
+
 } // namespace ncvet

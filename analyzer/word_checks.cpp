@@ -2,6 +2,9 @@
 // words have a value that their code does not take.
 #include "analyzer/word_checks.h"
 
+#include "interp/cycle_words.h"
+#include "interp/expression.h"
+
 #include <cmath>
 
 namespace ncvet {
@@ -42,7 +45,14 @@ WordTopic topicOf(const CodeInfo &code, const WordSpec &spec) {
   default:
     break;
   }
-  return code.action == Action::Cycle ? WordTopic::Cycle : WordTopic::Block;
+  // A call that only stores the parameters of a cycle has them all the same.
+  const bool stores = code.action == Action::Switch && code.cycle != CycleKind::None;
+  return code.action == Action::Cycle || stores ? WordTopic::Cycle : WordTopic::Block;
+}
+
+WordTopic topicOfMissing(const CodeInfo &code, const WordSpec &spec) {
+  const WordTopic topic = topicOf(code, spec);
+  return topic == WordTopic::Peck && spec.variable ? WordTopic::Cycle : topic;
 }
 
 llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Event &event) {
@@ -61,6 +71,9 @@ llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Eve
       const uint64_t itself = uint64_t(1) << code.bit;
       if (active == itself)
         continue; // keeps the value of the block that made it active
+      if ((spec.any & ctx.before().cycle.present) &&
+          takesOverWords(code, ctx.dialect(), ctx.before()))
+        continue; // keeps the value of the drilling code before it
       if (active & itself) {
         if (ctx.before().may(Fact::UnknownCode))
           continue;
@@ -81,11 +94,14 @@ void reportMissingWords(RuleContext &ctx, const Event &event,
     if (auto finding = ctx.report(event, missing.certain)) {
       const std::string words = missing.spec->any ? ctx.dialect().alternatives(missing.spec->any)
                                                   : "`" + missing.spec->name + "`";
+      const char *const where = missing.spec->variable
+                                    ? "neither its block nor one before gives it a value"
+                                    : "its block has none";
       if (missing.spec->note.empty())
-        finding.message("`{0}` needs {1}, and its block has none", code.name, words);
+        finding.message("`{0}` needs {1}, and {2}", code.name, words, where);
       else
-        finding.message("`{0}` needs {1} ({2}), and its block has none", code.name, words,
-                        missing.spec->note);
+        finding.message("`{0}` needs {1} ({2}), and {3}", code.name, words, missing.spec->note,
+                        where);
       finding.severity(missing.spec->severity);
     }
   }
@@ -112,6 +128,14 @@ std::optional<Breach> breachOf(const ValueTest &test, const Word &word,
 }
 
 namespace {
+
+/// Whether a value breaks the bounds, however it is written.
+bool isOutside(const ValueTest &test, double value) {
+  return (test.minExclusive ? value <= test.min : value < test.min) ||
+         (test.maxExclusive ? value >= test.max : value > test.max) ||
+         (test.integer && value != std::floor(value)) ||
+         (!test.oneOf.empty() && !llvm::is_contained(test.oneOf, value));
+}
 
 std::string number(double value) { return llvm::formatv("{0}", llvm::format("%g", value)).str(); }
 
@@ -182,6 +206,64 @@ void reportWordRanges(RuleContext &ctx, const Event &event,
         finding.message("`{0}` ({1}) is not {2}", ctx.text(word), what, describe(spec.range));
       finding.severity(spec.rangeSeverity);
     }
+  }
+}
+
+void KeptFaults::given(uint64_t variable, std::optional<double> wrong, const RuleContext &ctx) {
+  if (wrong)
+    faults_[variable] = {*wrong, ctx.source().id(), ctx.block().begin};
+  else
+    faults_.erase(variable);
+}
+
+bool KeptFaults::speaks(uint64_t variable, double value, const RuleContext &ctx) {
+  const auto known = faults_.find(variable);
+  if (known != faults_.end() && known->second.value == value &&
+      (known->second.file != ctx.source().id() || known->second.block != ctx.block().begin))
+    return false;
+  given(variable, value, ctx);
+  return true;
+}
+
+void KeptFaults::remember(RuleMemory &memory) const {
+  for (const auto &[variable, fault] : faults_) {
+    memory(variable, fault.value);
+    memory.place(fault.file, fault.block);
+  }
+  memory(faults_.size());
+}
+
+void reportKeptRanges(RuleContext &ctx, const Event &event, KeptFaults &faults,
+                      llvm::function_ref<bool(const CodeInfo &, const WordSpec &)> mine) {
+  const CodeInfo &code = ctx.code(event);
+  for (const WordSpec &spec : code.words) {
+    if (!spec.variable || !spec.hasRange || !mine(code, spec) ||
+        !holds(spec.when, &code, ctx.conditions()))
+      continue;
+    if (const Word *word = wordFor(ctx.block(), spec)) {
+      const bool wrong = breachOf(spec.range, *word, ctx.conditions()).has_value();
+      const Interval value = ctx.value(*word);
+      faults.given(spec.variable,
+                   wrong && value.isConstant() ? std::optional(value.value()) : std::nullopt, ctx);
+      continue;
+    }
+    const Value kept = readVariable(ctx.before(), int64_t(spec.variable));
+    if (event.kind == EventKind::CycleRun || !kept.isConstant() ||
+        ctx.before().commons.given(spec.variable) != Truth::Yes)
+      continue;
+    const double value = kept.number.value();
+    if (!isOutside(spec.range, value)) {
+      faults.given(spec.variable, std::nullopt, ctx);
+      continue;
+    }
+    if (!faults.speaks(spec.variable, value, ctx))
+      continue;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("`{0}` takes {1} = {2}{3} of a block before, which is not {4}", code.name,
+                   spec.name, number(value), spec.note.empty() ? "" : " (" + spec.note + ")",
+                   describe(spec.range))
+          .severity(spec.rangeSeverity);
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include "analyzer/rule.h"
 
+#include <map>
+
 namespace ncvet {
 
 /// Which family of rules speaks for a word of a code's format. Each word belongs to exactly one.
@@ -32,6 +34,10 @@ llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Eve
 void reportMissingWords(RuleContext &ctx, const Event &event,
                         llvm::function_ref<bool(const CodeInfo &, const WordSpec &)> mine);
 
+/// Which rule speaks for a required word that is missing. A peck that a variable keeps from block
+/// to block is missing like any other value of its cycle.
+WordTopic topicOfMissing(const CodeInfo &code, const WordSpec &spec);
+
 /// How a value breaks the bounds of its word.
 enum class Breach : uint8_t {
   PointMissing, ///< written without the decimal point that it needs
@@ -50,6 +56,32 @@ std::optional<Breach> breachOf(const ValueTest &test, const Word &word,
 /// `mine` is true.
 void reportWordRanges(RuleContext &ctx, const Event &event,
                       llvm::function_ref<bool(const CodeInfo &, const WordSpec &, Breach)> mine);
+
+/// Values of variables that a rule has found fault with, so that a cycle that is called again with
+/// a value that it keeps says nothing new.
+class KeptFaults {
+public:
+  /// The block gives the variable a value of its own, wrong or right.
+  void given(uint64_t variable, std::optional<double> wrong, const RuleContext &ctx);
+  /// True when `value`, wrong and of a block before, was not spoken of yet. The same block may say
+  /// it again, as it does when several states or passes reach it.
+  bool speaks(uint64_t variable, double value, const RuleContext &ctx);
+  void remember(RuleMemory &memory) const;
+
+private:
+  struct Fault {
+    double value = 0;
+    FileId file = 0;
+    uint32_t block = 0;
+  };
+  std::map<uint64_t, Fault> faults_; ///< by variable
+};
+
+/// Reports the variables of the format of the event's code that the block gives no value and whose
+/// value of a block before certainly breaks the bounds: at the code. Later runs of a cycle only
+/// note what their blocks give.
+void reportKeptRanges(RuleContext &ctx, const Event &event, KeptFaults &faults,
+                      llvm::function_ref<bool(const CodeInfo &, const WordSpec &)> mine);
 
 /// What the bounds ask for: "0 or 1", "greater than 0", "a whole number from 1 to 4".
 std::string describe(const ValueTest &test);

@@ -186,6 +186,10 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
   if (index >= maxSwitches)
     return;
   uint16_t axes = axesOf(dialect_, block_);
+  if (code.frame == FrameKind::MirrorAxes) // `<MIR:OFF;Y>` names its axes by arguments
+    if (const std::optional<FrameWords> words = frameWords(code.frame, false))
+      for (unsigned i = 0; i < words->given.size(); ++i)
+        axes |= uint16_t(words->given[i] ? 1u << i : 0);
   const uint16_t were = state_.switches.axesOf(index);
   bool on = code.effect.on;
   if (code.effect.offByZero) {
@@ -209,7 +213,9 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
     state_.origin.setSwitch(index, originOf(*use.word));
   } else {
     // A code that names axes switches off those only.
-    if (axes && were & ~axes && (code.effect.offByZero || code.action == Action::MirrorOff)) {
+    if (axes && were & ~axes &&
+        (code.effect.offByZero || code.action == Action::MirrorOff ||
+         code.frame == FrameKind::MirrorAxes)) {
       state_.switches.put(index, state_.switchMayBeOn(index), state_.switchMustBeOn(index),
                           uint16_t(were & ~axes));
       return;
@@ -243,6 +249,19 @@ void Execution::applyStores(const CodeInfo &code) {
       state_.commons.set(variable, Value::of(*value));
   }
 }
+
+namespace {
+/// Compensation that a recorded profile has switched on is the profile's own.
+void leaveProfile(const Dialect &dialect, MachineState &state) {
+  const GroupIndex group = dialect.group(StandardGroup::Compensation);
+  if (state.profile != 1 || state.compensation == phaseOff || group == noGroup)
+    return;
+  state.compensation = phaseOff;
+  for (const CodeIndex member : dialect.groups[group].members)
+    if (dialect.codes[member].action == Action::CompensationOff)
+      return state.setGroup(group, uint64_t(1) << dialect.codes[member].bit);
+}
+} // namespace
 
 /// What takes effect before the block's motion.
 void Execution::applyEarly(const CodeUse &use) {
@@ -286,10 +305,12 @@ void Execution::applyEarly(const CodeUse &use) {
     reset(*use.word);
     break;
   case Action::ProfileBegin:
+    leaveProfile(dialect_, state_);
     state_.profile = 1;
     state_.origin.set(StatePart::Roughing, originOf(*use.word));
     break;
   case Action::ProfileRun:
+    leaveProfile(dialect_, state_);
     state_.profile = 0;
     for (Interval &position : state_.position)
       position = Interval::unknown();

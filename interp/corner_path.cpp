@@ -78,6 +78,13 @@ std::optional<Vector> endOf(const ContourPlane &plane, const Place &begin, const
 
 } // namespace
 
+bool isCornerOfAxis(const Dialect &dialect, const Block &block, const MachineState &state) {
+  const uint8_t spindle = state.spindle;
+  return (axesOf(dialect, block) & planeAxes(dialect, state)) &&
+         (spindle == spindleCw || spindle == spindleCcw) &&
+         state.activeAction(dialect, StandardGroup::FeedMode) == Action::FeedPerRevolution;
+}
+
 CornerWords::CornerWords(const Dialect &dialect) {
   AddressMask takes = 0;
   for (const CodeInfo &code : dialect.codes)
@@ -118,7 +125,10 @@ CornerRequest CornerWords::read(const ExecutedBlock &executed) const {
     return request;
   const bool line = motion->action == Action::Linear;
   // In an arc's block these letters are its own.
-  const AddressMask own = line ? 0 : lettersMask("IJKRAC");
+  AddressMask own = line ? 0 : lettersMask("IJKRAC");
+  if (block.hasAny(all_ & executed.dialect.axisWords) &&
+      !isCornerOfAxis(executed.dialect, block, executed.after))
+    own |= executed.dialect.axisWords;
   const auto length = [&](AddressMask mask) -> std::optional<double> {
     const Word *word = block.findAny(mask & ~own);
     if (!word)

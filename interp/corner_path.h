@@ -22,6 +22,10 @@ struct CornerRequest {
   bool farther = false; ///< of two intersections, the second one along the line
 };
 
+/// Whether the letter of a rotary axis is a chamfer in this block: beside a move of the other axes,
+/// while the main spindle turns and the feed counts by its turns, so that it cannot be positioned.
+bool isCornerOfAxis(const Dialect &dialect, const Block &block, const MachineState &state);
+
 /// The words of a control that ask for corners, looked up once.
 class CornerWords {
 public:

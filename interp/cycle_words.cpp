@@ -1,6 +1,7 @@
 // What the words of a cycle say, by their roles.
 #include "interp/cycle_words.h"
 
+#include "formats/dialect/measure.h"
 #include "interp/condition.h"
 #include "interp/execute.h"
 #include "interp/expression.h"
@@ -105,6 +106,15 @@ bool CycleWordReader::isIncrement(const WordSpec &spec) const {
     if (spec.any >> letter & 1 && executed_.after.cycle.present >> letter & 1)
       return increments >> letter & 1;
   return false;
+}
+
+bool takesOverWords(const CodeInfo &next, const Dialect &dialect, const MachineState &before) {
+  if (!has(next, CycleTrait::KeepsWords))
+    return false;
+  const auto active = before.candidates(dialect, StandardGroup::Cycle);
+  return !active.empty() && !(before.active(dialect, StandardGroup::Cycle) & groupUnset) &&
+         llvm::all_of(active,
+                      [](const CodeInfo *code) { return has(*code, CycleTrait::KeepsWords); });
 }
 
 } // namespace ncvet

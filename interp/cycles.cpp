@@ -1,5 +1,6 @@
 // Canned cycles: when they start, run and end, and where they leave the tool.
 #include "formats/dialect/measure.h"
+#include "interp/cycle_words.h"
 #include "interp/execution.h"
 #include "interp/formula.h"
 
@@ -60,7 +61,7 @@ void Execution::storeCycleWords(bool fresh) {
 void Execution::startCycle(const CodeUse &use) {
   const CodeInfo &code = info(use);
   const bool same = before_.group(code.group) == (uint64_t(1) << code.bit);
-  storeCycleWords(!same);
+  storeCycleWords(!same && !takesOverWords(code, dialect_, before_));
   if (!same) {
     if (!dialect_.drilling.levelOfRow || before_.cycleActive(dialect_) != Truth::Yes)
       state_.initialLevel = state_.at(toolAxis(dialect_, state_));
@@ -158,6 +159,10 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
     polarTarget();
     outcome_.holes.assign(1, state_.position);
   }
+  if (!dialect_.isLathe())
+    for (const auto &hole : outcome_.holes)
+      for (unsigned i = 0; i < 2; ++i)
+        state_.cutArea.add(i, hole[i]);
   if (height) {
     const auto place = height->position - 1;
     const double back = state_.cycle.present >> place & 1

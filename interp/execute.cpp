@@ -1,6 +1,7 @@
 // The transfer function: the order in which the parts of a block take effect.
 #include "interp/execute.h"
 
+#include "formats/dialect/measure.h"
 #include "interp/execution.h"
 
 namespace ncvet {
@@ -330,8 +331,7 @@ void Execution::resolveCodes() {
           outcome_.codes.push_back({code, &word});
           continue;
         }
-        if (word.address == letterAddress('G')) // it is known, and it is none
-          outcome_.emit(EventKind::UnknownCode).word = &word;
+        outcome_.emit(EventKind::UnknownCode).word = &word; // it is known, and it is none
       }
       state_.set(Fact::UnknownCode);
       continue;
@@ -358,11 +358,17 @@ void Execution::resolveCodes() {
   context_.codes = outcome_.codes;
   for (CodeUse &use : outcome_.codes) {
     const CodeInfo &base = dialect_.codes[use.code];
-    for (const Variant &variant : base.variants)
-      if (holds(variant.when, &base, context_)) {
-        use.code = variant.code;
-        break;
-      }
+    const auto variant = llvm::find_if(base.variants, [&](const Variant &candidate) {
+      return holds(candidate.when, &base, context_);
+    });
+    if (variant != base.variants.end())
+      use.code = variant->code;
+    else if (has(base, CycleTrait::KeepsWords)) {
+      // Restated without the words that make it a variant: the cycle in force has kept them.
+      const CodeInfo *running = before_.activeCode(dialect_, StandardGroup::Cycle);
+      if (running && running->base == use.code)
+        use.code = CodeIndex(running - dialect_.codes.data());
+    }
   }
   for (const CodeUse &use : outcome_.codes) {
     Event &event = outcome_.emit(EventKind::Code);

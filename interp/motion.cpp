@@ -43,6 +43,11 @@ Interval shareOfDiameter(const Dialect &dialect, const MachineState &state, Axis
                          Truth increment) {
   if (axis != Axis::X || dialect.group(StandardGroup::Diameter) == noGroup)
     return Interval::exactly(1);
+  // Where the program has stated nothing, words are what they are on a mill.
+  if (llvm::none_of(state.candidates(dialect, StandardGroup::Diameter), [](const CodeInfo *code) {
+        return code->action == Action::DiameterOn || code->action == Action::DiameterAbsolute;
+      }))
+    return Interval::exactly(1);
   const Truth always = state.isActive(dialect, StandardGroup::Diameter, {Action::DiameterOn}),
               absolute =
                   state.isActive(dialect, StandardGroup::Diameter, {Action::DiameterAbsolute});
@@ -192,7 +197,8 @@ void Execution::compensationStep(MotionKind kind, uint16_t axes) {
 bool Execution::hasAngleWord() const {
   return block_.has(commaA) || llvm::any_of(block_.words, [&](const Word &word) {
            const AddressInfo &address = dialect_.addresses[word.address];
-           return address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle;
+           return address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle &&
+                  !(maskOf(word.address) & dialect_.orientWords); // the spindle's, no line's
          });
 }
 
@@ -347,9 +353,9 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
       (rapid ? bitOf(Fact::AwayFromPart) : bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
   const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
   state_.put(on, off);
-  // The word of the first plane axis is the radius; polar input takes the last one over.
+  // The word of the first plane axis is the radius, from the block on that begins polar input.
   if (masks_.polar != noGroup && !(state_.factsMust & bitOf(Fact::PolarRadiusSet)) &&
-      axes & bit(planeOrder(dialect_, state_)[0]))
+      axes & bit(planeOrder(dialect_, state_)[0]) && polarMayBeOn())
     state_.set(Fact::PolarRadiusSet);
   if (!dialect_.isLathe())
     trackDepth(rapid);

@@ -177,8 +177,11 @@ void DialectBuilder::readNeeds(const Json &value, CodeInfo &info) {
 
 void DialectBuilder::readSwitch(const Json &value, CodeInfo &info) {
   const Json *member = in_.member(value, "switch");
-  if (!member)
+  if (!member) {
+    if (value.is_object() && !value.contains("switch"))
+      switchCoolant(info);
     return;
+  }
   in_.allowKeys(*member, {"id", "to", "offByZero"});
   static constexpr llvm::StringLiteral states[] = {"off", "on"};
   std::string id;
@@ -194,6 +197,18 @@ void DialectBuilder::readSwitch(const Json &value, CodeInfo &info) {
     return;
   }
   in_.fail(*member, "unknown switch \"" + id + "\"" + suggest(id, known));
+}
+
+/// A code of coolant that names no switch of its own turns the one of that name.
+void DialectBuilder::switchCoolant(CodeInfo &info) const {
+  if (info.action != Action::CoolantOn && info.action != Action::CoolantOff)
+    return;
+  const auto at =
+      llvm::find_if(dialect_.switches, [](const SwitchInfo &s) { return s.id == "coolant"; });
+  if (at == dialect_.switches.end() || info.effect.index != 0xFF)
+    return;
+  info.effect.index = uint8_t(at - dialect_.switches.begin());
+  info.effect.on = info.action == Action::CoolantOn;
 }
 
 void DialectBuilder::readWords(const Json &value, CodeInfo &info) {

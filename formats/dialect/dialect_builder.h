@@ -41,6 +41,7 @@ private:
   CodeInfo readCode(const Json &value, CodeInfo info);
   void readNeeds(const Json &value, CodeInfo &info);
   void readSwitch(const Json &value, CodeInfo &info);
+  void switchCoolant(CodeInfo &info) const;
   void readWords(const Json &value, CodeInfo &info);
   WordSpec readWord(const std::string &name, const Json &value);
   void readExcludes(const Json &value, CodeInfo &info);

@@ -19,8 +19,8 @@ static_assert(std::size(measures) == size_t(Measure::Inside) + 1);
 
 constexpr llvm::StringLiteral traits[] = {"follows-contour", "returns-by-axes", "ignores-corners",
                                           "wants-hole",      "starts-here",     "turned",
-                                          "turns-contour"};
-static_assert(std::size(traits) == size_t(CycleTrait::TurnsContour) + 1);
+                                          "turns-contour",   "keeps-words"};
+static_assert(std::size(traits) == size_t(CycleTrait::KeepsWords) + 1);
 } // namespace
 
 llvm::ArrayRef<llvm::StringLiteral> measureNames() { return measures; }

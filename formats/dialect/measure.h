@@ -75,7 +75,8 @@ enum class CycleTrait : uint8_t {
   WantsHole,      ///< goes straight down where a hole must be
   StartsHere,     ///< begins where the tool is, or at the axis words of its block; stays down
   Turned,         ///< makes passes along a turned contour, see `ProfilePasses`
-  TurnsContour    ///< the contour that its word names is turned; how it is roughed is not known
+  TurnsContour,   ///< the contour that its word names is turned; how it is roughed is not known
+  KeepsWords      ///< goes on with the words of a cycle of this trait that was in force
 };
 llvm::ArrayRef<llvm::StringLiteral> cycleTraitNames();
 

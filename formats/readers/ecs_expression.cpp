@@ -103,6 +103,8 @@ bool EcsExpression::sum(unsigned depth) {
     // `X=R1 -5` looks like a value and something else.
     const bool continues =
         binary.op == Op::Subtract && depth == 0 && isBlank(at[-1]) && at_ < end_ && *at_ != ' ';
+    if (const unsigned dash = typographicMinus(at, end_))
+      issue(SyntaxIssueKind::TypographicMinus, at, at + dash);
     if (!product(depth))
       return false;
     if (continues)
@@ -143,6 +145,11 @@ bool EcsExpression::factor(unsigned depth) {
   const unsigned dash = typographicMinus(at_, end_);
   if (*at_ == '-' || *at_ == '+' || dash) {
     at_ += dash ? dash : 1;
+    if (dash)
+      issue(SyntaxIssueKind::TypographicMinus, at, at_);
+    else if (const char *const digits = behindBlanks(at_);
+             digits > at_ && digits < end_ && isNumberDigit(*digits))
+      issue(SyntaxIssueKind::BlankInNumber, at, digits + 1);
     const bool atomic = at_ < end_ && *at_ != '(';
     const size_t operations = block_.operations.size();
     if (!factor(depth + 1))

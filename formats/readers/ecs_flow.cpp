@@ -3,11 +3,13 @@
 
 namespace ncvet {
 
-/// The program in which a jump's target lies.
-void EcsScanner::scanOtherProgram(Item &item, const char *begin) {
+/// The program in which a jump's target lies; gives the separator behind it.
+char EcsScanner::scanOtherProgram(Item &item, const char *begin) {
   nameItem(item, scanProgramName());
-  if (!scanSeparator())
+  const char separator = scanSeparator();
+  if (!separator)
     issue(SyntaxIssueKind::MissingArgument, begin, at_);
+  return separator;
 }
 
 /// `<JMP:N50>`, `<JMP:[A]>`, `<JMC: PROG; N50>`
@@ -45,10 +47,9 @@ void EcsScanner::scanChoice(const char *begin, bool other) {
     ++at_;
   else
     missingColon(begin);
-  if (other)
-    scanOtherProgram(item, begin);
+  char separator = other ? scanOtherProgram(item, begin) : char(0);
   unsigned targets = 0;
-  for (char separator = 0;; ++targets) {
+  for (;; ++targets) {
     const Argument target = scanTarget(separator);
     if (target.kind == ArgumentKind::Empty)
       break;
@@ -74,10 +75,12 @@ void EcsScanner::scanRepeat(const char *begin) {
   const char separator = scanSeparator();
   if (separator) {
     block_.arguments.push_back(scanTarget(separator));
-    if (scanSeparator()) {
-      const Argument count = scanArgument(separator);
+    if (const char second = scanSeparator()) {
+      const Argument count = scanArgument(second);
       if (count.expression != noExpression)
         item.count = count.expression;
+      // The count is no place of the program: the separator in front of it is kept with the first.
+      block_.arguments[item.firstArgument].separator = second;
       if (scanSeparator())
         tooManyArguments(begin);
     }

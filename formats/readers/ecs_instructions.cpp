@@ -21,6 +21,22 @@ void EcsScanner::closeAngle(const char *begin) {
   issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
 }
 
+/// A variable that the control itself has.
+bool EcsScanner::isVariable(llvm::StringRef name) const {
+  return llvm::any_of(dialect_.variableNames,
+                      [&](const std::string &known) { return name.equals_insensitive(known); });
+}
+
+/// Whether an instruction has this name, and no variable.
+bool EcsScanner::isInstruction(llvm::StringRef name) const {
+  for (const char *flow : {"JMP", "JMC", "RPT", "INP"})
+    if (name.equals_insensitive(flow))
+      return true;
+  const std::string key = name.upper();
+  return (dialect_.keyword(key) != noCode || dialect_.keyword(key + ":ON") != noCode) &&
+         !isVariable(name);
+}
+
 void EcsScanner::scanAngle() {
   const char *const begin = at_++;
   skipBlanks();
@@ -34,6 +50,10 @@ void EcsScanner::scanAngle() {
   const char c = behind < end_ ? *behind : '\n';
   if (c == '=') {
     at_ = behind + 1;
+    if (isInstruction(word)) { // `<JMP=N40>`: read as what it is meant for
+      issue(SyntaxIssueKind::MissingEquals, begin, at_);
+      return scanInstruction(begin, word);
+    }
     return scanVariable(begin, word);
   }
   if (c == '<' && (word.equals_insensitive("IFF") || word.equals_insensitive("IFC"))) {
@@ -42,6 +62,10 @@ void EcsScanner::scanAngle() {
   }
   if (c == ':') {
     at_ = behind + 1;
+    if (!isInstruction(word) && isVariable(word) && dialect_.keyword(word.upper()) == noCode) {
+      issue(SyntaxIssueKind::MissingEquals, begin, at_); // `<ENT:-5>`
+      return scanVariable(begin, word);
+    }
     return scanInstruction(begin, word);
   }
   at_ = behind;
@@ -187,9 +211,10 @@ llvm::SmallVector<Argument, 8> EcsScanner::inOrder(llvm::ArrayRef<Argument> writ
 /// behind it the prompt and the bounds.
 void EcsScanner::scanInput(const char *begin) {
   Item item = itemAt(ItemKind::Input, begin);
-  const Argument prompt = scanArgument(0);
+  Argument prompt = scanArgument(0);
   bool complete = prompt.kind == ArgumentKind::Text;
-  if (scanSeparator()) {
+  if (const char behind = scanSeparator()) {
+    prompt.separator = behind;
     skipBlanks();
     item.nameBegin = offset(at_);
     item.target = parsed(&EcsExpression::parseTarget);

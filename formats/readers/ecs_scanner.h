@@ -66,6 +66,7 @@ private:
   void keyword(CodeIndex code, const char *begin, const char *end);
   void scanLetter();
   void scanPlane(const char *begin);
+  bool skipVariantName(const char *begin);
   void scanValue(AddressId address, const char *begin);
   bool scanNumber(Word &word, const char *begin);
   void scanElement(const char *begin);
@@ -78,6 +79,8 @@ private:
       ++at_;
   }
   void scanAngle();
+  bool isInstruction(llvm::StringRef name) const;
+  bool isVariable(llvm::StringRef name) const;
   void scanVariable(const char *begin, llvm::StringRef name);
   void scanInstruction(const char *begin, llvm::StringRef name);
   void argumentWord(const Argument &argument);
@@ -98,7 +101,7 @@ private:
   void tooManyArguments(const char *begin);
 
   // ecs_flow.cpp
-  void scanOtherProgram(Item &item, const char *begin);
+  char scanOtherProgram(Item &item, const char *begin);
   void scanJump(const char *begin, bool other);
   void missingColon(const char *begin);
   void scanChoice(const char *begin, bool other);

@@ -49,12 +49,13 @@ void EcsScanner::scanLetter() {
     }
     if (digit && startsBlock() && block_.number < 0) {
       ++at_;
-      setNumber(begin, takeWhole());
-      if (at_ < end_ && (*at_ == '.' || *at_ == ',')) {
-        while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == ','))
-          ++at_;
+      const int64_t number = takeWhole();
+      const bool broken = at_ < end_ && (*at_ == '.' || *at_ == ',');
+      while (broken && at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == ','))
+        ++at_;
+      setNumber(begin, number);
+      if (broken)
         issue(SyntaxIssueKind::MalformedNumber, begin, at_);
-      }
       return;
     }
     break;
@@ -95,7 +96,7 @@ void EcsScanner::scanLetter() {
   scanValue(address, begin);
 }
 
-/// `G16XYZ+`: a free plane, its axis and direction.
+/// `G16XYZ+`: a free plane, its axis and direction. A minus is a code of its own behind it.
 void EcsScanner::scanPlane(const char *begin) {
   at_ = behindBlanks(begin + 3);
   const char *const axes = at_;
@@ -115,7 +116,12 @@ void EcsScanner::scanPlane(const char *begin) {
     addWord(word, begin);
     return;
   }
-  keyword(code, begin, at_);
+  const char *const mark = at_ - 1;
+  const CodeIndex minus = *mark == '-' ? dialect_.keyword("G16-") : noCode;
+  if (minus == noCode)
+    return keyword(code, begin, at_);
+  keyword(code, begin, mark);
+  keyword(minus, mark, at_);
 }
 
 /// The number, `= expression` or `<expression>` behind an address.
@@ -133,7 +139,10 @@ void EcsScanner::scanValue(AddressId address, const char *begin) {
       if (address == letterAddress('D') && word.mantissa == 0)
         if (const CodeIndex code = dialect_.keyword({begin, size_t(at_ - begin)}); code != noCode)
           return keyword(code, begin, at_);
-      return addWord(word, begin);
+      addWord(word, begin);
+      if (address == letterAddress('G') && skipVariantName(begin))
+        issue(SyntaxIssueKind::SymbolAsAddress, begin, at_);
+      return;
     }
   }
   const char *const value = behindBlanks(at_);
@@ -177,6 +186,17 @@ void EcsScanner::scanValue(AddressId address, const char *begin) {
   if (address != letterAddress('K')) // a flag
     issue(SyntaxIssueKind::MissingValue, begin, at_);
   addWord(word, begin);
+}
+
+/// `G81/3`, `G83/R`: manuals name the variants of a cycle so, programs have the code alone.
+bool EcsScanner::skipVariantName(const char *begin) {
+  const char *const name = at_ + 1;
+  if (at_ - begin < 2 || at_ == end_ || *at_ != '/' || name == end_ ||
+      !(isNumberDigit(*name) || (*name | 32) == 'r') ||
+      (name + 1 < end_ && isNameCharacter(name[1])))
+    return false;
+  at_ = name + 1;
+  return true;
 }
 
 bool EcsScanner::scanNumber(Word &word, const char *begin) {

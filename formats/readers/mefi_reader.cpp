@@ -58,6 +58,9 @@ private:
   void scanWord();
   void scanOther();
   bool scanNumber(Word &word, const char *begin, bool commaIsPoint = true);
+  bool readsAsZero(const char *p) const;
+  bool scanLetterNumber();
+  bool isParameter(llvm::StringRef name) const;
   uint16_t key(const char *begin, const char *end);
   uint16_t valueOf(const Word &word);
   void finish();
@@ -122,10 +125,12 @@ void Scanner::scanItem() {
     scanComment();
   } else if (llvm::isAlpha(c)) {
     block_.lowerCase |= c >= 'a' && c <= 'z';
-    if (at_ + 1 < end_ && isNameLetter(at_[1]))
-      scanName();
-    else
+    if (at_ + 1 < end_ && isNameLetter(at_[1])) {
+      if (!scanLetterNumber())
+        scanName();
+    } else {
       scanWord();
+    }
   } else {
     scanOther();
   }
@@ -292,6 +297,17 @@ void Scanner::scanWord() {
       scanAssignment(begin, p);
       return;
     }
+    // `R31-15`, `R28 4`: the sign that gives the parameter its value is missing.
+    const char *digit = behind;
+    while (digit < end_ && (*digit == '-' || *digit == '+'))
+      ++digit;
+    if (digit > p && p > at_ && digit < end_ && llvm::isDigit(*digit) &&
+        isParameter({begin, size_t(p - begin)})) {
+      at_ = behind;
+      scanAssignment(begin, p);
+      issue(SyntaxIssueKind::MissingEquals, begin, at_);
+      return;
+    }
   }
   Word word;
   word.address = address;
@@ -305,6 +321,51 @@ void Scanner::scanWord() {
   }
   word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
   append(word);
+}
+
+/// A letter O among the digits of a number, up to whose end nothing but O, digits and a point
+/// stand.
+bool Scanner::readsAsZero(const char *p) const {
+  if (p >= end_ || (*p != 'O' && *p != 'o') ||
+      dialect_.addresses[letterAddress('O')].kind != AddressKind::Unknown)
+    return false;
+  while (p < end_ && (*p == 'O' || *p == 'o' || *p == '.' || llvm::isDigit(*p)))
+    ++p;
+  return p == end_ || (!isNameLetter(*p) && *p != '=' && *p != '(');
+}
+
+/// An address and a number that begins with the letter O: `GO`, `MO5`, `XO.5`; false, with nothing
+/// read, when it is a name.
+bool Scanner::scanLetterNumber() {
+  const char *const begin = at_;
+  const AddressId address = letterAddress(llvm::toUpper(*at_));
+  if (address == letterAddress('N') || !(dialect_.known & maskOf(address)) || !readsAsZero(at_ + 1))
+    return false;
+  while (++at_ < end_ && (*at_ == 'O' || *at_ == 'o' || *at_ == '.' || llvm::isDigit(*at_)))
+    ;
+  const char *behind = at_;
+  while (behind < end_ && (*behind == ' ' || *behind == '\t'))
+    ++behind;
+  if (behind < end_ && (*behind == '=' || *behind == '(')) {
+    at_ = begin;
+    return false;
+  }
+  issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+  Word word;
+  word.address = address;
+  word.offset = offset(begin);
+  word.flags |= wordNoValue | wordMalformed;
+  word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
+  append(word);
+  return true;
+}
+
+/// A variable of a letter and digits that some code reads.
+bool Scanner::isParameter(llvm::StringRef name) const {
+  const uint64_t wanted = variableKey(name);
+  return llvm::any_of(dialect_.codes, [&](const CodeInfo &code) {
+    return llvm::any_of(code.words, [&](const WordSpec &w) { return w.variable == wanted; });
+  });
 }
 
 /// `[sign] digits [. digits]`; false, with nothing read, when there is no digit.
@@ -324,6 +385,10 @@ bool Scanner::scanNumber(Word &word, const char *begin, bool commaIsPoint) {
       word.flags |= wordPlus;
     ++p;
   }
+  const char *const sign = p;
+  while (p > at_ && p < end_ && (*p == '-' || *p == '+'))
+    ++p;
+  const bool signsTwice = p > sign;
   const char *const first = p;
   int64_t mantissa = 0;
   unsigned digits = 0, decimals = 0;
@@ -355,10 +420,9 @@ bool Scanner::scanNumber(Word &word, const char *begin, bool commaIsPoint) {
   // A second point or sign, or the letter O for a zero.
   const auto goesOn = [&] {
     return p < end_ &&
-           (*p == '.' || *p == '-' || *p == '+' || (commaIsPoint && *p == ',') ||
-            ((*p == 'O' || *p == 'o') && p + 1 < end_ && (llvm::isDigit(p[1]) || p[1] == '.')));
+           (*p == '.' || *p == '-' || *p == '+' || (commaIsPoint && *p == ',') || readsAsZero(p));
   };
-  if (goesOn() || bad) {
+  if (goesOn() || bad || signsTwice) {
     while (p < end_ && (goesOn() || llvm::isDigit(*p)))
       ++p;
     issue(SyntaxIssueKind::MalformedNumber, begin, p);

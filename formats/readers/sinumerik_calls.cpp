@@ -3,6 +3,17 @@
 
 namespace ncvet {
 
+namespace {
+/// Bytes of a double quotation mark as word processors set it, U+201C to U+201E; 0: none.
+unsigned typographicQuote(const char *at, const char *end) {
+  const llvm::StringRef text(at, size_t(end - at));
+  return text.startswith("\xE2\x80\x9C") || text.startswith("\xE2\x80\x9D") ||
+                 text.startswith("\xE2\x80\x9E")
+             ? 3
+             : 0;
+}
+} // namespace
+
 /// What stands between two quotes, the first of which is at hand; none, with an issue, without the
 /// second one.
 std::optional<llvm::StringRef> SinumerikScanner::scanString() {
@@ -107,6 +118,18 @@ void SinumerikScanner::scanArgument(Item &item, char separator, bool words) {
   argument.begin = argument.end = offset(begin);
   if (at_ == end_ || isLineEnd(*at_) || *at_ == ',' || *at_ == ')' || *at_ == ';') {
     word.flags = wordNoValue;
+  } else if (const unsigned mark = typographicQuote(at_, end_)) {
+    issue(SyntaxIssueKind::TypographicQuote, at_, at_ + mark);
+    at_ += mark;
+    argument.kind = ArgumentKind::Text;
+    argument.begin = offset(at_);
+    while (!atLineEnd() && *at_ != '"' && *at_ != ',' && *at_ != ')' &&
+           !typographicQuote(at_, end_))
+      ++at_;
+    argument.end = offset(at_);
+    at_ += atLineEnd() ? 0 : *at_ == '"' ? 1 : typographicQuote(at_, end_);
+    word.flags = wordExpression;
+    word.mantissa = opaque(begin, at_);
   } else if (*at_ == '"') {
     if (const auto text = scanString()) {
       const char *const next = behindBlanks(at_);

@@ -125,7 +125,8 @@ void SinumerikScanner::scanTarget(Item &item) {
   ++item.arguments;
 }
 
-/// `CASE(R1) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C`
+/// `CASE(R1) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C`: the last letter of each jump stands as the
+/// separator of its target.
 void SinumerikScanner::scanCase(const char *begin) {
   Item item = itemAt(ItemKind::Jump, begin);
   item.jump = JumpKind::ByValue;
@@ -168,6 +169,10 @@ void SinumerikScanner::scanCase(const char *begin) {
     }
     at_ = identifier().end();
     scanTarget(item);
+    block_.arguments.back().separator = jump == Keyword::GotoForward    ? 'F'
+                                        : jump == Keyword::GotoBackward ? 'B'
+                                        : jump == Keyword::GotoIfFound  ? 'C'
+                                                                        : 0;
     if (last)
       break;
   }

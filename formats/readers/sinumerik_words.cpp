@@ -94,7 +94,7 @@ void SinumerikScanner::scanLetter() {
   addWord(word, begin);
 }
 
-/// `X1=10`, `S2=500`, `M1=3`, `I1=5`: the number belongs to the address.
+/// `X1=10`, `S2=500`, `M2=3`, `I1=5`: the number belongs to the address.
 void SinumerikScanner::scanExtended(char letter, const char *begin) {
   ++at_;
   const llvm::StringRef digits = llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNumberDigit);
@@ -103,10 +103,15 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
   if (named != addresses_.end())
     return scanValue(named->second, begin);
   // The first spindle is the one that words without a number speak of.
-  if ((letter == 'S' || letter == 'M') && digits == "1")
+  if ((letter == 'S' || letter == 'M' || letter == 'T') && digits == "1")
     return scanValue(letterAddress(letter), begin);
-  if (letter == 'S' || letter == 'M' || letter == 'T' || letter == 'D' || letter == 'H' ||
-      letter == 'L') {
+  if (letter == 'S' || letter == 'M' || letter == 'T' || letter == 'H') {
+    // Another spindle, or a function of the machine builder's: nothing of the tool that cuts.
+    Item item = itemAt(ItemKind::Output, begin);
+    item.value = expression();
+    return add(item);
+  }
+  if (letter == 'D' || letter == 'L') {
     Item item = itemAt(ItemKind::Assignment, begin);
     item.nameBegin = item.begin;
     item.nameEnd = offset(digits.end());

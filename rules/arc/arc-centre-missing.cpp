@@ -19,13 +19,23 @@ public:
     const std::string &name = ctx.code(event).name;
     if (auto finding = here ? ctx.report(*here->word, event.certain)
                             : ctx.report(ctx.blockRange(), event.certain)) {
-      finding.message("`{0}` has neither R nor {1}, {2}: the control does not know the arc", name,
-                      ctx.dialect().addressName(words.centreAddress[0]),
+      finding.message("`{0}` has neither {1} nor {2}, {3}: the control does not know the arc", name,
+                      shapeWords(ctx.dialect()), ctx.dialect().addressName(words.centreAddress[0]),
                       ctx.dialect().addressName(words.centreAddress[1]));
       if (!here)
         finding.note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                      "`" + name + "` becomes active here and is still in force");
     }
+  }
+
+private:
+  /// The words that give an arc without its centre: the radius, and the opening angle where there
+  /// is one.
+  static std::string shapeWords(const Dialect &dialect) {
+    std::string text = dialect.addressName(dialect.arcRadius);
+    if (dialect.arcAngle != noAddress)
+      text += ", " + std::string(dialect.addressName(dialect.arcAngle));
+    return text;
   }
 };
 

@@ -28,6 +28,10 @@ public:
     for (const Axis axis : words.axes)
       plane |= uint16_t(1u << unsigned(axis));
     const bool staysPut = !(axesOf(ctx.dialect(), ctx.block()) & plane);
+    // An angle says where the arc ends as well.
+    if (words.angle ||
+        (ctx.code(event).takes & ctx.dialect().lineAngleWords & ctx.block().addresses))
+      return;
     constexpr double same = 1e-6; // mm
     const bool meets =
         arc.start && arc.end &&

@@ -7,7 +7,13 @@ namespace {
 class ArcInDistortedFrame final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
+    lines_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
+      return code.action == Action::Linear && hasNotice(code);
+    });
+    if (lines_)
+      to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw, MotionKind::Feed});
+    else
+      to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     to.onAction({Action::FrameSet, Action::FrameAdd, Action::FrameClear});
   }
 
@@ -19,8 +25,10 @@ public:
         distorted_ = ctx.range(*event.word);
       return;
     }
-    if (!distorted_.end || event.code == noCode || distorted_.file != ctx.source().id() ||
-        ctx.block().begin < distorted_.begin)
+    if (event.code != noCode && hasNotice(ctx.code(event)))
+      underModalCode(event, ctx);
+    if (!distorted_.end || event.code == noCode || event.motion == MotionKind::Feed ||
+        distorted_.file != ctx.source().id() || ctx.block().begin < distorted_.begin)
       return;
     if (auto finding = ctx.report(event))
       finding
@@ -32,6 +40,24 @@ public:
   void remember(RuleMemory &memory) const override { memory(distorted_); }
 
 private:
+  static constexpr llvm::StringLiteral id{"arc-in-distorted-frame"};
+
+  static bool hasNotice(const CodeInfo &code) {
+    return llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+  }
+
+  /// What the tables say of a motion code holds in the later blocks that it moves, too.
+  static void underModalCode(const Event &event, RuleContext &ctx) {
+    if (llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+          return ctx.code(use).base == ctx.code(event).base;
+        }))
+      return;
+    Event shown = event;
+    shown.word = ctx.block().findAny(ctx.dialect().axisWords);
+    if (shown.word)
+      ctx.reportNotices(id, shown);
+  }
+
   /// The two axes of the plane have different factors; an axis that is not named has 1.
   static bool unequal(RuleContext &ctx) {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.before());
@@ -52,6 +78,7 @@ private:
   }
 
   SourceRange distorted_;
+  bool lines_ = false; ///< the tables speak of straight lines as well
 };
 
 } // namespace

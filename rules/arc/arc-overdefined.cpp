@@ -14,15 +14,17 @@ public:
       return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     const Word *centre = words.centre[0] ? words.centre[0] : words.centre[1];
-    if (words.angle && event.axes && (words.radius || (centre && isWhole(event, words)))) {
+    const uint16_t end = endWords(ctx);
+    const bool endAngle = words.angle && (ctx.code(event).takes & ctx.dialect().lineAngleWords &
+                                          ctx.block().addresses);
+    if (words.angle && (endAngle || (end && (words.radius || (centre && isWhole(end, words)))))) {
       if (auto finding = ctx.report(*words.angle, event.certain))
         finding.message("`{0}` has an opening angle beside {1}: the two need not agree, and the "
                         "control stops",
                         ctx.code(event).name,
-                        words.radius ? "a radius"
-                        : ctx.block().hasAny(ctx.dialect().lineAngleWords)
-                            ? "the angle of its end"
-                            : "an end point and a centre");
+                        endAngle       ? "the angle of its end"
+                        : words.radius ? "an end point and a radius"
+                                       : "an end point and a centre");
       return;
     }
     if (!words.radius || !centre || words.radius->has(wordNoValue) || centre->has(wordNoValue))
@@ -42,10 +44,15 @@ public:
   }
 
 private:
-  /// The block gives both coordinates of the end point.
-  static bool isWhole(const Event &event, const ArcWords &words) {
-    return (event.axes >> unsigned(words.axes[0]) & 1) &&
-           (event.axes >> unsigned(words.axes[1]) & 1);
+  /// The axes whose end point the block gives: an arc may do without.
+  static uint16_t endWords(const RuleContext &ctx) {
+    // An angle of the end point is one, too.
+    const bool polar = ctx.block().hasAny(ctx.dialect().polarWords | ctx.dialect().lineAngleWords);
+    return uint16_t(axesOf(ctx.dialect(), ctx.block()) |
+                    (polar ? planeAxes(ctx.dialect(), ctx.after()) : 0));
+  }
+  static bool isWhole(uint16_t end, const ArcWords &words) {
+    return (end >> unsigned(words.axes[0]) & 1) && (end >> unsigned(words.axes[1]) & 1);
   }
 };
 

@@ -29,6 +29,8 @@ private:
 
   /// Start, intermediate point and end; an axis that nothing of the block moves may be unknown.
   static void threePoints(const Event &event, RuleContext &ctx) {
+    if (lacksCoordinate(event, ctx))
+      return;
     Point start{}, middle{}, end{};
     bool plane = false;
     for (unsigned i = 0; i < 3; ++i) {
@@ -87,6 +89,23 @@ private:
       finding.message("the three points of `{0}` lie on a line, and the intermediate one not "
                       "between the others: no arc leads through them",
                       ctx.code(event).name);
+  }
+
+  /// Of the intermediate point one coordinate in the plane is given, and not the other.
+  static bool lacksCoordinate(const Event &event, RuleContext &ctx) {
+    const std::array<Axis, 2> plane = planeOrder(ctx.dialect(), ctx.after());
+    const Word *first = intermediate(unsigned(plane[0]), ctx);
+    const Word *second = intermediate(unsigned(plane[1]), ctx);
+    const uint16_t axes = axesOf(ctx.dialect(), ctx.block());
+    const Axis left = first ? plane[1] : plane[0];
+    if (!first == !second || !(axes >> unsigned(left) & 1))
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "the intermediate point of `{0}` has `{1}` alone: the other coordinate in the "
+          "plane is missing",
+          ctx.code(event).name, ctx.text(first ? *first : *second));
+    return true;
   }
 
   /// I1 for X, J1 for Y, K1 for Z, as the format of the block's code names them.

@@ -12,8 +12,11 @@ public:
     if (to.dialect().polarWords & maskOf(letterAddress('O')))
       to.on(EventKind::WordIssue);
     isoSigns_ = to.option("isoSigns", 0) != 0;
+    variantNames_ = to.option("variantNames", 0) != 0;
     if (isoSigns_)
       to.on({EventKind::WordIssue, EventKind::Syntax});
+    if (variantNames_)
+      to.on(EventKind::Syntax);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -22,6 +25,8 @@ public:
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
       const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      if (variantNames_)
+        return variantName(issue, range, ctx);
       if (issue.kind == SyntaxIssueKind::SymbolAsAddress && isIsoSign(ctx.text(range)))
         if (auto finding = ctx.report(range))
           finding.message("`{0}` is a variable of another control: here variables are R1 or have a "
@@ -48,6 +53,19 @@ public:
   }
 
 private:
+  /// `G83/R`: the manual's name of a variant.
+  static void variantName(const SyntaxIssue &issue, SourceRange range, RuleContext &ctx) {
+    if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
+      return;
+    const llvm::StringRef text = ctx.text(range), code = text.split('/').first;
+    if (auto finding = ctx.report(range))
+      finding
+          .message("`{0}` is the name of a variant in manuals: a program has `{1}`, and the "
+                   "parameters choose the variant",
+                   text, code)
+          .fix(FixSafety::Unsafe, ("write `" + code + "`").str(), ctx.replace(range, code.str()));
+  }
+
   /// `%` alone: here the sign stands in front of a program's name and kind.
   static void tapeMarks(const FileSummary &file, RuleContext &ctx) {
     Block block;
@@ -76,7 +94,8 @@ private:
           .fix(FixSafety::Unsafe, "delete the block", ctx.remove(*word));
   }
 
-  bool isoSigns_ = false; ///< `%`, `O1000` and `#1` are another control's here
+  bool variantNames_ = false; ///< `G81/3` may be meant for `G81`
+  bool isoSigns_ = false;     ///< `%`, `O1000` and `#1` are another control's here
 
   static constexpr llvm::StringLiteral id{"block-foreign-dialect-code"};
 };

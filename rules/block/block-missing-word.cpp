@@ -24,7 +24,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     ctx.reportNotices(id, event);
-    if (ctx.code(event).action == Action::Sleep && !hasTime(ctx))
+    if (ctx.code(event).action == Action::Sleep && !hasTime(*event.word, ctx))
       if (auto finding = ctx.report(event))
         finding.message("`{0}` has no time behind it: four digits, hours and minutes",
                         ctx.text(*event.word));
@@ -46,10 +46,12 @@ private:
     });
   }
 
-  /// The time of a sleep code is a comment of four digits, a bare number or any word.
-  static bool hasTime(const RuleContext &ctx) {
+  /// The time of a sleep code is a comment of four digits behind it, a bare number or any word.
+  static bool hasTime(const Word &code, const RuleContext &ctx) {
     const Block &block = ctx.block();
     for (const Comment &comment : block.comments) {
+      if (comment.begin < code.offset)
+        continue;
       const llvm::StringRef text =
           ctx.text(SourceRange{ctx.source().id(), comment.begin, comment.end}).trim("() ");
       if (text.size() == 4 && llvm::all_of(text, llvm::isDigit))

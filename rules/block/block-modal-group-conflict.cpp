@@ -28,7 +28,7 @@ public:
     sameTwice_ = to.option("sameTwice", 0) != 0;
     to.onCode([&](const CodeInfo &code) {
       return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
-             code.opposite != noCode ||
+             code.opposite != noCode || isArc(code.action) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -65,6 +65,10 @@ private:
       return sameTwice && a.letter == 'G' ? "`{0}` and `{1}`: the interpreter takes one code of a "
                                             "group, and stops at a second one"
                                           : nullptr;
+    // The cancel of one family of cycles says nothing of the others.
+    if (a.family != b.family &&
+        (a.action == Action::CycleCancel || b.action == Action::CycleCancel))
+      return nullptr;
     if (a.group != noGroup && a.group == b.group && dialect.groups[a.group].exclusive)
       return "`{0}` and `{1}` belong to one group: only one of them can be in force";
     // An arc that is a code of the machine stands for one of the group.

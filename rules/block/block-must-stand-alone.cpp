@@ -28,7 +28,7 @@ public:
     if (ctx.block().has(argumentAddress))
       own |= maskOf(argumentAddress);
     for (const Item &item : ctx.block().items)
-      if (item.kind == ItemKind::Call && item.begin != event.word->offset) {
+      if (item.kind == ItemKind::Call && item.begin != event.word->offset && !isMacro(item, ctx)) {
         const SourceRange call{ctx.source().id(), item.begin, item.end};
         if (auto finding = ctx.report(call))
           finding.message("`{0}` stands in the block of `{1}`, which wants a block of its own",
@@ -56,6 +56,8 @@ private:
   /// with nothing.
   static void atStatement(const Item &item, size_t index, RuleContext &ctx) {
     const Block &block = ctx.block();
+    if (item.kind == ItemKind::Call && isMacro(item, ctx))
+      return;
     const bool jump = item.kind == ItemKind::Jump && item.jump != JumpKind::ByValue &&
                       item.jump != JumpKind::BySign && item.arguments &&
                       (index == 0 || block.items[index - 1].kind != ItemKind::If);
@@ -74,6 +76,14 @@ private:
                           : "`{0}` shares its block with other words: it wants a block of its "
                             "own",
                       ctx.text(range));
+  }
+
+  /// A name that the program defines as words: they stand in its place.
+  static bool isMacro(const Item &call, const RuleContext &ctx) {
+    const Defined *known = ctx.index().definition(
+        ctx.index().programAt(ctx.block().begin),
+        ctx.text(SourceRange{ctx.source().id(), call.nameBegin, call.nameEnd}));
+    return known && known->kind == ItemKind::Macro;
   }
 
   /// The code goes into a block in front of this one, with the words that belong to it.

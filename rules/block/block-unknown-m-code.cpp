@@ -22,7 +22,8 @@ public:
       return;
     // Once for each code: a machine's own codes come again and again.
     const auto place = std::pair(ctx.source().id(), event.word->offset);
-    if (first_.try_emplace(event.word->mantissa, place).first->second != place)
+    const int64_t code = number.isConstant() ? int64_t(number.value()) : event.word->mantissa;
+    if (first_.try_emplace(code, place).first->second != place)
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is neither a code of this control nor named in the machine profile: "

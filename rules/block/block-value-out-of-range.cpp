@@ -1,4 +1,5 @@
 // A value outside of what its code takes.
+#include "analyzer/lookahead.h"
 #include "analyzer/word_checks.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -50,7 +51,7 @@ public:
       side(event, ctx);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(lower_); }
+  void remember(RuleMemory &memory) const override { memory(lower_, upper_); }
 
 private:
   /// What the address takes whatever stands beside it.
@@ -102,8 +103,11 @@ private:
       const uint32_t key = uint32_t(code.group) << 8 | uint32_t(address.axis);
       if (!upper) {
         lower_[key] = {value.value(), ctx.range(word)};
+        if (const auto high = upper_.find(key); high != upper_.end())
+          above(word, value.value(), high->second, code, sides[1], ctx);
         continue;
       }
+      upper_[key] = {value.value(), ctx.range(word)};
       const auto low = lower_.find(key);
       if (low == lower_.end() || value.value() >= low->second.first)
         continue;
@@ -115,7 +119,24 @@ private:
     }
   }
 
-  std::map<uint32_t, std::pair<double, SourceRange>> lower_; ///< by group and axis
+  using Limit = std::pair<double, SourceRange>;
+
+  /// A lower limit behind the upper one, unless the next block gives that anew.
+  static void above(const Word &word, double value, const Limit &upper, const CodeInfo &code,
+                    CodeIndex upperCode, RuleContext &ctx) {
+    Block next;
+    if (value <= upper.first ||
+        (readNext(ctx, next) && llvm::is_contained(codesOf(ctx.dialect(), next), upperCode) &&
+         next.has(word.address)))
+      return;
+    if (auto finding = ctx.report(word))
+      finding
+          .message("`{0}` of `{1}` lies above the upper limit: nothing is left to move in",
+                   ctx.text(word), code.name)
+          .note(upper.second, "the upper limit");
+  }
+
+  std::map<uint32_t, Limit> lower_, upper_; ///< by group and axis
   bool ranged_ = false;
   static constexpr llvm::StringLiteral id{"block-value-out-of-range"};
 

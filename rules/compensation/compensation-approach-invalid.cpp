@@ -1,5 +1,6 @@
 // Corner and vector codes of compensation (G38, G39) where they cannot work.
 #include "analyzer/lookahead.h"
+#include "analyzer/soft_approach.h"
 
 namespace ncvet {
 namespace {
@@ -9,6 +10,14 @@ public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CompensationKeep, Action::CompensationCorner});
     to.onNotices(id);
+    soft_ = softApproaches(to.dialect());
+    retracts_ = softRetracts(to.dialect());
+    if (!soft_.empty() && !retracts_.empty()) {
+      to.onCode([&](const CodeInfo &code) {
+        return llvm::is_contained(soft_, code.base) || llvm::is_contained(retracts_, code.base);
+      });
+      to.onAction({Action::CompensationOff});
+    }
     elements_ = to.option("elements", 0) != 0;
     if (elements_)
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
@@ -17,6 +26,7 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const CodeInfo &code = ctx.code(event);
     ctx.reportNotices(id, event);
+    pairs(event, code, ctx);
     if (elements_ &&
         (code.action == Action::CompensationLeft || code.action == Action::CompensationRight))
       return normal(event, ctx);
@@ -35,8 +45,36 @@ public:
       corner(code, event, ctx);
   }
 
+  void remember(RuleMemory &memory) const override { memory(approach_); }
+
 private:
   static constexpr llvm::StringLiteral id{"compensation-approach-invalid"};
+
+  /// What the tool has approached softly it leaves softly as well.
+  void pairs(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    if (llvm::is_contained(soft_, code.base)) {
+      approach_ = ctx.range(*event.word);
+    } else if (llvm::is_contained(retracts_, code.base)) {
+      approach_ = {};
+    } else if (code.action == Action::CompensationOff && approach_.end) {
+      const bool leaves = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+        return llvm::is_contained(retracts_, ctx.code(use).base);
+      });
+      if (!leaves && approach_.file == ctx.source().id() && !ctx.before().may(Fact::UnknownCode) &&
+          ctx.before().compensationActive(ctx.dialect()) == Truth::Yes)
+        if (auto finding = ctx.report(event))
+          finding.severity(Severity::Warning)
+              .message(
+                  "`{0}` ends a contour that was approached softly, and no soft retract leaves "
+                  "it: the tool marks the part here",
+                  code.name)
+              .note(approach_, "the approach");
+      approach_ = {};
+    }
+  }
+
+  llvm::SmallVector<CodeIndex, 4> soft_, retracts_;
+  SourceRange approach_; ///< the last soft one that no retract has answered
 
   /// `G41 K`: the approach is normal to the element that the next block gives.
   static void normal(const Event &event, RuleContext &ctx) {

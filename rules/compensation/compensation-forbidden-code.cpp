@@ -1,5 +1,6 @@
 // Codes that must not be used while radius compensation is on.
 #include "analyzer/ending_code.h"
+#include "analyzer/read_ahead.h"
 
 namespace ncvet {
 namespace {
@@ -13,9 +14,15 @@ public:
                  Action::FrameSet, Action::FrameAdd, Action::FrameClear});
     to.onCode([](const CodeInfo &code) { return code.name == "STOPRE"; });
     cycles_ = to.option("cycles", 0) != 0;
+    if (to.dialect().readAhead.empty())
+      return;
+    to.on(EventKind::Statement);
+    to.onChange({EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind != EventKind::Code)
+      return eachPrepared(event, ctx, [&](const Expression &value) { waits(value, ctx); });
     const CodeInfo &code = ctx.code(event);
     // `G40` in the same block comes first.
     const Truth active = ctx.after().compensationActive(ctx.dialect());
@@ -39,6 +46,23 @@ public:
   }
 
 private:
+  /// To read an actual value the control waits for its own moves, as it does by a code.
+  static void waits(const Expression &value, RuleContext &ctx) {
+    const Truth active = ctx.before().compensationActive(ctx.dialect());
+    const Origin &origin = ctx.before().origin.of(StatePart::Compensation);
+    if (active == Truth::No || !origin.known() || !readsAhead(value, ctx, /*ofAxis=*/true))
+      return;
+    const SourceRange range{ctx.source().id(), value.begin, value.end};
+    if (auto finding = ctx.report(range, active == Truth::Yes)) {
+      const CodeInfo *on = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
+      finding
+          .message("`{0}` while {1} is on: to read it the control waits for its moves, and loses "
+                   "the offset path",
+                   ctx.text(range), on ? "`" + on->name + "`" : std::string("compensation"))
+          .note(origin, "compensation is switched on here");
+    }
+  }
+
   bool disturbs(const CodeInfo &code, RuleContext &ctx) const {
     switch (code.action) {
     case Action::Thread:

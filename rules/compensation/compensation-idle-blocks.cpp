@@ -12,6 +12,7 @@ public:
     to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::Thread});
     allowed_ = unsigned(to.option("allowed", 1));
     infeeds_ = unsigned(to.option("infeeds", 0));
+    inSpace_ = to.option("inSpace", 0) != 0;
     allowedBehindApproach_ = unsigned(to.option("behindApproach", 0));
     if (allowedBehindApproach_)
       soft_ = softApproaches(to.dialect());
@@ -19,9 +20,11 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind == EventKind::Motion)
+    if (event.kind == EventKind::Motion) {
       zeroMove(event, ctx);
-    else {
+      if (inSpace_)
+        inSpace(event, ctx);
+    } else {
       if (!soft_.empty())
         approach(ctx);
       idle(ctx);
@@ -41,6 +44,11 @@ private:
     const bool alone = axes == uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state))) &&
                        (state.compensation & (phaseOn | phaseStarting)) && state.profile != 1;
     const bool follows = ctx.block().begin == behindInfeed_;
+    // Until the first move in the plane nothing in between makes a difference.
+    if (follows && !axes && ctx.before().compensation == phaseStarting) {
+      behindInfeed_ = ctx.block().next;
+      return;
+    }
     inARow_ = alone ? follows ? inARow_ + 1 : 1 : 0;
     behindInfeed_ = alone ? ctx.block().next : ~0u;
     if (inARow_ != infeeds_ + 1)
@@ -153,6 +161,28 @@ private:
           .note(ctx.after().origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
+  /// A move that leaves the plane while it goes on along the contour.
+  static void inSpace(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &state = ctx.after();
+    const uint16_t plane = planeAxes(ctx.dialect(), state);
+    constexpr uint16_t space = 7; // X, Y and Z
+    uint16_t leaves = uint16_t(event.axes & space & ~plane);
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (leaves >> i & 1 && before.position[i].isConstant() &&
+          before.position[i] == state.position[i])
+        leaves &= uint16_t(~(1u << i)); // it stays where it is
+    if (before.compensation != phaseOn || state.compensation != phaseOn || state.profile == 1 ||
+        !(event.axes & plane) || !leaves || event.motion == MotionKind::Rapid ||
+        event.code == noCode)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), !before.may(Fact::UnknownCode)))
+      finding.severity(Severity::Warning)
+          .message("the move leaves the plane under {0}: how the control compensates it is not "
+                   "stated",
+                   name(ctx))
+          .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
+  }
+
   static std::string name(RuleContext &ctx) {
     const CodeInfo *code = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
     return code ? "`" + code->name + "`" : "compensation";
@@ -163,6 +193,7 @@ private:
   unsigned infeeds_ = 0;        ///< moves of the infeed axis alone that may follow each other
   uint32_t behindInfeed_ = ~0u; ///< behind the last block that was one
   unsigned inARow_ = 0;
+  bool inSpace_ = false;               ///< moves that leave the plane are reported
   unsigned allowedBehindApproach_ = 0; ///< 0: as elsewhere
   llvm::SmallVector<CodeIndex, 4> soft_;
   uint32_t behindApproach_ = ~0u; ///< the block to come if it follows an approach and idle blocks

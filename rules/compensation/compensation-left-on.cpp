@@ -11,6 +11,8 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
                  EventKind::CycleRun, EventKind::Block, EventKind::FlowIssue});
+    if (to.option("edges", 0) != 0)
+      to.on(EventKind::OffsetWord);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -25,6 +27,12 @@ public:
       if (ctx.after().profile == 0)
         leftOn(event, "the tool is changed", Severity::Error, ctx);
       return;
+    case EventKind::OffsetWord:
+      if (ctx.after().profile == 0 &&
+          ctx.before().compensationActive(ctx.dialect()) == Truth::Yes &&
+          !ctx.find({Action::ToolChange}) && ctx.before().radiusOffset != ctx.after().radiusOffset)
+        leftOn(event, "the tool's edge changes", Severity::Style, ctx); // may be meant
+      return;
     case EventKind::ProgramEnd:
       leftOn(event, "the program ends", std::nullopt, ctx);
       return;
@@ -32,8 +40,9 @@ public:
       runsOut(event, ctx);
       return;
     default:
-      // A subprogram called under compensation may return under it.
-      if (switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx))
+      // A subprogram called under compensation may return under it; of a profile that is
+      // recorded another rule speaks.
+      if (ctx.after().profile == 0 && switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx))
         leftOn(event, "the program returns", std::nullopt, ctx);
     }
   }
@@ -74,7 +83,7 @@ private:
       finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);
       describe(finding, ctx);
       const std::string off = compensationOffCode(ctx.dialect(), ctx.after());
-      if (event.kind != EventKind::ToolChange)
+      if (event.kind != EventKind::ToolChange && event.kind != EventKind::OffsetWord)
         finding.fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                     ctx.insertBlockBefore(off));
     }

@@ -1,5 +1,5 @@
 // A turned contour with slants or arcs and no compensation, or compensation around a contour cycle.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 #include "interp/tool_data.h"
 
 namespace ncvet {
@@ -10,12 +10,15 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
       to.on({EventKind::Motion, EventKind::CycleRun});
+    ends_ = to.option("atEnds", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind == EventKind::CycleRun)
+    if (event.kind == EventKind::CycleRun) {
       atCycle(event, ctx);
-    else
+      if (ends_)
+        inside(event, ctx);
+    } else
       atMotion(event, ctx);
   }
   void remember(RuleMemory &memory) const override { memory(contourFile_, contourEnd_, reported_); }
@@ -70,6 +73,35 @@ private:
           .note(ctx.blockRange(), "the cycle is called here");
   }
 
+  /// Compensation belongs on in the first block of the contour and off in its last.
+  static void inside(const Event &event, RuleContext &ctx) {
+    if (ctx.outcome().flow.kind != FlowKind::Profile || event.code == noCode ||
+        ctx.code(event).cycle == CycleKind::Finish)
+      return;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known)
+      return;
+    for (const ProfileBlock &entry : profile.blocks)
+      for (const CodeUse &use : entry.codes) {
+        const Action action = ctx.code(use).action;
+        const bool on = action == Action::CompensationLeft || action == Action::CompensationRight;
+        const bool off = action == Action::CompensationOff;
+        const ProfileBlock &place = on ? profile.blocks.front() : profile.blocks.back();
+        if ((!on && !off) || &entry == &place)
+          continue;
+        // In front of the last block the contour may go on without it.
+        const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
+        if (auto finding = ctx.report(at, event.certain))
+          finding
+              .message("`{0}` stands inside of the contour of `{1}`: compensation goes {2} block",
+                       ctx.code(use).name, ctx.code(event).name,
+                       on ? "on in its first" : "off in its last")
+              .note(ctx.blockRange(), "the cycle is called here");
+        return;
+      }
+  }
+
+  bool ends_ = false; ///< compensation is to go on and off in the contour's end blocks
   FileId contourFile_ = 0;
   uint32_t contourEnd_ = ~0u;
   bool reported_ = false;

@@ -45,11 +45,49 @@ private:
     return code ? "`" + code->name + "`" : "compensation";
   }
 
+  /// The block makes the last piece of a closed contour: at feed, to the point that the block gives
+  /// which has switched compensation on.
+  static bool closesContour(RuleContext &ctx) {
+    const Origin &on = ctx.before().origin.of(StatePart::Compensation);
+    const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
+    if (!motion || motion->action != Action::Linear || on.file != ctx.source().id() ||
+        ctx.callDepth() > 0 || !ctx.before().frames.empty() ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) !=
+            Truth::Yes)
+      return false;
+    Block first;
+    ctx.index().read(ctx.source().lines().lineBegin(on.begin), first);
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    uint16_t same = 0, moved = 0;
+    for (const Word &word : first.words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if (address.kind != AddressKind::Axis || !(plane >> unsigned(address.axis) & 1) ||
+          !word.isNumber())
+        continue;
+      const Interval &from = ctx.before().at(address.axis), &to = ctx.after().at(address.axis);
+      if (!from.isConstant() || !to.isConstant() || to.value() != word.value())
+        return false;
+      same |= uint16_t(1u << unsigned(address.axis));
+      if (from.value() != to.value())
+        moved |= same;
+    }
+    return same == plane && moved;
+  }
+
   /// The code that ends it goes on along the last piece: only a block of its own leaves the
   /// contour.
   void onLastPiece(const Event &event, RuleContext &ctx) const {
     if (!feeds_ || ctx.before().compensation != phaseOn || !ctx.before().must(Fact::CompensatedCut))
       return;
+    if (closesContour(ctx)) {
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Warning)
+            .message("`{0}` leads back to the first point of the contour: the last piece is cut "
+                     "while compensation is taken away",
+                     ctx.code(event).name)
+            .note(ctx.before().origin.of(StatePart::Compensation), "the contour begins here");
+      return;
+    }
     Block last;
     if (!readPrevious(ctx, last))
       return;
@@ -97,6 +135,16 @@ private:
     });
   }
 
+  /// The block behind this one gives coordinates in the plane, and no code of its own.
+  static bool nextMovesInPlane(RuleContext &ctx) {
+    Block next;
+    return readNext(ctx, next) &&
+           (axesOf(ctx.dialect(), next) & planeAxes(ctx.dialect(), ctx.after())) &&
+           !findCode(
+               ctx.dialect(), next,
+               {Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
+  }
+
   void atCode(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
@@ -108,10 +156,13 @@ private:
     const uint8_t waiting = off ? phaseEnding : phaseStarting;
     if (!(after & waiting) || (off ? !(before & phaseOn) : (before & phaseOn)) || movesInPlane(ctx))
       return;
-    // `G47 K`: it begins at the foot of the normal to the next element.
-    if (!off && llvm::any_of(ctx.block().words, [&](const Word &w) {
-          return w.has(wordNoValue) && (code.takes & maskOf(w.address));
-        }))
+    // `G47 K`: it begins at the foot of the normal to the next element. `G46 K`: where it leads to
+    // may stand in the next block.
+    if (llvm::any_of(ctx.block().words,
+                     [&](const Word &w) {
+                       return w.has(wordNoValue) && (code.takes & maskOf(w.address));
+                     }) &&
+        (!off || nextMovesInPlane(ctx)))
       return;
     const bool certain = after == waiting && (off ? before == phaseOn : !(before & phaseOn));
     auto finding = ctx.report(event, certain);

@@ -8,8 +8,14 @@ namespace {
 class CompensationWithoutOffset final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    // A mill whose language has no D takes the radius from elsewhere.
+    const Dialect &dialect = to.dialect();
+    if (!dialect.isLathe() && !dialect.offsetsOfTool &&
+        dialect.addresses[letterAddress('D')].kind == AddressKind::Unknown)
+      return;
     to.on(EventKind::CompensationMove);
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
+    greatestTip_ = to.option("greatestTip", 9);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -67,6 +73,16 @@ private:
                    lathe ? "the tool is called here" : "D is set here");
       return;
     }
+    if (const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), state);
+        lathe && tool && tool->tip && *tool->tip > greatestTip_) {
+      if (auto finding = ctx.report(where, event.certain))
+        finding.severity(Severity::Warning)
+            .message("`{0}` with offset {1}, whose tip direction is {2}: there are directions 0 "
+                     "to {3}",
+                     code.name, number, *tool->tip, int(greatestTip_))
+            .note(state.origin.of(StatePart::Tool), "the tool is called here");
+      return;
+    }
     if (compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
       return;
     if (auto finding = ctx.report(where, event.certain))
@@ -94,6 +110,7 @@ private:
   }
 
   OncePerCause once_;
+  double greatestTip_ = 9; ///< of the directions that the control has
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 // Radius compensation on the side of the material, or on that which the tool's nose does not have.
 #include "analyzer/once.h"
+#include "analyzer/path_ahead.h"
 #include "interp/tool_data.h"
 
 #include <algorithm>
@@ -83,9 +84,16 @@ private:
       if (before.inMachineCoordinates(axis) || after.inMachineCoordinates(axis))
         return;
     const Interval dz = after.at(Axis::Z) - before.at(Axis::Z);
-    const Interval dx = after.at(Axis::X) - before.at(Axis::X);
+    Interval dx = after.at(Axis::X) - before.at(Axis::X);
     if (!(dz.hi < 0) || !(before.at(Axis::X).lo >= 0) || !(after.at(Axis::X).lo >= 0))
       return;
+    SourceRange element = ctx.blockRange();
+    if (dx.lo == 0 && dx.hi == 0) { // along Z: the element behind it tells
+      const auto behind = changeBehindAxial(ctx, element);
+      if (!behind)
+        return;
+      dx = *behind;
+    }
     const bool outside = dx.lo > 0 && before.must(Fact::EnteredInward);
     const bool bore = dx.hi < 0 && before.must(Fact::EnteredOutward);
     if (!outside && !bore)
@@ -103,7 +111,33 @@ private:
                    "`{2}` belongs there",
                    code->name, outside ? "an outside contour" : "a bore",
                    nameOf(right, ctx.dialect()))
-          .note(ctx.blockRange(), outside ? "here the contour grows" : "here the bore shrinks");
+          .note(element, outside ? "here the contour grows" : "here the bore shrinks");
+  }
+
+  /// How X changes in the first element towards the chuck that follows moves along Z; `where`
+  /// becomes its place.
+  static std::optional<Interval> changeBehindAxial(const RuleContext &ctx, SourceRange &where) {
+    PathAhead ahead(ctx);
+    constexpr unsigned mostMoves = 4;
+    for (unsigned i = 0; i < mostMoves && ahead.next(); ++i) {
+      const ExecutedBlock move = ahead.executed();
+      const CodeInfo *motion = move.after.activeCode(ctx.dialect(), StandardGroup::Motion);
+      if (move.after.compensation != phaseOn || move.before.compensation != phaseOn || !motion ||
+          (motion->action != Action::Linear && !isArc(motion->action)) ||
+          findCode(ctx.dialect(), move.block,
+                   {Action::MachineMove, Action::CompensationLeft, Action::CompensationRight,
+                    Action::CompensationOff}))
+        return std::nullopt;
+      const Interval dz = move.after.at(Axis::Z) - move.before.at(Axis::Z);
+      const Interval dx = move.after.at(Axis::X) - move.before.at(Axis::X);
+      if (!(dz.hi < 0))
+        return std::nullopt;
+      if (dx.lo == 0 && dx.hi == 0)
+        continue;
+      where = wordsRange(ctx, move.block);
+      return dx;
+    }
+    return std::nullopt;
   }
 
   static std::string nameOf(Action action, const Dialect &dialect) {

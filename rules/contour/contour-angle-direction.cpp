@@ -152,12 +152,22 @@ private:
     const double half = std::sqrt(radius * radius - away * away) * (chosen.value() < 0 ? -1 : 1);
     const Point taken{foot[0] + direction[0] * half, foot[1] + direction[1] * half};
     const Point other{foot[0] - direction[0] * half, foot[1] - direction[1] * half};
+    const SourceRange at{ctx.source().id(), angleWord->offset, ahead.block().endOf(*angleWord)};
+    if (onArc(taken, *arc.start, *arc.end, *centre, clockwise) &&
+        dot(direction, minus(target, taken)) < -shortest) {
+      if (auto finding = ctx.report(at))
+        finding.severity(Severity::Warning)
+            .message("`{0}` points away from the end of this line: its angle is that of the way "
+                     "from the circle to that end",
+                     ctx.text(at))
+            .note(ctx.blockRange(), "the circle");
+      return;
+    }
     // Meant is the point on the way that the circle's own words describe.
     if (onArc(taken, *arc.start, *arc.end, *centre, clockwise) ||
         !onArc(other, *arc.start, *arc.end, *centre, clockwise) ||
         dot(direction, minus(target, other)) >= 0)
       return;
-    const SourceRange at{ctx.source().id(), angleWord->offset, ahead.block().endOf(*angleWord)};
     if (auto finding = ctx.report(at))
       finding.severity(Severity::Warning)
           .message("`{0}` points from the end of this line back to the circle: the control leaves "

@@ -44,8 +44,6 @@ public:
       return;
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
     if (arc || event.motion == MotionKind::Thread || (plain && event.motion == MotionKind::Rapid)) {
-      if (plain && arc)
-        return;
       if (auto finding = ctx.report(*angle))
         finding.message(
             arc ? "`{0}` stands in an arc: an angle gives the direction of a straight line"

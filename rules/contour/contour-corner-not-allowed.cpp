@@ -16,7 +16,8 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
-    if (!word || !event.certain || event.number != 0 || ctx.before().profile == 1)
+    if (!word || !event.certain || event.number != 0 || ctx.before().profile == 1 ||
+        !asksForCorner(ctx, *word))
       return;
     const bool plain = corners_.plain & maskOf(word->address);
     if (event.motion == MotionKind::Rapid) {

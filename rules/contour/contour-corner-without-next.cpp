@@ -1,5 +1,6 @@
 // A chamfer or rounding has no following move.
 #include "analyzer/corner_words.h"
+#include "interp/corner_path.h"
 
 namespace ncvet {
 namespace {
@@ -23,7 +24,7 @@ public:
     }
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
-    if (!word || ctx.before().profile != 0 || !event.certain)
+    if (!word || ctx.before().profile != 0 || !event.certain || !asksForCorner(ctx, *word))
       return;
     const bool plain = corners_.plain & maskOf(word->address);
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
@@ -71,7 +72,8 @@ private:
     if (!last.moves || last.motion != MotionKind::Feed)
       return;
     const Word *word = last.block.findAny(corners_.corner());
-    if (!word)
+    if (!word || (ctx.dialect().addresses[word->address].kind == AddressKind::Axis &&
+                  !isCornerOfAxis(ctx.dialect(), last.block, ctx.after())))
       return;
     for (const CodeUse &use : last.codes)
       if (ctx.code(use).action == Action::CompensationOff)

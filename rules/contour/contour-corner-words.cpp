@@ -14,8 +14,10 @@ public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
     senses_ = to.option("senses", 0) != 0;
+    signed_ = to.option("signed", 1) != 0;
+    nothing_ = to.option("commaOnly", 0) != 0 ? maskOf('R') : 0;
     to.onNotices(id);
-    if (corners_.corner())
+    if (corners_.corner() | nothing_)
       to.onChange({EventKind::Motion});
   }
 
@@ -25,6 +27,8 @@ public:
       return;
     }
     const Block &block = ctx.block();
+    if (block.hasAny(nothing_))
+      withoutComma(event, ctx);
     if (!block.hasAny(corners_.corner()))
       return;
     if (senses_)
@@ -32,6 +36,8 @@ public:
     if (!isLine(ctx, event) || takenByOther(ctx, corners_.plain))
       return;
     const Word *chamfer = block.findAny(corners_.chamfer);
+    if (chamfer && !asksForCorner(ctx, *chamfer))
+      chamfer = nullptr;
     const Word *rounding = block.findAny(corners_.rounding);
     if (chamfer && rounding) {
       const Word &second = chamfer->offset > rounding->offset ? *chamfer : *rounding;
@@ -43,22 +49,40 @@ public:
             ctx.text(first), ctx.text(second));
       return;
     }
+    if (!chamfer && !rounding)
+      return;
     const Word &word = chamfer ? *chamfer : *rounding;
     if (!(corners_.plain & maskOf(word.address)))
       return;
     constexpr uint16_t x = 1u << unsigned(Axis::X), z = 1u << unsigned(Axis::Z);
+    if (!signed_ && !(maskOf(word.address) & lettersMask("IK")))
+      return;
     const bool onlyX = (event.axes & (x | z)) == x, onlyZ = (event.axes & (x | z)) == z;
-    if ((word.address == letterAddress('I') && onlyX) ||
-        (word.address == letterAddress('K') && onlyZ)) {
-      if (auto finding = ctx.report(word))
+    const AddressId wrong = letterAddress(onlyX ? 'I' : 'K');
+    if (const Word *other =
+            onlyX || onlyZ ? block.findAny(maskOf(wrong) & corners_.plain) : nullptr) {
+      if (auto finding = ctx.report(*other))
         finding.message("the chamfer of a move in {0} is written with {1}, not `{2}`",
-                        onlyX ? "X" : "Z", onlyX ? "K" : "I", ctx.text(word));
+                        onlyX ? "X" : "Z", onlyX ? "K" : "I", ctx.text(*other));
       return;
     }
     sign(event, word, onlyX, onlyZ, ctx);
   }
 
 private:
+  /// A plain R in the block of a line, where corners have a comma.
+  void withoutComma(const Event &event, RuleContext &ctx) const {
+    if (!isLine(ctx, event) || event.code == noCode || event.number != 0 ||
+        ctx.code(event).action != Action::Linear || takenByOther(ctx, nothing_) ||
+        ctx.before().may(Fact::UnknownCode))
+      return;
+    const Word *word = ctx.block().findAny(nothing_);
+    if (auto finding = ctx.report(*word))
+      finding.message("a rounding is written `,R` on this control; `{0}` says nothing in a `{1}` "
+                      "block",
+                      ctx.text(*word), ctx.code(event).name);
+  }
+
   /// A rounding whose sign is the side to which it turns: plus to the left.
   void sense(RuleContext &ctx) const {
     const Word *word = ctx.block().findAny(corners_.rounding & ~corners_.plain);
@@ -125,7 +149,9 @@ private:
   }
 
   CornerAddresses corners_;
-  bool senses_ = false; ///< the sign of a rounding is a side
+  bool senses_ = false;     ///< the sign of a rounding is a side
+  bool signed_ = true;      ///< a plain R carries the sign of the move that follows
+  AddressMask nothing_ = 0; ///< letters that are no corners, though they look like them
 };
 
 } // namespace

@@ -2,9 +2,11 @@
 #include "analyzer/corner_words.h"
 #include "analyzer/defined_elements.h"
 #include "analyzer/element_geometry.h"
+#include "interp/arc.h"
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace ncvet {
 namespace {
@@ -54,6 +56,8 @@ public:
     }
     if (!event.certain || ctx.before().profile == 1)
       return;
+    if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
+      return behindArc(event, plane, ctx);
     const bool line = event.motion == MotionKind::Feed || event.motion == MotionKind::Rapid;
     if (!line || !block.has(commaA) || (axesOf(ctx, block) & plane) != plane)
       return;
@@ -148,7 +152,7 @@ private:
       return;
     if (findCode(ctx.dialect(), last, {Action::ArcCw, Action::ArcCcw})) {
       selector(ctx.block(), ctx.blockRange(), ctx);
-      incremental(ctx, ctx.blockRange());
+      incremental(ctx.block(), ctx.blockRange(), ctx);
       return;
     }
     parallel(event, last, plane, ctx);
@@ -157,7 +161,7 @@ private:
   /// Two lines: the one before by its end points, this one by its end and its angle.
   static void parallel(const Event &event, const Block &last, uint16_t plane, RuleContext &ctx) {
     if (last.has(commaA))
-      return; // the first line's start would have to be known
+      return parallelAngles(event, last, ctx);
     if (std::popcount(unsigned(plane)) != 2)
       return;
     const Word *angleWord = ctx.block().find(commaA);
@@ -187,6 +191,21 @@ private:
       finding
           .message("this line at `{0}` and the one before run parallel: they do not meet",
                    ctx.text(*angleWord))
+          .note(SourceRange{ctx.source().id(), last.begin, last.end}, "the line before");
+  }
+
+  /// Two lines by their angles.
+  static void parallelAngles(const Event &event, const Block &last, RuleContext &ctx) {
+    const Word &angleWord = *ctx.block().find(commaA);
+    const Word &before = *last.find(commaA);
+    const Interval angle = ctx.value(angleWord);
+    if (!before.isNumber() || !angle.isConstant() ||
+        std::fabs(std::remainder(angle.value() - before.value(), 180.0)) > 1e-6)
+      return;
+    if (auto finding = ctx.report(angleWord, event.certain))
+      finding
+          .message("this line at `{0}` and the one before run parallel: they do not meet",
+                   ctx.text(angleWord))
           .note(SourceRange{ctx.source().id(), last.begin, last.end}, "the line before");
   }
 
@@ -231,7 +250,8 @@ private:
       return;
     }
     selector(next, range, ctx);
-    incremental(ctx, range);
+    incremental(next, range, ctx);
+    misses(next, range, ctx);
     if (ctx.after().compensation == phaseOff)
       if (auto finding = ctx.report(range))
         finding.message(
@@ -252,7 +272,142 @@ private:
               "second");
   }
 
-  static void incremental(RuleContext &ctx, SourceRange range) {
+  /// The line at hand, by its angle, passes beside the circle of the next block.
+  static void misses(const Block &next, SourceRange range, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const auto circle = writtenCircle(next, ctx);
+    const Interval angle = ctx.value(*ctx.block().find(commaA));
+    const auto axes = planeOrder(ctx.dialect(), state);
+    const auto x = placeInPlane(ctx.dialect(), state, axes[0]);
+    const auto y = placeInPlane(ctx.dialect(), state, axes[1]);
+    if (!circle || !angle.isConstant() || !x || !y)
+      return;
+    const double turn = angle.value() * std::numbers::pi / 180;
+    const double away =
+        std::fabs((circle->x - *x) * std::sin(turn) - (circle->y - *y) * std::cos(turn));
+    if (away <= circle->radius + tolerance)
+      return;
+    if (auto finding = ctx.report(range))
+      finding
+          .message("the line before passes {0:f3} mm from the centre of this circle, whose radius "
+                   "is {1:f3} mm: they do not meet",
+                   away, circle->radius)
+          .note(ctx.blockRange(), "the line");
+  }
+
+  /// An arc, and behind it a circle or a line that is to be intersected with it.
+  static void behindArc(const Event &event, uint16_t plane, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    // A block with Q is itself the second one of two, and its centre is written otherwise.
+    if (dialect.isLathe() || ctx.block().has(letterAddress('Q')) || event.number != 0 ||
+        ctx.after().compensation == phaseOff || !ctx.after().frames.empty())
+      return;
+    Block next;
+    if (!readNext(ctx, next) || !next.items.empty() || !next.has(letterAddress('Q')) ||
+        (axesOf(ctx, next) & plane) != plane)
+      return;
+    const bool toArc = findCode(dialect, next, {Action::ArcCw, Action::ArcCcw});
+    const Word *angle = next.find(commaA);
+    if (toArc == bool(angle) || (angle && !findCode(dialect, next, {Action::Linear})))
+      return;
+    if (toArc && next.has(letterAddress('R')))
+      incremental(next, wordsRange(ctx, next), ctx);
+    const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
+    const ArcGeometry arc =
+        arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const auto centre =
+        words.hasCentre() ? arc.centre()
+        : arc.start && arc.end && arc.radius
+            ? centreByRadius(*arc.start, *arc.end, *arc.radius, event.motion == MotionKind::ArcCw)
+            : std::nullopt;
+    if (!arc.start || !centre)
+      return;
+    const double radius =
+        std::hypot((*arc.start)[0] - (*centre)[0], (*arc.start)[1] - (*centre)[1]);
+    double apart = 0;
+    bool meet = true;
+    if (toArc) {
+      const auto circle = writtenCircle(next, ctx);
+      if (!circle)
+        return;
+      apart = std::hypot(circle->x - (*centre)[0], circle->y - (*centre)[1]);
+      meet = apart <= radius + circle->radius + tolerance &&
+             apart >= std::fabs(radius - circle->radius) - tolerance;
+    } else {
+      const auto axes = planeOrder(dialect, ctx.after());
+      const auto end = writtenPoint(next, axes, ctx);
+      if (!end || !angle->isNumber())
+        return;
+      const double turn = angle->value() * std::numbers::pi / 180;
+      apart = std::fabs(((*centre)[0] - (*end)[0]) * std::sin(turn) -
+                        ((*centre)[1] - (*end)[1]) * std::cos(turn));
+      meet = apart <= radius + tolerance;
+    }
+    if (meet)
+      return;
+    if (auto finding = ctx.report(wordsRange(ctx, next), event.certain))
+      finding
+          .message(toArc ? "this circle and the one before do not meet: their centres are {0:f3} "
+                           "mm apart"
+                         : "this line passes {0:f3} mm from the centre of the circle before and "
+                           "does not meet it",
+                   apart)
+          .note(ctx.blockRange(), "the circle");
+  }
+
+  struct Circle {
+    double x = 0, y = 0, radius = 0; ///< mm
+  };
+  static constexpr double tolerance = 0.01; ///< mm: values are written rounded
+
+  /// The circle of a second block: its centre is a place, whatever the distance mode.
+  static std::optional<Circle> writtenCircle(const Block &block, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const auto unit = millimetresPer(ctx.dialect(), state);
+    const ArcWords words = arcWords(ctx.dialect(), state, block);
+    const Word *r = block.find('R');
+    if (!unit || ctx.dialect().isLathe() || !state.frames.empty() || !words.centre[0] ||
+        !words.centre[1] || !r || !r->isNumber())
+      return std::nullopt;
+    for (const Word *word : words.centre)
+      if (!word->isNumber() || word->has(wordIncremental))
+        return std::nullopt;
+    return Circle{words.centre[0]->value() * *unit, words.centre[1]->value() * *unit,
+                  std::fabs(r->value()) * *unit};
+  }
+
+  /// The end that the words of a second block give.
+  static std::optional<std::array<double, 2>>
+  writtenPoint(const Block &block, const std::array<Axis, 2> &axes, const RuleContext &ctx) {
+    const auto unit = millimetresPer(ctx.dialect(), ctx.after());
+    std::array<double, 2> place{};
+    for (size_t i = 0; i < 2; ++i) {
+      const Word *found = nullptr;
+      for (const Word &word : block.words)
+        if (const AddressInfo &info = ctx.dialect().addresses[word.address];
+            info.kind == AddressKind::Axis && info.axis == axes[i])
+          found = &word;
+      if (!found || !unit || !found->isNumber() || found->has(wordIncremental))
+        return std::nullopt;
+      place[i] = found->value() * *unit;
+    }
+    return place;
+  }
+
+  /// What is read as absolute is written as an increment.
+  static void incremental(const Block &block, SourceRange range, RuleContext &ctx) {
+    for (const Word &word : block.words)
+      if (word.has(wordIncremental) &&
+          ((ctx.dialect().axisWords | lettersMask("IJK")) & maskOf(word.address))) {
+        const SourceRange at{ctx.source().id(), word.offset, block.endOf(word)};
+        if (auto finding = ctx.report(at))
+          finding
+              .message("`{0}` is an increment, but the end and the centre of an intersected "
+                       "element are read as absolute",
+                       ctx.text(at))
+              .severity(Severity::Warning);
+        return;
+      }
     const GroupIndex group = ctx.dialect().group(StandardGroup::Distance);
     if (group == noGroup || ctx.after().group(group) == groupUnset ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=

@@ -15,9 +15,9 @@ public:
     if (event.code == noCode || !event.certain)
       return;
     if (event.kind == EventKind::Motion)
-      seenFrom(event, ctx);
-    else
-      side(event, ctx);
+      return seenFrom(event, ctx);
+    side(event, ctx);
+    sideSeenFrom(event, ctx);
   }
 
 private:
@@ -35,6 +35,19 @@ private:
                    "begins at the finished surface",
                    ctx.code(event).name)
           .note(ctx.after().origin.of(StatePart::Spindle), "the spindle is switched on here");
+  }
+
+  /// So is the side of the path.
+  static void sideSeenFrom(const Event &event, RuleContext &ctx) {
+    const Action action = ctx.code(event).action;
+    const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
+    if ((action != Action::CompensationLeft && action != Action::CompensationRight) ||
+        ctx.after().activeAction(ctx.dialect(), StandardGroup::Plane) != Action::PlaneZX)
+      return;
+    if (auto finding = use ? ctx.report(*use->word) : ctx.report(event))
+      finding.message("`{0}` in the ZX plane is seen from +Y: a drawing with X to the right shows "
+                      "the tool on the other side",
+                      ctx.code(event).name);
   }
 
   /// Arcs of ZX are seen along Y from its positive end: Z points up and X to the left there.

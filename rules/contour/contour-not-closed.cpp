@@ -4,6 +4,7 @@
 #include "interp/tool_data.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace ncvet {
 namespace {
@@ -36,8 +37,37 @@ public:
     }
     return apart(a, points_.back());
   }
+  /// What the last element lacks to reach the first one, where the contour has gone once round and
+  /// its last element leads there; none where more is missing than was made of it.
+  std::optional<double> missing() const {
+    if (!gap())
+      return std::nullopt;
+    double turned = 0;
+    for (size_t i = 1; i + 1 < points_.size(); ++i)
+      turned += turn(points_[i - 1], points_[i], points_[i + 1]);
+    constexpr double about = 0.02; // rad
+    if (std::fabs(turned) < 1.5 * std::numbers::pi - about ||
+        std::fabs(turned) > 2 * std::numbers::pi + about)
+      return std::nullopt;
+    const Point &a = points_[0], &b = points_[1];
+    const Point &p = points_[points_.size() - 2], &q = points_.back();
+    const double ofFirst = side(a, b, q) - side(a, b, p);
+    if (std::fabs(ofFirst) < same)
+      return std::nullopt;                         // they run parallel
+    const double along = -side(a, b, p) / ofFirst; // 1: at the end of the last element
+    const Point meets{p[0] + (q[0] - p[0]) * along, p[1] + (q[1] - p[1]) * along};
+    if (along <= 1 || along >= 2 || !reaches(a, b, meets))
+      return std::nullopt;
+    return (along - 1) * apart(p, q);
+  }
 
 private:
+  /// From the way `a` `b` to the way `b` `c`, in radians, positive to the left.
+  static double turn(const Point &a, const Point &b, const Point &c) {
+    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
+    return std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+  }
+
   static constexpr double same = 0.001; // mm
   static constexpr size_t most = 500;   // points, beyond which nothing is said
 
@@ -67,14 +97,15 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       wanted |= isClosed(code);
     usual_ = to.option("gap", 0);
-    if (!wanted && usual_ <= 0)
+    round_ = to.option("round", 0) != 0;
+    if (!wanted && usual_ <= 0 && !round_)
       return;
     to.onAction({Action::ProfileBegin, Action::ProfileRun, Action::CompensationOff});
     to.on(EventKind::Motion);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (usual_ > 0)
+    if (usual_ > 0 || round_)
       follow(event, ctx);
     if (event.kind == EventKind::Motion) {
       if (closed_ && ctx.before().profile == 1 && ctx.before().compensation == phaseOff &&
@@ -160,6 +191,16 @@ private:
   }
 
   void nearlyClosed(RuleContext &ctx) const {
+    if (const auto missing = round_ ? outline_.missing() : std::nullopt) {
+      if (auto finding = ctx.report(last_))
+        finding.severity(Severity::Warning)
+            .message("this contour ends {0:f3} mm in front of its first element: a rest stays "
+                     "there",
+                     *missing);
+      return;
+    }
+    if (usual_ <= 0)
+      return;
     const auto gap = outline_.gap();
     const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), ctx.before());
     const double radius = tool && tool->radius ? *tool->radius : usual_;
@@ -172,7 +213,8 @@ private:
               *gap);
   }
 
-  double usual_ = 0; ///< mm that a gap may have where the tool is not known; 0: not looked at
+  bool round_ = false; ///< a contour that has gone round is to reach its first element
+  double usual_ = 0;   ///< mm that a gap may have where the tool is not known; 0: not looked at
   Outline outline_;
   SourceRange last_;    ///< the block with the contour's last element
   bool closed_ = false; ///< such a profile is being recorded

@@ -11,6 +11,7 @@ public:
     to.onCode([](const CodeInfo &) { return true; });
     for (const CodeInfo &code : to.dialect().codes)
       records_ |= code.action == Action::ProfileBegin;
+    to.onChange({EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -23,8 +24,13 @@ public:
       return atCode(event, ctx);
     case EventKind::Motion:
       return atMove(event, ctx);
+    case EventKind::Block:
+      for (const Word &word : ctx.block().words)
+        if (maskOf(word.address) & lettersMask("TSD"))
+          foreign(word, ctx);
+      return;
     default:
-      return foreign(event, ctx);
+      return;
     }
   }
 
@@ -33,6 +39,8 @@ private:
   static void recorded(const Event &event, RuleContext &ctx) {
     if (ctx.callDepth() == 0) // what is recorded lies in a program of its own
       return;
+    if (event.kind == EventKind::Block)
+      return technology(ctx);
     if (event.kind == EventKind::Motion) {
       const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
       const bool contour =
@@ -59,6 +67,19 @@ private:
       finding.severity(Severity::Warning)
           .message("`{0}` has no place in a recorded profile: the control reads the path alone",
                    ctx.text(*event.word));
+  }
+
+  /// Feeds and speeds, which mean nothing to a path that is recorded.
+  static void technology(RuleContext &ctx) {
+    for (const Word &word : ctx.block().words) {
+      const AddressUnit unit = ctx.dialect().addresses[word.address].unit;
+      if (unit != AddressUnit::Feed && unit != AddressUnit::Speed)
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.severity(Severity::Warning)
+            .message("`{0}` has no place in a recorded profile: the control reads the path alone",
+                     ctx.text(word));
+    }
   }
 
   bool records_ = false; ///< the control records profiles
@@ -96,19 +117,23 @@ private:
     case Action::SpindleCcw:
     case Action::SpindleStop:
     case Action::Cycle:
-      return foreign(event, ctx);
-    default:
-      if (ctx.code(event).name == "STOPRE")
-        foreign(event, ctx);
+    case Action::CycleCancel:
+      return foreign(*event.word, ctx);
+    default: {
+      // A contour is made of lines and arcs.
+      const CodeInfo &code = ctx.code(event);
+      if (code.name == "STOPRE" || code.action == Action::CurveFeed)
+        foreign(*event.word, ctx);
       return;
+    }
     }
   }
 
-  static void foreign(const Event &event, RuleContext &ctx) {
-    if (auto finding = ctx.report(event))
+  static void foreign(const Word &word, RuleContext &ctx) {
+    if (auto finding = ctx.report(word))
       finding.severity(Severity::Warning)
           .message("`{0}` has no place in a contour: the cycle reads the path alone",
-                   ctx.text(*event.word));
+                   ctx.text(word));
   }
 
   static void atMove(const Event &event, RuleContext &ctx) {

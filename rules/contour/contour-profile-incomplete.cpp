@@ -40,13 +40,17 @@ public:
         finding.message("this recorded profile has no attach: it begins with a compensation code, "
                         "and ends with the one that takes it off");
     }
+    if (records_)
+      leftAttached(event, ctx);
     if (!ctx.before().must(Fact::InContour) || ctx.before().may(Fact::Cut))
       return;
     if (auto finding = ctx.report(event))
       finding.message("the contour ends here without an element behind its start: there is nothing "
                       "to mill along");
   }
-  void remember(RuleMemory &memory) const override { memory(begun_, attached_, pieces_, begin_); }
+  void remember(RuleMemory &memory) const override {
+    memory(begun_, attached_, detached_, pieces_, begin_);
+  }
 
 private:
   /// A piece of a profile that is recorded.
@@ -57,10 +61,24 @@ private:
     attached_ |= ctx.before().compensation != phaseOff || ctx.after().compensation != phaseOff;
   }
 
+  /// What is attached to a recorded profile is taken off at its end.
+  void leftAttached(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (before.profile != 1 || !pieces_ || before.compensation != phaseOn ||
+        before.may(Fact::UnknownCode) || detached_)
+      return;
+    detached_ = true; // said once
+    if (auto finding = ctx.report(event))
+      finding.message("this recorded profile has no detach: what a compensation code has attached "
+                      "is taken off at its end");
+  }
+
   void atCode(const Event &event, RuleContext &ctx) {
     const Action action = ctx.code(event).action;
     if (action == Action::CompensationOff)
       return withoutPiece(event, ctx);
+    if (begun_)
+      leftAttached(event, ctx);
     if (begun_ && ctx.before().profile == 1 && !pieces_ && ctx.callDepth() == 0 &&
         !ctx.before().may(Fact::UnknownCode))
       if (auto finding = ctx.report(event))
@@ -71,7 +89,7 @@ private:
     begun_ = action == Action::ProfileBegin;
     begin_ = ctx.range(*event.word);
     pieces_ = 0;
-    attached_ = false;
+    attached_ = detached_ = false;
   }
 
   /// Switched on and off again without a piece of a contour in between.
@@ -91,6 +109,7 @@ private:
   bool feeds_ = false;    ///< compensation without a contour is looked at
   bool begun_ = false;    ///< a profile is being recorded
   bool attached_ = false; ///< one of its moves is compensated
+  bool detached_ = false; ///< it was said that nothing takes the compensation off
   unsigned pieces_ = 0;
   SourceRange begin_;
 };

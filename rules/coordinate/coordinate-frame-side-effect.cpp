@@ -16,7 +16,10 @@ public:
       to.onAction({Action::DefineElement});
       to.onChange({EventKind::Motion});
     }
-    if (dialect.group(StandardGroup::Mirror) != noGroup)
+    for (const CodeInfo &code : dialect.codes)
+      if (code.frame == FrameKind::MirrorAxes && code.effect.index != 0xFF && code.effect.on)
+        switch_ = code.effect.index;
+    if (dialect.group(StandardGroup::Mirror) != noGroup || switch_ != 0xFF)
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
@@ -68,15 +71,23 @@ private:
 
   DefinedElements elements_;
 
-  static void mirror(const Event &event, RuleContext &ctx) {
+  /// The switch of the mirror that is on; 0xFF: none, or which is not known.
+  uint8_t mirrorOn(const RuleContext &ctx) const {
     const MachineState &state = ctx.after();
+    if (switch_ != 0xFF)
+      return state.switchMustBeOn(switch_) ? switch_ : uint8_t(0xFF);
     if (state.isActive(ctx.dialect(), StandardGroup::Mirror, {Action::MirrorOn}) != Truth::Yes)
-      return;
+      return 0xFF;
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::Mirror);
-    if (!code || code->effect.index == 0xFF)
+    return code ? code->effect.index : uint8_t(0xFF);
+  }
+
+  void mirror(const Event &event, RuleContext &ctx) const {
+    const MachineState &state = ctx.after();
+    const uint8_t on = mirrorOn(ctx);
+    if (on == 0xFF)
       return;
-    const auto axes =
-        uint16_t(state.switches.axesOf(code->effect.index) & planeAxes(ctx.dialect(), state));
+    const auto axes = uint16_t(state.switches.axesOf(on) & planeAxes(ctx.dialect(), state));
     if (!axes || (axes & (axes - 1))) // mirrored in both axes, the path keeps its sense
       return;
     if (auto finding = ctx.report(event))
@@ -84,9 +95,10 @@ private:
           .message("one axis of the plane is mirrored: `{0}` runs on the other side, climb becomes "
                    "conventional milling",
                    ctx.text(*event.word))
-          .note(state.origin.ofSwitch(code->effect.index), "mirrored here");
+          .note(state.origin.ofSwitch(on), "mirrored here");
   }
 
+  uint8_t switch_ = 0xFF;       ///< of a mirror that is no modal code; 0xFF: there is none
   std::set<uint32_t> reported_; ///< one finding for each scaling code
 };
 

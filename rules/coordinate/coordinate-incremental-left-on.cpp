@@ -1,5 +1,5 @@
 // Incremental dimensions are still on when the program ends.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -9,10 +9,14 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::Distance) != noGroup && to.option("wanted", 0) != 0)
       to.on({EventKind::ProgramEnd, EventKind::FlowIssue});
+    if (to.dialect().group(StandardGroup::Distance) != noGroup && to.option("early", 0) != 0)
+      to.onChange({EventKind::CycleRun, EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &state = ctx.after();
+    if (event.kind == EventKind::CycleRun || event.kind == EventKind::Motion)
+      return early(event, ctx);
     // A subprogram's end ends a main program too.
     if (event.kind == EventKind::FlowIssue &&
         (FlowIssue(event.number) != FlowIssue::ReturnInMain ||
@@ -39,6 +43,40 @@ public:
                    "distances",
                    code ? code->name : "incremental dimensions")
           .note(state.originOf(ctx.dialect(), StandardGroup::Distance), "it is switched on here");
+  }
+
+private:
+  /// A cycle is called, or the first move with another tool made, under what was on before.
+  static void early(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const bool cycle = event.kind == EventKind::CycleRun;
+    if (event.code == noCode || !event.certain || before.may(Fact::UnknownCode) ||
+        before.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+            Truth::Yes ||
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+            Truth::Yes)
+      return;
+    const Origin on = before.originOf(ctx.dialect(), StandardGroup::Distance);
+    const Origin &tool = before.origin.of(StatePart::Tool);
+    if (cycle) {
+      // Behind a modal call the positions may be distances.
+      if (ctx.code(event).group != noGroup || !makesHole(ctx.code(event).cycle) ||
+          before.modalCalls)
+        return;
+    } else if (!event.axes || event.number || event.motion == MotionKind::Reference ||
+               !before.must(Fact::ToolCalled) || before.may(Fact::MovedSinceTool) ||
+               !ctx.block().hasAny(ctx.dialect().axisWords) || !on.known() || !tool.known() ||
+               on.file != tool.file || on.begin > tool.begin || ctx.find({Action::Incremental})) {
+      return;
+    }
+    const CodeInfo *code = before.activeCode(ctx.dialect(), StandardGroup::Distance);
+    const std::string name = code ? "`" + code->name + "`" : "incremental dimensions";
+    if (auto finding = ctx.report(event))
+      finding
+          .message(cycle ? "`{0}` is called with {1} still on"
+                         : "the first move with this tool is a distance: {1} is still on",
+                   ctx.code(event).name, name)
+          .note(on, "it is switched on here");
   }
 };
 

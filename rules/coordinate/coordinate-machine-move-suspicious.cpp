@@ -19,11 +19,12 @@ public:
     const CodeUse *use = ctx.find({Action::MachineMove});
     if (!use)
       return;
-    if (event.motion == MotionKind::Feed && event.code != noCode && event.certain) {
+    if (const char *how =
+            event.code != noCode && event.certain ? wayOf(ctx.code(event)) : nullptr) {
       if (auto finding = ctx.report(*use->word))
         finding
-            .message("`{0}` moves by the active code `{1}`: this move is made at feed",
-                     ctx.text(*use->word), ctx.code(event).name)
+            .message("`{0}` moves by the active code `{1}`: {2}", ctx.text(*use->word),
+                     ctx.code(event).name, how)
             .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                   "`" + ctx.code(event).name + "` becomes active here")
             .fix(FixSafety::Unsafe, "write `G00` in front of it",
@@ -52,6 +53,20 @@ public:
   }
 
 private:
+  /// How the block moves when this code is in force; null: at rapid, or nobody knows.
+  static const char *wayOf(const CodeInfo &code) {
+    switch (code.action) {
+    case Action::Linear:
+      return "this move is made at feed";
+    case Action::Thread:
+      return "this move cuts a thread";
+    case Action::Cycle: // a cycle of the motion group, which only a motion code ends
+      return "G00 has not ended this cycle, and the move is no rapid";
+    default:
+      return nullptr;
+    }
+  }
+
   bool positive_ = true;
 };
 

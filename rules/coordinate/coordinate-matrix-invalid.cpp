@@ -1,7 +1,7 @@
 // A matrix that the control cannot use, or does not know.
 #include "analyzer/rule.h"
 
-#include <set>
+#include <vector>
 
 namespace ncvet {
 namespace {
@@ -9,7 +9,8 @@ namespace {
 class CoordinateMatrixInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    most_ = size_t(to.option("most", 0));
+    for (const SwitchInfo &kind : to.dialect().switches)
+      most_.push_back(size_t(to.option("most-" + kind.id, 0)));
     to.handleNotices();
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Reset || naming(code) ||
@@ -21,36 +22,66 @@ public:
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if (code.action == Action::Reset)
-      names_.clear();
+      matrices_.clear();
     const WordSpec *spec = naming(code);
     const Word *word = spec ? wordFor(ctx.block(), *spec) : nullptr;
-    if (!word || ctx.callDepth() > 0)
+    if (!word)
       return;
     const std::string name = ctx.text(*word).trim().upper();
+    const auto known =
+        llvm::find_if(matrices_, [&](const Matrix &matrix) { return matrix.name == name; });
     switch (spec->naming) {
     case Naming::Define:
-      if (names_.insert(name).second && most_ && names_.size() > most_)
-        if (auto finding = ctx.report(event))
-          finding.message("`{0}` is matrix {1}: the control keeps {2}", ctx.text(*word),
-                          names_.size(), most_);
+      if (known != matrices_.end())
+        known->where = ctx.range(*word);
+      else
+        matrices_.push_back({name, ctx.range(*word), unused});
       break;
     case Naming::Use:
-      if (!names_.count(name) && !ctx.before().may(Fact::UnknownCode))
+      if (known != matrices_.end())
+        return use(*known, code.effect.index, ctx);
+      // What calls a program may have defined it.
+      if (ctx.callDepth() == 0 && !ctx.before().may(Fact::UnknownCode))
         if (auto finding = ctx.report(*word))
           finding.severity(spec->severity)
               .message("the program has defined no matrix `{0}`", ctx.text(*word));
       break;
     case Naming::Drop:
-      names_.erase(name);
+      if (known != matrices_.end())
+        matrices_.erase(known);
       break;
     case Naming::None:
       break;
     }
   }
-  void remember(RuleMemory &memory) const override { memory(names_); }
+  void remember(RuleMemory &memory) const override { memory(matrices_); }
 
 private:
   static constexpr llvm::StringLiteral id{"coordinate-matrix-invalid"};
+
+  static constexpr uint8_t unused = 0xFF;
+
+  struct Matrix {
+    std::string name;
+    SourceRange where;     ///< its definition
+    uint8_t kind = unused; ///< index of the switch by which it is switched on
+
+    void remember(RuleMemory &memory) const { memory(name, where, kind); }
+  };
+
+  /// What switches a matrix on says of which kind it is, and the control keeps some of each.
+  void use(Matrix &matrix, uint8_t kind, RuleContext &ctx) {
+    if (matrix.kind != unused || kind >= most_.size())
+      return;
+    matrix.kind = kind;
+    const auto kept =
+        size_t(llvm::count_if(matrices_, [&](const Matrix &m) { return m.kind == kind; }));
+    if (!most_[kind] || kept <= most_[kind])
+      return;
+    if (auto finding = ctx.report(matrix.where))
+      finding.message("`{0}` is matrix {1} of its kind: the control keeps {2}", matrix.name, kept,
+                      most_[kind]);
+  }
 
   static const WordSpec *naming(const CodeInfo &code) {
     for (const WordSpec &spec : code.words)
@@ -59,8 +90,8 @@ private:
     return nullptr;
   }
 
-  size_t most_ = 0;             ///< matrices that are kept; 0: any number
-  std::set<std::string> names_; ///< of those defined, in the order of the text
+  std::vector<size_t> most_;     ///< by switch: matrices of its kind that are kept; 0: any number
+  std::vector<Matrix> matrices_; ///< that are defined
 };
 
 } // namespace

@@ -1,5 +1,8 @@
 // A program writes data that later programs work with.
+#include "analyzer/repeated_sections.h"
 #include "analyzer/rule.h"
+
+#include <map>
 
 namespace ncvet {
 namespace {
@@ -10,11 +13,15 @@ public:
     if (!to.dialect().machineData.empty())
       to.on(EventKind::Statement);
     to.onNotices(id);
+    if (to.dialect().incrementWords)
+      to.onAction({Action::FrameAdd});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind != EventKind::Statement)
-      return ctx.reportNotices(id, event);
+    if (event.kind != EventKind::Statement) {
+      ctx.reportNotices(id, event);
+      return again(event, ctx);
+    }
     const Item &item = ctx.block().items[size_t(event.number)];
     if (item.kind != ItemKind::Assignment)
       return;
@@ -28,6 +35,58 @@ public:
   }
 
 private:
+  /// Blocks that a program runs again: sections that it repeats, and what lies in front of a jump
+  /// that leads back.
+  struct Passes {
+    uint32_t first, behind;
+    SourceRange by;
+  };
+
+  static std::vector<Passes> passesOf(RuleContext &ctx) {
+    std::vector<Passes> passes;
+    const FileId file = ctx.source().id();
+    for (const RepeatedSection &section : repeatedSections(ctx.index()))
+      passes.push_back({section.first, section.behind, {file, section.begin, section.end}});
+    Block block;
+    for (uint32_t at = ctx.index().reader().first(); at < ctx.source().text().size();
+         at = block.next) {
+      ctx.index().read(at, block);
+      for (const Item &item : block.items) {
+        if (item.kind != ItemKind::Jump || item.nameEnd > item.nameBegin)
+          continue;
+        for (const Argument &target : block.argumentsOf(item))
+          if (const auto to = blockNamed(ctx.index(), block, target, block.begin);
+              to && *to <= block.begin)
+            passes.push_back({*to, block.next, {file, item.begin, item.end}});
+      }
+      if (block.next <= at)
+        break;
+    }
+    return passes;
+  }
+
+  /// A distance that is added to the offset in every pass.
+  void again(const Event &event, RuleContext &ctx) {
+    const CodeInfo &code = ctx.code(event);
+    if (code.action != Action::FrameAdd || code.frame != FrameKind::Offset ||
+        !ctx.block().hasAny(ctx.dialect().incrementWords))
+      return;
+    const auto [known, fresh] = passes_.try_emplace(ctx.source().id());
+    if (fresh)
+      known->second = passesOf(ctx);
+    for (const Passes &passes : known->second) {
+      if (ctx.block().begin < passes.first || ctx.block().begin >= passes.behind)
+        continue;
+      if (auto finding = ctx.report(event))
+        finding
+            .message("`{0}` adds a distance: every pass shifts the origin further",
+                     ctx.text(*event.word))
+            .note(passes.by, "the block is run again from here");
+      return;
+    }
+  }
+
+  std::map<FileId, std::vector<Passes>> passes_; ///< as the text says it
   static constexpr llvm::StringLiteral id{"coordinate-offset-table-written"};
 };
 

@@ -60,7 +60,10 @@ public:
       if (address.axis != radius ||
           (address.kind != AddressKind::Axis && address.kind != AddressKind::Increment))
         continue;
-      if (!word.has(wordIncremental) && address.kind != AddressKind::Increment)
+      if (!word.has(wordIncremental) && address.kind != AddressKind::Increment &&
+          (dialect.group(StandardGroup::Distance) == noGroup ||
+           after.active(dialect, StandardGroup::Distance) == groupUnset ||
+           after.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::Yes))
         return;
       if (auto finding = ctx.report(word))
         finding.severity(Severity::Style)

@@ -1,5 +1,9 @@
 // A transformation that does not fit the machine.
 #include "analyzer/rule.h"
+#include "formats/dialect/variable_key.h"
+
+#include <cmath>
+#include <numbers>
 
 namespace ncvet {
 namespace {
@@ -15,18 +19,91 @@ public:
     });
     if (cycles)
       to.on(EventKind::CycleRun);
+    if (llvm::any_of(to.dialect().codes, wraps)) {
+      to.on(EventKind::Motion);
+      to.onCode(wraps);
+    }
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode)
       return;
+    if (event.kind == EventKind::Motion)
+      return onSurface(ctx);
+    if (event.kind == EventKind::Code && wraps(ctx.code(event)))
+      surfaceEnds(ctx);
     const bool here =
         llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
     if (event.kind == EventKind::Code || !here)
       ctx.reportNotices(id, event);
   }
 
+  void remember(RuleMemory &memory) const override { memory(greatest_, at_); }
+
 private:
+  /// The diameter round which a code of the tables wraps a rotary axis.
+  static constexpr llvm::StringLiteral cylinder{"_CYLINDER"};
+
+  /// A code that lays such a surface in place of the plane, or takes it off.
+  static bool wraps(const CodeInfo &code) {
+    return llvm::any_of(code.stores,
+                        [](const Store &s) { return s.variable == variableKey(cylinder); });
+  }
+
+  static std::optional<double> circumference(const MachineState &state) {
+    const Value diameter = state.commons.get(variableKey(cylinder));
+    if (state.commons.given(variableKey(cylinder)) != Truth::Yes || !diameter.isConstant() ||
+        diameter.number.value() <= 0)
+      return std::nullopt;
+    return std::numbers::pi * diameter.number.value();
+  }
+
+  /// On the surface of a cylinder the words of its rotary axis are lengths along it.
+  void onSurface(RuleContext &ctx) {
+    const auto turn = circumference(ctx.before());
+    const Dialect &dialect = ctx.dialect();
+    if (!turn ||
+        ctx.after().isActive(dialect, StandardGroup::Distance, {Action::Absolute}) != Truth::Yes)
+      return;
+    constexpr double rounding = 0.05; // of the last point of a whole turn
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = dialect.addresses[word.address];
+      if (address.kind != AddressKind::Axis || address.unit != AddressUnit::Angle)
+        continue;
+      const Interval value = ctx.value(word);
+      if (!value.isConstant())
+        continue;
+      const double length = std::fabs(value.value());
+      if (length > *turn + rounding)
+        if (auto finding = ctx.report(word))
+          finding.severity(Severity::Warning)
+              .message("`{0}` is more than a turn: on this cylinder it counts in millimetres, and "
+                       "a turn has {1:f3}",
+                       ctx.text(word), *turn);
+      if (length >= greatest_) {
+        greatest_ = length;
+        at_ = ctx.range(word);
+      }
+    }
+  }
+
+  /// A contour that goes to 360 and no further was meant in degrees.
+  void surfaceEnds(RuleContext &ctx) {
+    const auto turn = circumference(ctx.before());
+    constexpr double degrees = 360;
+    if (turn && at_.end && greatest_ == degrees && std::fabs(*turn - degrees) > 1)
+      if (auto finding = ctx.report(at_))
+        finding.severity(Severity::Warning)
+            .message(
+                "the contour goes to {0:f0} and no further: on this cylinder that is millimetres "
+                "and no turn, which has {1:f3}",
+                greatest_, *turn);
+    greatest_ = 0;
+    at_ = {};
+  }
+
+  double greatest_ = 0; ///< of the words of rotary axes on the surface at hand
+  SourceRange at_;      ///< the last word with it
   static constexpr llvm::StringLiteral id{"coordinate-transformation-mismatch"};
 };
 

@@ -7,7 +7,8 @@ namespace {
 class CoordinateWorkOffsetNotSet final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::WorkOffset) != noGroup)
+    if (to.dialect().group(StandardGroup::WorkOffset) != noGroup &&
+        (!to.dialect().isLathe() || to.option("lathes", 1) != 0))
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 

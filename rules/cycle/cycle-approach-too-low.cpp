@@ -1,5 +1,6 @@
 // A cycle begins below its retraction plane, at the part.
 #include "analyzer/lookahead.h"
+#include "formats/dialect/variable_key.h"
 
 #include <array>
 
@@ -72,7 +73,8 @@ private:
   static void wayToHole(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
     const Interval &from = ctx.before().at(tool);
-    if (!ctx.dialect().cycleSurvivesMotion || !from.isConstant() || !hasPlaneVariable(code))
+    if (!ctx.dialect().cycleSurvivesMotion || !from.isConstant() || !hasPlaneVariable(code) ||
+        ctx.before().commons.given(variableKey("_BELOW")) == Truth::Yes) // a tool from below
       return;
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const auto start = kept(ctx.after(), code, Role::Retract);

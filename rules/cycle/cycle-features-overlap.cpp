@@ -72,13 +72,16 @@ private:
     if (!pocket_.isClosed())
       return;
     const bool attach = attach_ && pocket_.excludes(*attach_);
+    const bool inside = attach_ && current_.isClosed() && current_.encloses(*attach_);
     const bool contour = current_.isClosed() && pocket_.excludes(current_.first());
-    if (!attach && !contour)
+    if (!attach && !contour && !inside)
       return;
     if (auto finding = ctx.report(begin_))
       finding
-          .message(attach ? "the attach point of this island lies outside of the pocket"
-                          : "this island lies outside of the pocket")
+          .message(attach    ? "the attach point of this island lies outside of the pocket"
+                   : contour ? "this island lies outside of the pocket"
+                             : "the attach point of this island lies in the island: the tool "
+                               "would come down on what is to stay")
           .note(pocketBegin_, "the outline of the pocket");
   }
 

@@ -55,19 +55,24 @@ public:
                       code.name, *count);
   }
 
+  void remember(RuleMemory &memory) const override { memory(axes_, said_); }
+
 private:
   /// The first hole of a whole program: some block has gone to its place.
   void firstPlace(const Event &event, RuleContext &ctx) {
-    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
-    const bool moves = event.axes & ~(1u << unsigned(tool));
-    if (placed_ || moves || ctx.callDepth() > 0) {
-      placed_ = true;
+    axes_ |= event.axes;
+    if (said_ || ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode)) {
+      said_ = true;
       return;
     }
     if (event.kind != EventKind::CycleRun || event.code == noCode ||
         !makesHole(ctx.code(event).cycle))
       return;
-    placed_ = true;
+    said_ = true;
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    const auto open = uint16_t(plane & ~axes_);
+    if (!open)
+      return;
     Block first;
     const auto &reader = ctx.index().reader();
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
@@ -78,14 +83,19 @@ private:
     }
     if (!findCode(ctx.dialect(), first, {Action::ProgramHead}))
       return; // a fragment is placed by what stands in front of it
+    const char *const along = open == plane                     ? "its place"
+                              : open == 1u << unsigned(Axis::X) ? "its X"
+                              : open == 1u << unsigned(Axis::Y) ? "its Y"
+                                                                : "its Z";
     if (auto finding = ctx.report(event, event.certain))
       finding.severity(Severity::Warning)
-          .message("`{0}` makes its first hole where the tool happens to stand: no block before "
-                   "has gone to its place",
-                   ctx.code(event).name);
+          .message("`{0}` makes its first hole where the tool happens to stand: no block has gone "
+                   "to {1} before",
+                   ctx.code(event).name, along);
   }
 
-  bool placed_ = false; ///< the tool has gone to some place, or it was spoken of
+  uint16_t axes_ = 0; ///< in which the tool has gone to some place
+  bool said_ = false; ///< the first hole was looked at
 };
 
 } // namespace

@@ -5,6 +5,8 @@
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/Support/xxhash.h"
 
+#include <cmath>
+
 namespace ncvet {
 namespace {
 
@@ -26,23 +28,32 @@ class CycleHoleDrilledTwice final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.gathers();
-    to.on({EventKind::CycleStart, EventKind::CycleRun});
+    to.on({EventKind::CycleStart, EventKind::CycleRun, EventKind::ToolChange});
     calls_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
       return code.group == noGroup && makesHole(code.cycle);
     });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::ToolChange) { // what comes is the work of another tool
+      call_ = {};
+      return;
+    }
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
       return;
     if (event.kind == EventKind::CycleRun) {
       if (calls_)
         behindCall(event, ctx);
-      samePlace(event, ctx);
+      using Position = std::array<Interval, axisCount>;
+      const llvm::ArrayRef<Position> holes = ctx.outcome().holes;
+      for (const Position &position :
+           holes.size() > 1 ? holes : llvm::ArrayRef<Position>(ctx.after().position))
+        if (samePlace(event, position, ctx))
+          break;
       repeatedHere(event, ctx);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(call_, calledAt_); }
+  void remember(RuleMemory &memory) const override { memory(call_, calledAt_, calledDepth_); }
   void startGathering() override { gathered_.start(); }
   std::shared_ptr<Gathered> gathered() const override { return gathered_.part(); }
   bool gather(const Gathered &gathered) override {
@@ -97,31 +108,38 @@ private:
     if (ctx.code(event).group == noGroup) {
       call_ = known ? ctx.blockRange() : SourceRange{};
       calledAt_ = at;
+      calledDepth_ = kept(state, ctx.code(event), Role::Depth);
       return;
     }
     const bool here =
         call_.end != 0 && call_.file == ctx.source().id() && known && at == calledAt_ &&
         ctx.block().begin >= call_.end &&
         llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
-    if (here && !axesOf(ctx.dialect(), ctx.block()))
+    const auto depth = kept(state, ctx.code(event), Role::Depth);
+    const bool deeper = depth && calledDepth_ && *depth != *calledDepth_;
+    if (here && !deeper && !ctx.before().may(Fact::UnknownCode))
       if (auto finding = ctx.report(event, event.certain))
         finding
-            .message("`{0}` {1} the hole again that the block before has made",
-                     ctx.code(event).name, verbOf(ctx.code(event).cycle))
+            .message("`{0}` {1} a hole again that was made already", ctx.code(event).name,
+                     verbOf(ctx.code(event).cycle))
             .note(call_, "the hole is made here");
     call_ = {};
   }
   bool calls_ = false; ///< the control has cycles of one hole
   SourceRange call_{}; ///< block of the last cycle of one hole; no end: none
   std::array<double, axisCount> calledAt_{};
+  std::optional<double> calledDepth_; ///< of its hole
 
-  /// A position that the same list of holes has had before.
-  void samePlace(const Event &event, RuleContext &ctx) {
+  /// A position that the same list of holes has had before; true: it was reported.
+  bool samePlace(const Event &event, const std::array<Interval, axisCount> &position,
+                 RuleContext &ctx) {
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const Axis tool = toolAxis(ctx.dialect(), state);
-    if (state.profile || state.transforms[0])
-      return; // a shifted or turned system makes other places of the same numbers
+    // A turned or mirrored system makes other places of the same numbers.
+    const std::optional<Frame> frame = state.frames.total();
+    if (state.profile || !frame || (state.transforms[0] && state.frames.empty()))
+      return false;
     Place place;
     place.file = ctx.source().id();
     place.block = ctx.block().begin;
@@ -132,15 +150,25 @@ private:
     for (unsigned i = 0; i < axisCount; ++i) {
       if (i == unsigned(tool))
         continue;
-      if (!state.position[i].isConstant()) {
+      if (!position[i].isConstant()) {
         if (event.axes >> i & 1)
-          return;
+          return false;
         continue;
       }
-      place.at[i] = state.position[i].value();
+      place.at[i] = rounded(position[i].value());
     }
-    if (!state.position[0].isConstant())
-      return;
+    if (!position[0].isConstant())
+      return false;
+    if (state.transforms[0]) {
+      const Point3 turned = *frame * Point3{position[0], position[1], position[2]};
+      for (unsigned i = 0; i < turned.size(); ++i) {
+        if (i == unsigned(tool))
+          continue;
+        if (!turned[i].isConstant())
+          return false;
+        place.at[i] = rounded(turned[i].value());
+      }
+    }
     place.key = keyOf(place);
     // Another depth at the same place is a second step, and a longer path cannot be one list.
     const bool deeper =
@@ -148,14 +176,21 @@ private:
     gathered_.add(place);
     const Place *known = add(place);
     if (!known)
-      return;
+      return false;
     const Place &other = *known;
     if (other.block == place.block || other.offset != place.offset || other.at != place.at ||
         (deeper && state.origin.of(StatePart::Cycle).begin < ctx.block().begin))
-      return;
+      return false;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
           .note(SourceRange{place.file, other.block, other.end}, "this block was here already");
+    return true;
+  }
+
+  /// To a ten-thousandth of a millimetre: polar input and frames calculate.
+  static double rounded(double value) {
+    constexpr double parts = 1e4;
+    return std::round(value * parts) / parts + 0.0; // no minus zero
   }
 
   static uint64_t keyOf(const Place &place) {

@@ -9,10 +9,13 @@ class CycleLeftActive final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun});
+    if (to.dialect().emptyBlocksRun)
+      to.on(EventKind::ToolWord);
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Cycle && code.group == noGroup && !code.arguments &&
              code.cycle < CycleKind::Pattern;
     });
+    to.onCode([&](const CodeInfo &code) { return endsMeasuring(code, to.dialect()); });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -30,15 +33,25 @@ public:
     }
     if (!cycle)
       return;
+    // Where every block runs the cycle a T has no place in a list; the change says it for both.
+    const bool called = event.kind == EventKind::ToolWord;
+    if (called && ctx.find({Action::ToolChange}))
+      return;
     for (const CodeUse &use : ctx.codes()) { // the block itself ends the cycle
       const CodeInfo &code = ctx.code(use);
-      if (code.cancelsCycle || code.action == Action::CycleCancel ||
+      const bool ofFamily = code.family.empty() || code.family == cycle->family;
+      if ((code.cancelsCycle && ofFamily) || code.action == Action::CycleCancel ||
           (isMotion(code.action) && code.action != Action::None))
         return;
     }
     const Origin &origin = before.origin.of(StatePart::Cycle);
+    if (said_ == origin && said_.known())
+      return;
     const char *where = "";
     switch (event.kind) {
+    case EventKind::ToolWord:
+      where = "where the next tool is called";
+      break;
     case EventKind::ToolChange:
       where = "at this tool change";
       break;
@@ -55,20 +68,37 @@ public:
       break;
     }
     default:
+      if (endsMeasuring(ctx.code(event), dialect)) {
+        if (cycle->cycle != CycleKind::Measure)
+          return;
+        where = "at the end of measuring";
+        said_ = origin;
+        break;
+      }
       where = "where a cycle of turning begins";
       break;
     }
     const std::string cancel = cancelOf(dialect, *cycle);
     if (auto finding = ctx.report(event, active == Truth::Yes))
       finding
-          .message("`{0}` of line {1} is still active {2}: the next position {3} again",
-                   cycle->name, lineOf(ctx, origin), where, verbOf(cycle->cycle))
+          .message("`{0}` of line {1} is still active {2}: {4} {3} again", cycle->name,
+                   lineOf(ctx, origin), where, verbOf(cycle->cycle),
+                   called ? "the block" : "the next position")
           .note(origin, cycle->name + " becomes active here")
           .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
                ctx.insertBlockBefore(cancel));
   }
 
+  void remember(RuleMemory &memory) const override { memory(said_); }
+
 private:
+  /// A code that ends a series of measurements.
+  static bool endsMeasuring(const CodeInfo &code, const Dialect &dialect) {
+    return code.effect.index < dialect.switches.size() && !code.effect.on &&
+           dialect.switches[code.effect.index].leftOn == "probe-series-unbalanced";
+  }
+
+  Origin said_; ///< a cycle that was left active at the end of measuring
   static const CodeInfo *activeCycle(const MachineState &state, const Dialect &dialect) {
     for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion})
       for (const CodeInfo *code : state.candidates(dialect, which))

@@ -12,6 +12,9 @@ public:
     to.handleNotices();
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Cycle ||
+             llvm::any_of(
+                 code.words,
+                 [&](const WordSpec &w) { return topicOf(code, w) == WordTopic::Cycle; }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -23,7 +26,7 @@ public:
         }))
       return;
     reportMissingWords(ctx, event, [](const CodeInfo &code, const WordSpec &spec) {
-      return code.action == Action::Cycle && topicOf(code, spec) == WordTopic::Cycle;
+      return topicOfMissing(code, spec) == WordTopic::Cycle;
     });
     ctx.reportNotices(id, event);
   }

@@ -184,7 +184,8 @@ private:
     const Block &block = ctx.block();
     if (callParameters_.empty() || block.items.empty() || !block.has(variableAddress))
       return;
-    for (const Item &item : block.items) {
+    // What such a block names last says best what it is for.
+    for (const Item &item : llvm::reverse(block.items)) {
       if (item.kind != ItemKind::Assignment)
         continue;
       const auto call = callParameters_.find(block.keyOf(item.target));
@@ -200,7 +201,7 @@ private:
                                     : SourceRange{ctx.source().id(), item.begin, item.end};
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
-            .message("the block sets `{0}` and holds no `{1}`: nothing reads it",
+            .message("the block sets `{0}` and holds no `{1}`: no cycle takes it",
                      ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}),
                      code.name);
       return;
@@ -215,8 +216,8 @@ private:
   void checkLooseWords(RuleContext &ctx) {
     const Block &block = ctx.block();
     constexpr AddressMask data = lettersMask("IJKQEP");
-    if (!(block.addresses & data) || block.hasAny(maskOf('G') | maskOf('M')) ||
-        !block.items.empty())
+    if (!(block.addresses & data) || block.has(letterAddress('G')) || !block.items.empty() ||
+        (ctx.outcome().kinds & bitOf(EventKind::UnknownCode)))
       return;
     const CodeInfo *cycle = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
     if (!cycle || cycle->action != Action::Cycle || !makesHole(cycle->cycle))
@@ -239,6 +240,11 @@ private:
       default:
         break;
       }
+    for (const CodeUse &use : ctx.codes()) { // an M code may read such a word
+      lost &= ~ctx.code(use).takes;
+      for (const WordSpec &spec : ctx.code(use).words)
+        lost &= ~spec.any;
+    }
     const Word *word = block.findAny(lost);
     if (!word)
       return;

@@ -14,7 +14,10 @@ public:
     to.on(EventKind::CycleRun);
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Cycle ||
-             llvm::any_of(code.words, [](const WordSpec &w) { return !w.characters.empty(); }) ||
+             llvm::any_of(code.words,
+                          [&](const WordSpec &w) {
+                            return !w.characters.empty() || topicOf(code, w) == WordTopic::Cycle;
+                          }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -30,7 +33,10 @@ public:
     if (const uint8_t most = ctx.code(event).arguments; most && ctx.block().argument(most + 1u))
       return;
     reportWordRanges(ctx, event, [](const CodeInfo &code, const WordSpec &spec, Breach) {
-      return code.action == Action::Cycle && topicOf(code, spec) == WordTopic::Cycle;
+      return topicOf(code, spec) == WordTopic::Cycle;
+    });
+    reportKeptRanges(ctx, event, faults_, [](const CodeInfo &code, const WordSpec &spec) {
+      return topicOf(code, spec) == WordTopic::Cycle;
     });
     if (event.kind != EventKind::Code)
       return;
@@ -41,7 +47,11 @@ public:
     ctx.reportNotices(id, event);
   }
 
+  void remember(RuleMemory &memory) const override { memory(faults_); }
+
 private:
+  KeptFaults faults_;
+
   /// A text of other characters than the control can make.
   static void characters(const WordSpec &spec, RuleContext &ctx) {
     const Word *word = wordFor(ctx.block(), spec);
@@ -73,7 +83,29 @@ private:
       return;
     const Word *word = wordOf(ctx.block(), code, Role::ThreadForm);
     const auto value = valueOf(ctx, code, Role::ThreadForm);
-    if (!word || !value || *value < 0 || *value > 999999 || word->has(wordPoint))
+    if (!word || !value || *value < 0 || !word->isNumber())
+      return;
+    const llvm::StringRef digits = ctx.text(*word).drop_front().trim();
+    constexpr size_t packedDigits = 6;
+    if (word->has(wordPoint)) {
+      if (auto finding = ctx.report(*word, event.certain))
+        finding.message("`{0}` of `{1}` packs passes, run-out and angle into six digits: it takes "
+                        "no decimal point",
+                        ctx.text(*word), code.name);
+      return;
+    }
+    if (llvm::all_of(digits, llvm::isDigit) && digits.size() != packedDigits) {
+      // With one zero left out in front the fields are still those that were meant.
+      const bool leadingZero = digits.size() + 1 == packedDigits && digits.front() != '0';
+      if (auto finding = ctx.report(*word, event.certain))
+        finding
+            .message("`{0}` of `{1}` has {2} digits: it packs finishing passes, run-out and "
+                     "angle, two digits each",
+                     ctx.text(*word), code.name, digits.size())
+            .severity(leadingZero ? std::optional(Severity::Warning) : std::nullopt);
+      return;
+    }
+    if (*value > 999999)
       return;
     const auto packed = int64_t(*value);
     constexpr int64_t angles[] = {0, 29, 30, 55, 60, 80};

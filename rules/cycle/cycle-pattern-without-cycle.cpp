@@ -34,22 +34,39 @@ public:
   }
 
 private:
-  /// Two blocks and more of nothing but coordinates in the plane.
+  /// Two blocks and more of nothing but coordinates in the plane, to which the tool goes by rapid.
+  /// A further call behind them says that each hole has its own.
   static bool positionsFollow(RuleContext &ctx) {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     Block next;
     bool more = readNext(ctx, next);
     unsigned places = 0;
     for (; more && places < 2; more = readOn(ctx, next)) {
-      if (!next.items.empty() || next.words.empty() || (next.addresses & ~ctx.dialect().axisWords))
+      const bool plain = !(next.addresses & ~(ctx.dialect().axisWords | maskOf('G')));
+      if (!next.items.empty() || next.words.empty() || !plain ||
+          llvm::any_of(next.words, [&](const Word &word) {
+            const CodeIndex code =
+                word.address == letterAddress('G') ? codeOf(ctx.dialect(), word) : noCode;
+            return word.address == letterAddress('G') &&
+                   (code == noCode || ctx.dialect().codes[code].action != Action::Rapid);
+          }))
         break;
       const uint16_t axes = axesOf(ctx.dialect(), next);
       if (!axes || (axes & ~plane))
         break;
       ++places;
     }
+    for (unsigned i = 0; more && places == 2 && i < lookAhead; ++i, more = readOn(ctx, next)) {
+      if (llvm::any_of(codesOf(ctx.dialect(), next),
+                       [&](CodeIndex code) { return makesHole(ctx.dialect().codes[code].cycle); }))
+        return false;
+      if (next.words.empty() || !next.hasAny(ctx.dialect().axisWords))
+        break;
+    }
     return places == 2;
   }
+
+  static constexpr unsigned lookAhead = 4; ///< blocks
 
   bool modal_ = false;
 };

@@ -29,18 +29,30 @@ public:
     if (code.action == Action::Cycle) {
       if (!again)
         reportMissingWords(ctx, event, [](const CodeInfo &of, const WordSpec &spec) {
-          return topicOf(of, spec) == WordTopic::Peck;
+          return topicOfMissing(of, spec) == WordTopic::Peck;
         });
       reportWordRanges(ctx, event, [](const CodeInfo &of, const WordSpec &spec, Breach) {
+        return topicOf(of, spec) == WordTopic::Peck;
+      });
+      reportKeptRanges(ctx, event, faults_, [](const CodeInfo &of, const WordSpec &spec) {
         return topicOf(of, spec) == WordTopic::Peck;
       });
       checkOrder(event, code, ctx);
     }
     if (!again)
-      ctx.reportNotices(id, event);
+      return ctx.reportNotices(id, event);
+    // A later hole that gives a parameter anew.
+    if (const Word *word = assignsWordOf(ctx.block(), code)) {
+      Event changed = event;
+      changed.word = word;
+      ctx.reportNotices(id, changed);
+    }
   }
+  void remember(RuleMemory &memory) const override { memory(faults_); }
 
 private:
+  KeptFaults faults_;
+
   /// Shrinking pecks: the reduction and the least peck are smaller than the first one.
   static void checkOrder(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const Word *firstWord = wordOf(ctx.block(), code, Role::PeckFirst);

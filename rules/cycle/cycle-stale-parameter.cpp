@@ -11,8 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
     kept_ = to.option("kept", 0) != 0;
-    if (kept_)
-      to.on(EventKind::Statement);
+    to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words, [](const WordSpec &w) { return w.variable; }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
@@ -32,10 +31,12 @@ public:
         meant_[spec.variable] = code.base;
         continue;
       }
-      if (last == meant_.end() || ctx.before().commons.given(spec.variable) != Truth::Yes)
+      if (mayStandOnly(spec) || last == meant_.end() ||
+          ctx.before().commons.given(spec.variable) != Truth::Yes)
         continue;
-      if (last->second == code.base || shared(spec)) {
-        if (kept_ && code.action == Action::Cycle)
+      if (last->second == code.base || shared(spec) ||
+          (kept_ && meansTheSame(spec, ctx.dialect().codes[last->second]))) {
+        if (kept_ && (code.action == Action::Cycle || isForm(spec, code)))
           keeps(event, spec, code, ctx);
         continue;
       }
@@ -53,15 +54,26 @@ private:
   static constexpr llvm::StringLiteral id{"cycle-stale-parameter"};
   /// A value that a block of its own gives is meant for whatever comes.
   void assigned(const Item &item, RuleContext &ctx) {
-    if (item.kind != ItemKind::Assignment)
+    const auto meant = item.kind == ItemKind::Assignment
+                           ? meant_.find(ctx.block().keyOf(item.target))
+                           : meant_.end();
+    if (meant == meant_.end())
       return;
+    // A cycle that runs in every block takes it too.
+    const CodeInfo *active = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
+    if (active && active->firesOnEveryBlock && !ctx.find({Action::CycleCancel, Action::Cycle}) &&
+        llvm::any_of(active->words,
+                     [&](const WordSpec &w) { return w.variable == meant->first; })) {
+      meant->second = active->base;
+      return;
+    }
     const bool inCycle = llvm::any_of(ctx.block().words, [&](const Word &word) {
       const CodeIndex code = codeOf(ctx.dialect(), word);
       return code != noCode && llvm::any_of(ctx.dialect().codes[code].words,
                                             [](const WordSpec &w) { return w.variable; });
     });
     if (!inCycle)
-      meant_.erase(ctx.block().keyOf(item.target));
+      meant_.erase(meant);
   }
 
   /// The value of the run before: what a form is told by, or advice.
@@ -70,14 +82,29 @@ private:
     const bool form = spec.need == Need::Optional;
     if (auto finding = ctx.report(event))
       finding.severity(form ? Severity::Warning : Severity::Style)
-          .message(form ? "`{0}` has no {1} in its block, and the value of the block before still "
-                          "acts"
-                        : "`{0}` has no {1} in its block and keeps the value of the block before",
+          .message(form ? "`{0}` has no {1} in its block, and the value that an earlier block gave "
+                          "still acts"
+                        : "`{0}` has no {1} in its block and keeps the value of an earlier block",
                    code.name, spec.name);
   }
 
   bool kept_ = false; ///< values that stay the same are reported too
 
+  /// A word that may stand beside the code, and of which the table says nothing more.
+  static bool mayStandOnly(const WordSpec &spec) {
+    return spec.need == Need::Optional && spec.role == Role::None && spec.note.empty();
+  }
+  /// A word without which a profile is worked along in another way.
+  static bool isForm(const WordSpec &spec, const CodeInfo &code) {
+    return code.action == Action::ProfileBegin && spec.need == Need::Optional &&
+           spec.role == Role::None;
+  }
+  /// The other code calls the variable what this one calls it.
+  static bool meansTheSame(const WordSpec &spec, const CodeInfo &other) {
+    return !spec.note.empty() && llvm::any_of(other.words, [&](const WordSpec &its) {
+      return its.variable == spec.variable && its.note == spec.note;
+    });
+  }
   /// Depth, heights and feed mean the same to every cycle.
   static bool shared(const WordSpec &spec) {
     return spec.role == Role::Depth || spec.role == Role::Retract || spec.role == Role::Height ||

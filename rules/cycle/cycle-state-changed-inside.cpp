@@ -3,6 +3,8 @@
 #include "analyzer/lookahead.h"
 #include "analyzer/once.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
@@ -13,10 +15,17 @@ public:
     if (cycles == noGroup)
       return;
     goesOn_ = to.dialect().cycleSurvivesMotion;
+    cycles_ = cycles;
+    for (const std::string &name : to.dialect().axisVariables)
+      axes_.insert(variableKey(name));
+    for (const CodeInfo &code : to.dialect().codes)
+      for (const WordSpec &spec : code.words)
+        axes_.erase(spec.variable); // it is one cycle's own
     to.onCode([&](const CodeInfo &code) {
       if (goesOn_)
-        return changes(code.action) || (code.action == Action::Cycle && code.base != noCode &&
-                                        code.cycle != CycleKind::Pattern);
+        return changes(code.action) || shifts(code) ||
+               (code.action == Action::Cycle && code.base != noCode &&
+                code.cycle != CycleKind::Pattern);
       return !code.cancelsCycle && code.group != cycles &&
              (isMotion(code.action) || code.action == Action::Cycle);
     });
@@ -29,16 +38,30 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     const MachineState &before = ctx.before();
     const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
-    if (!cycle || cycle->action != Action::Cycle || !makesHole(cycle->cycle) ||
-        ctx.find({Action::CycleCancel}))
+    if (event.kind == EventKind::CycleRun && before.cycleActive(ctx.dialect()) == Truth::No)
+      return called(event, ctx);
+    if (!cycle || cycle->action != Action::Cycle ||
+        !(makesHole(cycle->cycle) || cycle->firesInPlane) || ctx.find({Action::CycleCancel}))
       return;
-    if (event.kind == EventKind::CycleRun)
-      return running(*cycle, ctx);
     if (event.kind == EventKind::Statement)
-      return parameter(ctx.block().items[size_t(event.number)], *cycle, ctx);
+      return assigned(ctx.block().items[size_t(event.number)], *cycle, ctx);
+    if (event.kind == EventKind::CycleRun) {
+      if (makesHole(cycle->cycle))
+        running(*cycle, ctx);
+      return;
+    }
     const CodeInfo &code = ctx.code(event);
     // A pattern runs the active cycle at each of its places.
-    if (&code == cycle || code.cycle == CycleKind::Pattern)
+    if (&code == cycle || code.cycle == CycleKind::Pattern ||
+        (isArc(code.action) && !makesHole(cycle->cycle)))
+      return;
+    // One of the same family ends the one before, one that is called leaves it what it is.
+    const bool families = !cycle->family.empty() && code.action == Action::Cycle;
+    if (families && (code.family == cycle->family || code.group != cycles_))
+      return;
+    // What states the plane once more changes nothing.
+    if (code.group != noGroup && code.group == ctx.dialect().group(StandardGroup::Plane) &&
+        before.group(code.group) == uint64_t(1) << code.bit)
       return;
     auto finding = ctx.report(event);
     if (!finding)
@@ -50,7 +73,7 @@ public:
           "cancels the cycle",
           code.name, cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)));
     else if (code.action == Action::Cycle)
-      finding.severity(Severity::Style)
+      finding.severity(families ? Severity::Warning : Severity::Style)
           .message("`{0}` replaces `{1}` of line {2}: `{3}` in between says it clearly", code.name,
                    cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)), cancel);
     else
@@ -65,6 +88,29 @@ public:
   void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
+  /// A variable that the active cycle reads gets another value.
+  void assigned(const Item &item, const CodeInfo &cycle, RuleContext &ctx) const {
+    if (item.kind == ItemKind::Assignment && axes_.count(ctx.block().keyOf(item.target)))
+      return axis(item, cycle, ctx);
+    if (makesHole(cycle.cycle))
+      parameter(item, cycle, ctx);
+  }
+
+  /// The axis along which cycles work.
+  static void axis(const Item &item, const CodeInfo &cycle, RuleContext &ctx) {
+    const uint64_t key = ctx.block().keyOf(item.target);
+    const Value was = ctx.before().commons.get(key), now = ctx.after().commons.get(key);
+    if (!was.isConstant() || !now.isConstant() || was.number.value() == now.number.value())
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` changes the axis under `{1}` of line {2}, which is active",
+                   ctx.text(range), cycle.name,
+                   lineOf(ctx, ctx.before().origin.of(StatePart::Cycle)))
+          .note(ctx.before().origin.of(StatePart::Cycle), cycle.name + " becomes active here");
+  }
+
   /// A parameter of the active cycle gets another value between its holes.
   static void parameter(const Item &item, const CodeInfo &cycle, RuleContext &ctx) {
     if (item.kind != ItemKind::Assignment || ctx.find({Action::Cycle}))
@@ -98,6 +144,12 @@ private:
     }
   }
 
+  /// A call that shifts the coordinates without being a code of a group.
+  static bool shifts(const CodeInfo &code) {
+    return code.action == Action::Switch &&
+           llvm::any_of(code.words, [](const WordSpec &w) { return w.role == Role::Shift; });
+  }
+
   /// A later block of a cycle that goes on: its way to the hole, and its words.
   void running(const CodeInfo &cycle, RuleContext &ctx) {
     const Axis tool = toolAxis(ctx.dialect(), ctx.after());
@@ -119,6 +171,10 @@ private:
                        "again with it",
                        ctx.text(*word), cycle.name);
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
+    if (motion && isArc(motion->action) && axesOf(ctx.dialect(), ctx.block())) {
+      arrivesByArc(cycle, *motion, ctx);
+      return;
+    }
     if (!motion || motion->action != Action::Linear || !axesOf(ctx.dialect(), ctx.block()) ||
         !once_.speaks(ctx.before().origin.of(StatePart::Cycle), ctx))
       return;
@@ -128,7 +184,32 @@ private:
                    motion->name);
   }
 
+  /// The block that calls the cycle: its way to the first hole.
+  void called(const Event &event, RuleContext &ctx) {
+    const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
+    if (event.code != noCode && makesHole(ctx.code(event).cycle) && motion &&
+        ctx.code(event).group != noGroup && isArc(motion->action) &&
+        axesOf(ctx.dialect(), ctx.block()))
+      arrivesByArc(ctx.code(event), *motion, ctx);
+  }
+
+  /// An arc that was in force before the cycle leads to the hole; one in the block itself was
+  /// spoken of already.
+  void arrivesByArc(const CodeInfo &cycle, const CodeInfo &motion, RuleContext &ctx) {
+    const Origin origin = ctx.after().originOf(ctx.dialect(), StandardGroup::Motion);
+    if (ctx.find({Action::ArcCw, Action::ArcCcw}) ||
+        !once_.speaks(ctx.after().origin.of(StatePart::Cycle), ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.severity(Severity::Error)
+          .message("the way to this hole of `{0}` is an arc: `{1}` is still in force", cycle.name,
+                   motion.name)
+          .note(origin, "`" + motion.name + "` becomes active here");
+  }
+
   bool goesOn_ = false; ///< motion codes do not end a cycle
+  GroupIndex cycles_ = noGroup;
+  std::set<uint64_t> axes_; ///< keys of variables that hold the axis of whatever cycle
   OncePerCause once_;
 };
 

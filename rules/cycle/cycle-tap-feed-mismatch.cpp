@@ -1,4 +1,5 @@
 // Feed and speed of a tapping cycle do not give the pitch.
+#include "analyzer/drill_parts.h"
 #include "analyzer/lookahead.h"
 
 #include <cmath>
@@ -13,12 +14,18 @@ public:
     to.onNotices(id);
     leastPitch_ = to.option("leastPitch", 0.05);
     greatestPitch_ = to.option("greatestPitch", 12);
+    parts_ = drillParts(to.dialect(), to.machine());
+    if (!parts_.empty())
+      to.onCode([](const CodeInfo &code) { return makesHole(code.cycle) && code.arguments; });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind == EventKind::Code)
-      return ctx.reportNotices(id, event);
-    if (event.code == noCode || !taps(ctx.code(event).cycle))
+    if (event.kind == EventKind::Code) {
+      ctx.reportNotices(id, event);
+      return ofPart(event, ctx);
+    }
+    // A cycle that takes speed and lead among its own words does without F.
+    if (event.code == noCode || !taps(ctx.code(event).cycle) || !ctx.code(event).needsFeed)
       return;
     const Dialect &dialect = ctx.dialect();
     const MachineState &state = ctx.after();
@@ -35,8 +42,9 @@ public:
     const Word *word = ctx.block().find('F');
     if (!word)
       word = ctx.block().find('S');
+    const bool changed = changesPitch(event, *unit, ctx);
     const bool stated =
-        word || !ctx.before().may(Fact::CycleRan) ||
+        word || changed || !ctx.before().may(Fact::CycleRan) ||
         llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
     if (!stated)
       return;
@@ -87,10 +95,9 @@ public:
     }
     // A later hole with another speed, but the old feed.
     const MachineState &before = ctx.before();
-    if (pitch || !word || code_ || !before.feed->isConstant() || !before.speed->isConstant() ||
-        before.speed->value() <= 0 || !before.must(Fact::CycleRan))
+    if (pitch || code_ || was_ <= 0 || !before.must(Fact::CycleRan))
       return;
-    const double was = before.feed->value() * *unit / before.speed->value();
+    const double was = was_;
     if (std::fabs(was - cuts) <= 0.005 * was)
       return;
     if (auto finding = ctx.report(at, event.certain))
@@ -102,8 +109,51 @@ public:
           .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
 
+  void remember(RuleMemory &memory) const override { memory(last_, feed_, speed_); }
+
 private:
   static constexpr llvm::StringLiteral id{"cycle-tap-feed-mismatch"};
+
+  /// A call whose part is a tapping cycle: its feed is the pitch.
+  void ofPart(const Event &event, RuleContext &ctx) const {
+    const CodeIndex part = codeOfPart(parts_, ctx.code(event), ctx);
+    if (part == noCode || !taps(ctx.dialect().codes[part].cycle))
+      return;
+    for (const WordSpec &spec : ctx.dialect().codes[part].words) {
+      if (spec.role != Role::Feed || !spec.variable)
+        continue;
+      const Word *feed = assignmentOf(ctx.block(), spec.variable);
+      if (!feed && spec.orVariable)
+        feed = assignmentOf(ctx.block(), spec.orVariable);
+      const Interval value = feed ? ctx.value(*feed) : Interval::unknown();
+      if (!value.isConstant() || value.value() <= greatestPitch_)
+        continue;
+      if (auto finding = ctx.report(*feed))
+        finding.message("`{0}` in a part that taps (`{1}`) is a feed per revolution: that is no "
+                        "pitch, it looks like a feed per minute",
+                        ctx.text(*feed), ctx.dialect().codes[part].name);
+    }
+  }
+
+  std::map<std::string, CodeIndex> parts_; ///< of the dialogs
+  /// Whether F or S has become another one since the hole before, in a block between the two.
+  bool changesPitch(const Event &event, double unit, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Origin &cycle = state.origin.of(StatePart::Cycle);
+    const SourceRange here = cycle.known() ? cycle.range() : SourceRange{};
+    const double feed = state.feed->value() * unit;
+    const double speed = state.speed->isConstant() ? state.speed->value() : 0;
+    const bool changed = event.certain && !here.empty() && here == last_ && speed > 0 &&
+                         speed_ > 0 && (feed != feed_ || speed != speed_);
+    was_ = changed ? feed_ / speed_ : 0;
+    last_ = here;
+    feed_ = feed;
+    speed_ = speed;
+    return changed;
+  }
+  SourceRange last_{};          ///< where the cycle of the last hole became active
+  double feed_ = 0, speed_ = 0; ///< those of that hole: mm, 1/min
+  double was_ = 0;              ///< pitch of that hole, where this one differs; else 0
   static std::string text(double value) {
     return llvm::formatv("{0}", llvm::format("%.4g", value)).str();
   }

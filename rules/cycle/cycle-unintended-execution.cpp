@@ -16,6 +16,9 @@ class CycleUnintendedExecution final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
+    machineMoves_ = to.option("machineMoves", 0) != 0;
+    if (machineMoves_)
+      to.onChange({EventKind::Motion});
     for (const CodeInfo &code : to.dialect().codes)
       waits_ |= code.waits;
     if (waits_)
@@ -29,6 +32,8 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Call)
       return call(ctx);
+    if (event.kind == EventKind::Motion)
+      return machineMove(event, ctx);
     if (event.kind == EventKind::ToolChange) {
       if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
         if (auto finding = ctx.report(event))
@@ -68,7 +73,20 @@ private:
           .note(before.origin.of(StatePart::Cycle), cycle->name + " becomes active here");
   }
 
-  bool calls_ = false; ///< calls under a cycle are looked at
+  /// A move in machine coordinates runs the cycle as every other place does.
+  static void machineMove(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
+    const CodeUse *use = ctx.find({Action::MachineMove});
+    if (event.number != 1 || !use || !cycle || !makesHole(cycle->cycle) ||
+        before.cycleActive(ctx.dialect()) != Truth::Yes ||
+        after.cycleActive(ctx.dialect()) != Truth::Yes || before.may(Fact::UnknownCode))
+      return;
+    report(event, *cycle, ctx, false, "at a machine position");
+  }
+
+  bool calls_ = false;        ///< calls under a cycle are looked at
+  bool machineMoves_ = false; ///< moves in machine coordinates are places of the cycle
 
   void checkHole(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
@@ -79,9 +97,12 @@ private:
       report(event, code, ctx, true, "to a depth above its start level");
       return;
     }
-    // A place of the list needs no rapid code: with one it reads like a way out.
+    // The way to a hole may well be written with its rapid code. Where the operation ends behind
+    // it, or where it leads far off, it reads like a way out.
     if (code.firesInPlane && ctx.find({Action::Rapid})) {
-      report(event, code, ctx, false, "at a rapid move");
+      const bool alongTool = event.axes & toolBit;
+      if (before.must(Fact::CycleRan) && (alongTool || endsWithoutCancel(ctx) || isFar(code, ctx)))
+        report(event, code, ctx, false, "at a rapid move");
       return;
     }
     // The first position after a tool change cannot belong to the list of the old tool.
@@ -150,7 +171,7 @@ private:
       return false;
     if (incremental == Truth::Yes || depth->has(wordIncremental) ||
         dialect.addresses[depth->address].kind == AddressKind::Increment)
-      return value.value() > 0 && !dialect.isLathe();
+      return value.value() > 0 && (!dialect.isLathe() || drillsDown(code, ctx));
     // The level from which the cycle drills, as it was before this block.
     std::optional<double> level;
     if (const auto r = kept(ctx.before(), code, Role::Retract))
@@ -166,6 +187,17 @@ private:
     const double z = value.value() * *unit;
     // As far off the level as it is, or farther, and on the other side than the hole.
     return *old < *level ? z > *level : z < *level;
+  }
+
+  /// Whether the cycle has drilled towards minus so far, from a start that lies before its R.
+  static bool drillsDown(const CodeInfo &code, const RuleContext &ctx) {
+    const CycleWords &words = ctx.before().cycle;
+    const auto unit = millimetresPer(ctx.dialect(), ctx.before());
+    const auto level = kept(ctx.before(), code, Role::Retract);
+    const Interval &from = ctx.before().initialLevel;
+    if (!unit || !level || !words.has('Z') || words.has('W') || !from.isConstant())
+      return false;
+    return words.get('Z') < *level && from.value() >= *level * *unit;
   }
 
   /// True when nothing ends the cycle before the tool changes, the spindle stops or the program

@@ -1,6 +1,8 @@
 // A cycle runs under a mode that it does not work in.
 #include "analyzer/rule.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
@@ -11,6 +13,8 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
     to.onNotices(id);
+    // Where the table speaks of the code under incremental distances, a hole under them counts too.
+    places_ = to.option("places", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -21,6 +25,8 @@ public:
       return;
     }
     const CodeInfo &code = ctx.code(event);
+    if (places_)
+      return incremental(event, ctx);
     if (code.cycle != CycleKind::BackBore ||
         ctx.dialect().group(StandardGroup::ReturnLevel) == noGroup ||
         ctx.after().active(ctx.dialect(), StandardGroup::ReturnLevel) == groupUnset)
@@ -42,6 +48,30 @@ public:
           .note(ctx.after().originOf(ctx.dialect(), StandardGroup::ReturnLevel),
                 "return to R is selected here");
   }
+  void remember(RuleMemory &memory) const override { memory(told_); }
+
+private:
+  /// Distances were switched on between the cycle's block and this place: once for each time.
+  void incremental(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Dialect &dialect = ctx.dialect();
+    if (state.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::Yes ||
+        ctx.find({Action::Cycle}))
+      return;
+    const Origin on = state.originOf(dialect, StandardGroup::Distance);
+    const Origin cycle = ctx.before().origin.of(StatePart::Cycle);
+    if (!on.known() || !cycle.known() || on.file != cycle.file || on.begin <= cycle.begin ||
+        !told_.insert({on.file, on.begin}).second)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is a distance to the next place of `{1}`, whose heights stay coordinates",
+                   ctx.text(ctx.blockRange()), ctx.code(event).name)
+          .note(on, "distances are switched on here");
+  }
+
+  bool places_ = false; ///< holes under incremental distances are reported
+  std::set<std::pair<FileId, uint32_t>> told_;
 };
 
 } // namespace

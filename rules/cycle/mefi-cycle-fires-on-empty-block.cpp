@@ -25,6 +25,8 @@ public:
           action == Action::SpindleStop)
         return; // its own block, or the business of those who speak of cycles left on
     }
+    if (ctx.block().has(letterAddress('T')))
+      return; // the next tool is called: so do they of this
     if (assignsWordOf(ctx.block(), cycle))
       return; // a parameter that comes too late: another rule speaks of it
     const Origin &origin = ctx.before().origin.of(StatePart::Cycle);

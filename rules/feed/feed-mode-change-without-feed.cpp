@@ -16,8 +16,12 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::CycleRun) {
-      if (afterTap_ && event.code != noCode && taps(ctx.code(event).cycle))
+      if (!afterTap_ || event.code == noCode)
+        return;
+      if (taps(ctx.code(event).cycle))
         tap_ = ctx.blockRange();
+      else if (ctx.code(event).group != noGroup) // a call has a feed of its own
+        pitchLeftOn(event, ctx);
       return;
     }
     if (afterTap_)
@@ -70,21 +74,22 @@ private:
 
   /// The feed per revolution that the block of a tapping cycle switched on is still in force.
   void pitchLeftOn(const Event &event, RuleContext &ctx) {
-    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                       event.motion == MotionKind::ArcCcw;
+    const bool drills = event.kind == EventKind::CycleRun;
+    const bool feeds = drills || event.motion == MotionKind::Feed ||
+                       event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
     const MachineState &state = ctx.after();
     if (tap_.end == 0)
       return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     const Origin since = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
     if (!feeds || !mode || mode->action != Action::FeedPerRevolution ||
-        state.cycleActive(ctx.dialect()) != Truth::No || !since.known() ||
+        (!drills && state.cycleActive(ctx.dialect()) != Truth::No) || !since.known() ||
         since.file != tap_.file || since.begin < tap_.begin || since.begin >= tap_.end)
       return;
     if (auto finding = ctx.report(event))
       finding
-          .message("`{0}` of the tapping cycle is still in force: this move feeds per revolution",
-                   mode->name)
+          .message("`{0}` of the tapping cycle is still in force: this {1} feeds per revolution",
+                   mode->name, drills ? "cycle" : "move")
           .note(since, "it was switched on for tapping");
     tap_ = {};
   }

@@ -19,9 +19,9 @@ public:
     const SourceRange name{ctx.source().id(), item.nameBegin, item.nameEnd};
     int64_t index = 0;
     llvm::StringRef variable = ctx.text(name).trim();
-    if (!variable.consume_front("R") || variable.getAsInteger(10, index) || index > 999) {
+    if (!variable.consume_front_insensitive("R") || variable.getAsInteger(10, index)) {
       if (auto finding = ctx.report(name))
-        finding.message("`{0}` takes no answer: the operator's value goes to R0 to R999",
+        finding.message("`{0}` takes no answer: the operator's value goes to a parameter, as R1",
                         ctx.text(name));
       return;
     }

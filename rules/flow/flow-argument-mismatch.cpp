@@ -75,19 +75,26 @@ private:
       for (const Item &item : block.items)
         if (item.kind == ItemKind::Instruction && item.begin == event.word->offset &&
             item.arguments >= spec.position &&
-            isName(block.argumentsOf(item)[spec.position - 1], block))
+            isName(block.argumentsOf(item)[spec.position - 1], ctx))
           if (auto finding = ctx.report(*word))
             finding.message("`{0}` ({1}) of `{2}` is a string: it stands in quotation marks",
                             ctx.text(*word), spec.note, code.name);
     }
   }
 
-  /// A number, or a name that nothing has defined: no variable that could hold a string.
-  static bool isName(const Argument &argument, const Block &block) {
+  /// A number, or a name that the program has not defined as a variable for texts.
+  static bool isName(const Argument &argument, const RuleContext &ctx) {
+    const Block &block = ctx.block();
     if (argument.kind != ArgumentKind::Expression || argument.expression == noExpression)
       return false;
     const Expression &e = block.expressions[argument.expression];
-    return !e.bad && e.count == 1 && block.operations[e.first].op != Op::Opaque;
+    if (e.bad || e.count != 1 || block.operations[e.first].op == Op::Opaque)
+      return false;
+    const Defined *defined =
+        ctx.index().definition(ctx.index().programAt(block.begin),
+                               ctx.text(SourceRange{ctx.source().id(), e.begin, e.end}).trim());
+    return !defined || defined->kind != ItemKind::Definition ||
+           defined->type != VariableType::String;
   }
 
   /// Definitions stand in front of everything that runs, and what a program takes in front of them.

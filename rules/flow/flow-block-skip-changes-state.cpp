@@ -1,6 +1,6 @@
 // What runs behind a skippable block depends on the skip switch.
+#include "analyzer/lookahead.h"
 #include "analyzer/reliance.h"
-#include "analyzer/rule.h"
 
 namespace ncvet {
 namespace {
@@ -10,6 +10,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Block});
     atCause_ = to.option("atCause", 0) != 0;
+    words_ = to.option("words", 0) != 0;
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Motion, StandardGroup::Distance, StandardGroup::Plane,
                           StandardGroup::Units, StandardGroup::Compensation,
@@ -28,8 +29,15 @@ public:
       if ((watched_ >> i & 1) && before.group(i) != after.group(i))
         changes.groups |= uint64_t(1) << i;
     changes.tool = before.tool != after.tool && before.tool != notSet;
-    if (!changes.any())
+    constexpr uint8_t turning = spindleCw | spindleCcw;
+    const uint8_t was = before.spindle, is = after.spindle;
+    if ((was | is) == turning && (was == spindleCw || was == spindleCcw) && was != is)
+      changes.groups |= groupMask(ctx.dialect(), {StandardGroup::Spindle});
+    if (!changes.any()) {
+      if (words_)
+        words(ctx);
       return;
+    }
     if (atCause_) {
       if (auto finding = ctx.report(ctx.blockRange()))
         finding.message("this change of {0} stands in a block that can be skipped: a key at the "
@@ -39,8 +47,11 @@ public:
     }
     SourceRange user;
     const ModeChanges relied = firstReliance(ctx, changes, user);
-    if (!relied.any())
+    if (!relied.any()) {
+      if (words_)
+        words(ctx);
       return;
+    }
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
           .message("with the skip switch on, the program goes on without this change of {0}",
@@ -49,8 +60,79 @@ public:
   }
 
 private:
+  /// A feed, a speed, an edge or a frame that a later block works with.
+  static void words(RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const Block &block = ctx.block();
+    const auto changed = [&](char letter) {
+      switch (letter) {
+      case 'F':
+        return !(before.feed == after.feed) || !before.must(Fact::FeedSet);
+      case 'S':
+        return !(before.speed == after.speed) || !before.must(Fact::SpeedSet);
+      case 'T':
+        return before.preselected != after.preselected;
+      default:
+        return before.radiusOffset != after.radiusOffset;
+      }
+    };
+    const auto report = [&](const char *what) {
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding.message("this change of {0} stands in a block that can be skipped: a key at the "
+                        "panel decides what holds behind it",
+                        what);
+    };
+    if (before.switches.may != after.switches.may &&
+        (ctx.find({Action::FrameSet, Action::FrameAdd, Action::FrameClear})))
+      return report("the frame");
+    if (ctx.find({Action::Dwell})) // a time
+      return;
+    const std::pair<char, const char *> values[] = {
+        {'D', "the tool's edge"}, {'F', "the feed"}, {'S', "the speed"}, {'T', "the tool"}};
+    for (const auto &[letter, what] : values)
+      if (block.has(letterAddress(letter)) && changed(letter) && worksWith(letter, ctx))
+        return report(what);
+  }
+
+  /// Whether a block behind works with the value before one gives it anew.
+  static bool worksWith(char letter, RuleContext &ctx) {
+    constexpr unsigned lookAhead = 20;
+    Block next;
+    bool more = readNext(ctx, next);
+    for (unsigned i = 0; more && i < lookAhead; ++i, more = readOn(ctx, next)) {
+      const CodeUseMask codes = lookAt(next, ctx);
+      if (codes.ends || next.has(letterAddress(letter)) ||
+          (letter != 'T' && next.has(letterAddress('T'))))
+        return false;
+      if (next.skip >= 0) // may be skipped with it
+        continue;
+      if (letter == 'T' ? codes.changes : letter == 'S' && codes.turns)
+        return true;
+      if (letter != 'T' && next.hasAny(ctx.dialect().axisWords) && !(letter == 'F' && codes.rapid))
+        return true;
+    }
+    return false;
+  }
+
+  struct CodeUseMask {
+    bool ends = false, changes = false, turns = false, rapid = false;
+  };
+  static CodeUseMask lookAt(const Block &block, const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    CodeUseMask found;
+    found.ends =
+        findCode(dialect, block, {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return});
+    found.changes = findCode(dialect, block, {Action::ToolChange});
+    found.turns = findCode(dialect, block, {Action::SpindleCw, Action::SpindleCcw});
+    found.rapid = findCode(dialect, block, {Action::Rapid}) ||
+                  (!findCode(dialect, block, {Action::Linear, Action::ArcCw, Action::ArcCcw}) &&
+                   ctx.after().activeAction(dialect, StandardGroup::Motion) == Action::Rapid);
+    return found;
+  }
+
   uint64_t watched_ = 0;
   bool atCause_ = false; ///< whether or not a later block relies on it
+  bool words_ = false;   ///< values of words count as well
 };
 
 } // namespace

@@ -14,9 +14,15 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Statement) {
-      const Item &item = ctx.block().items[size_t(event.number)];
+      const auto index = size_t(event.number);
+      const Item &item = ctx.block().items[index];
       if (item.kind == ItemKind::Structure && item.structure == Structure::While)
         return bracketed(item, ctx);
+      if (item.kind == ItemKind::Structure &&
+          (item.structure == Structure::Loop || item.structure == Structure::Repeat))
+        return endedBelow(item, ctx);
+      if (item.kind == ItemKind::Jump && index && ctx.block().items[index - 1].kind == ItemKind::If)
+        return whileTrue(ctx.block().items[index - 1], item, ctx);
       return backwards(item, ctx);
     }
     if (FlowIssue(event.number) != FlowIssue::EndlessLoop)
@@ -35,14 +41,16 @@ private:
         item.nameEnd > item.nameBegin || item.condition == noExpression ||
         !seen_.insert({ctx.source().id(), item.begin}).second)
       return;
+    const std::set<uint64_t> read = variablesOf(item, here);
+    std::optional<uint32_t> back;
+    const auto targets = here.argumentsOf(item);
     // Where the value is known the loop is run for real.
     if (evaluate(here, item.condition, ctx.before(), nullptr).isConstant())
       return;
-    const std::set<uint64_t> read = variablesOf(item, here);
-    std::optional<uint32_t> back;
-    for (const Argument &target : here.argumentsOf(item))
+    for (const Argument &target : targets) {
       if (const auto to = blockNamed(ctx.index(), here, target, here.begin); to && *to < here.begin)
         back = std::max(back.value_or(0), *to); // the shortest way back
+    }
     if (read.empty() || !back || here.begin - *back > readable)
       return;
     Block block;
@@ -112,6 +120,166 @@ private:
     }
   }
 
+  /// LOOP, and REPEAT with its condition in UNTIL, over blocks that do not leave and write nothing
+  /// of what the condition looks at. Where that is known the value says whether it runs again.
+  void endedBelow(const Item &item, RuleContext &ctx) {
+    const Block &here = ctx.block();
+    if (item.label || here.items.size() != 1 ||
+        !seen_.insert({ctx.source().id(), item.begin}).second)
+      return;
+    const ProgramInfo &program = ctx.index().programAt(here.begin);
+    // The end first: it holds the condition.
+    Block block;
+    unsigned depth = 0;
+    uint32_t end = here.next;
+    for (bool found = false; !found; end = block.next) {
+      if (end >= program.end || end - here.begin > readable)
+        return;
+      ctx.index().read(end, block);
+      if (block.next <= end)
+        return;
+      for (const Item &inner : block.items) {
+        if (inner.kind != ItemKind::Structure)
+          continue;
+        depth += opens(inner.structure);
+        if (closes(inner.structure) && depth-- == 0) {
+          if (inner.structure !=
+              (item.structure == Structure::Loop ? Structure::EndLoop : Structure::Until))
+            return;
+          found = true;
+          break;
+        }
+      }
+      if (found)
+        break;
+    }
+    std::set<uint64_t> read;
+    if (item.structure == Structure::Repeat) {
+      const Item &until = block.items.front();
+      if (until.condition == noExpression || block.expressions[until.condition].bad)
+        return;
+      read = variablesOf(until, block);
+      const Value holds = evaluate(block, until.condition, ctx.after(), nullptr);
+      if (read.empty() || (holds.isConstant() ? truthOf(holds) != Truth::No
+                                              : !givenBefore(read, program, here, ctx)))
+        return;
+    }
+    if (!staysInside(here.next, end, read, ctx))
+      return;
+    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(range))
+      finding.message(
+          read.empty() ? "`{0}`: nothing in the loop leads out of it, it never ends"
+                       : "`{0}`: nothing in the loop changes what its end looks at, it never ends",
+          ctx.text(range));
+  }
+
+  /// `IF R1<5 GOTOB AGAIN` over blocks that do not leave and write nothing of what it looks at.
+  void whileTrue(const Item &condition, const Item &item, RuleContext &ctx) {
+    const Block &here = ctx.block();
+    if (condition.condition == noExpression || item.arguments != 1 || here.skip >= 0 ||
+        item.nameEnd > item.nameBegin || item.jump == JumpKind::Forward || here.items.size() != 2 ||
+        !seen_.insert({ctx.source().id(), item.begin}).second)
+      return;
+    const auto back = blockNamed(ctx.index(), here, here.argumentsOf(item)[0], here.begin);
+    if (!back || *back >= here.begin || here.begin - *back > readable)
+      return;
+    if (entersBracket(*back, here.begin, ctx)) // another rule's matter
+      return;
+    const std::set<uint64_t> read = variablesOf(condition, here);
+    const Value holds = evaluate(here, condition.condition, ctx.before(), nullptr);
+    if (read.empty() ||
+        (holds.isConstant() ? truthOf(holds) != Truth::Yes
+                            : !givenBefore(read, ctx.index().programAt(here.begin), here, ctx)) ||
+        !staysInside(*back, here.begin, read, ctx))
+      return;
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), here.begin, here.end}))
+      finding.message("`{0}`: once it leads back it always does, nothing on the way changes what "
+                      "its condition looks at",
+                      ctx.text(SourceRange{ctx.source().id(), condition.begin, item.end}));
+  }
+
+  /// Whether a bracket of structured flow ends between two places that began in front of them.
+  static bool entersBracket(uint32_t from, uint32_t end, const RuleContext &ctx) {
+    Block block;
+    int depth = 0;
+    for (uint32_t at = from; at < end; at = block.next) {
+      ctx.index().read(at, block);
+      if (block.next <= at)
+        return true;
+      for (const Item &inner : block.items) {
+        if (inner.kind != ItemKind::Structure)
+          continue;
+        depth += opens(inner.structure) ? 1 : closes(inner.structure) ? -1 : 0;
+        if (depth < 0)
+          return true;
+      }
+    }
+    return false;
+  }
+
+  static bool opens(Structure structure) {
+    return structure == Structure::If || structure == Structure::While ||
+           structure == Structure::For || structure == Structure::Loop ||
+           structure == Structure::Repeat;
+  }
+  static bool closes(Structure structure) {
+    return structure == Structure::EndIf || structure == Structure::EndWhile ||
+           structure == Structure::EndFor || structure == Structure::EndLoop ||
+           structure == Structure::Until;
+  }
+
+  /// Whether the program gives each of the variables a value in front of the block: others may be
+  /// changed from outside.
+  static bool givenBefore(const std::set<uint64_t> &read, const ProgramInfo &program,
+                          const Block &here, const RuleContext &ctx) {
+    if (here.begin - program.body > readable)
+      return false;
+    Block block;
+    std::set<uint64_t> given;
+    for (uint32_t at = program.body; at < here.begin; at = block.next) {
+      ctx.index().read(at, block);
+      if (block.next <= at)
+        return false;
+      for (const Item &other : block.items)
+        if (other.kind == ItemKind::Assignment || other.kind == ItemKind::Definition)
+          given.insert(block.keyOf(other.target));
+    }
+    return llvm::all_of(read, [&](uint64_t key) { return given.count(key) != 0; });
+  }
+
+  /// Whether the blocks of [from, end) hold no way out and write none of the variables. A call may
+  /// do either.
+  static bool staysInside(uint32_t from, uint32_t end, const std::set<uint64_t> &read,
+                          const RuleContext &ctx) {
+    Block block;
+    for (uint32_t at = from; at < end; at = block.next) {
+      ctx.index().read(at, block);
+      if (block.next <= at || !block.issues.empty() || mayChange(block, read, ctx))
+        return false;
+      for (const Item &inner : block.items) {
+        const bool counts = inner.kind == ItemKind::Structure &&
+                            inner.structure == Structure::For &&
+                            read.count(block.keyOf(inner.target));
+        const bool writes = inner.kind == ItemKind::Instruction &&
+                            llvm::any_of(block.argumentsOf(inner), [&](const Argument &argument) {
+                              return argument.expression != noExpression &&
+                                     read.count(block.variableOf(argument.expression));
+                            });
+        if (counts || writes ||
+            (inner.kind != ItemKind::Assignment && inner.kind != ItemKind::Structure &&
+             inner.kind != ItemKind::Instruction && inner.kind != ItemKind::Output))
+          return false;
+      }
+      // A code without an entry is the machine builder's: it may end the program.
+      for (const Word &word : block.words)
+        if ((word.address == letterAddress('M') || word.address == letterAddress('G')) &&
+            codeOf(ctx.dialect(), word) == noCode)
+          return false;
+    }
+    return true;
+  }
+
   /// The variables that decide; empty when something else decides as well.
   static std::set<uint64_t> variablesOf(const Item &item, const Block &block) {
     std::set<uint64_t> read;
@@ -139,8 +307,11 @@ private:
            findCode(ctx.dialect(), block,
                     {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind,
                      Action::ProgramStop, Action::OptionalStop}) ||
-           llvm::any_of(codesOf(ctx.dialect(), block),
-                        [&](CodeIndex code) { return !ctx.dialect().codes[code].stores.empty(); });
+           llvm::any_of(codesOf(ctx.dialect(), block), [&](CodeIndex code) {
+             return llvm::any_of(ctx.dialect().codes[code].stores, [&](const Store &store) {
+               return !store.list.empty() || read.count(store.variable);
+             });
+           });
   }
 
   static constexpr uint32_t readable = 1u << 16; ///< bytes of a loop that are looked at

@@ -16,8 +16,11 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
-    if (repeats_)
+    if (repeats_) {
       setAgain(file, ctx);
+      for (const RepeatedSection &section : repeatedSections(file.index))
+        standsStill(section, file, ctx);
+    }
     if (!counts_)
       return;
     struct Loop {
@@ -90,6 +93,28 @@ private:
           break;
       }
     }
+  }
+
+  /// A section lays a frame by a counter, and nothing in it counts on.
+  static void standsStill(const RepeatedSection &section, const FileSummary &file,
+                          RuleContext &ctx) {
+    const CountedFrame frame = countedFrame(file.index, ctx.dialect(), section);
+    if (!frame.code)
+      return;
+    Block block;
+    for (uint32_t at = section.first; at < section.behind; at = block.next) {
+      file.reader.read(at, block);
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Call || item.kind == ItemKind::Jump ||
+            (item.kind == ItemKind::Assignment && block.keyOf(item.target) == frame.counter))
+          return; // another program, or another way, may count
+      if (block.next <= at)
+        break;
+    }
+    if (auto finding = ctx.report(SourceRange{file.source.id(), section.begin, section.end}))
+      finding.message("nothing in the section that is repeated counts on what `{0}` counts with: "
+                      "every pass makes the same frame",
+                      frame.code->name);
   }
 
   static bool isConstant(const Block &block, uint16_t index) {

@@ -51,22 +51,26 @@ private:
       return;
     const double runs = value.number.value();
     const bool plain = count.count == 1;
+    const bool computed =
+        !plain || ctx.block().operations[count.first].op != Op::Number; // the text shows no number
     const SourceRange range{ctx.source().id(), count.begin, count.end};
     const bool none = runs < 1 && (plain || runs < 0);
     const bool broken = none || runs != std::floor(runs) || (greatest_ > 0 && runs > greatest_);
-    if (!broken && (usual_ == 0 || runs <= usual_))
+    if (!broken && (usual_ == 0 || runs <= usual_ || item.kind == ItemKind::Repeat))
       return;
     if (auto finding = ctx.report(range)) {
       finding.message(none     ? "`{0}` is no number of runs: it has to be 1 at least"
-                      : broken ? "`{0}` is no number of runs that the control makes"
+                      : broken ? plain && !computed
+                                     ? "`{0}` is no number of runs that the control makes"
+                                     : "`{0}` is {1}: no number of runs that the control makes"
                                : "`{0}` runs are more than is usual: smaller controls refuse it",
-                      ctx.text(range));
+                      ctx.text(range), runs);
       if (!broken)
         finding.severity(Severity::Warning);
     }
   }
 
-  double usual_ = 0, greatest_ = 0; ///< 0: not limited
+  double usual_ = 0, greatest_ = 0; ///< 0: not limited; the first is one of calls
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 // Every pass of a repeated call does the same again.
+#include "analyzer/repeated_sections.h"
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -11,6 +12,10 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     if (FlowIssue(event.number) != FlowIssue::RepeatSame || !ctx.after().must(Fact::Cut))
       return;
+    // Where a counter of the section stands still, another rule says so.
+    for (const RepeatedSection &section : repeatedSections(ctx.index()))
+      if (section.at == ctx.block().begin && countedFrame(ctx.index(), ctx.dialect(), section).code)
+        return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message(ctx.outcome().flow.kind == FlowKind::Repeat
                           ? "`{0}` cuts the same path again: nothing in the section moves on"

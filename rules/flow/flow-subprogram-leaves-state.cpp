@@ -36,6 +36,8 @@ public:
       if ((watched_ >> i & 1) && ((before.isStated(i)) || (initial_ >> i & 1)) &&
           !(before.group(i) & (after.group(i) | groupUnset)))
         changes.groups |= uint64_t(1) << i;
+    if (!changes.any() && atCall_)
+      return framesAtCall(ctx);
     if (!changes.any())
       return;
     if (atCall_)
@@ -129,6 +131,23 @@ private:
                      "with it",
                      ctx.dialect().groups[i].title)
             .note(ctx.after().origin.ofGroup(i), "it is set here and not set back");
+      return;
+    }
+  }
+
+  /// A mirror, shift or rotation that was not on where the program was called.
+  static void framesAtCall(RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    for (unsigned i = 0; i < ctx.dialect().switches.size(); ++i) {
+      const SwitchInfo &info = ctx.dialect().switches[i];
+      if (info.leftOn != "coordinate-frame-left-on" || before.switchMayBeOn(i) ||
+          !after.switchMustBeOn(i))
+        continue;
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding
+            .message("the called program comes back with {0} on: the caller goes on with it",
+                     info.title)
+            .note(after.origin.ofSwitch(i), "it is switched on here and not off");
       return;
     }
   }

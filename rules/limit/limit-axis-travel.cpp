@@ -16,7 +16,10 @@ public:
     volume_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
       return llvm::any_of(code.stores, [](const Store &s) { return s.variable == greatest().on; });
     });
-    if (travels_ || volume_)
+    programmed_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
+      return llvm::any_of(code.stores, [](const Store &s) { return s.variable == travelTo()[0]; });
+    });
+    if (travels_ || volume_ || programmed_)
       to.on(EventKind::Motion);
     to.on({EventKind::SpeedWord, EventKind::FeedWord});
   }
@@ -32,6 +35,8 @@ public:
         travel(event, ctx);
       if (volume_)
         volume(event, ctx);
+      if (programmed_)
+        ownTravel(event, ctx);
     }
   }
 
@@ -53,6 +58,52 @@ private:
         {variableKey("_GREATEST_X"), variableKey("_GREATEST_Y"), variableKey("_GREATEST_Z")},
         variableKey("_GREATEST_ON")};
     return keys;
+  }
+
+  /// Keys of the variables in which the table's codes leave the travel to which the program keeps
+  /// (X Y Z, mm in machine coordinates).
+  static const std::array<uint64_t, 3> &travelFrom() {
+    static const std::array<uint64_t, 3> keys{variableKey("_TRAVEL_FROM_X"),
+                                              variableKey("_TRAVEL_FROM_Y"),
+                                              variableKey("_TRAVEL_FROM_Z")};
+    return keys;
+  }
+  static const std::array<uint64_t, 3> &travelTo() {
+    static const std::array<uint64_t, 3> keys{
+        variableKey("_TRAVEL_TO_X"), variableKey("_TRAVEL_TO_Y"), variableKey("_TRAVEL_TO_Z")};
+    return keys;
+  }
+
+  /// Travel that the program has narrowed.
+  static void ownTravel(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (event.motion == MotionKind::Reference || ctx.before().profile == 1)
+      return;
+    for (const Word &word : ctx.block().words) {
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      if ((address.kind != AddressKind::Axis && address.kind != AddressKind::Increment) ||
+          unsigned(address.axis) > 2)
+        continue;
+      const auto axis = unsigned(address.axis);
+      const Value from = state.commons.get(travelFrom()[axis]),
+                  to = state.commons.get(travelTo()[axis]);
+      if (!from.isConstant() && !to.isConstant())
+        continue;
+      // The length of the tool has a say in where its axis stands.
+      if (address.axis == toolAxis(ctx.dialect(), state) &&
+          !state.inMachineCoordinates(address.axis))
+        continue;
+      const Interval place = inMachine(address.axis, ctx);
+      const bool over = to.isConstant() && place.lo > to.number.value();
+      const bool under = from.isConstant() && place.hi < from.number.value();
+      if (!over && !under)
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` leads to {1:f3} in machine coordinates: the program has ended the "
+                        "travel at {2:f3}",
+                        ctx.text(word), over ? place.lo : place.hi,
+                        over ? to.number.value() : from.number.value());
+    }
   }
 
   /// The corner's coordinate when it is known and guarded.
@@ -195,8 +246,9 @@ private:
     return frame ? (*frame * place)[size_t(axis)] : Interval::unknown();
   }
 
-  bool travels_ = false; ///< the machine profile knows the travel of an axis
-  bool volume_ = false;  ///< the control guards a volume
+  bool travels_ = false;    ///< the machine profile knows the travel of an axis
+  bool volume_ = false;     ///< the control guards a volume
+  bool programmed_ = false; ///< programs may narrow the travel
 };
 
 } // namespace

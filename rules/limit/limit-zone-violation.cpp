@@ -1,5 +1,5 @@
 // A move leads into a forbidden zone.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 #include <array>
 #include <bit>
@@ -60,7 +60,7 @@ public:
           !llvm::is_contained(groups_, code.group))
         groups_.push_back(code.group);
     if (!groups_.empty() && !to.dialect().isLathe())
-      to.on(EventKind::Motion);
+      to.on({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -70,6 +70,8 @@ public:
     const auto zone = zoneInForce(groups_, state, ctx);
     if (!zone || !comparable(*zone, state, ctx))
       return;
+    if (event.kind == EventKind::CycleRun)
+      return holes(event, *zone, ctx);
     bool inside = true;
     const Word *culprit = nullptr;
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -88,6 +90,12 @@ public:
       inside &= zone->min[axis] && zone->max[axis] && place.lo > *zone->min[axis] &&
                 place.hi < *zone->max[axis];
     }
+    if (!zone->outsideForbidden && !inside && leadsThrough(event, *zone, ctx)) {
+      if (auto finding = ctx.report(event))
+        finding.message("this move leads through the forbidden zone")
+            .note(zone->origin, "the zone is switched on here");
+      return;
+    }
     if (zone->outsideForbidden ? !culprit : !inside)
       return;
     auto finding = zone->outsideForbidden ? ctx.report(*culprit) : ctx.report(event);
@@ -100,6 +108,100 @@ public:
   }
 
 private:
+  /// Whether a straight way between two known places crosses the box. At rapid only a move of one
+  /// axis is sure to be straight.
+  static bool leadsThrough(const Event &event, const Zone &zone, const RuleContext &ctx) {
+    const bool straight =
+        event.motion == MotionKind::Feed || event.motion == MotionKind::Thread ||
+        (event.motion == MotionKind::Rapid && std::has_single_bit(unsigned(event.axes)));
+    std::array<double, 3> from{}, to{};
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const Interval &begin = ctx.before().position[axis], &end = ctx.after().position[axis];
+      if (!begin.isConstant() || !end.isConstant() || ctx.before().inMachineCoordinates(Axis(axis)))
+        return false;
+      from[axis] = begin.value();
+      to[axis] = end.value();
+    }
+    return straight && event.certain && crosses(zone, from, to);
+  }
+
+  static bool crosses(const Zone &zone, const std::array<double, 3> &from,
+                      const std::array<double, 3> &to) {
+    double enters = 0, leaves = 1; // shares of the way
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      if (!zone.min[axis] || !zone.max[axis])
+        return false;
+      const double way = to[axis] - from[axis];
+      double a = *zone.min[axis] - from[axis], b = *zone.max[axis] - from[axis];
+      if (way == 0) {
+        if (a >= 0 || b <= 0)
+          return false;
+        continue;
+      }
+      if (way < 0)
+        std::swap(a, b);
+      enters = std::max(enters, a / way);
+      leaves = std::min(leaves, b / way);
+    }
+    constexpr double touches = 1e-6;
+    return enters + touches < leaves;
+  }
+
+  /// Whether the words that the cycle keeps are coordinates and no increments.
+  static bool isAbsolute(const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Origin &cycle = state.origin.of(StatePart::Cycle);
+    const Origin distance = state.originOf(ctx.dialect(), StandardGroup::Distance);
+    if (state.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+            Truth::No ||
+        !cycle.known() || cycle.file != ctx.source().id() ||
+        (distance.known() && distance.file == cycle.file && distance.begin > cycle.end))
+      return false;
+    const llvm::StringRef text = ctx.source().text();
+    const size_t line = text.rfind('\n', cycle.begin);
+    Block first;
+    ctx.index().read(
+        line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1), first);
+    const auto increment = [](const Word &word) { return word.has(wordIncremental); };
+    return llvm::none_of(first.words, increment) && llvm::none_of(ctx.block().words, increment);
+  }
+
+  /// The holes of a cycle, from the level of its approach to the bottom.
+  static void holes(const Event &event, const Zone &zone, RuleContext &ctx) {
+    if (event.code == noCode || !event.certain || !makesHole(ctx.code(event).cycle))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    const MachineState &state = ctx.after();
+    const Dialect &dialect = ctx.dialect();
+    const auto unit = millimetresPer(dialect, state);
+    const auto r = kept(state, code, Role::Retract), z = kept(state, code, Role::Depth);
+    if (!unit || !r || !z || !isAbsolute(ctx) || toolAxis(dialect, state) != Axis::Z ||
+        code.cycle == CycleKind::BackBore)
+      return;
+    const double top = *r * *unit, bottom = *z * *unit;
+    for (const auto &hole : ctx.outcome().holes) {
+      std::array<double, 3> from{0, 0, top}, to{0, 0, bottom};
+      bool known = true, outside = bottom < zone.min[2].value_or(bottom);
+      for (unsigned axis = 0; axis < 2; ++axis) {
+        known &= hole[axis].isConstant();
+        if (!known)
+          break;
+        from[axis] = to[axis] = hole[axis].value();
+        outside |= to[axis] < zone.min[axis].value_or(to[axis]) ||
+                   to[axis] > zone.max[axis].value_or(to[axis]);
+      }
+      if (!known || (zone.outsideForbidden ? !outside : !crosses(zone, from, to)))
+        continue;
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding
+            .message(zone.outsideForbidden ? "`{0}` leaves the zone that may not be left"
+                                           : "`{0}` works in the forbidden zone",
+                     code.name)
+            .note(zone.origin, "the zone is switched on here");
+      return;
+    }
+  }
+
   /// The work offset in force is the one of the zone's block, and nothing distorts the coordinates.
   static bool comparable(const Zone &zone, const MachineState &state, const RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();

@@ -36,8 +36,8 @@ public:
       if (auto finding = ctx.report(event))
         finding
             .message(
-                "`{0}` resets the {1}, which the program has set: the blocks behind it state it "
-                "again",
+                "`{0}` resets the {1}, which the program has set: the blocks behind it have to "
+                "state it again",
                 ctx.text(*event.word), group.title)
             .note(before.origin.ofGroup(i), "it is set here");
       return;

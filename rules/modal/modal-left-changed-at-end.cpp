@@ -11,16 +11,22 @@ class ModalLeftChangedAtEnd final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
-      to.onChange({EventKind::Motion});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
     listenForLeftOn(id, to);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind != EventKind::Motion)
+    if (event.kind != EventKind::Motion && event.kind != EventKind::CycleRun)
       return reportLeftOn(id, event, ctx);
+    if (event.kind == EventKind::CycleRun &&
+        (event.code == noCode || !isTurned(ctx.code(event).cycle) || !event.certain))
+      return;
     constexpr uint16_t turning = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-    if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-        event.motion == MotionKind::Skip || !event.axes || (event.axes & ~turning))
+    if (event.kind == EventKind::Motion &&
+        (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
+         event.motion == MotionKind::Skip))
+      return;
+    if (!event.axes || (event.axes & ~turning))
       return;
     const MachineState &state = ctx.after();
     const CodeInfo *plane = state.activeCode(ctx.dialect(), StandardGroup::Plane);
@@ -41,6 +47,23 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"modal-left-changed-at-end"};
+
+  /// Cycles of the main spindle's turning tools, in the plane of X and Z.
+  static bool isTurned(CycleKind kind) {
+    switch (kind) {
+    case CycleKind::TurnPass:
+    case CycleKind::FacePass:
+    case CycleKind::ThreadPass:
+    case CycleKind::ThreadMulti:
+    case CycleKind::RoughTurn:
+    case CycleKind::RoughFace:
+    case CycleKind::PatternRepeat:
+    case CycleKind::Finish:
+      return true;
+    default:
+      return false;
+    }
+  }
 
   /// Whether the block of `origin` or one of the next two holds a cycle.
   static bool drillsAt(const Origin &origin, RuleContext &ctx) {

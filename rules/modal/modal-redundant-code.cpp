@@ -19,14 +19,20 @@ public:
     // Controls with words that are distances by themselves.
     if (wanted_ && to.dialect().incrementWords)
       to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
+    rapidFeed_ = to.option("rapidFeed", 0) != 0;
+    if (rapidFeed_)
+      to.onMoves({MotionKind::Rapid});
     to.onNotices(id);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Block)
       return emptyBlock(ctx);
-    if (event.kind == EventKind::Motion)
+    if (event.kind == EventKind::Motion) {
+      if (rapidFeed_ && event.motion == MotionKind::Rapid)
+        feedOfRapid(event, ctx);
       return increment(ctx);
+    }
     ctx.reportNotices(id, event);
     const Action action = ctx.code(event).action;
     if (action == Action::CycleCancel) {
@@ -77,11 +83,26 @@ private:
   static void emptyBlock(RuleContext &ctx) {
     const Block &block = ctx.block();
     if (!ctx.asked() || !block.isEmpty() || block.numberEnd <= block.begin ||
-        ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
+        !block.issues.empty() || ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
       return;
-    if (auto finding =
-            ctx.report(SourceRange{ctx.source().id(), block.numberBegin, block.numberEnd}))
-      finding.severity(Severity::Style).message("block `{0}` holds nothing", block.number);
+    const SourceRange range{ctx.source().id(), block.numberBegin, block.numberEnd};
+    if (auto finding = ctx.report(range)) {
+      finding.severity(Severity::Style);
+      if (block.number < 0)
+        finding.message("this block holds nothing");
+      else
+        finding.message("block `{0}` holds nothing", block.number);
+    }
+  }
+
+  /// A feed beside a rapid move, whichever block has switched to rapid.
+  static void feedOfRapid(const Event &event, RuleContext &ctx) {
+    const Word *feed = ctx.block().find('F');
+    if (!feed || !event.axes || !event.certain || ctx.find({Action::Cycle, Action::CycleCancel}))
+      return;
+    if (auto finding = ctx.report(*feed))
+      finding.severity(Severity::Style)
+          .message("F does nothing in a rapid move: it counts from the next feed move on");
   }
 
   /// Advice: a cycle is cancelled and none was called.
@@ -111,6 +132,7 @@ private:
   }
 
   bool wanted_ = false;
+  bool rapidFeed_ = false;   ///< a feed in a rapid block is advised against
   bool neverCalled_ = false; ///< a cancel in front of every cycle is advised against
 };
 

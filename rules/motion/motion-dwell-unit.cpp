@@ -1,5 +1,5 @@
 // The size of a dwell time points to the wrong unit.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -10,14 +10,20 @@ public:
     if (!to.dialect().dwellInMilliseconds)
       return;
     to.on(EventKind::Dwell);
+    if (to.option("cycles", 0) != 0)
+      to.on({EventKind::CycleStart, EventKind::CycleRun});
     wholeBelow_ = to.option("wholeBelow", 10);
     pointAbove_ = to.option("pointAbove", 60);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (!event.word || !event.word->isNumber())
+    const Word *const time = event.kind == EventKind::Dwell ? event.word
+                             : event.code == noCode
+                                 ? nullptr
+                                 : wordOf(ctx.block(), ctx.code(event), Role::Dwell);
+    if (!time || !time->isNumber())
       return;
-    const Word &word = *event.word;
+    const Word &word = *time;
     // `X2` is read as the control reads X: only P changes its unit with the point.
     const AddressKind kind = ctx.dialect().addresses[word.address].kind;
     if (kind == AddressKind::Axis || kind == AddressKind::Increment)

@@ -1,6 +1,8 @@
 // A measuring cycle without a probe, or with one that is not switched on.
 #include "analyzer/rule.h"
 
+#include "llvm/ADT/StringExtras.h"
+
 namespace ncvet {
 namespace {
 
@@ -8,36 +10,80 @@ class ProbeNotReady final : public Rule {
 public:
   /// The tables say the rest; what they say is reported for it.
   void listen(Subscriptions &to) override {
-    const auto on = to.machine().option("probeOn");
-    if (!on || on->empty())
-      return;
-    switch_ = to.dialect().find(*on);
-    if (switch_ == noCode)
-      return;
-    to.on(EventKind::CycleStart);
-    to.onCode([&](const CodeInfo &code) { return code.base == switch_; });
+    switchOn_ = Switch(to.machine().option("probeOn"));
+    switchOff_ = Switch(to.machine().option("probeOff"));
+    if (switchOn_.known() || switchOff_.known())
+      to.on({EventKind::Block, EventKind::CycleStart, EventKind::ProgramEnd, EventKind::FlowIssue});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    const CodeInfo &code = ctx.code(event);
-    if (event.kind == EventKind::Code) {
-      on_ = true;
+    switch (event.kind) {
+    case EventKind::Block:
+      for (const Word &word : ctx.block().words) {
+        on_ |= switchOn_.is(word);
+        off_ = switchOff_.is(word) || (off_ && !switchOn_.is(word));
+      }
       return;
+    case EventKind::FlowIssue: // a program that is not there may do it
+      lost_ |= FlowIssue(event.number) == FlowIssue::UnknownProgram;
+      return;
+    case EventKind::CycleStart:
+      if (event.code != noCode && ctx.code(event).cycle == CycleKind::Measure)
+        measures(event, ctx);
+      return;
+    default:
+      if (!switchOff_.known() || off_ || lost_ || ctx.callDepth() > 0 ||
+          !(measured_ || (on_ && switchOn_.known())))
+        return;
+      off_ = true; // said once
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Warning)
+            .message("the program ends with the probe switched on: `{0}` switches it off",
+                     switchOff_.name);
     }
-    if (on_ || code.cycle != CycleKind::Measure || ctx.callDepth() > 0 ||
-        ctx.before().may(Fact::UnknownCode))
+  }
+  void remember(RuleMemory &memory) const override { memory(on_, off_, measured_, lost_); }
+
+private:
+  /// A G or M code of the machine, by its profile: the tables need not know it.
+  struct Switch {
+    Switch() = default;
+    explicit Switch(std::optional<llvm::StringRef> text) {
+      llvm::StringRef digits = text.value_or("").trim();
+      uint32_t whole = 0;
+      if (digits.empty() || !llvm::isAlpha(digits[0]) ||
+          digits.drop_front().getAsInteger(10, whole))
+        return;
+      name = digits.upper();
+      letter = letterAddress(name[0]);
+      number = whole * 10;
+    }
+    bool known() const { return letter != noAddress; }
+    bool is(const Word &word) const {
+      return known() && word.address == letter && word.isNumber() && word.codeNumber() == number;
+    }
+
+    std::string name;
+    AddressId letter = noAddress;
+    uint32_t number = 0; ///< times ten, as words have it
+  };
+
+  void measures(const Event &event, RuleContext &ctx) {
+    measured_ = true;
+    if (on_ || !switchOn_.known() || lost_ || ctx.callDepth() > 0)
       return;
     on_ = true; // said once
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
-          .message("`{0}` measures, and nothing has switched the probe on: `{1}` does", code.name,
-                   ctx.dialect().codes[switch_].name);
+          .message("`{0}` measures, and nothing has switched the probe on: `{1}` does",
+                   ctx.code(event).name, switchOn_.name);
   }
-  void remember(RuleMemory &memory) const override { memory(on_); }
 
-private:
-  CodeIndex switch_ = noCode; ///< code that switches the probe on, by the machine profile
-  bool on_ = false;           ///< it was executed
+  Switch switchOn_, switchOff_;
+  bool on_ = false;       ///< the probe was switched on
+  bool off_ = false;      ///< … and off since
+  bool measured_ = false; ///< a measuring cycle ran
+  bool lost_ = false;     ///< a program was called that is not known
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 // A generated block that its dialog can no longer edit, or whose next edit loses something.
+#include "analyzer/drill_parts.h"
 #include "analyzer/generated_block.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -61,7 +62,8 @@ private:
       return;
     const std::string name = text.slice(part->nameEnd, part->end).ltrim(" \t=").upper();
     const bool known =
-        llvm::any_of(dialogs.list, [&](const Dialog &other) { return other.part == name; });
+        llvm::any_of(dialogs.list, [&](const Dialog &other) { return other.part == name; }) ||
+        drillParts(ctx.dialect(), ctx.machine()).count(name);
     if (!name.empty() && name != dialog->part && (known || dialog->part.empty()))
       if (auto finding = ctx.report(range))
         finding.message("`{0}` is not the dialog of part `{1}`: it cannot edit this block",

@@ -90,6 +90,50 @@ private:
                         spec.name);
       return;
     }
+    checkOrder(*dialog, block, dialogs, text, id, ctx);
+  }
+
+  /// The lines stand as the dialog writes them, and there are no others.
+  static void checkOrder(const Dialog &dialog, const Block &block, const Dialogs &dialogs,
+                         llvm::StringRef text, FileId id, RuleContext &ctx) {
+    // Of the dialogs of other parts nobody knows the lines.
+    if (llvm::none_of(dialogs.lines,
+                      [&](llvm::StringRef line) { return line.contains("_" + dialog.part + "_"); }))
+      return;
+    const auto bare = [](llvm::StringRef name) {
+      name.consume_front(longFamily);
+      return name.str();
+    };
+    size_t last = 0;
+    for (const Word &word : block.words) {
+      const SourceRange range{id, word.offset, block.endOf(word)};
+      const Item *const item = assignmentAt(block, word);
+      if (word.address == keywordAddress || word.address == argumentAddress)
+        continue;
+      const std::string name = item ? assignedName(*item, text) : std::string();
+      const auto at = llvm::find_if(
+          dialogs.lines, [&](const std::string &line) { return item && bare(line) == bare(name); });
+      const auto place = size_t(at - dialogs.lines.begin());
+      if (at != dialogs.lines.end() && place >= last) {
+        last = place;
+        continue;
+      }
+      if (auto finding = ctx.report(range))
+        finding.message(at == dialogs.lines.end()
+                            ? "`{0}` is nothing that the dialog writes: generated blocks are "
+                              "changed in their dialog"
+                            : "`{0}` stands in another place than the dialog gives it: generated "
+                              "blocks are changed in their dialog",
+                        text.slice(range.begin, range.end));
+      return;
+    }
+  }
+
+  static const Item *assignmentAt(const Block &block, const Word &word) {
+    for (const Item &item : block.items)
+      if (item.kind == ItemKind::Assignment && item.begin == word.offset)
+        return &item;
+    return nullptr;
   }
 
   bool wanted_ = false;

@@ -10,7 +10,9 @@ public:
     if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
       to.on({EventKind::ProgramEnd, EventKind::Motion});
     if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
-      to.onAction({Action::ProfileRun});
+      to.onCode([](const CodeInfo &code) {
+        return code.action == Action::ProfileRun || code.cycle == CycleKind::Surface;
+      });
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -29,7 +29,10 @@ public:
     if (item.kind != ItemKind::Definition)
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
-    if (const char *why = wrongName(ctx.text(range)))
+    const char *why = wrongName(ctx.text(range));
+    if (!why && isAddress(ctx.text(range), ctx.dialect()))
+      why = "the control knows it as an address";
+    if (why)
       if (auto finding = ctx.report(range))
         finding.message("`{0}` is no name for a variable: {1}", ctx.text(range), why);
   }
@@ -127,8 +130,10 @@ private:
   void named(const FileSummary &file, RuleContext &ctx) {
     const auto programs = file.index.programs();
     for (const ProgramInfo &program : programs) {
+      labelNames(program, file, ctx);
       if (!program.hasHeader())
         continue;
+      storedElsewhere(program, file, ctx);
       const SourceRange range{file.source.id(), program.headerBegin, program.headerEnd};
       const bool numbered = llvm::StringRef(program.name).startswith("L") &&
                             llvm::all_of(program.name.substr(1), llvm::isDigit);
@@ -161,6 +166,55 @@ private:
           .message("`{0}` stands in the file `{1}`: the control files it under the name of its "
                    "header",
                    text, name);
+  }
+
+  /// An address of several letters.
+  static bool isAddress(llvm::StringRef name, const Dialect &dialect) {
+    return llvm::any_of(dialect.addressNames, [&](const std::string &address) {
+      return name.equals_insensitive(address);
+    });
+  }
+
+  /// `X1:` looks like a word, and is read as one where it is jumped to.
+  static void labelNames(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    constexpr size_t readable = 4u << 20; // a program that long was made by a machine
+    if (program.end - program.begin > readable)
+      return;
+    Block block;
+    for (const auto &label : file.index.labels(program)) {
+      if (label.getKey().startswith("_") || !wrongName(label.getKey()))
+        continue;
+      for (const uint32_t at : label.getValue()) {
+        file.reader.read(at, block);
+        const SourceRange range{file.source.id(), block.labelBegin, block.labelEnd};
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` is no name for a label: {1}", ctx.text(range),
+                          wrongName(label.getKey()));
+      }
+    }
+  }
+
+  /// The line behind the header says where the control files the program.
+  static void storedElsewhere(const ProgramInfo &program, const FileSummary &file,
+                              RuleContext &ctx) {
+    const llvm::StringRef text = file.source.text().slice(program.headerEnd, program.end);
+    const size_t line = text.find_first_not_of(" \t\r\n");
+    if (line == llvm::StringRef::npos || !text.drop_front(line).startswith(";$PATH="))
+      return;
+    const llvm::StringRef path =
+        text.drop_front(line).take_until([](char c) { return c == '\r' || c == '\n'; });
+    const llvm::StringRef head = file.source.text().slice(program.headerBegin, program.headerEnd);
+    const bool main = head.endswith_insensitive("_MPF");
+    if (!(main ? path.contains_insensitive("_N_SPF_DIR")
+               : head.endswith_insensitive("_SPF") && path.contains_insensitive("_N_MPF_DIR")))
+      return;
+    const auto begin = uint32_t(program.headerEnd + line);
+    if (auto finding =
+            ctx.report(SourceRange{file.source.id(), begin, begin + uint32_t(path.rtrim().size())}))
+      finding.severity(Severity::Warning)
+          .message(main ? "`{0}` files a main program among the subprograms"
+                        : "`{0}` files a subprogram among the main programs",
+                   path.rtrim());
   }
 
   /// A called program lies in a file of subprograms.

@@ -17,9 +17,10 @@ public:
     watch("units", StandardGroup::Units);
     watch("feedModeAtMove", StandardGroup::FeedMode);
     watch("workOffset", StandardGroup::WorkOffset);
+    watch("planeAtMove", StandardGroup::Plane);
     plane_ = to.option("plane", 0) != 0;
     if (!wanted_.empty())
-      to.onChange({EventKind::Motion});
+      to.onChange({EventKind::Motion, EventKind::CycleRun});
     if (plane_)
       to.on({EventKind::CompensationMove, EventKind::CycleRun, EventKind::CycleStart});
     if (plane_)
@@ -48,7 +49,8 @@ private:
   void atUse(const Event &event, RuleContext &ctx) {
     if (ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode) || ctx.before().profile)
       return;
-    if (event.kind == EventKind::Motion && !moved_) {
+    // A cycle may make the first move of all.
+    if ((event.kind == EventKind::Motion || event.kind == EventKind::CycleRun) && !moved_) {
       moved_ = true;
       ask(wanted_, event, ctx);
     }

@@ -16,7 +16,7 @@ public:
     if (to.option("atEnd", 0) != 0) {
       to.on(EventKind::ProgramEnd);
       if (to.option("atStop", 0) != 0)
-        to.onAction({Action::ProgramStop});
+        to.onAction({Action::ProgramStop, Action::OptionalStop});
       atEnd_ = true;
     }
   }

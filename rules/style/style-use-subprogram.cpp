@@ -12,7 +12,8 @@ namespace {
 class StyleUseSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    run_ = size_t(std::max(2.0, to.option("blocks", 5)));
+    const double blocks = to.option("blocks", 5);
+    run_ = blocks > 0 ? size_t(std::max(2.0, blocks)) : 0;
     if (llvm::any_of(to.dialect().codes,
                      [](const CodeInfo &code) { return code.action == Action::ProfileBegin; }))
       to.on(EventKind::Motion);
@@ -34,7 +35,7 @@ public:
 
   void finish(const FileSummary &file, RuleContext &ctx) override {
     constexpr size_t readable = 1u << 20; // a program that long was made by a machine
-    if (file.source.text().size() > readable)
+    if (!run_ || file.source.text().size() > readable)
       return;
     for (const ProgramInfo &program : file.index.programs())
       look(program, file, ctx);
@@ -124,7 +125,7 @@ private:
   }
 
   uint32_t said_ = ~0u; ///< the recording that was reported last
-  size_t run_ = 5;      ///< blocks of the shortest sequence
+  size_t run_ = 5;      ///< blocks of the shortest sequence; 0: the control has no subprograms
   std::vector<Line> lines_;
 };
 

@@ -9,10 +9,12 @@ public:
   void listen(Subscriptions &to) override {
     from_ = int64_t(to.option("volatileFrom", 0));
     if (from_)
-      to.on(EventKind::Statement);
+      to.on({EventKind::Statement, EventKind::UnsetRead});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::UnsetRead)
+      return systemVariable(event, ctx);
     const Item &item = ctx.block().items[size_t(event.number)];
     if (item.kind != ItemKind::Assignment)
       return;
@@ -25,10 +27,41 @@ public:
       return;
     }
     int64_t index = 0;
-    if (!name.consume_front("R") || name.getAsInteger(10, index) || index < from_)
+    if (!name.consume_front_insensitive("R") || name.getAsInteger(10, index) || index < from_ ||
+        !goesOn(item, ctx))
       return;
     if (auto finding = ctx.report(range))
-      finding.message("`R{0}` is lost at power-off: R0 to R999 keep their values", index);
+      finding.message("`R{0}` goes on from a value that is lost at power-off: R0 to R999 keep "
+                      "theirs",
+                      index);
+  }
+
+private:
+  /// `R1060=R1060+1` in a program that has not set R1060: it counts on from what was there before.
+  static bool goesOn(const Item &item, const RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const uint64_t key = block.keyOf(item.target);
+    if (!key || item.value == noExpression || ctx.before().commons.given(key) != Truth::No)
+      return false;
+    const Expression &value = block.expressions[item.value];
+    for (uint32_t i = 0; i < value.count; ++i) {
+      const ExpressionOp &op = block.operations[value.first + i];
+      if (op.op == Op::Variable && uint64_t(op.value) == key)
+        return true;
+    }
+    return false;
+  }
+
+  static void systemVariable(const Event &event, RuleContext &ctx) {
+    const auto begin = uint32_t(event.number);
+    const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
+    if (!text.startswith("#"))
+      return;
+    const size_t digits = text.drop_front().take_while(llvm::isDigit).size();
+    const SourceRange range{ctx.source().id(), begin, uint32_t(begin + 1 + digits)};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is read by its number: the name of the variable says what it is",
+                      ctx.text(range));
   }
 
   int64_t from_ = 0; ///< parameters from here on do not keep their values

@@ -1,5 +1,6 @@
 // A parameter that is written like a word, without the sign that gives it its value.
 #include "analyzer/foreign_block.h"
+#include "analyzer/instruction_name.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -20,15 +21,24 @@ public:
     for (const std::string &name : to.dialect().variableNames)
       names_.insert(variableKey(name));
     to.on(EventKind::Syntax);
+    instructions_ = instructionNames(to.dialect());
+    if (!instructions_.empty())
+      to.on(EventKind::Statement);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Statement)
+      return instruction(ctx.block().items[size_t(event.number)], ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     const SourceRange where{ctx.source().id(), issue.begin, issue.end};
     // `R2.` beside another control's code is a word of that control.
     if (issue.kind == SyntaxIssueKind::MissingEquals) {
+      if (letters_ && parameter(where, ctx))
+        return;
       if (holdsForeignCode(ctx))
         return;
+      if (ctx.text(where).startswith("<"))
+        return inBrackets(where, ctx);
       if (auto finding = ctx.report(where))
         finding.message(
             "`{0}` lacks its `=`: an address of several letters, a variable and a value "
@@ -47,35 +57,68 @@ public:
         finding.message("`{0}` is a variable: it takes its value with `=`", ctx.text(where));
       return;
     }
-    if (!letters_ || issue.kind != SyntaxIssueKind::MalformedNumber)
-      return;
-    // `R31-15`: a letter, the parameter's digits, and a sign where the `=` is due.
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+  }
+
+private:
+  /// `R31-15`, `R28 4`: a letter, the parameter's digits, and its value. False: it is no parameter.
+  bool parameter(const SourceRange &range, RuleContext &ctx) const {
     const llvm::StringRef text = ctx.text(range);
-    const size_t sign = text.find_first_of("+-");
-    if (sign == llvm::StringRef::npos || sign < 2 || !llvm::isAlpha(text[0]))
-      return;
-    const llvm::StringRef name = text.take_front(sign);
-    if (!llvm::all_of(name.drop_front(), llvm::isDigit) || !parameters_.count(variableKey(name)))
-      return;
+    const llvm::StringRef name = text.take_until([](char c) { return !llvm::isAlnum(c); });
+    if (name.size() < 2 || !parameters_.count(variableKey(name)))
+      return false;
+    const llvm::StringRef value = text.drop_front(name.size()).ltrim(" \t");
     if (auto finding = ctx.report(range))
       finding
           .message("`{0}` gives `{1}` no value: a parameter is set with `=`, and keeps its old "
                    "value without it",
                    text, name)
           .fix(FixSafety::Unsafe, "write `=` behind the parameter",
-               ctx.insertBefore(issue.begin + uint32_t(sign), "="));
+               ctx.replace({range.file, range.begin + uint32_t(name.size()),
+                            range.end - uint32_t(value.size())},
+                           "="));
+    return true;
   }
 
-private:
+  /// `<JMP=N40>`, `<ENT:-5>`: the sign of the other kind of bracket.
+  static void inBrackets(SourceRange range, RuleContext &ctx) {
+    const llvm::StringRef text = ctx.text(range);
+    const bool instruction = text.endswith("=");
+    const SourceRange sign{range.file, range.end - 1, range.end};
+    if (auto finding = ctx.report(range))
+      finding
+          .message(instruction ? "`{0}` is an instruction: its arguments stand behind `:`"
+                               : "`{0}` is a variable: it takes its value with `=`",
+                   text.drop_front().drop_back().trim())
+          .fix(FixSafety::Unsafe, instruction ? "write `:`" : "write `=`",
+               ctx.replace(sign, instruction ? ":" : "="));
+  }
+
+  /// `<DCT=OFF>`: a value for what is an instruction.
+  void instruction(const Item &item, RuleContext &ctx) const {
+    const uint64_t key = ctx.block().keyOf(item.target);
+    if (item.kind != ItemKind::Assignment || names_.count(key) || parameters_.count(key))
+      return;
+    const llvm::StringRef name =
+        ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd});
+    if (!instructions_.count(name.upper()))
+      return;
+    const SourceRange where{ctx.source().id(), item.begin, item.end};
+    if (auto finding = ctx.report(where))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is an instruction and takes `:`: with `=` it is a variable that nothing "
+                   "reads",
+                   name);
+  }
+
   /// `<ENT:-5>`: the name of a variable where an instruction's is due.
   bool isNamed(llvm::StringRef text) const {
     text = text.ltrim("< ").take_until([](char c) { return c == ':' || c == ' ' || c == '>'; });
     return !text.empty() && names_.count(variableKey(text));
   }
-  std::set<uint64_t> names_;      ///< of the control's own variables
-  std::set<uint64_t> parameters_; ///< keys of the variables that codes read
-  bool letters_ = false;          ///< some are a letter and digits, as words are
+  std::set<uint64_t> names_;           ///< of the control's own variables
+  std::set<uint64_t> parameters_;      ///< keys of the variables that codes read
+  std::set<std::string> instructions_; ///< names of those in angle brackets
+  bool letters_ = false;               ///< some are a letter and digits, as words are
 };
 
 } // namespace

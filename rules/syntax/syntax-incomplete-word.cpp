@@ -14,7 +14,10 @@ bool isRepeated(const Block &block, size_t index) {
 
 class SyntaxIncompleteWord final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Syntax);
+    limitAxes_ = to.option("limitAxes", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
@@ -41,17 +44,21 @@ public:
   }
 
 private:
-  /// Axis letters alone name the axes of a reference return; an unknown letter has its own rule.
-  static bool mayStandBare(const SyntaxIssue &issue, const RuleContext &ctx) {
+  /// Axis letters alone name the axes of a reference return, on some controls those of a limit too;
+  /// an unknown letter has its own rule.
+  bool mayStandBare(const SyntaxIssue &issue, const RuleContext &ctx) const {
     for (const Word &word : ctx.block().words) {
       if (word.offset != issue.begin)
         continue;
       const AddressMask mask = maskOf(word.address);
       return !(ctx.dialect().known & mask) ||
-             ((ctx.dialect().axisWords & mask) && ctx.find({Action::ReferenceReturn}));
+             ((ctx.dialect().axisWords & mask) &&
+              (ctx.find({Action::ReferenceReturn}) || (limitAxes_ && ctx.find({Action::ZoneOn}))));
     }
     return false;
   }
+
+  bool limitAxes_ = false; ///< `G25 X Y` gives the limits of these axes up
 };
 
 } // namespace

@@ -17,7 +17,7 @@ class SyntaxIntegerRequired final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::WordIssue, EventKind::Syntax, EventKind::Statement});
-    codes_ = to.option("codes", 0) != 0;
+    codes_ = to.option("codes", 0);
     if (to.option("converted", 0) != 0)
       to.on(EventKind::ToolWord);
     to.onCode([](const CodeInfo &code) {
@@ -101,12 +101,13 @@ private:
                    llvm::formatv("{0}", llvm::format("%g", value.number.value())));
   }
 
-  bool codes_ = false; ///< codes are whole numbers too
+  double codes_ = 0; ///< codes are whole numbers too: 1 all, 2 those that exist
 
   /// `G84.2` is a code with its digit behind the point; an unknown code has its own rule.
   bool isCode(const Word &word, const RuleContext &ctx) const {
-    return !codes_ && ctx.dialect().addresses[word.address].kind == AddressKind::Code &&
-           word.decimals > 0;
+    if (ctx.dialect().addresses[word.address].kind != AddressKind::Code || word.decimals == 0)
+      return false;
+    return codes_ < 1 || (codes_ > 1 && codeOf(ctx.dialect(), word) == noCode);
   }
 
   static void report(const Word &word, RuleContext &ctx) {

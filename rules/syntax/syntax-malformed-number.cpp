@@ -6,7 +6,10 @@ namespace {
 
 class SyntaxMalformedNumber final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Syntax);
+    tight_ = to.option("tight", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
@@ -44,6 +47,45 @@ public:
       return;
     }
   }
+
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    if (tight_)
+      blanksInWords(file, ctx);
+  }
+
+private:
+  /// `X 44.`: words whose number does not stand right behind its address.
+  static void blanksInWords(const FileSummary &file, RuleContext &ctx) {
+    const llvm::StringRef text = file.source.text();
+    Block block;
+    for (const SourceRange &reached : file.reached)
+      for (size_t at = reached.begin; at + 2 < reached.end; ++at) {
+        if (!llvm::isAlpha(text[at]) || (text[at + 1] != ' ' && text[at + 1] != '\t'))
+          continue;
+        const size_t digit = text.find_first_not_of(" \t", at + 1);
+        if (digit == llvm::StringRef::npos || !(llvm::isDigit(text[digit]) || text[digit] == '.' ||
+                                                text[digit] == '-' || text[digit] == '+'))
+          continue;
+        // In a comment there is no word at this place.
+        file.reader.read(file.source.lines().lineBegin(uint32_t(at)), block);
+        uint32_t end = block.numberBegin == at && block.number >= 0 ? block.numberEnd : 0;
+        for (const Word &word : block.words)
+          if (word.offset == at && word.isNumber())
+            end = block.endOf(word);
+        if (end <= digit)
+          continue;
+        const SourceRange range{file.source.id(), uint32_t(at), end};
+        const llvm::StringRef word = text.slice(at, end);
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` has a blank between the address and its number", word)
+              .severity(Severity::Warning)
+              .fix(
+                  FixSafety::Unsafe, "take the blank away",
+                  ctx.replace(range, (word.take_front(1) + word.drop_front(1).ltrim(" \t")).str()));
+      }
+  }
+
+  bool tight_ = false; ///< numbers stand right behind their addresses
 };
 
 } // namespace

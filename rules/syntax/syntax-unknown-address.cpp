@@ -34,6 +34,8 @@ public:
       if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
         return;
       const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      if (ctx.text(range).contains('/')) // `G83/R`: block-foreign-dialect-code speaks
+        return;
       if (isoSigns_ && isIsoSign(ctx.text(range)))
         return; // another rule says whose it is
       if (auto finding = ctx.report(range))

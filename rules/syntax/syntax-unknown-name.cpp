@@ -1,5 +1,6 @@
 // A name that the control does not know and the program does not define.
 #include "analyzer/defined_elements.h"
+#include "analyzer/instruction_name.h"
 
 #include <set>
 
@@ -11,7 +12,7 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().elementWords) {
       to.onAction({Action::DefineElement});
-      to.onChange({EventKind::Motion});
+      to.onChange({EventKind::Block});
     }
     if (to.dialect().keywords.empty())
       return;
@@ -20,17 +21,19 @@ public:
         if (spec.variable) {
           known_.insert(spec.variable);
           known_.insert(spec.orVariable);
+          names_.push_back(llvm::StringRef(spec.name).upper());
         }
     for (const std::string &name : to.dialect().variableNames)
       known_.insert(variableKey(name));
     to.on({EventKind::Syntax, EventKind::Assignment});
     defined_ = to.option("definedNames", 0) != 0;
+    instructions_ = instructionNames(to.dialect());
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
-    if (event.kind == EventKind::Motion || event.kind == EventKind::Code)
+    if (event.kind == EventKind::Block || event.kind == EventKind::Code)
       return element(ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::UnknownWord)
@@ -108,8 +111,9 @@ private:
       elements_.define(*word, ctx);
       return;
     }
-    // A program that nothing here calls: its caller may have defined it.
-    if (ctx.before().may(Fact::UnknownCode) || DefinedElements::alone(ctx))
+    // Alone in its block it may be another control's number, save in the middle of a contour.
+    const bool contour = ctx.before().profile == 1 || ctx.before().compensation == phaseOn;
+    if (ctx.before().may(Fact::UnknownCode) || (DefinedElements::alone(ctx) && !contour))
       return;
     for (const Word &word : ctx.block().words)
       if ((ctx.dialect().elementWords & maskOf(word.address)) && !elements_.find(word))
@@ -127,11 +131,36 @@ private:
     for (const Item &item : ctx.block().items)
       if (item.kind == ItemKind::Assignment &&
           ctx.block().keyOf(item.target) == uint64_t(event.number) &&
-          !knownWithout(ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd})))
+          !instructions_.count(
+              ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}).upper()) &&
+          !knownWithout(ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd})) &&
+          !isOfPart(item, ctx))
         if (auto finding = ctx.report(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}))
           finding.severity(Severity::Warning)
               .message("no cycle reads `{0}`: the value goes nowhere",
                        ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}));
+  }
+
+  /// `CYC_DRILL2_DWELL` beside `CYC_COPY_PART = DRILL2`: a parameter of a part of which the table
+  /// knows none. Whether there is such a part is another rule's business.
+  bool isOfPart(const Item &item, const RuleContext &ctx) const {
+    const auto textOf = [&](uint32_t begin, uint32_t end) {
+      return ctx.text(SourceRange{ctx.source().id(), begin, end}).upper();
+    };
+    const std::string name = textOf(item.nameBegin, item.nameEnd);
+    return llvm::any_of(ctx.block().items, [&](const Item &other) {
+      if (other.kind != ItemKind::Assignment || other.end <= other.nameEnd)
+        return false;
+      const std::string value = textOf(other.nameEnd, other.end);
+      const std::string part = llvm::StringRef(value).ltrim(" \t=").str();
+      if (part.empty() || !llvm::isAlpha(part[0]))
+        return false;
+      const std::string inside = "_" + part + "_";
+      const auto has = [&](const std::string &text) {
+        return text.find(inside) != std::string::npos;
+      };
+      return has(name) && llvm::none_of(names_, has);
+    });
   }
 
   /// Another mark of the type: variable-type-mismatch speaks.
@@ -141,7 +170,9 @@ private:
            known_.count(variableKey("%%" + bare));
   }
 
-  std::set<uint64_t> known_; ///< keys of the variables that codes read
+  std::set<std::string> instructions_; ///< of which another rule speaks
+  std::set<uint64_t> known_;           ///< keys of the variables that codes read
+  std::vector<std::string> names_;     ///< of those variables, in capitals
 };
 
 } // namespace

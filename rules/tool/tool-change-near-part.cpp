@@ -1,5 +1,5 @@
 // A tool change where the tool stands in the work or too low.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -23,12 +23,68 @@ public:
     }
     // With M06 a machining centre takes the tool to its own change position.
     const bool atOnce = ctx.dialect().isLathe() || ctx.dialect().toolChangeByT;
-    if (!atOnce || !before.must(Fact::Cut) || before.may(Fact::AwayFromPart))
+    if (!atOnce || !before.must(Fact::Cut))
       return;
+    if (before.may(Fact::AwayFromPart))
+      return behindHole(event, ctx);
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding.message(
           "the tool is changed where the last cut ended: the next one may hit part, chuck "
           "or clamps");
+  }
+
+private:
+  /// On a lathe a drilling cycle ends at its R, in front of the face: nothing has moved since then.
+  static void behindHole(const Event &event, RuleContext &ctx) {
+    if (!ctx.dialect().isLathe() || ctx.before().may(Fact::AtMachinePosition) ||
+        ctx.dialect().group(StandardGroup::ReturnLevel) != noGroup)
+      return; // (another control may withdraw to where the cycle began)
+    Block block;
+    for (bool more = readPrevious(ctx, block); more; more = readBefore(ctx, block)) {
+      if (!block.items.empty() || block.skip >= 0)
+        return; // something else may lead here
+      const CodeInfo *cycle = findCode(ctx.dialect(), block, {Action::Cycle});
+      if (cycle && makesHole(cycle->cycle)) {
+        if (auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode)))
+          finding
+              .message("the tool is changed in front of the hole, where `{0}` left it: the next "
+                       "one may hit part, chuck or clamps",
+                       cycle->name)
+              .note(wordsRange(ctx, block), "the hole is drilled here");
+        return;
+      }
+      if (!onlySwitches(ctx.dialect(), block))
+        return;
+    }
+  }
+
+  /// Codes that move nothing: the cycle's end, the coolant, the spindle.
+  static bool onlySwitches(const Dialect &dialect, const Block &block) {
+    const llvm::SmallVector<CodeIndex, 6> codes = codesOf(dialect, block);
+    return codes.size() == block.words.size() && llvm::all_of(codes, [&](const CodeIndex index) {
+             switch (dialect.codes[index].action) {
+             case Action::CycleCancel:
+             case Action::CoolantOn:
+             case Action::CoolantOff:
+             case Action::SpindleStop:
+             case Action::OptionalStop:
+               return true;
+             default:
+               return false;
+             }
+           });
+  }
+
+  static bool readBefore(const RuleContext &ctx, Block &block) {
+    const uint32_t first = ctx.index().programAt(ctx.block().begin).body;
+    uint32_t at = block.begin;
+    while (at > first) {
+      at = std::max(first, ctx.source().lines().lineBegin(at - 1));
+      ctx.index().read(at, block);
+      if (!block.isEmpty())
+        return true;
+    }
+    return false;
   }
 };
 

@@ -1,5 +1,5 @@
 // A tool change for which no tool was selected.
-#include "analyzer/rule.h"
+#include "analyzer/nameless_change.h"
 
 namespace ncvet {
 namespace {
@@ -9,15 +9,33 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().toolChangeByT && to.option("wanted", 0) != 0)
       to.onAction({Action::ToolChange});
+    eachNamed_ = to.option("each", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (ctx.block().has(letterAddress('T')) || ctx.before().may(Fact::ToolCalled) ||
-        ctx.before().may(Fact::UnknownCode))
+    const MachineState &before = ctx.before();
+    const bool again = before.may(Fact::ToolCalled);
+    // Behind a change that named nothing the next one is the same mistake.
+    const bool named = !again || (eachNamed_ && !nameless_.inForce(before));
+    nameless_.see(event, ctx);
+    if (ctx.block().has(letterAddress('T')) || before.preselected != notSet || !named ||
+        before.may(Fact::UnknownCode)) // a T in front waits for the change
       return;
-    if (auto finding = ctx.report(event))
-      finding.message("`{0}` changes the tool, but no `T` has named one", ctx.code(event).name);
+    if (auto finding = ctx.report(event)) {
+      finding.message(again ? "`{0}` changes the tool, but no `T` has named one since the change "
+                              "before"
+                            : "`{0}` changes the tool, but no `T` has named one",
+                      ctx.code(event).name);
+      if (again)
+        finding.note(before.origin.of(StatePart::Tool), "the change before");
+    }
   }
+
+  void remember(RuleMemory &memory) const override { memory(nameless_); }
+
+private:
+  NamelessChanges nameless_;
+  bool eachNamed_ = false; ///< a later change wants a T of its own
 };
 
 } // namespace

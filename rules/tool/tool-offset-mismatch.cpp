@@ -7,7 +7,10 @@ namespace {
 class ToolOffsetMismatch final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(to.dialect().isLathe() ? EventKind::ToolWord : EventKind::OffsetWord);
+    if (to.dialect().isLathe())
+      to.on(EventKind::ToolWord);
+    else if (!to.dialect().offsetsOfTool) // a tool's own edges are numbered from 1
+      to.on(EventKind::OffsetWord);
   }
 
   void on(const Event &event, RuleContext &ctx) override {

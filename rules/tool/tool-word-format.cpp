@@ -1,6 +1,8 @@
 // A tool word that does not have the digits of this control: station and offset on lathes.
 #include "analyzer/rule.h"
 
+#include <cmath>
+
 namespace ncvet {
 namespace {
 
@@ -14,6 +16,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) override {
     const Word &word = *event.word;
+    if (digits_ != 0 && word.has(wordExpression))
+      return computed(word, ctx);
     // T0 and T00 cancel the offset; what an expression gives is not written here.
     if (!word.isNumber() || word.mantissa == 0 || word.has(wordMalformed))
       return;
@@ -45,6 +49,17 @@ public:
   }
 
 private:
+  /// `T<FTI(R1)>` where R1 is known and no number of a tool.
+  void computed(const Word &word, RuleContext &ctx) const {
+    const Interval value = ctx.value(word);
+    if (!value.isConstant() ||
+        (value.value() >= 0 && value.value() < std::pow(10.0, double(digits_))))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}` is {1}: a tool's number is positive and has at most {2} digits",
+                      ctx.text(word), value.value(), digits_);
+  }
+
   unsigned digits_ = 0; ///< a mill's tool number has at most so many
 };
 

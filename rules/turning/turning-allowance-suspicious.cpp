@@ -6,7 +6,10 @@ namespace {
 
 class TurningAllowanceSuspicious final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::CycleRun); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::CycleRun);
+    missing_ = to.option("missing", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
@@ -15,6 +18,8 @@ public:
     if (cycle.cycle == CycleKind::Finish)
       return;
     checkNone(event, cycle, ctx);
+    if (missing_)
+      checkMissing(event, cycle, ctx);
     const Profile profile = readProfile(ctx);
     if (!profile.known || profile.side == Side::Unknown || !profile.minX)
       return;
@@ -48,6 +53,25 @@ public:
   }
 
 private:
+  /// Neither of the two words: the same as two zeros.
+  static void checkMissing(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
+    bool takes = false;
+    for (const WordSpec &spec : cycle.words)
+      if (spec.role == Role::AllowanceX || spec.role == Role::AllowanceZ) {
+        if (wordFor(ctx.block(), spec))
+          return;
+        takes = true;
+      }
+    if (!takes)
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` roughs to size: no allowance covers the form errors of roughing without "
+                   "nose compensation",
+                   cycle.name)
+          .severity(Severity::Style);
+  }
+
   static void checkNone(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
     const Word *x = wordOf(ctx.block(), cycle, Role::AllowanceX);
     const Word *z = wordOf(ctx.block(), cycle, Role::AllowanceZ);
@@ -64,6 +88,8 @@ private:
               cycle.name)
           .severity(Severity::Style);
   }
+
+  bool missing_ = false; ///< words that are left out count as zeros
 };
 
 } // namespace

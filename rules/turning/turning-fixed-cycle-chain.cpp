@@ -31,6 +31,9 @@ public:
     if (!now.isConstant() || std::isnan(last) || last == 0 || now.value() == 0 ||
         (now.value() > 0) != (last > 0) || std::fabs(now.value()) > std::fabs(last))
       return;
+    // A thread's last pass may be cut twice, against the spring of the tool.
+    if (code.cycle == CycleKind::ThreadPass && now.value() == last)
+      return;
     if (auto finding = ctx.report(*word))
       finding
           .message("`{0}` counts from the start point of `{1}`, as the {2}{3} before it did: this "

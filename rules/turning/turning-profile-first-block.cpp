@@ -13,13 +13,16 @@ public:
     zForbidden_ = to.option("zForbidden", 0) != 0;
     faceXForbidden_ = to.option("faceXForbidden", 0) != 0;
     undercutNeedsZ_ = to.option("undercutNeedsZ", 0) != 0;
+    finish_ = to.option("finish", 0) != 0;
+    mustMove_ = to.option("mustMove", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
       return;
     const CodeInfo &cycle = ctx.code(event);
-    if (cycle.cycle == CycleKind::Finish)
+    const bool finishing = cycle.cycle == CycleKind::Finish;
+    if (finishing && !finish_)
       return;
     const Profile profile = readProfile(ctx);
     if (!profile.known)
@@ -35,7 +38,7 @@ public:
       stated |= isMotion(ctx.code(use).action);
     const bool linear = !first.moves || !first.motionKnown || first.motion == MotionKind::Rapid ||
                         first.motion == MotionKind::Feed;
-    if (!linear || (codeRequired_ && !stated)) {
+    if (!linear || (codeRequired_ && !stated && !finishing)) {
       if (auto finding = report())
         finding.message(
             linear ? "the first block of the profile of `{0}` needs a G00 or G01 of its own: "
@@ -45,6 +48,15 @@ public:
             cycle.name);
       return;
     }
+    if (mustMove_ && !first.moves && !first.block.hasAny(ctx.dialect().axisWords)) {
+      if (auto finding = report())
+        finding.message("the first block of the profile of `{0}` does not move: it is the G00 or "
+                        "G01 move that leads to the contour",
+                        cycle.name);
+      return;
+    }
+    if (finishing)
+      return;
     const bool hasX = first.axes >> unsigned(Axis::X) & 1;
     const bool hasZ = first.axes >> unsigned(Axis::Z) & 1;
     if (cycle.cycle == CycleKind::RoughFace) {
@@ -65,7 +77,7 @@ public:
               cycle.name);
       return;
     }
-    const ShapeBreak undercut = undercutOf(profile);
+    const ShapeBreak undercut = undercutOf(ctx, profile);
     if (hasX && hasZ && !undercut.found && undercut.decided) {
       if (auto finding = report())
         finding
@@ -87,6 +99,8 @@ public:
 
 private:
   bool codeRequired_ = false, zForbidden_ = false, faceXForbidden_ = false, undercutNeedsZ_ = false;
+  bool finish_ = false;   ///< a finishing cycle asks the same of its first block
+  bool mustMove_ = false; ///< the first block has to move
 };
 
 } // namespace

@@ -34,8 +34,8 @@ public:
     Profile shape = profile;
     if (face)
       shape.side = Side::Unknown;
-    const ShapeBreak x = undercutOf(shape);
-    const ShapeBreak z = returnInZ(profile);
+    const ShapeBreak x = undercutOf(ctx, shape);
+    const ShapeBreak z = returnInZ(ctx, profile);
     // The axis along which the passes run must be steady in every type.
     const ShapeBreak &along = face ? x : z;
     const ShapeBreak &across = face ? z : x;
@@ -61,7 +61,8 @@ private:
     profile.side = Side::Unknown;
     constexpr double borne = 0.03; // mm: the interpreter's thousandth of an inch
     const bool across = formulaOf(cycle, Measure::Across) != nullptr;
-    const ShapeBreak along = across ? undercutOf(profile, borne) : returnInZ(profile, borne);
+    const ShapeBreak along =
+        across ? undercutOf(ctx, profile, borne) : returnInZ(ctx, profile, borne);
     if (!along.decided || !along.found)
       return;
     if (auto finding = ctx.report(event, event.certain))

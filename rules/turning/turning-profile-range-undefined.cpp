@@ -6,9 +6,15 @@ namespace {
 
 class TurningProfileRangeUndefined final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::FlowIssue);
+    if (to.option("behind", 0) != 0)
+      to.on(EventKind::CycleRun);
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::CycleRun)
+      return inFront(event, ctx);
     const auto issue = FlowIssue(event.number);
     if (issue != FlowIssue::ProfileMissing && issue != FlowIssue::ProfileReversed)
       return;
@@ -31,6 +37,25 @@ public:
           "`{0}` names N{1} as the {2} block of its profile, and this program has no such "
           "block",
           name, noFirst ? flow.first : flow.last, noFirst ? "first" : "last");
+  }
+
+private:
+  /// Roughing goes on behind its contour; finishing may look back.
+  static void inFront(const Event &event, RuleContext &ctx) {
+    const Flow &flow = ctx.outcome().flow;
+    if (flow.kind != FlowKind::Profile || event.code == noCode ||
+        ctx.code(event).cycle == CycleKind::Finish || flow.first < 0 || flow.last < 0)
+      return;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const auto begin = ctx.index().block(program, flow.first, ctx.block().begin);
+    const auto end = ctx.index().block(program, flow.last, ctx.block().begin);
+    if (!begin || !end || *begin >= ctx.block().begin || *end < *begin || *end >= ctx.block().begin)
+      return;
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+      finding
+          .message("the contour N{1} to N{2} stands in front of `{0}`, which looks for it behind",
+                   ctx.code(event).name, flow.first, flow.last)
+          .severity(Severity::Warning);
   }
 };
 

@@ -33,11 +33,15 @@ public:
     }
     if (range.begin >= range.end)
       range = first;
+    const bool behind = first.begin > ctx.flowRange().begin;
     if (auto finding = ctx.report(range))
       finding
           .message(
-              "plain flow reaches the profile N{0} to N{1}: the finished contour is cut at once, "
-              "and `{2}` of line {3} cuts it again",
+              behind
+                  ? "plain flow runs into the profile N{0} to N{1}: the control has gone on behind "
+                    "`{2}` of line {3}, and cuts the finished contour once more"
+                  : "plain flow reaches the profile N{0} to N{1}: the finished contour is cut at "
+                    "once, and `{2}` of line {3} cuts it again",
               flow.first, flow.last, name, ctx.source().lines().lineOf(ctx.flowRange().begin))
           .note(ctx.flowRange(), "the cycle that runs this profile");
   }

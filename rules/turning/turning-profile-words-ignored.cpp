@@ -10,19 +10,21 @@ public:
     to.on(EventKind::CycleRun);
     onlyWithoutOwn_ = to.option("onlyWithoutOwn", 0) != 0;
     corners_ = to.option("cornersIgnored", 0) != 0;
+    finish_ = to.option("finishIgnores", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
       return;
     const CodeInfo &cycle = ctx.code(event);
-    if (cycle.cycle == CycleKind::Finish)
+    const bool finishing = cycle.cycle == CycleKind::Finish;
+    if (finishing && !finish_)
       return;
     const Profile profile = readProfile(ctx);
     AddressMask technology = lettersMask("FST");
-    if (onlyWithoutOwn_ && ctx.block().has(letterAddress('F')))
-      return;
-    const bool sharp = corners_ && cycle.cycle != CycleKind::PatternRepeat;
+    if (onlyWithoutOwn_) // roughing has its own value
+      technology &= ~ctx.block().addresses;
+    const bool sharp = corners_ && !finishing && cycle.cycle != CycleKind::PatternRepeat;
     for (const ProfileBlock &entry : profile.blocks) {
       const bool line = entry.moves && entry.motionKnown && entry.motion == MotionKind::Feed;
       for (const Word &word : entry.block.words) {
@@ -49,8 +51,8 @@ public:
                 "`{0}` roughs along this profile by X and Z words alone: `{1}` is ignored",
                 cycle.name, ctx.text(at));
           else
-            finding.message("`{1}` inside the profile does nothing while `{0}` roughs", cycle.name,
-                            ctx.text(at));
+            finding.message("`{1}` inside the profile does nothing while `{0}` {2}", cycle.name,
+                            ctx.text(at), finishing ? "finishes" : "roughs");
           finding.note(ctx.blockRange(), "the cycle that works along this profile");
         }
       }
@@ -59,6 +61,7 @@ public:
 
 private:
   bool onlyWithoutOwn_ = false, corners_ = false;
+  bool finish_ = false; ///< a finishing cycle does not obey F, S and T either
 };
 
 } // namespace

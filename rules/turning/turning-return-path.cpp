@@ -36,21 +36,18 @@ public:
     const bool zFirst = startX.value() < x;
     bool crosses = false;
     if (zFirst) {
-      // Along Z at the last block's diameter: through every part of the contour that stands in it.
-      crosses = inside ? x > *profile.minX + tolerance : x < *profile.maxX - tolerance;
-      if (crosses) {
-        // Only what lies on the way.
-        crosses = false;
-        for (size_t i = 0; i < profile.lastCut; ++i) {
-          const ProfileBlock &block = profile.blocks[i];
-          if (!block.moves || !block.toZ.isConstant())
-            continue;
-          const double cz = block.toZ.value(), cx = block.toX.value();
-          const bool onWay = cz > std::min(z, startZ.value()) + tolerance &&
-                             cz < std::max(z, startZ.value()) - tolerance;
-          crosses |= onWay && (inside ? cx < x - tolerance : cx > x + tolerance);
-        }
+      // Along Z at the last block's diameter, and then along X to the start: through every part of
+      // the contour that stands in the way.
+      for (size_t i = 0; i < profile.lastCut; ++i) {
+        const ProfileBlock &block = profile.blocks[i];
+        if (!block.moves || !block.toZ.isConstant())
+          continue;
+        const double cz = block.toZ.value(), cx = block.toX.value();
+        const bool onWay = cz > std::min(z, startZ.value()) + tolerance &&
+                           cz < std::max(z, startZ.value()) - tolerance;
+        crosses |= onWay && (inside ? cx < x - tolerance : cx > x + tolerance);
       }
+      crosses |= !inside && standsInside(profile, startX.value(), startZ.value());
     } else {
       // Along X where the last block ends: through the wall of a bore.
       const double wall = profile.blocks[profile.lastCut - 1].toX.value();
@@ -70,6 +67,22 @@ public:
   }
 
 private:
+  /// Whether the place lies in what an outside contour leaves standing: below both ends of an
+  /// element that passes by it.
+  static bool standsInside(const Profile &profile, double x, double z) {
+    for (size_t i = 1; i < profile.lastCut; ++i) {
+      const ProfileBlock &block = profile.blocks[i];
+      if (!block.moves || !block.fromX.isConstant() || !block.fromZ.isConstant() ||
+          !block.toX.isConstant() || !block.toZ.isConstant())
+        continue;
+      const double from = block.fromZ.value(), to = block.toZ.value();
+      if (z > std::min(from, to) + tolerance && z < std::max(from, to) - tolerance &&
+          x < std::min(block.fromX.value(), block.toX.value()) - tolerance)
+        return true;
+    }
+    return false;
+  }
+
   static std::string text(double value, RuleContext &ctx) {
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
     return llvm::formatv("{0}", llvm::format("%g", value / unit.value_or(1))).str();

@@ -53,6 +53,17 @@ private:
               code.name, text(startZ.value() / *unit), text(*profile.minZ / *unit),
               text(*profile.maxZ / *unit));
     }
+    if (code.cycle == CycleKind::RoughTurn && startZ.isConstant() && profile.maxZ &&
+        !ctx.after().inMachineCoordinates(Axis::Z) && startsBehindFront(profile, startZ.value())) {
+      if (auto finding = ctx.report(event, event.certain))
+        finding
+            .message("`{0}` starts at Z{1}, behind the front of its contour, which reaches from "
+                     "Z{2} to Z{3}: every pass returns there at rapid",
+                     code.name, text(startZ.value() / *unit), text(*profile.maxZ / *unit),
+                     text(*profile.minZ / *unit))
+            .note(profile.blocks.front().range, "the profile begins here");
+      return;
+    }
     if (!startX.isConstant() || profile.reachesX.lo > profile.reachesX.hi)
       return;
     const double start = startX.value();
@@ -75,6 +86,16 @@ private:
               code.name, text(start / *unit), text(least / *unit), text(greatest / *unit))
           .severity(over <= overshoot + tolerance ? std::optional(Severity::Warning) : std::nullopt)
           .note(profile.blocks.front().range, "the profile begins here");
+  }
+
+  /// A contour that is cut towards the chuck begins in front of the place, by more than the way
+  /// with which one starts before a face.
+  static bool startsBehindFront(const Profile &profile, double z) {
+    const ProfileBlock &head = profile.blocks.front(), &tail = profile.blocks[profile.lastCut - 1];
+    return head.toZ.isConstant() && tail.toZ.isConstant() &&
+           head.toZ.value() >= *profile.maxZ - tolerance &&
+           tail.toZ.value() < head.toZ.value() - tolerance && z < *profile.maxZ - overshoot &&
+           z > *profile.minZ + tolerance;
   }
 
   /// A single pass returns to its start: what follows tells on which side the tool works.

@@ -1,5 +1,7 @@
 // The passes of a thread do not fit its depth, or do not go deeper.
-#include "analyzer/lookahead.h"
+#include "analyzer/path_ahead.h"
+#include "formats/dialect/measure.h"
+#include "interp/cycle_parameters.h"
 
 #include <cmath>
 
@@ -25,7 +27,39 @@ public:
   }
 
 private:
+  /// The last passes take as much as the whole thread is deep.
+  static void allowance(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (before.pendingCycle == noCode || !code.twoBlock)
+      return;
+    const CodeInfo &data = ctx.dialect().codes[before.pendingCycle];
+    const Word *heightWord = wordOf(ctx.block(), code, Role::Height);
+    const ExecutedBlock executed = executedBlock(ctx);
+    const CycleParameters parameters(executed, code);
+    if (!heightWord || !data.twoBlock || !formulaOf(data, Measure::LastCut))
+      return;
+    const auto last = parameters.length(Measure::LastCut);
+    const auto height = parameters.length(Measure::Height, Role::Height);
+    if (!last || !height || !last->isConstant() || !height->isConstant() || height->value() <= 0 ||
+        last->value() < height->value())
+      return;
+    // Where the depth counts in micrometres, so may the allowance that has no point.
+    if (formulaOf(code, Measure::Height) &&
+        (heightWord->has(wordPoint) || last->value() == std::floor(last->value())))
+      return;
+    if (auto finding = ctx.report(*heightWord, event.certain))
+      finding
+          .message("the finishing allowance of {0} mm is not smaller than the thread `{1}` of "
+                   "`{2}`: nothing is left for the other passes",
+                   text(last->value()), ctx.text(*heightWord), code.name)
+          .note(before.origin.of(StatePart::PendingCycle), "the data block");
+  }
+  static std::string text(double value) {
+    return llvm::formatv("{0}", llvm::format("%g", value)).str();
+  }
+
   void multi(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    allowance(event, code, ctx);
     const Word *firstWord = wordOf(ctx.block(), code, Role::FirstCut);
     const Word *heightWord = wordOf(ctx.block(), code, Role::Height);
     const auto first = valueOf(ctx, code, Role::FirstCut);

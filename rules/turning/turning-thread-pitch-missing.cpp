@@ -10,6 +10,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::CycleRun, EventKind::Motion});
     to.onCode([](const CodeInfo &code) { return addressesOf(code, Role::Lead) != 0; });
+    newThread_ = to.option("newThread", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -30,8 +31,11 @@ public:
     if (!lead || ctx.block().hasAny(lead) || ctx.before().may(Fact::UnknownCode))
       return;
     const MachineState &before = ctx.before();
-    if (before.must(Fact::FeedIsLead) && before.must(Fact::FeedSet))
+    if (before.must(Fact::FeedIsLead) && before.must(Fact::FeedSet)) {
+      if (newThread_)
+        another(event, code, lead, ctx);
       return;
+    }
     const Word *word = nullptr;
     for (const CodeUse &use : ctx.codes())
       if (use.code == event.code)
@@ -49,6 +53,56 @@ public:
       finding.note(before.origin.of(StatePart::Feed), "the feed in force is set here");
     }
   }
+
+private:
+  /// Behind a move that cuts no thread, a stroke to another end than that of the thread whose lead
+  /// is in force begins a thread of its own.
+  static void another(const Event &event, const CodeInfo &code, AddressMask lead,
+                      RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const CodeInfo *motion = before.activeCode(ctx.dialect(), StandardGroup::Motion);
+    const Word *own = nullptr;
+    for (const CodeUse &use : ctx.codes())
+      if (use.code == event.code)
+        own = use.word;
+    if (!own || !event.certain || !motion || motion->action == Action::Thread ||
+        cutsThread(motion->cycle))
+      return;
+    const Origin &feed = before.origin.of(StatePart::Feed);
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (!feed.known() || feed.file != ctx.source().id() || feed.begin < program.begin ||
+        feed.begin >= ctx.block().begin)
+      return;
+    Block first;
+    ctx.index().read(ctx.source().lines().lineBegin(feed.begin), first);
+    const Word *was = first.find('Z'), *is = ctx.block().find('Z');
+    // Chained strokes have several ends: any of them may be this one.
+    Block next = first;
+    constexpr unsigned longestChain = 20;
+    for (unsigned i = 0; was && is && i < longestChain; ++i) {
+      if (!was->isNumber() || !is->isNumber() || was->value() == is->value())
+        return;
+      do {
+        if (!readOn(ctx, next) || !next.items.empty() || next.begin >= ctx.block().begin)
+          return report(code, *own, lead, feed, ctx);
+        if (findCode(ctx.dialect(), next, {Action::Rapid, Action::Linear}))
+          return report(code, *own, lead, feed, ctx);
+      } while (!next.has(letterAddress('Z')) && !next.has(letterAddress('W')));
+      was = next.find('Z');
+    }
+  }
+
+  static void report(const CodeInfo &code, const Word &own, AddressMask lead, const Origin &feed,
+                     RuleContext &ctx) {
+    if (auto finding = ctx.report(own))
+      finding
+          .message("`{0}` cuts to another end than the thread of line {1}, and its own {2} is not "
+                   "given",
+                   code.name, lineOf(ctx, feed), ctx.dialect().alternatives(lead))
+          .note(feed, "the lead in force is given here");
+  }
+
+  bool newThread_ = false; ///< a thread with another end in Z wants a lead of its own
 };
 
 } // namespace

@@ -35,6 +35,9 @@ public:
     if (!word)
       return;
     const AddressMask lead = addressesOf(code, Role::Lead);
+    // Where the lead is no F, what F means says nothing of it.
+    if (!(lead & maskOf('F')))
+      return;
     if (const Word *e = ctx.block().find('E'); inchE_ && e && (lead & maskOf('E'))) {
       const Interval value = ctx.value(*e);
       if (value.isConstant() && value.value() > greatestInches_ &&

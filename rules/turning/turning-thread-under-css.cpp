@@ -39,7 +39,7 @@ public:
         finding.message(
             "`{0}` cuts a thread under constant surface speed: the spindle changes its speed "
             "between the passes",
-            code.name);
+            cutter(ctx, event, thread && !cycle).name);
       else
         finding.message(
             "`{0}` drills on the axis under constant surface speed: the spindle runs at its "
@@ -52,6 +52,14 @@ public:
   }
 
 private:
+  /// Of two motion codes in the block the one that cuts a thread.
+  static const CodeInfo &cutter(const RuleContext &ctx, const Event &event, bool stroke) {
+    for (const CodeUse &use : ctx.codes())
+      if (stroke && ctx.code(use).action == Action::Thread)
+        return ctx.code(use);
+    return ctx.code(event);
+  }
+
   /// The speed that the surface speed gives at the start diameter, as a constant one.
   static void fix(FindingBuilder &finding, RuleContext &ctx) {
     const MachineState &before = ctx.before();

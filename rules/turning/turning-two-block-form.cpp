@@ -44,9 +44,31 @@ public:
               .note(ctx.range(*event.word), "the data block of " + code.name);
         return;
       }
+    if (more && runsLater(code, next, ctx))
+      return;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}` gives only the data of the cycle, and no block that runs it follows",
                       code.name);
+  }
+
+private:
+  /// The data last until others are given: a later block of the cycle may take them.
+  static bool runsLater(const CodeInfo &code, Block &block, const RuleContext &ctx) {
+    constexpr unsigned lookAhead = 60;
+    bool more = true;
+    for (unsigned i = 0; more && i < lookAhead; ++i, more = readOn(ctx, block))
+      for (const CodeIndex index : codesOf(ctx.dialect(), block)) {
+        const CodeInfo &other = ctx.dialect().codes[index];
+        if (other.letter != code.letter || other.number != code.number)
+          continue;
+        AddressMask running = 0;
+        for (const WordSpec &spec : other.words)
+          if (spec.role == Role::ProfileFirst || spec.role == Role::Target ||
+              spec.role == Role::Depth)
+            running |= spec.any;
+        return block.hasAny(running);
+      }
+    return false;
   }
 };
 

@@ -1,6 +1,8 @@
 // A variable or an element that the control does not have.
 #include "analyzer/rule.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
@@ -12,35 +14,52 @@ public:
     reservedTo_ = int64_t(to.option("reservedTo", -1));
     numbered_ = to.option("numbered", 0) != 0;
     to.on(EventKind::Statement);
+    if (!numbered_)
+      to.onChange({EventKind::Block});
+    if (reservedFrom_) // what nobody can write is read without a value
+      to.on(EventKind::UnsetRead);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    const Item &item = ctx.block().items[size_t(event.number)];
-    if (item.kind != ItemKind::Assignment)
-      return;
-    if (numbered_)
-      return numbered(item, ctx);
-    llvm::StringRef name =
-        ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}).rtrim();
-    if (greatest_ && (name.startswith("R") || name.startswith("r"))) {
-      int64_t index = 0;
-      if (name.drop_front().getAsInteger(10, index))
-        return;
-      const bool reserved = reservedFrom_ <= index && index <= reservedTo_;
-      if (index <= greatest_ && !reserved)
-        return;
-      auto finding = ctx.report(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd});
-      if (finding && reserved)
-        finding.message("`{0}`: the control keeps R{1} to R{2} for itself", name, reservedFrom_,
-                        reservedTo_);
-      else if (finding)
-        finding.message("`{0}`: the control has the parameters R0 to R{1}", name, greatest_);
-      return;
+    if (event.kind == EventKind::Block)
+      return elements(ctx);
+    if (event.kind == EventKind::UnsetRead) {
+      const auto begin = uint32_t(event.number);
+      const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
+        return llvm::isAlnum(c);
+      });
+      return parameter(name, {ctx.source().id(), begin, uint32_t(begin + name.size())}, ctx);
     }
-    element(item, name, ctx);
+    const Item &item = ctx.block().items[size_t(event.number)];
+    const SourceRange place{ctx.source().id(), item.nameBegin, item.nameEnd};
+    if (item.kind == ItemKind::Assignment && numbered_)
+      return numbered(item, ctx);
+    if (item.kind != ItemKind::Assignment && item.kind != ItemKind::Input)
+      return;
+    parameter(ctx.text(place).rtrim(), place, ctx);
+    if (item.nameEnd > item.nameBegin)
+      spoken_.insert(ctx.text(place).rtrim().upper());
   }
+  void remember(RuleMemory &memory) const override { memory(spoken_); }
 
 private:
+  /// `R2050`, one of the control's parameters.
+  void parameter(llvm::StringRef name, SourceRange place, RuleContext &ctx) const {
+    int64_t index = 0;
+    if (!greatest_ || !name.startswith_insensitive("R") ||
+        name.drop_front().getAsInteger(10, index))
+      return;
+    const bool reserved = reservedFrom_ <= index && index <= reservedTo_;
+    if (index <= greatest_ && !reserved)
+      return;
+    auto finding = ctx.report(place);
+    if (finding && reserved)
+      finding.message("`{0}`: the control keeps R{1} to R{2} for itself", name, reservedFrom_,
+                      reservedTo_);
+    else if (finding)
+      finding.message("`{0}`: the control has the parameters R0 to R{1}", name, greatest_);
+  }
+
   /// `#5603 = 1` of a control with fewer variables.
   void numbered(const Item &item, RuleContext &ctx) {
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
@@ -52,37 +71,75 @@ private:
       finding.message("`#{0}`: the control has the variables #1 to #{1}", name, greatest_);
   }
 
-  /// `FIELD[5]` of an array with fewer elements.
-  static void element(const Item &item, llvm::StringRef name, RuleContext &ctx) {
-    const auto [array, rest] = name.split('[');
-    int64_t index = 0;
-    if (rest.empty() || rest.split(']').first.trim().getAsInteger(10, index))
+  /// Whatever the block's calculations name: `R300` where there are fewer, `FIELD[2,5]` of a
+  /// smaller array.
+  void elements(RuleContext &ctx) {
+    if (!ctx.dialect().lexical.commaSeparates)
       return;
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    const Defined *defined = ctx.index().definition(program, array.trim());
-    if (!defined || !defined->array)
-      return;
-    Block block;
-    ctx.index().read(ctx.source().lines().lineBegin(defined->begin), block);
-    for (const Item &definition : block.items) {
-      if (definition.kind != ItemKind::Definition || definition.nameBegin != defined->begin ||
-          definition.arguments != 1)
+    for (const ExpressionOp &op : ctx.block().operations) {
+      if (op.op != Op::Variable && op.op != Op::ElementAt && op.op != Op::ElementKey &&
+          op.op != Op::Opaque)
         continue;
-      const uint16_t size = block.argumentsOf(definition)[0].expression;
-      const Expression &e = block.expressions[size];
-      if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number ||
-          double(index) < block.operations[e.first].value)
+      const llvm::StringRef rest =
+          ctx.text(SourceRange{ctx.source().id(), op.offset, ctx.block().end});
+      const llvm::StringRef name =
+          rest.take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
+      if (name.empty() || llvm::isDigit(name[0]))
         continue;
-      const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
-      if (auto finding = ctx.report(range))
-        finding
-            .message("`{0}`: the elements of `{1}` are numbered 0 to {2}", ctx.text(range), array,
-                     int64_t(block.operations[e.first].value) - 1)
-            .note(SourceRange{ctx.source().id(), definition.begin, definition.end},
-                  "it is defined here");
+      if (op.op == Op::Variable) {
+        // Where some are the control's own, reading is looked at apart. One place is enough.
+        if (greatest_ && !reservedFrom_ && spoken_.insert(name.upper()).second)
+          parameter(name, {ctx.source().id(), op.offset, op.offset + uint32_t(name.size())}, ctx);
+      } else if (rest.drop_front(name.size()).startswith("["))
+        element(op.offset, name, rest.drop_front(name.size() + 1), ctx);
     }
   }
 
+  /// `FIELD[2,5]`: `rest` begins behind the bracket. Only numbers are looked at.
+  static void element(uint32_t offset, llvm::StringRef array, llvm::StringRef rest,
+                      RuleContext &ctx) {
+    const size_t close = rest.find_first_of("[]\r\n;");
+    if (close == llvm::StringRef::npos || rest[close] != ']')
+      return;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const Defined *defined = ctx.index().definition(program, array);
+    if (!defined || !defined->array)
+      return;
+    llvm::SmallVector<llvm::StringRef, 3> indices;
+    rest.take_front(close).split(indices, ',');
+    Block block;
+    ctx.index().read(ctx.source().lines().lineBegin(defined->begin), block);
+    for (const Item &definition : block.items) {
+      if (definition.kind != ItemKind::Definition || definition.nameBegin != defined->begin)
+        continue;
+      const auto sizes = block.argumentsOf(definition);
+      for (size_t i = 0; i < indices.size() && i < sizes.size(); ++i) {
+        int64_t index = 0;
+        const uint16_t size = sizes[i].expression;
+        if (indices[i].trim().getAsInteger(10, index) || size >= block.expressions.size())
+          continue;
+        const Expression &e = block.expressions[size];
+        if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number)
+          continue;
+        const double elements = block.operations[e.first].value;
+        if (elements <= 0 || (index >= 0 && double(index) < elements))
+          continue;
+        const SourceRange range{ctx.source().id(), offset,
+                                offset + uint32_t(array.size() + close + 2)};
+        if (auto finding = ctx.report(range))
+          finding
+              .message(sizes.size() == 1
+                           ? "`{0}`: the elements of `{1}` are numbered 0 to {2}"
+                           : "`{0}`: the elements of `{1}` are numbered 0 to {2} in place {3}",
+                       ctx.text(range), array, int64_t(elements) - 1, i + 1)
+              .note(SourceRange{ctx.source().id(), definition.begin, definition.end},
+                    "it is defined here");
+        return;
+      }
+    }
+  }
+
+  std::set<std::string> spoken_; ///< variables that were looked at, in capitals
   int64_t greatest_ = 0;
   bool numbered_ = false;                      ///< variables have numbers behind `#`
   int64_t reservedFrom_ = 0, reservedTo_ = -1; ///< of the control itself

@@ -1,5 +1,5 @@
 // An actual value is read before the moves in front of it are done.
-#include "analyzer/rule.h"
+#include "analyzer/read_ahead.h"
 
 namespace ncvet {
 namespace {
@@ -7,29 +7,33 @@ namespace {
 class VariableReadAhead final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().readAhead.empty())
-      to.on(EventKind::Statement);
+    if (to.dialect().readAhead.empty())
+      return;
+    to.on(EventKind::Statement);
+    to.onChange({EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    const Item &item = ctx.block().items[size_t(event.number)];
-    if (item.kind != ItemKind::Assignment || item.value == noExpression)
-      return;
-    const Expression &value = ctx.block().expressions[item.value];
-    const SourceRange range{ctx.source().id(), value.begin, value.end};
-    const llvm::StringRef text = ctx.text(range);
-    const bool ahead = llvm::any_of(ctx.dialect().readAhead, [&](const std::string &name) {
-      return text.contains_insensitive(name);
-    });
-    if (!ahead || !movesBefore(ctx))
-      return;
-    if (auto finding = ctx.report(range))
-      finding.message("`{0}` is read while the moves in front of it still run: `STOPRE` makes the "
-                      "control wait for them",
-                      text);
+    // A value that is kept is wanted for what it is worth; others may be signals to wait for.
+    const bool kept = event.kind == EventKind::Statement &&
+                      ctx.block().items[size_t(event.number)].kind == ItemKind::Assignment;
+    eachPrepared(event, ctx, [&](const Expression &value) { look(value, !kept, ctx); });
   }
 
 private:
+  static void look(const Expression &value, bool ofAxis, RuleContext &ctx) {
+    if (!readsAhead(value, ctx, ofAxis) || !movesBefore(ctx))
+      return;
+    // Under compensation the wait itself is the fault, and another rule's.
+    if (ctx.before().compensationActive(ctx.dialect()) == Truth::Yes)
+      return;
+    const SourceRange range{ctx.source().id(), value.begin, value.end};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is read while the moves in front of it still run: `STOPRE` makes the "
+                      "control wait for them",
+                      ctx.text(range));
+  }
+
   /// A move stands in front, in plain order, and nothing that waits for it.
   static bool movesBefore(RuleContext &ctx) {
     constexpr unsigned lookBack = 20;
@@ -46,7 +50,7 @@ private:
         return llvm::none_of(block.items,
                              [](const Item &one) { return one.kind == ItemKind::Structure; });
       for (const Item &item : block.items)
-        if (item.kind != ItemKind::Assignment)
+        if (item.kind != ItemKind::Assignment && item.kind != ItemKind::Output)
           return false;
     }
     return false;

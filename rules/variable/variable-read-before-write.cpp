@@ -13,6 +13,9 @@ public:
   void listen(Subscriptions &to) override {
     if (to.option("wanted", 0) != 0)
       to.on(EventKind::UnsetRead);
+    reservedFrom_ = int64_t(to.option("reservedFrom", 0));
+    greatest_ = int64_t(to.option("greatest", 0));
+    reservedTo_ = int64_t(to.option("reservedTo", -1));
     for (const CodeInfo &code : to.dialect().codes)
       for (const Store &store : code.stores)
         stored_.insert(store.variable);
@@ -39,7 +42,11 @@ public:
     }
     // Other names may be defined outside of the program.
     if (!(name.startswith("R") || name.startswith("r")) ||
-        name.drop_front().getAsInteger(10, index) || !reported_.insert(index).second)
+        name.drop_front().getAsInteger(10, index))
+      return;
+    // Those that the program cannot have: variable-index-out-of-range speaks.
+    if ((greatest_ && index > greatest_) || (reservedFrom_ <= index && index <= reservedTo_) ||
+        !reported_.insert(index).second)
       return;
     const SourceRange range{ctx.source().id(), uint32_t(event.number),
                             uint32_t(event.number + int64_t(name.size()))};
@@ -96,6 +103,8 @@ private:
     return main_;
   }
 
+  int64_t greatest_ = 0; ///< number of the last parameter; 0: not limited
+  int64_t reservedFrom_ = 0, reservedTo_ = -1;
   uint32_t known_ = ~0u;
   bool main_ = false;
   std::set<int64_t> reported_;

@@ -21,8 +21,10 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind == EventKind::Block)
-      return truncated(ctx);
+    if (event.kind == EventKind::Block) {
+      truncated(ctx);
+      return inWords(ctx);
+    }
     if (marked_)
       mark(ctx.block().items[size_t(event.number)], ctx);
     const Block &block = ctx.block();
@@ -40,9 +42,18 @@ public:
     const bool number = !value.bad && value.count == 1 &&
                         block.operations[value.first].op == Op::Number &&
                         ctx.dialect().lexical.commaSeparates && !ctx.text(range).startswith("\"");
-    const bool takesNumber = type == VariableType::Integer || type == VariableType::Real ||
-                             type == VariableType::Boolean;
+    const bool takesNumber = isNumber(type);
     const bool takesText = type == VariableType::String || type == VariableType::Axis;
+    if (takesNumber && !text && operands(value, ctx.text(name), ctx))
+      return;
+    if (takesText && !value.bad && value.count == 1 &&
+        block.operations[value.first].op == Op::Variable &&
+        isNumber(typeOf(ctx.text(range), ctx))) {
+      if (auto finding = ctx.report(range))
+        finding.message("`{0}` holds a number, and `{1}` takes none", ctx.text(range),
+                        ctx.text(name));
+      return;
+    }
     if (!(text && takesNumber) && !(number && takesText))
       return;
     if (auto finding = ctx.report(range))
@@ -67,6 +78,63 @@ private:
                    known->second)
           .fix(FixSafety::Unsafe, "write `" + known->second + "`",
                ctx.replace(range, known->second));
+  }
+
+  static bool isNumber(VariableType type) {
+    return type == VariableType::Integer || type == VariableType::Real ||
+           type == VariableType::Boolean;
+  }
+
+  /// Variables of texts, axes and frames among the operands of a calculation with numbers; true
+  /// when one was reported. What compares or puts texts together is no such calculation.
+  static bool operands(const Expression &e, llvm::StringRef taker, RuleContext &ctx) {
+    if (e.bad || !ctx.dialect().lexical.commaSeparates)
+      return false;
+    const auto operations = llvm::makeArrayRef(ctx.block().operations).slice(e.first, e.count);
+    for (const ExpressionOp &op : operations)
+      if (op.op >= Op::Equal && op.op <= Op::Not)
+        return false;
+      else if (op.op == Op::Opaque || op.op == Op::Unknown || op.op == Op::VariableAt)
+        return false;
+    for (const ExpressionOp &op : operations) {
+      if (op.op != Op::Variable && op.op != Op::ElementAt)
+        continue;
+      const llvm::StringRef name = nameAt(op.offset, ctx);
+      const VariableType type = typeOf(name, ctx);
+      if (type != VariableType::String && type != VariableType::Axis && type != VariableType::Frame)
+        continue;
+      if (auto finding = ctx.report(
+              SourceRange{ctx.source().id(), op.offset, op.offset + uint32_t(name.size())}))
+        finding.message("`{0}` holds {1}, and `{2}` takes a number", name,
+                        type == VariableType::String ? "a text"
+                        : type == VariableType::Axis ? "the name of an axis"
+                                                     : "a frame",
+                        taker);
+      return true;
+    }
+    return false;
+  }
+
+  static llvm::StringRef nameAt(uint32_t offset, RuleContext &ctx) {
+    return ctx.text(SourceRange{ctx.source().id(), offset, ctx.block().end}).take_while([](char c) {
+      return llvm::isAlnum(c) || c == '_';
+    });
+  }
+
+  /// Coordinates, feeds and the like that a variable of another type gives. A tool has a name too.
+  static void inWords(RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (block.expressions.empty() || !ctx.dialect().lexical.commaSeparates)
+      return;
+    for (const Word &word : block.words) {
+      if (!word.has(wordExpression) || word.address >= ctx.dialect().addresses.size() ||
+          word.address == letterAddress('T'))
+        continue;
+      const AddressKind kind = ctx.dialect().addresses[word.address].kind;
+      if (kind == AddressKind::Axis || kind == AddressKind::Increment ||
+          kind == AddressKind::Parameter || kind == AddressKind::Polar)
+        operands(block.expressions[size_t(word.mantissa)], ctx.text(word), ctx);
+    }
   }
 
   /// `T<FTL(R1)>`: what a fraction is cut off from names another tool or code.

@@ -24,6 +24,18 @@ TEST_F(EcsReading, WordsMayFollowEachOtherWithoutBlanks) {
   EXPECT_TRUE(block.issues.empty());
 }
 
+TEST_F(EcsReading, TheMinusOfAPlaneIsACodeOfItsOwn) {
+  const Block up = blockOf("N10 G16XYZ+ G54.01\n");
+  ASSERT_EQ(up.words.size(), 2u);
+  EXPECT_EQ(up.words[0].mantissa, test::dialectNamed("ecs")->keyword("G16XYZ"));
+  const Block down = blockOf("N10 G16XYZ- G54.01\n");
+  ASSERT_EQ(down.words.size(), 3u);
+  EXPECT_EQ(down.words[0].mantissa, test::dialectNamed("ecs")->keyword("G16XYZ"));
+  EXPECT_EQ(down.words[1].mantissa, test::dialectNamed("ecs")->keyword("G16-"));
+  EXPECT_EQ(down.words[1].offset, 10u);
+  EXPECT_TRUE(down.issues.empty());
+}
+
 TEST_F(EcsReading, TheWordsOfAContourKeepTheirSigns) {
   const Block block = blockOf("N20 G1 X5 RC45 RA-2\n");
   ASSERT_EQ(block.words.size(), 4u);

@@ -49,6 +49,32 @@ TEST(Engine, LoopsThatCountAreFollowed) {
                          "N10M30\n%\n"));
 }
 
+/// Each of many jumps on an input leads somewhere else, and each way back brings another position:
+/// what was followed from a place already is not followed again to the program's end.
+TEST(Engine, ManyJumpsThatSomethingUnknownDecidesCostInProportion) {
+  constexpr unsigned jumps = 1000;
+  std::string program = "O1\nT101\nG54 G97 S800 M03\nG00 X50. Z3.\nG01 F0.2\n";
+  for (unsigned i = 1; i <= jumps; ++i)
+    program += "N" + std::to_string(i) + " M96 P" + std::to_string(i * 7919 % jumps + 1) +
+               "\nG01 X" + std::to_string(20 + i % 30) + ".\n";
+  EXPECT_TRUE(endsWithin(200 * jumps, "haas-lathe", program + "M30\n"));
+}
+
+/// What a call costs counts too: sections in sections, and subprograms in subprograms, end.
+TEST(Engine, RepeatsOfRepeatsAreCut) {
+  EXPECT_FALSE(endsWithin(50'000, "sinumerik",
+                          "G0 X0 Y0\n"
+                          "STEP: X=IC(0.001)\n"
+                          "ROW: Y=IC(0.001)\n"
+                          "REPEATB STEP P=9999\n"
+                          "REPEAT ROW P=9999\n"
+                          "M30\n"));
+  EXPECT_FALSE(endsWithin(50'000, "sinumerik",
+                          "%_N_PART_MPF\nG0 X0\nL5 P9999\nM30\n"
+                          "%_N_L5_SPF\nL6 P9999\nM17\n"
+                          "%_N_L6_SPF\nX=IC(0.001)\nM17\n"));
+}
+
 std::vector<std::string> findingsOf(const char *dialect,
                                     const std::vector<test::ProgramFile> &files) {
   std::vector<std::string> found;

@@ -322,7 +322,6 @@ TEST(FanucNctTables, FactsOfTheTableSpeakWhereTheyApply) {
   EXPECT_THAT(Control("nct-104t").notices("G76 R0.05 P020060 Q100"),
               Contains("turning-thread-pitch-unit"));
   EXPECT_THAT(Control("nct-104t").notices("G76 R0.05 P020060 Q0.1"), IsEmpty());
-  EXPECT_THAT(Control("nct-104t").notices("G1 Z-3 R16 F0.1"), Contains("contour-corner-words"));
   EXPECT_THAT(Control("nct-104m").notices("G22 X100 Y80 Z50 I0 J0 K0 U20 P1"),
               Contains("block-value-out-of-range"));
   EXPECT_THAT(Control("nct-104m").notices("G43 H3 D3"), Contains("tool-length-offset-incomplete"));

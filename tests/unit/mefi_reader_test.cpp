@@ -59,6 +59,23 @@ TEST_F(MefiReading, NamesHideTheirLettersAndNumbersTheirSlips) {
                                                                SyntaxIssueKind::MissingValue}));
 }
 
+TEST_F(MefiReading, ALetterOAmongDigitsAndASecondSignSpoilANumber) {
+  for (const char *text :
+       {"N10 S8OO", "N10 Y-3O", "N10 X--5", "N10 R31=--15", "N10 GO X5", "N10 X5 MO5", "N10 XO.5"})
+    EXPECT_EQ(issuesOf(blocksOf(text)[0]), std::vector{SyntaxIssueKind::MalformedNumber}) << text;
+  EXPECT_EQ(issuesOf(blocksOf("N10 GOTO")[0]), std::vector{SyntaxIssueKind::UnknownWord});
+}
+
+TEST_F(MefiReading, AParameterWithoutItsSignIsReadAsIfItHadOne) {
+  for (const char *text : {"N10 R31-15", "N10 R31 -15"}) {
+    const Block block = blocksOf(text)[0];
+    EXPECT_EQ(issuesOf(block), std::vector{SyntaxIssueKind::MissingEquals}) << text;
+    ASSERT_EQ(block.words.size(), 1u);
+    EXPECT_EQ(block.words[0].value(), -15);
+  }
+  EXPECT_TRUE(blocksOf("N10 G2 X5 R31")[0].issues.empty()) << "the radius of an arc";
+}
+
 TEST_F(MefiReading, BeginningAnywhereReadsTheSameBlocks) {
   const auto blocks =
       blocksOf("\" a\nN PROGRAM\nN10 G0 X0 N20 X50\nN\nN30 CALLCYCLE(CYC_COPY)\nN M30");
