@@ -58,6 +58,8 @@ std::string Dialect::alternatives(AddressMask mask) const {
 }
 
 double Dialect::lengthsPerUnit(Axis axis) const {
+  if (!isLathe()) // on a mill codes say where X is a diameter
+    return 1;
   for (const AddressInfo &address : addresses)
     if (address.kind == AddressKind::Axis && address.axis == axis && address.diameter)
       return 2;
