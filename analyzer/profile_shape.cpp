@@ -4,12 +4,13 @@
 #include "interp/arc.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace ncvet {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// By how much (mm) an arc leads beyond both of its ends before that is more than rounding: the
 /// centre of an arc that runs out along an axis is rarely met to the last digit.

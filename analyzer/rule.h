@@ -172,6 +172,12 @@ public:
   const FileIndex &index() const { return *index_; }
   const Block &block() const { return *block_; }
   llvm::ArrayRef<CodeUse> codes() const { return outcome_->codes; }
+  /// Word of this block that names the event's code; null: the code runs on from an earlier block.
+  const Word *codeWord(const Event &event) const {
+    const auto *use =
+        llvm::find_if(codes(), [&](const CodeUse &u) { return u.code == event.code; });
+    return use == codes().end() ? nullptr : use->word;
+  }
   const Outcome &outcome() const { return *outcome_; }
   /// State on entry of the block, and behind it.
   const MachineState &before() const { return *before_; }

@@ -44,19 +44,13 @@ Interval shareOfDiameter(const Dialect &dialect, const MachineState &state, Axis
   if (axis != Axis::X || dialect.group(StandardGroup::Diameter) == noGroup)
     return Interval::exactly(1);
   // Where the program has stated nothing, words are what they are on a mill.
-  if (llvm::none_of(state.candidates(dialect, StandardGroup::Diameter), [](const CodeInfo *code) {
-        return code->action == Action::DiameterOn || code->action == Action::DiameterAbsolute;
-      }))
-    return Interval::exactly(1);
-  const Truth always = state.isActive(dialect, StandardGroup::Diameter, {Action::DiameterOn}),
-              absolute =
-                  state.isActive(dialect, StandardGroup::Diameter, {Action::DiameterAbsolute});
-  if (always == Truth::No && absolute == Truth::No)
-    return Interval::exactly(1);
-  if (always == Truth::Yes || (absolute == Truth::Yes && increment == Truth::No))
-    return Interval::exactly(0.5);
-  return absolute == Truth::Yes && increment == Truth::Yes ? Interval::exactly(1)
-                                                           : Interval::unknown();
+  bool half = false, whole = state.active(dialect, StandardGroup::Diameter) & groupUnset;
+  for (const CodeInfo *code : state.candidates(dialect, StandardGroup::Diameter)) {
+    const bool absolute = code->action == Action::DiameterAbsolute;
+    half |= code->action == Action::DiameterOn || (absolute && increment != Truth::Yes);
+    whole |= absolute ? increment != Truth::No : code->action != Action::DiameterOn;
+  }
+  return half && whole ? Interval::unknown() : Interval::exactly(half ? 0.5 : 1);
 }
 
 Interval Execution::coordinate(const Word &word) const {

@@ -41,6 +41,8 @@ namespace ncvet {
   X(CompensationRight, "compensation-right")                                                       \
   X(CompensationKeep, "compensation-keep")                                                         \
   X(CompensationCorner, "compensation-corner")                                                     \
+  X(SoftApproach, "soft-approach")                                                                 \
+  X(SoftRetract, "soft-retract")                                                                   \
   X(LengthPositive, "length-positive")                                                             \
   X(LengthNegative, "length-negative")                                                             \
   X(LengthOff, "length-off")                                                                       \

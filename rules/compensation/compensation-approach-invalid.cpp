@@ -1,6 +1,5 @@
 // Corner and vector codes of compensation (G38, G39) where they cannot work.
 #include "analyzer/lookahead.h"
-#include "analyzer/soft_approach.h"
 
 namespace ncvet {
 namespace {
@@ -8,16 +7,9 @@ namespace {
 class CompensationApproachInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.onAction({Action::CompensationKeep, Action::CompensationCorner});
+    to.onAction({Action::CompensationKeep, Action::CompensationCorner, Action::CompensationOff,
+                 Action::SoftApproach, Action::SoftRetract});
     to.onNotices(id);
-    soft_ = softApproaches(to.dialect());
-    retracts_ = softRetracts(to.dialect());
-    if (!soft_.empty() && !retracts_.empty()) {
-      to.onCode([&](const CodeInfo &code) {
-        return llvm::is_contained(soft_, code.base) || llvm::is_contained(retracts_, code.base);
-      });
-      to.onAction({Action::CompensationOff});
-    }
     elements_ = to.option("elements", 0) != 0;
     if (elements_)
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
@@ -52,13 +44,13 @@ private:
 
   /// What the tool has approached softly it leaves softly as well.
   void pairs(const Event &event, const CodeInfo &code, RuleContext &ctx) {
-    if (llvm::is_contained(soft_, code.base)) {
+    if (code.action == Action::SoftApproach) {
       approach_ = ctx.range(*event.word);
-    } else if (llvm::is_contained(retracts_, code.base)) {
+    } else if (code.action == Action::SoftRetract) {
       approach_ = {};
     } else if (code.action == Action::CompensationOff && approach_.end) {
       const bool leaves = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
-        return llvm::is_contained(retracts_, ctx.code(use).base);
+        return ctx.code(use).action == Action::SoftRetract;
       });
       if (!leaves && approach_.file == ctx.source().id() && !ctx.before().may(Fact::UnknownCode) &&
           ctx.before().compensationActive(ctx.dialect()) == Truth::Yes)
@@ -73,7 +65,6 @@ private:
     }
   }
 
-  llvm::SmallVector<CodeIndex, 4> soft_, retracts_;
   SourceRange approach_; ///< the last soft one that no retract has answered
 
   /// `G41 K`: the approach is normal to the element that the next block gives.

@@ -1,6 +1,5 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
 #include "analyzer/rule.h"
-#include "analyzer/soft_approach.h"
 
 namespace ncvet {
 namespace {
@@ -14,8 +13,6 @@ public:
     infeeds_ = unsigned(to.option("infeeds", 0));
     inSpace_ = to.option("inSpace", 0) != 0;
     allowedBehindApproach_ = unsigned(to.option("behindApproach", 0));
-    if (allowedBehindApproach_)
-      soft_ = softApproaches(to.dialect());
     severity_ = to.option("advice", 0) != 0 ? std::optional(Severity::Warning) : std::nullopt;
   }
 
@@ -25,7 +22,7 @@ public:
       if (inSpace_)
         inSpace(event, ctx);
     } else {
-      if (!soft_.empty())
+      if (allowedBehindApproach_)
         approach(ctx);
       idle(ctx);
       if (infeeds_)
@@ -66,7 +63,7 @@ private:
   void approach(RuleContext &ctx) {
     const bool follows = ctx.block().begin == behindApproach_ && ctx.after().idleBlocks > 0;
     const bool begins = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
-      return llvm::is_contained(soft_, ctx.code(use).base);
+      return ctx.code(use).action == Action::SoftApproach;
     });
     behindApproach_ = begins || follows ? ctx.block().next : ~0u;
   }
@@ -195,7 +192,6 @@ private:
   unsigned inARow_ = 0;
   bool inSpace_ = false;               ///< moves that leave the plane are reported
   unsigned allowedBehindApproach_ = 0; ///< 0: as elsewhere
-  llvm::SmallVector<CodeIndex, 4> soft_;
   uint32_t behindApproach_ = ~0u; ///< the block to come if it follows an approach and idle blocks
 };
 

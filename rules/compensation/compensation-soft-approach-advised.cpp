@@ -1,6 +1,5 @@
 // Compensation engages on the contour itself.
 #include "analyzer/rule.h"
-#include "analyzer/soft_approach.h"
 
 namespace ncvet {
 namespace {
@@ -8,8 +7,8 @@ namespace {
 class CompensationSoftApproachAdvised final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    soft_ = softApproaches(to.dialect());
-    if (!soft_.empty())
+    if (llvm::any_of(to.dialect().codes,
+                     [](const CodeInfo &code) { return code.action == Action::SoftApproach; }))
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
@@ -17,16 +16,13 @@ public:
     if (ctx.before().compensation != phaseOff || !axesOf(ctx.dialect(), ctx.block()))
       return;
     for (const CodeUse &use : ctx.codes())
-      if (llvm::is_contained(soft_, ctx.code(use).base))
+      if (ctx.code(use).action == Action::SoftApproach)
         return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` meets the contour on a straight line: a soft approach leaves no mark "
                       "on the part",
                       ctx.code(event).name);
   }
-
-private:
-  llvm::SmallVector<CodeIndex, 4> soft_;
 };
 
 } // namespace

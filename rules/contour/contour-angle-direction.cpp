@@ -153,26 +153,21 @@ private:
     const Point taken{foot[0] + direction[0] * half, foot[1] + direction[1] * half};
     const Point other{foot[0] - direction[0] * half, foot[1] - direction[1] * half};
     const SourceRange at{ctx.source().id(), angleWord->offset, ahead.block().endOf(*angleWord)};
-    if (onArc(taken, *arc.start, *arc.end, *centre, clockwise) &&
-        dot(direction, minus(target, taken)) < -shortest) {
-      if (auto finding = ctx.report(at))
-        finding.severity(Severity::Warning)
-            .message("`{0}` points away from the end of this line: its angle is that of the way "
-                     "from the circle to that end",
-                     ctx.text(at))
-            .note(ctx.blockRange(), "the circle");
-      return;
-    }
+    const bool met = onArc(taken, *arc.start, *arc.end, *centre, clockwise);
+    const char *message = nullptr;
+    if (met && dot(direction, minus(target, taken)) < -shortest)
+      message = "`{0}` points away from the end of this line: its angle is that of the way from "
+                "the circle to that end";
     // Meant is the point on the way that the circle's own words describe.
-    if (onArc(taken, *arc.start, *arc.end, *centre, clockwise) ||
-        !onArc(other, *arc.start, *arc.end, *centre, clockwise) ||
-        dot(direction, minus(target, other)) >= 0)
+    else if (!met && onArc(other, *arc.start, *arc.end, *centre, clockwise) &&
+             dot(direction, minus(target, other)) < 0)
+      message = "`{0}` points from the end of this line back to the circle: the control leaves the "
+                "circle at the other of the two points in which they meet";
+    if (!message)
       return;
     if (auto finding = ctx.report(at))
       finding.severity(Severity::Warning)
-          .message("`{0}` points from the end of this line back to the circle: the control leaves "
-                   "the circle at the other of the two points in which they meet",
-                   ctx.text(at))
+          .message(message, ctx.text(at))
           .note(ctx.blockRange(), "the circle");
   }
 

@@ -32,8 +32,7 @@ public:
       return onSurface(ctx);
     if (event.kind == EventKind::Code && wraps(ctx.code(event)))
       surfaceEnds(ctx);
-    const bool here =
-        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
+    const bool here = ctx.codeWord(event);
     if (event.kind == EventKind::Code || !here)
       ctx.reportNotices(id, event);
   }

@@ -111,10 +111,8 @@ private:
       calledDepth_ = kept(state, ctx.code(event), Role::Depth);
       return;
     }
-    const bool here =
-        call_.end != 0 && call_.file == ctx.source().id() && known && at == calledAt_ &&
-        ctx.block().begin >= call_.end &&
-        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
+    const bool here = call_.end != 0 && call_.file == ctx.source().id() && known &&
+                      at == calledAt_ && ctx.block().begin >= call_.end && ctx.codeWord(event);
     const auto depth = kept(state, ctx.code(event), Role::Depth);
     const bool deeper = depth && calledDepth_ && *depth != *calledDepth_;
     if (here && !deeper && !ctx.before().may(Fact::UnknownCode))

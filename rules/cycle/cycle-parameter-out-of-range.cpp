@@ -26,8 +26,7 @@ public:
     if (event.code == noCode)
       return;
     // A later block of a modal cycle may give a word anew.
-    if (event.kind == EventKind::CycleRun &&
-        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; }))
+    if (event.kind == EventKind::CycleRun && ctx.codeWord(event))
       return;
     // With one argument too many it is not known which of them stands in the wrong place.
     if (const uint8_t most = ctx.code(event).arguments; most && ctx.block().argument(most + 1u))

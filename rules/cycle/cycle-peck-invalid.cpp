@@ -22,8 +22,7 @@ public:
     if (event.code == noCode)
       return;
     const bool again = event.kind == EventKind::CycleRun;
-    if (again &&
-        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; }))
+    if (again && ctx.codeWord(event))
       return;
     const CodeInfo &code = ctx.code(event);
     if (code.action == Action::Cycle) {

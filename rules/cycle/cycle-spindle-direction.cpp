@@ -66,10 +66,7 @@ private:
     const uint8_t needed = towardsMinus ? spindleCw : spindleCcw;
     if (needed == spindle)
       return;
-    const Word *word = event.word;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        word = use.word;
+    const Word *named = ctx.codeWord(event), *word = named ? named : event.word;
     if (!word)
       return;
     if (auto finding = ctx.report(*word, event.certain))

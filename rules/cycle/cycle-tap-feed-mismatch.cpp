@@ -43,16 +43,11 @@ public:
     if (!word)
       word = ctx.block().find('S');
     const bool changed = changesPitch(event, *unit, ctx);
-    const bool stated =
-        word || changed || !ctx.before().may(Fact::CycleRan) ||
-        llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; });
+    const Word *named = ctx.codeWord(event);
+    const bool stated = word || changed || !ctx.before().may(Fact::CycleRan) || named;
     if (!stated)
       return;
-    const Word *code_ = nullptr;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        code_ = use.word;
-    const SourceRange at = word ? ctx.range(*word) : code_ ? ctx.range(*code_) : ctx.blockRange();
+    const SourceRange at = word ? ctx.range(*word) : named ? ctx.range(*named) : ctx.blockRange();
     if (mode == Action::FeedPerRevolution) {
       const bool off = pitch ? std::fabs(feed - *pitch) > 0.02 * *pitch : feed > greatestPitch_;
       if (!off)
@@ -95,7 +90,7 @@ public:
     }
     // A later hole with another speed, but the old feed.
     const MachineState &before = ctx.before();
-    if (pitch || code_ || was_ <= 0 || !before.must(Fact::CycleRan))
+    if (pitch || named || was_ <= 0 || !before.must(Fact::CycleRan))
       return;
     const double was = was_;
     if (std::fabs(was - cuts) <= 0.005 * was)

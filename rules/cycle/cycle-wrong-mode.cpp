@@ -35,10 +35,7 @@ public:
         ctx.after().isActive(ctx.dialect(), StandardGroup::ReturnLevel, {Action::ReturnR});
     if (toR != Truth::Yes)
       return;
-    const Word *word = event.word;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        word = use.word;
+    const Word *named = ctx.codeWord(event), *word = named ? named : event.word;
     if (!word)
       return;
     if (auto finding = ctx.report(*word, event.certain))

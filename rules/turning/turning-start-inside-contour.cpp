@@ -100,7 +100,7 @@ private:
 
   /// A single pass returns to its start: what follows tells on which side the tool works.
   static void pass(const Event &event, const CodeInfo &code, RuleContext &ctx) {
-    if (!llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return use.code == event.code; }))
+    if (!ctx.codeWord(event))
       return;
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
     const bool face = code.cycle == CycleKind::FacePass;

@@ -17,10 +17,7 @@ public:
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || !cutsThread(ctx.code(event).cycle))
       return;
-    const Word *word = nullptr;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        word = use.word;
+    const Word *word = ctx.codeWord(event);
     if (!word)
       return;
     const MachineState &state = ctx.after();

@@ -36,10 +36,7 @@ public:
         another(event, code, lead, ctx);
       return;
     }
-    const Word *word = nullptr;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        word = use.word;
+    const Word *word = ctx.codeWord(event);
     const bool certain = event.certain && !before.may(Fact::FeedIsLead);
     if (auto finding = ctx.report(word ? ctx.range(*word) : ctx.blockRange(), certain)) {
       if (before.must(Fact::FeedSet))
@@ -61,10 +58,7 @@ private:
                       RuleContext &ctx) {
     const MachineState &before = ctx.before();
     const CodeInfo *motion = before.activeCode(ctx.dialect(), StandardGroup::Motion);
-    const Word *own = nullptr;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        own = use.word;
+    const Word *own = ctx.codeWord(event);
     if (!own || !event.certain || !motion || motion->action == Action::Thread ||
         cutsThread(motion->cycle))
       return;

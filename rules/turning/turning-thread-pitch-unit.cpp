@@ -28,10 +28,7 @@ public:
     if (!thread)
       return;
     const MachineState &state = ctx.after();
-    const Word *word = nullptr;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        word = use.word;
+    const Word *word = ctx.codeWord(event);
     if (!word)
       return;
     const AddressMask lead = addressesOf(code, Role::Lead);

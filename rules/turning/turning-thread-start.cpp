@@ -22,10 +22,7 @@ public:
     const bool cycle = event.kind == EventKind::CycleRun;
     if (cycle ? !cutsThread(code.cycle) : event.motion != MotionKind::Thread)
       return;
-    const Word *word = nullptr;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        word = use.word;
+    const Word *word = ctx.codeWord(event);
     if (!word)
       return;
     if (cycle && code.cycle == CycleKind::ThreadMulti)

@@ -28,10 +28,7 @@ public:
         state.isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed});
     if (css == Truth::No || (css == Truth::Unknown && state.may(Fact::UnknownCode)))
       return;
-    const Word *word = nullptr;
-    for (const CodeUse &use : ctx.codes())
-      if (use.code == event.code)
-        word = use.word;
+    const Word *word = ctx.codeWord(event);
     if (!word) // a further pass or hole of what was reported already
       return;
     if (auto finding = ctx.report(*word, event.certain && css == Truth::Yes)) {
