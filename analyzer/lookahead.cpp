@@ -2,6 +2,7 @@
 #include "analyzer/lookahead.h"
 
 #include "formats/dialect/measure.h"
+#include "formats/dialect/variable_key.h"
 #include "interp/expression.h"
 
 #include <cmath>
@@ -48,16 +49,28 @@ SourceRange wordsRange(const RuleContext &ctx, const Block &block) {
   return range;
 }
 
-bool readPrevious(const RuleContext &ctx, Block &previous) {
-  const uint32_t first = ctx.index().programAt(ctx.block().begin).body;
-  uint32_t at = ctx.block().begin;
+namespace {
+
+/// Reads the block with content that stands in front of `at`.
+bool readBackFrom(const RuleContext &ctx, uint32_t at, Block &block) {
+  const uint32_t first = ctx.index().programAt(ctx.block().begin).body, behind = at;
   while (at > first) {
     at = std::max(first, ctx.source().lines().lineBegin(at - 1));
-    ctx.index().read(at, previous);
-    if (!previous.isEmpty())
-      return previous.next <= ctx.block().begin;
+    ctx.index().read(at, block);
+    if (!block.isEmpty())
+      return block.next <= behind;
   }
   return false;
+}
+
+} // namespace
+
+bool readPrevious(const RuleContext &ctx, Block &previous) {
+  return readBackFrom(ctx, ctx.block().begin, previous);
+}
+
+bool readBack(const RuleContext &ctx, Block &block) {
+  return readBackFrom(ctx, block.begin, block);
 }
 
 llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block) {
@@ -350,6 +363,11 @@ std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &s
     return start.value() + value.value() * *unit;
   }
   return std::nullopt;
+}
+
+bool comesFromBelow(const MachineState &state) {
+  static const uint64_t key = variableKey("_BELOW");
+  return state.commons.given(key) == Truth::Yes;
 }
 
 bool makesHole(CycleKind kind) {

@@ -18,6 +18,9 @@ inline bool readOn(const RuleContext &ctx, Block &block) { return readOn(ctx.ind
 /// begin.
 bool readPrevious(const RuleContext &ctx, Block &previous);
 
+/// The same, in front of a block that `readPrevious` returned; `block` is overwritten.
+bool readBack(const RuleContext &ctx, Block &block);
+
 /// Where the words of a block of this file stand.
 SourceRange wordsRange(const RuleContext &ctx, const Block &block);
 
@@ -77,6 +80,9 @@ std::optional<double> millimetresPer(const Dialect &dialect, const MachineState 
 /// `start`.
 std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &start);
 
+/// Whether the tool comes from below the work, so that its planes stand the other way round: the
+/// tables' codes say so in `_BELOW`.
+bool comesFromBelow(const MachineState &state);
 /// True for cycles that make a hole along the tool axis.
 bool makesHole(CycleKind kind);
 /// True for tapping cycles.

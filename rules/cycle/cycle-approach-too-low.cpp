@@ -1,6 +1,5 @@
 // A cycle begins below its retraction plane, at the part.
 #include "analyzer/lookahead.h"
-#include "formats/dialect/variable_key.h"
 
 #include <array>
 
@@ -74,7 +73,7 @@ private:
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
     const Interval &from = ctx.before().at(tool);
     if (!ctx.dialect().cycleSurvivesMotion || !from.isConstant() || !hasPlaneVariable(code) ||
-        ctx.before().commons.given(variableKey("_BELOW")) == Truth::Yes) // a tool from below
+        comesFromBelow(ctx.before()))
       return;
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     const auto start = kept(ctx.after(), code, Role::Retract);

@@ -1,6 +1,5 @@
 // The levels of a drilling cycle lie in the wrong order: start, R, depth.
 #include "analyzer/lookahead.h"
-#include "formats/dialect/variable_key.h"
 
 #include <cmath>
 
@@ -216,11 +215,6 @@ private:
         finding.severity(Severity::Warning)
             .message("the depth {0} of `{1}` is not below the surface, which is Z0", text(*depth),
                      code.name);
-  }
-
-  /// The tables' `_BELOW`: the length of the tool counts towards minus.
-  static bool comesFromBelow(const MachineState &state) {
-    return state.commons.given(variableKey("_BELOW")) == Truth::Yes;
   }
 
   /// The word that calls the cycle in this block, or null.

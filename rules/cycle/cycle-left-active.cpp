@@ -1,6 +1,7 @@
 // A modal cycle is still active where the operation is over: tool change, program end, return.
 #include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
+#include "analyzer/measuring_series.h"
 
 namespace ncvet {
 namespace {
@@ -15,7 +16,7 @@ public:
       return code.action == Action::Cycle && code.group == noGroup && !code.arguments &&
              code.cycle < CycleKind::Pattern;
     });
-    to.onCode([&](const CodeInfo &code) { return endsMeasuring(code, to.dialect()); });
+    to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -68,7 +69,7 @@ public:
       break;
     }
     default:
-      if (endsMeasuring(ctx.code(event), dialect)) {
+      if (endsSeries(ctx.code(event), dialect)) {
         if (cycle->cycle != CycleKind::Measure)
           return;
         where = "at the end of measuring";
@@ -92,12 +93,6 @@ public:
   void remember(RuleMemory &memory) const override { memory(said_); }
 
 private:
-  /// A code that ends a series of measurements.
-  static bool endsMeasuring(const CodeInfo &code, const Dialect &dialect) {
-    return code.effect.index < dialect.switches.size() && !code.effect.on &&
-           dialect.switches[code.effect.index].leftOn == "probe-series-unbalanced";
-  }
-
   Origin said_; ///< a cycle that was left active at the end of measuring
   static const CodeInfo *activeCycle(const MachineState &state, const Dialect &dialect) {
     for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion})

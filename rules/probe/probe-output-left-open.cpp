@@ -1,5 +1,6 @@
 // The results of measuring go on being written.
 #include "analyzer/lookahead.h"
+#include "analyzer/measuring_series.h"
 #include "formats/dialect/variable_key.h"
 #include "interp/expression.h"
 
@@ -11,16 +12,16 @@ public:
   /// What is left open the tables say; a result that nobody can read is looked for here.
   void listen(Subscriptions &to) override {
     const bool series = llvm::any_of(
-        to.dialect().codes, [&](const CodeInfo &code) { return isEnd(code, to.dialect()); });
+        to.dialect().codes, [&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
     if (!series)
       return;
     to.on({EventKind::CycleRun, EventKind::ProgramEnd});
     to.onAction({Action::ProgramStop, Action::OptionalStop});
-    to.onCode([&](const CodeInfo &code) { return isEnd(code, to.dialect()); });
+    to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (event.kind == EventKind::Code && !isEnd(ctx.code(event), ctx.dialect())) {
+    if (event.kind == EventKind::Code && !endsSeries(ctx.code(event), ctx.dialect())) {
       shown_ = {}; // the message stays until the operator goes on
       return;
     }
@@ -42,12 +43,6 @@ public:
   void remember(RuleMemory &memory) const override { memory(shown_, said_); }
 
 private:
-  /// A code that ends a series of measurements.
-  static bool isEnd(const CodeInfo &code, const Dialect &dialect) {
-    return code.effect.index < dialect.switches.size() && !code.effect.on &&
-           dialect.switches[code.effect.index].leftOn == "probe-series-unbalanced";
-  }
-
   /// The next message takes the place of the one at hand, or the series ends.
   void passesBy(RuleContext &ctx) {
     if (shown_.end && !said_)

@@ -1,4 +1,5 @@
 // A measuring cycle with values that it cannot work with.
+#include "analyzer/measuring_series.h"
 #include "analyzer/rule.h"
 
 namespace ncvet {
@@ -9,12 +10,12 @@ public:
   /// The tables say the rest; what they say is reported for it.
   void listen(Subscriptions &to) override {
     for (const CodeInfo &code : to.dialect().codes)
-      if (isEnd(code, to.dialect()))
+      if (endsSeries(code, to.dialect()))
         ends_ = true;
     if (!ends_)
       return;
     fastest_ = to.option("fastest", 0);
-    to.onCode([&](const CodeInfo &code) { return isSeries(code, to.dialect()); });
+    to.onCode([&](const CodeInfo &code) { return turnsSeries(code, to.dialect()); });
     to.onMoves({MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
     to.on({EventKind::CycleRun, EventKind::ProgramEnd});
   }
@@ -62,18 +63,6 @@ public:
   }
 
 private:
-  /// A code that ends a series of measurements.
-  static bool isEnd(const CodeInfo &code, const Dialect &dialect) {
-    return code.effect.index < dialect.switches.size() && !code.effect.on &&
-           dialect.switches[code.effect.index].leftOn == "probe-series-unbalanced";
-  }
-
-  /// … or begins one.
-  static bool isSeries(const CodeInfo &code, const Dialect &dialect) {
-    return code.effect.index < dialect.switches.size() &&
-           dialect.switches[code.effect.index].leftOn == "probe-series-unbalanced";
-  }
-
   /// A feed that was given behind the begin of the series.
   void tooFast(const CodeInfo &code, const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();

@@ -40,7 +40,7 @@ private:
         ctx.dialect().group(StandardGroup::ReturnLevel) != noGroup)
       return; // (another control may withdraw to where the cycle began)
     Block block;
-    for (bool more = readPrevious(ctx, block); more; more = readBefore(ctx, block)) {
+    for (bool more = readPrevious(ctx, block); more; more = readBack(ctx, block)) {
       if (!block.items.empty() || block.skip >= 0)
         return; // something else may lead here
       const CodeInfo *cycle = findCode(ctx.dialect(), block, {Action::Cycle});
@@ -73,18 +73,6 @@ private:
                return false;
              }
            });
-  }
-
-  static bool readBefore(const RuleContext &ctx, Block &block) {
-    const uint32_t first = ctx.index().programAt(ctx.block().begin).body;
-    uint32_t at = block.begin;
-    while (at > first) {
-      at = std::max(first, ctx.source().lines().lineBegin(at - 1));
-      ctx.index().read(at, block);
-      if (!block.isEmpty())
-        return true;
-    }
-    return false;
   }
 };
 
