@@ -2,9 +2,8 @@
 // depth the way along the outline that the tool's centre may reach, the withdrawal. How an area is
 // cleared inside that outline the manuals do not say.
 #include "interp/cycle_moves.h"
-#include "interp/cycle_writer.h"
 #include "interp/depth_levels.h"
-#include "interp/tool_data.h"
+#include "interp/milling_writer.h"
 
 #include <cmath>
 #include <numbers>
@@ -15,13 +14,11 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-class AreaMoves : private CycleWriter {
+class AreaMoves : private MillingWriter {
 public:
   AreaMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
             llvm::SmallVectorImpl<Move> &moves)
-      : CycleWriter(executed, cycle, moves), parameters_(executed, cycle),
-        tool_(toolAxis(executed.dialect, executed.after)),
-        axes_(planeOrder(executed.dialect, executed.after)) {}
+      : MillingWriter(executed, cycle, moves) {}
 
   /// False when the table says nothing of the cycle's levels.
   bool run() {
@@ -35,7 +32,7 @@ public:
     approach_ = *approach;
     back_ = here ? executed_.after.at(tool_) : backLevel(parameters_).value_or(Interval::unknown());
     island_ = parameters_.number(Measure::Island) == Interval::exactly(1);
-    clockwise_ = parameters_.number(Measure::Direction) == Interval::exactly(clockwiseDirection);
+    clockwise_ = clockwise();
     if (here) {
       areaAt({executed_.after.at(axes_[0]), executed_.after.at(axes_[1])}, /*called=*/false);
       return true;
@@ -46,11 +43,11 @@ public:
       return true;
     }
     const auto place = [&](Measure what) {
-      return parameters_.length(what).value_or(Interval::unknown());
+      return parameters_.length(what, area_).value_or(Interval::unknown());
     };
     const auto count = parameters_.number(Measure::Count);
     const double areas = !count ? 1 : count->isConstant() ? count->value() : 0;
-    for (double area = 0; area < std::min(areas, double(mostSteps)); ++area)
+    for (; area_ < std::min(areas, double(mostSteps)); ++area_)
       areaAt({place(Measure::CentreFirst), place(Measure::CentreSecond)}, /*called=*/true);
     if (areas < 1) {
       at_ = executed_.after.position;
@@ -75,19 +72,14 @@ private:
     return list;
   }
 
-  void setPlane(const std::array<Interval, 2> &place) {
-    for (size_t i = 0; i < 2; ++i) {
-      at_[size_t(axes_[i])] = place[i];
-      machineAxes_ &= ~(1u << unsigned(axes_[i]));
-    }
-  }
+  using MillingWriter::setPlane;
   void setPlane(const Point &place) {
-    setPlane({Interval::exactly(place[0]), Interval::exactly(place[1])});
+    setPlane(PlanePlace{Interval::exactly(place[0]), Interval::exactly(place[1])});
   }
 
   /// A cycle that is called goes to its place at the level of the return, one that runs where the
   /// block leads stays at the level on which it is.
-  void areaAt(const std::array<Interval, 2> &centre, bool called) {
+  void areaAt(const PlanePlace &centre, bool called) {
     const Place before = at_;
     setPlane(centre);
     if (called)
@@ -95,7 +87,7 @@ private:
     else if (at_ != before || !has(cycle_, CycleTrait::StartsHere))
       go(MoveKind::Rapid);
     // Round an island the tool goes down beside it; the manuals do not say where.
-    const std::array<Interval, 2> unknown, &inside = island_ ? unknown : centre;
+    const PlanePlace unknown, &inside = island_ ? unknown : centre;
     if (island_) {
       setPlane(unknown);
       go(MoveKind::Rapid);
@@ -131,45 +123,35 @@ private:
       if (first || second)
         setPlane({first.value_or(at_[size_t(axes_[0])]), second.value_or(at_[size_t(axes_[1])])});
     } else {
-      setPlane({Interval::unknown(), Interval::unknown()});
+      setPlane(PlanePlace{});
     }
     if (at_ != before)
       go(MoveKind::Rapid);
     go(MoveKind::Rapid, tool_, *approach);
     feed(go(MoveKind::Linear, tool_, *top), Measure::FeedDown);
-    setPlane({Interval::unknown(), Interval::unknown()});
+    setPlane(PlanePlace{});
     feed(go(MoveKind::Linear, tool_,
             parameters_.length(Measure::Bottom).value_or(Interval::unknown())),
          Measure::FeedAlong);
     return true;
   }
 
-  void feed(Move &move, Measure what) const {
-    if (const auto own = parameters_.length(what)) {
-      move.feed = *own;
-      if (move.feedMode == Action::None)
-        move.feedMode = Action::FeedPerMinute;
-    }
-  }
-
   std::optional<double> known(Measure what) const {
-    const auto value = parameters_.length(what);
+    const auto value = parameters_.length(what, area_);
     return value && value->isConstant() ? std::optional(std::fabs(value->value())) : std::nullopt;
   }
 
   /// How far the tool's centre stays from the area's outline.
   std::optional<double> distance() const {
-    const ToolData *tool = toolInUse(executed_.machine, executed_.before);
-    if (!tool || !tool->radius)
-      tool = compensatingTool(executed_.dialect, executed_.machine, executed_.before);
+    const auto radius = toolRadius();
     const auto rest = parameters_.length(Measure::SideRest).value_or(Interval::exactly(0));
-    if (!tool || !tool->radius || !rest.isConstant())
+    if (!radius || !rest.isConstant())
       return std::nullopt;
-    return *tool->radius + rest.value();
+    return *radius + rest.value();
   }
 
   /// Once along the outline; where it is not known, one motion to somewhere.
-  void outline(const std::array<Interval, 2> &centre) {
+  void outline(const PlanePlace &centre) {
     const auto off = distance();
     if (centre[0].isConstant() && centre[1].isConstant() && off) {
       const double by = island_ ? *off : -*off;
@@ -181,23 +163,20 @@ private:
       if (length && width && *length / 2 + by >= 0 && *width / 2 + by >= 0)
         return rectangle(middle, *length / 2 + by, *width / 2 + by, by);
     }
-    setPlane({Interval::unknown(), Interval::unknown()});
+    setPlane(PlanePlace{});
     feed(go(MoveKind::Linear), Measure::FeedAlong);
   }
 
   void lineTo(const Point &place) {
+    const Place before = at_;
     setPlane(place);
+    if (at_ == before) // round ends meet, or both sides of a long hole are one
+      return;
     feed(go(MoveKind::Linear), Measure::FeedAlong);
   }
   void arcTo(const Point &place, const Point &centre, double turns) {
     setPlane(place);
-    Move &move = go(MoveKind::Arc);
-    setFeed(executed_.dialect, executed_.after, move);
-    feed(move, Measure::FeedAlong);
-    move.plane = axes_;
-    move.centre = {Interval::exactly(centre[0]), Interval::exactly(centre[1])};
-    move.clockwise = clockwise_;
-    move.turns = Interval::exactly(turns);
+    arc({Interval::exactly(centre[0]), Interval::exactly(centre[1])}, clockwise_, turns);
   }
 
   void circle(const Point &middle, double radius) {
@@ -210,9 +189,9 @@ private:
   void rectangle(const Point &middle, double a, double b, double by) {
     const double corner = std::max(0.0, known(Measure::Rounding).value_or(0) + by);
     const double r = std::min({corner, a, b});
-    const auto angle = parameters_.number(Measure::Angle).value_or(Interval::exactly(0));
+    const auto angle = parameters_.number(Measure::Angle, area_).value_or(Interval::exactly(0));
     if (!angle.isConstant()) {
-      setPlane({Interval::unknown(), Interval::unknown()});
+      setPlane(PlanePlace{});
       feed(go(MoveKind::Linear), Measure::FeedAlong);
       return;
     }
@@ -236,12 +215,10 @@ private:
     lineTo(place(a, 0));
   }
 
-  const CycleParameters parameters_;
-  const Axis tool_;
-  const std::array<Axis, 2> axes_;
   Interval approach_, back_;
   llvm::SmallVector<Interval, 8> levels_;
   bool clockwise_ = false, island_ = false;
+  double area_ = 0; ///< which of them, from 0
 };
 
 } // namespace

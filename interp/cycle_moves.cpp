@@ -35,6 +35,8 @@ void appendCycleMoves(const ExecutedBlock &executed, const Event &event,
       return appendInfeedThreadMoves(executed, *cycle, moves);
     if (cycle->cycle == CycleKind::ThreadChain)
       return appendThreadChainMoves(executed, *cycle, moves);
+    if (cycle->cycle == CycleKind::ThreadMill)
+      return appendThreadMillingMoves(executed, *cycle, moves);
     if (contourCycle(executed) || appendTurningMoves(executed, *cycle, moves) ||
         appendThreadMoves(executed, *cycle, moves) || appendAreaMoves(executed, *cycle, moves))
       return;

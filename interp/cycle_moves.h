@@ -25,6 +25,9 @@ void appendInfeedThreadMoves(const ExecutedBlock &executed, const CodeInfo &cycl
 /// Pass by pass along a chain of places (CycleKind::ThreadChain).
 void appendThreadChainMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                             llvm::SmallVectorImpl<Move> &moves);
+/// Along the helix of a thread (CycleKind::ThreadMill).
+void appendThreadMillingMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
+                              llvm::SmallVectorImpl<Move> &moves);
 /// Single passes and grooves; false when the cycle is none of these.
 bool appendTurningMoves(const ExecutedBlock &executed, const CodeInfo &cycle,
                         llvm::SmallVectorImpl<Move> &moves);

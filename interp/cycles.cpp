@@ -355,6 +355,9 @@ void Execution::endOfCall(const CodeInfo &code) {
   }
   state_.at(tool) = Interval::unknown();
   state_.machineAxes &= ~(1u << unsigned(tool) | plane);
+  // Round what it threads a tool ends beside it.
+  const Formula *inside = formulaOf(code, Measure::Inside);
+  const bool beside = inside && !(levelOf(*inside, code, context_) == Interval::exactly(1));
   unsigned axis = 0; // the centre is given by the first and the second axis of the plane
   constexpr Axis order[][2] = {{Axis::X, Axis::Y}, {Axis::Z, Axis::X}, {Axis::Y, Axis::Z}};
   const auto &axes = tool == Axis::Z ? order[0] : tool == Axis::Y ? order[1] : order[2];
@@ -368,7 +371,7 @@ void Execution::endOfCall(const CodeInfo &code) {
     if (spec.role == Role::Height && word)
       state_.at(tool) = place(*word);
     else if (spec.role == Role::Centre && axis < 2)
-      state_.at(axes[axis++]) = word ? place(*word) : Interval::unknown();
+      state_.at(axes[axis++]) = word && !beside ? place(*word) : Interval::unknown();
   }
 }
 

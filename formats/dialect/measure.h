@@ -60,7 +60,7 @@ enum class Measure : uint8_t {
   Pockets, ///< 0: all is cut, 1: but the pockets, 2: these alone
   Across,  ///< not 0: levels run along X
   // threads from place to place
-  Lead,  ///< behind the place `index()`
+  Lead,  ///< of the thread, behind the place `index()` where that is one of a chain
   Inside ///< 1: the thread is cut in a bore
 };
 llvm::ArrayRef<llvm::StringLiteral> measureNames();
