@@ -280,6 +280,7 @@ private:
   bool complete_ = true;
   std::vector<std::string> cuts_;
   BlockWatcher *watcher_ = nullptr; ///< of the one way that is followed
+  unsigned passesFollowed_ = 0;     ///< cycles whose passes were made to see where they end
   void note(const MachineState &before, const Live &live);
   FileId observedFile_ = 0;
   uint32_t observedAt_ = ~0u; ///< block whose states are wanted; none

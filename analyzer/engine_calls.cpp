@@ -1,5 +1,6 @@
 // Runs what a block calls: subprograms, macros, sections that are repeated, turning profiles.
 #include "analyzer/engine.h"
+#include "analyzer/passes_end.h"
 #include "formats/dialect/measure.h"
 #include "interp/expression.h"
 #include "interp/kept_modes.h"
@@ -16,6 +17,8 @@ constexpr size_t memosPerProgram = 64;
 constexpr double maxRepeats = 10000;
 /// What a called body costs besides its blocks, in plain moves: states are copied and compared.
 constexpr uint64_t workOfCall = 16;
+/// Cycles whose passes along a turned contour are made, to see where they end.
+constexpr unsigned mostPassesFollowed = 20;
 
 } // namespace
 
@@ -618,8 +621,12 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
   Live read = live;
   Callee callee{&unit, &activation.region.program, 0, Kind::Subprogram, notSet};
   bool found = false;
-  if (has(cycle, CycleTrait::Turned)) {        // a subprogram between brackets, by its number
-    for (const Axis axis : {Axis::X, Axis::Z}) // where the passes end is not followed
+  std::optional<PassesEnd> passes;
+  if (has(cycle, CycleTrait::Turned)) { // a subprogram between brackets, by its number
+    const ExecutedBlock executed{*unit.dialect, unit.machine, block_, outcome_, before, live.state};
+    if (auto works = contourCycle(executed); works && passesFollowed_++ < mostPassesFollowed)
+      passes.emplace(executed, std::move(*works), watcher_);
+    for (const Axis axis : {Axis::X, Axis::Z})
       live.state.at(axis) = Interval::unknown();
     if (!flow.target.isConstant())
       return add(activation, next, std::move(live));
@@ -651,8 +658,17 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
   read.path = step(live.path, PathNode::Kind::Call, where);
   const Region region{*callee.unit, *callee.program, callee.start, callee.kind,
                       activation.region.depth + 1};
-  if (!isRunning(region.unit, region.start, region.kind) && region.depth < limits_.callDepth)
+  if (!isRunning(region.unit, region.start, region.kind) && region.depth < limits_.callDepth) {
+    BlockWatcher *const watcher = std::exchange(watcher_, passes ? &*passes : watcher_);
+    const bool stopped = stopped_;
     callBody(region, std::move(read));
+    watcher_ = watcher;
+    if (!watcher_)
+      stopped_ = stopped;
+    if (const auto last = passes ? passes->last() : std::nullopt)
+      for (const Axis axis : {Axis::X, Axis::Z})
+        live.state.at(axis) = last->to[size_t(axis)];
+  }
   if (watcher_)
     watcher_->profileEnds();
   add(activation, next, std::move(live));

@@ -532,10 +532,10 @@ void Engine::structure(Activation &activation, Live &live, uint32_t at,
     // Where the text is read as it runs, the partner is looked for only where the body is left out.
     const bool head = item.structure == Structure::If || item.structure == Structure::While ||
                       item.structure == Structure::Times;
-    if (!region.unit.dialect->loadsWhole &&
-        (item.structure == Structure::Repeat || (head && flow.condition == Truth::Yes)))
-      return add(activation, next, std::move(live));
-    issue(FlowIssue::StructureMismatch, activation, live, before, where);
+    const bool runs = !region.unit.dialect->loadsWhole && (item.structure == Structure::Repeat ||
+                                                           (head && flow.condition == Truth::Yes));
+    issue(runs ? FlowIssue::StructureOpen : FlowIssue::StructureMismatch, activation, live, before,
+          where);
     add(activation, next, std::move(live));
     return;
   }

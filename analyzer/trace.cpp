@@ -1,11 +1,10 @@
 // The motions that a program makes, from its first block to its end.
 #include "analyzer/trace.h"
 
+#include "analyzer/cycle_contour.h"
 #include "analyzer/engine.h"
 #include "interp/arc.h"
 #include "interp/compensated_path.h"
-#include "interp/contour_cycle.h"
-#include "interp/corner_path.h"
 #include "interp/tool_data.h"
 
 #include <utility>
@@ -13,55 +12,6 @@
 namespace ncvet {
 
 namespace {
-
-/// Contours with more motions are not roughed: the memory that they take is bounded.
-constexpr size_t mostContourMoves = 100000;
-
-/// Gathers the contour that a cycle reads, with its corners put in.
-class CycleContour {
-public:
-  explicit CycleContour(const Dialect &dialect) : corners_(dialect) {}
-
-  void begin(const ExecutedBlock &executed, const ContourCycle &cycle) {
-    moves_.clear();
-    readsCorners_ = !cycle.has(CycleTrait::IgnoresCorners);
-    path_.emplace(executed.dialect);
-    axes_ = 0;
-    first_ = true;
-    add(cycle.start, {}, {Axis::Z, Axis::X});
-  }
-  void take(const ExecutedBlock &executed, llvm::ArrayRef<Move> moves) {
-    const CornerRequest corner = readsCorners_ ? corners_.read(executed) : CornerRequest();
-    const std::array<Axis, 2> plane =
-        arcWords(executed.dialect, executed.after, executed.block).axes;
-    for (const Move &move : moves)
-      if (move.kind <= MoveKind::Thread && moves_.size() < mostContourMoves)
-        add(move, corner, plane);
-    if (std::exchange(first_, false))
-      for (const Event &event : executed.outcome.events)
-        axes_ |= event.kind == EventKind::Motion ? event.axes : 0;
-  }
-  llvm::ArrayRef<Move> end(ContourCycle &cycle) {
-    path_->finish([&](uint64_t, const Move &move) { moves_.push_back(move); });
-    constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-    cycle.bothAxes = (axes_ & both) == both;
-    return moves_.empty() || moves_.size() >= mostContourMoves
-               ? llvm::ArrayRef<Move>()
-               : llvm::ArrayRef<Move>(moves_).drop_front(); // the cycle's own start
-  }
-
-private:
-  void add(const Move &move, const CornerRequest &corner, const std::array<Axis, 2> &plane) {
-    path_->add(0, move, corner, plane,
-               [&](uint64_t, const Move &given) { moves_.push_back(given); });
-  }
-
-  const CornerWords corners_;
-  std::optional<CornerPath> path_;
-  llvm::SmallVector<Move, 0> moves_;
-  bool readsCorners_ = true, first_ = true;
-  uint16_t axes_ = 0; ///< that the first block names
-};
 
 /// Makes motions of the blocks that are executed.
 class Tracer : public BlockWatcher {

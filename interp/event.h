@@ -71,6 +71,7 @@ enum class FlowIssue : uint8_t {
   ProfileReached,     ///< plain flow runs into the blocks of a profile
   ComputedTarget,     ///< a target is computed and its value not known
   StructureMismatch,  ///< WHILE without END, END without DO
+  StructureOpen,      ///< the same where the control does not look for the end: the body runs
   IntoStructure,      ///< a jump leads into a bracket of structured flow from outside
   RepeatBounds,       ///< a section that is repeated holds its own repeat, or ends before it begins
   RepeatOverlap,      ///< such a section holds a part of a bracket of structured flow

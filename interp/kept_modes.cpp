@@ -109,8 +109,10 @@ SavedModes keepModes(const Dialect &dialect, const MachineState &state) {
 void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &saved) {
   stateUse.everything();
   const KeptModes *kept = saved.modes.get();
-  if (!saved.known || !kept)
+  if (!saved.known)
     return bringBackAny(dialect, state);
+  if (!kept) // an alarm
+    return;
   const MachineState was = state;
   state.groups = kept->modes.groups;
   if (state.active(dialect, StandardGroup::Compensation) !=

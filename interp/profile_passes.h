@@ -21,6 +21,11 @@ struct ProfilePasses {
   double step = 1;                            ///< from one level to the next
   double retract = 0.5;                       ///< away from the work, along both axes
   double unit = 1;                            ///< mm of a length
+
+  /// Whether a pass runs beside the contour.
+  bool keepsDistance() const {
+    return lastDistance != 0 || (finishing && count > 1 && firstDistance != 0);
+  }
 };
 
 /// Gives the motions of the passes along `contour`, of which the first motion leads to its first

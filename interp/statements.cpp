@@ -193,6 +193,9 @@ bool Execution::runItems(bool guardHolds) {
       if (const Value key = evaluate(block_, item.target, state_, nullptr); key.isConstant())
         writeVariable(state_, std::llround(key.number.value()), Value::unknown());
       break;
+    case ItemKind::Abort:
+      go(FlowKind::Alarm, i);
+      return false;
     case ItemKind::Output:
     case ItemKind::Instruction:
     case ItemKind::Parameters:

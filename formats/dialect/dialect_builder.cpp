@@ -196,10 +196,10 @@ void DialectBuilder::readLexical() {
   const Json *lexical = in_.member(root_, "lexical");
   if (!lexical)
     return;
-  in_.allowKeys(*lexical,
-                {"incrementOperator", "commaAddresses", "semicolon", "percentHeader", "macro",
-                 "skipLevels", "headerMarks", "endLabel", "commaSeparates", "blocksSpanLines",
-                 "structures", "flowWords", "assignsBehind", "freeNumbers", "arithmetic"});
+  in_.allowKeys(*lexical, {"incrementOperator", "commaAddresses", "semicolon", "percentHeader",
+                           "macro", "skipLevels", "headerMarks", "endLabel", "commaSeparates",
+                           "blocksSpanLines", "structures", "flowWords", "assignsBehind",
+                           "freeNumbers", "arithmetic", "abortMark"});
   Lexical &target = dialect_.lexical;
   in_.read(*lexical, "incrementOperator", target.incrementOperator);
   readSet(*lexical, "commaAddresses", target.commaAddresses);
@@ -212,6 +212,7 @@ void DialectBuilder::readLexical() {
   in_.read(*lexical, "blocksSpanLines", target.blocksSpanLines);
   in_.read(*lexical, "flowWords", target.flowWords);
   in_.read(*lexical, "assignsBehind", target.assignsBehind);
+  in_.read(*lexical, "abortMark", target.abortMark);
   in_.read(*lexical, "freeNumbers", target.freeNumbers);
   in_.readName(*lexical, "arithmetic", "arithmetic", arithmeticNames(), target.arithmetic);
   in_.read(*lexical, "endLabel", target.endLabel);

@@ -146,7 +146,8 @@ enum class ItemKind : uint8_t {
   Parameters,  ///< what program `name` takes: each argument a name, with its default value
   Definition,  ///< variable `target`, of `type`, with its first `value`; arguments: array sizes
   Declaration, ///< program `name` exists and takes arguments of these types
-  Macro        ///< `name` stands for words
+  Macro,       ///< `name` stands for words
+  Abort        ///< the program stops itself: `(abort, text)`
 };
 
 /// Types of the variables that a program defines.

@@ -57,6 +57,7 @@ private:
   void scanTape();
   void scanHeader(const char *begin);
   void scanComment();
+  void scanAbort(const char *begin);
   void scanLetter();
   bool scanUnknownWord();
   void scanWord(AddressId address, const char *begin);
@@ -185,6 +186,21 @@ void Scanner::scanComment() {
     at_ = close + 1;
   }
   block_.comments.push_back({offset(begin), offset(at_)});
+  if (!lexical_.abortMark.empty())
+    scanAbort(begin);
+}
+
+/// A comment that stops the program.
+void Scanner::scanAbort(const char *begin) {
+  const llvm::StringRef text = llvm::StringRef(begin + 1, size_t(at_ - begin - 1)).ltrim();
+  if (!text.startswith_insensitive(lexical_.abortMark))
+    return;
+  Item item;
+  item.kind = ItemKind::Abort;
+  item.wordsBefore = uint16_t(block_.words.size());
+  item.begin = offset(begin);
+  item.end = offset(at_);
+  block_.items.push_back(item);
 }
 
 void Scanner::scanLetter() {

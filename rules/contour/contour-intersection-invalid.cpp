@@ -3,6 +3,7 @@
 #include "analyzer/defined_elements.h"
 #include "analyzer/element_geometry.h"
 #include "interp/arc.h"
+#include "interp/contour_cycle.h"
 
 #include <bit>
 #include <cmath>
@@ -21,6 +22,9 @@ public:
       to.onChange({EventKind::Motion});
     if (elements_)
       to.on(EventKind::Motion);
+    if (llvm::any_of(to.dialect().codes,
+                     [](const CodeInfo &code) { return has(code, CycleTrait::Turned); }))
+      to.on(EventKind::CycleRun);
     if (open_)
       to.onAction({Action::Linear, Action::ArcCw, Action::ArcCcw});
     if (elements_)
@@ -33,6 +37,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::CycleRun)
+      return parallelPasses(event, ctx);
     const Block &block = ctx.block();
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (event.kind == EventKind::Code && (open_ || elements_))
@@ -138,6 +144,51 @@ private:
       last_ = *element;
     else
       last_.reset();
+  }
+
+  /// Passes at a distance from the contour are led to where its lines meet, and two that follow
+  /// each other in one direction never do (rs274 of LinuxCNC 2.9: "Cannot intersect parallel
+  /// lines"). Only along an axis is that sure: elsewhere it hangs on the last digit.
+  static void parallelPasses(const Event &event, RuleContext &ctx) {
+    const auto cycle = contourCycle(
+        {ctx.dialect(), ctx.machine(), ctx.block(), ctx.outcome(), ctx.before(), ctx.after()});
+    if (!cycle || !cycle->profile || !cycle->profile->keepsDistance())
+      return;
+    const Profile profile = readProfile(ctx);
+    if (!profile.known)
+      return;
+    const ProfileBlock *before = nullptr;
+    uint16_t along = 0;
+    bool begun = false; // the first move leads to the contour
+    for (size_t i = 0; i < profile.lastCut; ++i) {
+      const ProfileBlock &block = profile.blocks[i];
+      if (!block.moves)
+        continue;
+      uint16_t moved = 0;
+      if (!(block.fromX == block.toX))
+        moved |= 1u << unsigned(Axis::X);
+      if (!(block.fromZ == block.toZ))
+        moved |= 1u << unsigned(Axis::Z);
+      const bool known = block.fromX.isConstant() && block.fromZ.isConstant() &&
+                         block.toX.isConstant() && block.toZ.isConstant() && block.motionKnown;
+      if (begun && known && !moved)
+        continue;
+      const bool line = begun && known && std::popcount(unsigned(moved)) == 1 &&
+                        (block.motion == MotionKind::Feed || block.motion == MotionKind::Rapid);
+      if (line && before && moved == along) {
+        if (auto finding = ctx.report(event, event.certain))
+          finding
+              .message("`{0}` stops: it leads its passes to where the lines of the contour meet, "
+                       "and these two run in one direction",
+                       ctx.code(event).name)
+              .note(before->range, "a line")
+              .note(block.range, "and the next one");
+        return;
+      }
+      before = line ? &block : nullptr;
+      along = moved;
+      begun = true;
+    }
   }
 
   ElementTable table_;

@@ -7,9 +7,14 @@ namespace {
 
 class FlowStructureMismatch final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::FlowIssue, EventKind::Statement});
+    to.onAction({Action::ModesRestored});
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code)
+      return restores(event, ctx);
     if (event.kind == EventKind::Statement) {
       repeats_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Repeat;
       return;
@@ -20,6 +25,15 @@ public:
             .message("`{0}` repeats a part of a bracket of structured flow",
                      ctx.text(ctx.flowRange()))
             .note(ctx.flowRelated(), "the bracket begins here");
+      return;
+    }
+    if (FlowIssue(event.number) == FlowIssue::StructureOpen) {
+      if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+        finding.severity(Severity::Warning)
+            .message(loops(ctx) ? "`{0}` has no end: nothing repeats what follows"
+                                : "`{0}` has no end: its body runs here, and where it is to be "
+                                  "left out the control stops with an alarm",
+                     ctx.text(ctx.flowRange()));
       return;
     }
     if (FlowIssue(event.number) == FlowIssue::IntoStructure) {
@@ -54,6 +68,26 @@ public:
   }
 
 private:
+  /// Whether the bracket is one whose body always runs.
+  static bool loops(const RuleContext &ctx) {
+    return ctx.block().items[size_t(ctx.outcome().flow.item)].structure == Structure::Repeat;
+  }
+
+  /// What no code of this program has kept cannot come back.
+  static void restores(const Event &event, RuleContext &ctx) {
+    const SavedModes &saved = ctx.before().saved;
+    const bool keeps = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      const Action action = ctx.code(use).action;
+      return action == Action::ModesKept || action == Action::ModesRestoredAtReturn;
+    });
+    if (!saved.known || saved.modes || keeps || ctx.before().may(Fact::UnknownCode))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` brings modes back that this program has not kept: the control stops "
+                      "with an alarm",
+                      ctx.code(event).name);
+  }
+
   /// The section holds a repeat that leads back to in front of it.
   static void crossed(const RepeatedSection &section, const RepeatedSection &inner,
                       const FileSummary &file, RuleContext &ctx) {

@@ -14,15 +14,14 @@ public:
     reservedTo_ = int64_t(to.option("reservedTo", -1));
     numbered_ = to.option("numbered", 0) != 0;
     to.on(EventKind::Statement);
-    if (!numbered_)
-      to.onChange({EventKind::Block});
+    to.onChange({EventKind::Block});
     if (reservedFrom_) // what nobody can write is read without a value
       to.on(EventKind::UnsetRead);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Block)
-      return elements(ctx);
+      return numbered_ ? numbersRead(ctx) : elements(ctx);
     if (event.kind == EventKind::UnsetRead) {
       const auto begin = uint32_t(event.number);
       const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
@@ -69,6 +68,29 @@ private:
       return;
     if (auto finding = ctx.report(range))
       finding.message("`#{0}`: the control has the variables #1 to #{1}", name, greatest_);
+  }
+
+  /// `X#6000`, anywhere but on the left of `=`.
+  void numbersRead(RuleContext &ctx) {
+    const Block &block = ctx.block();
+    for (const ExpressionOp &op : block.operations) {
+      llvm::StringRef digits = ctx.source().text(op.offset, block.end);
+      int64_t index = 0;
+      if (op.op != Op::Variable || !digits.consume_front("#"))
+        continue;
+      digits = digits.take_while(llvm::isDigit);
+      const bool assigned = llvm::any_of(block.items, [&](const Item &item) {
+        return item.kind == ItemKind::Assignment && item.begin <= op.offset &&
+               op.offset < item.nameEnd;
+      });
+      if (assigned || digits.getAsInteger(10, index) || (index > 0 && index <= greatest_))
+        continue;
+      const SourceRange range{ctx.source().id(), op.offset,
+                              op.offset + 1 + uint32_t(digits.size())};
+      if (auto finding = ctx.report(range))
+        finding.message("`{0}`: the control has the variables #1 to #{1}", ctx.text(range),
+                        greatest_);
+    }
   }
 
   /// Whatever the block's calculations name: `R300` where there are fewer, `FIELD[2,5]` of a

@@ -9,6 +9,7 @@ namespace ncvet {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// Errors in `files`, of which the first is the main program: "line rule".
@@ -126,7 +127,47 @@ TEST(LinuxCnc, NothingLeadsOutOfALoopOrAnIfThatIsNeverClosed) {
                      "o2 elseif [1]\n"
                      "G0 X1\n"
                      "M2\n"),
-              ElementsAre("2 flow-structure-mismatch", "4 flow-structure-mismatch"));
+              ElementsAre("1 flow-structure-mismatch", "2 flow-structure-mismatch",
+                          "4 flow-structure-mismatch"));
+}
+
+/// rs274 goes into the body of what is never closed, and on; so the one is a warning.
+TEST(LinuxCnc, AnIfWithoutItsEndIsAnErrorWhereItsBodyIsLeftOut) {
+  const auto messages = [](const std::string &program) {
+    std::vector<std::string> list;
+    for (const test::Seen &seen :
+         test::analyseProgram("linuxcnc", {{"part.ngc", program}}, "", [](const Dialect &dialect) {
+           return RuleSelection::defaults(dialect);
+         }))
+      if (seen.rule == "flow-structure-mismatch")
+        list.push_back(seen.message);
+    return list;
+  };
+  EXPECT_THAT(messages("#1 = 1\no1 if [#1 EQ 1]\nG0 X1\nM2\n"),
+              ElementsAre(HasSubstr("its body runs here")));
+  EXPECT_THAT(messages("#1 = 1\no1 if [#1 EQ 2]\nG0 X1\nM2\n"),
+              ElementsAre(HasSubstr("has no partner")));
+  EXPECT_THAT(messages("o1 do\nG0 X1\nM2\n"), ElementsAre(HasSubstr("nothing repeats")));
+}
+
+/// What stands behind it does not run, and behind the IF its condition does not hold.
+TEST(LinuxCnc, ACommentMayStopTheProgram) {
+  EXPECT_THAT(errors("#1 = [#31]\n"
+                     "o1 if [#1 EQ 0]\n"
+                     "  ( Abort, #1 is nothing)\n"
+                     "  G0 X[1 / 0]\n"
+                     "o1 endif\n"
+                     "(about, this is no stop)\n"
+                     "G0 X[1 / [1 - 1]]\n"
+                     "M2\n"),
+              ElementsAre("7 variable-domain-error"));
+}
+
+/// A level of calls has modes of its own; M71 forgets them.
+TEST(LinuxCnc, ModesComeBackOnlyWhereTheyWereKept) {
+  EXPECT_THAT(errors("o1 sub\nM72\no1 endsub\n"
+                     "M70\no1 call\nM72\nM72\nM71\nM72\nM73\nM72\nM2\n"),
+              ElementsAre("2 flow-structure-mismatch", "9 flow-structure-mismatch"));
 }
 
 TEST(LinuxCnc, ARepeatCountsOnceAtItsHead) {

@@ -362,6 +362,58 @@ TEST(Trace, WithoutItsRadiusTheToolIsSomewhereInThePocket) {
                           "3 rapid X7 Y8 Z50", "4 end"));
 }
 
+/// A long hole is as wide as the tool; slots lie round a centre, in equal parts of the circle where
+/// no angle is given. RAD leads to where they begin.
+TEST(Trace, SlotsLieRoundTheirCentre) {
+  EXPECT_THAT(traceOf("sinumerik",
+                      "G17 G90 T1 M6 D1 S1000 M3\nG0 X0 Y0 Z60\n"
+                      "LONGHOLE(50,0,2,-5,,2,30,40,45,20,0,,100,300,6)\nM30\n",
+                      endmillOfTen),
+              ElementsAre("1 tool 1", "2 rapid X0 Y0 Z60", "3 rapid X75 Y45 Z50",
+                          "3 rapid X75 Y45 Z2", "3 linear X75 Y45 Z-5", "3 linear X85 Y45 Z-5",
+                          "3 linear X65 Y45 Z-5", "3 linear X85 Y45 Z-5", "3 linear X75 Y45 Z-5",
+                          "3 rapid X75 Y45 Z50", "3 rapid X5 Y45 Z50", "3 rapid X5 Y45 Z2",
+                          "3 linear X5 Y45 Z-5", "3 linear X-5 Y45 Z-5", "3 linear X15 Y45 Z-5",
+                          "3 linear X-5 Y45 Z-5", "3 linear X5 Y45 Z-5", "3 rapid X5 Y45 Z50",
+                          "4 end"));
+  EXPECT_THAT(traceOf("sinumerik",
+                      "G17 G90 T1 M6 D1 S1000 M3\nG0 X0 Y0 Z60\n"
+                      "SLOT1(50,0,2,-5,,1,30,16,0,0,20,0,,100,300,6,3,0,0)\nM30\n",
+                      endmillOfTen),
+              ElementsAre("1 tool 1", "2 rapid X0 Y0 Z60", "3 rapid X35 Y0 Z50",
+                          "3 rapid X35 Y0 Z2", "3 linear X35 Y0 Z-5", "3 linear X45 Y0 Z-5",
+                          "3 arc X42 Y3 Z-5 ccw 42/0 0.25", "3 linear X28 Y3 Z-5",
+                          "3 arc X25 Y0 Z-5 ccw 28/0 0.25", "3 arc X28 Y-3 Z-5 ccw 28/0 0.25",
+                          "3 linear X42 Y-3 Z-5", "3 arc X45 Y0 Z-5 ccw 42/0 0.25",
+                          "3 linear X35 Y0 Z-5", "3 rapid X35 Y0 Z50", "4 end"));
+  // Along the circle: the middle of each is known.
+  EXPECT_THAT(only(traceOf("sinumerik",
+                           "G17 G90 T1 M6 D1 S1000 M3\nG0 X0 Y0 Z60\n"
+                           "SLOT2(50,0,2,-5,,2,60,15,60,60,40,60,180,100,300,6,2,0,0)\nM30\n",
+                           endmillOfTen),
+                   "3 rapid"),
+              ElementsAre("3 rapid X60 Y100 Z50", "3 rapid X60 Y100 Z2", "3 rapid X60 Y100 Z50",
+                          "3 rapid X60 Y20 Z50", "3 rapid X60 Y20 Z2", "3 rapid X60 Y20 Z50"));
+}
+
+/// In a bore the helix runs inside of the nominal diameter by the tool's radius and the tool ends
+/// in the middle; round a pin it runs outside, and the tool ends beside it.
+TEST(Trace, AThreadIsMilledOnAHelix) {
+  const std::string head = "G17 G90 T1 M6 D1 S1000 M3\nG0 X0 Y0 Z60\n";
+  EXPECT_THAT(
+      traceOf("sinumerik", head + "CYCLE90(48,40,5,0,,60,50,2,500,2,0,60,50)\nG0 Z100\nM30\n",
+              endmillOfTen),
+      ElementsAre("1 tool 1", "2 rapid X0 Y0 Z60", "3 rapid X60 Y50 Z48", "3 rapid X60 Y50 Z45",
+                  "3 linear X85 Y50 Z40", "3 arc X85 Y50 Z0 cw 60/50 20", "3 linear",
+                  "3 rapid X60 Y50", "3 rapid X60 Y50 Z48", "4 rapid X60 Y50 Z100", "5 end"));
+  EXPECT_THAT(traceOf("sinumerik",
+                      head + "CYCLE90(48,40,5,1,,60,50,2,500,3,1,60,50)\nG0 Z100\nM30\n",
+                      endmillOfTen),
+              ElementsAre("1 tool 1", "2 rapid X0 Y0 Z60", "3 rapid Z48", "3 rapid Z45",
+                          "3 linear X95 Y50 Z40", "3 arc X25 Y50 Z1 ccw 60/50 19.5", "3 linear",
+                          "3 rapid", "3 rapid Z48", "4 rapid Z100", "5 end"));
+}
+
 /// On the ECS depths are steps of INI from RAP on, and the tool ends over the point.
 TEST(Trace, AnIslandIsMilledFromOutside) {
   EXPECT_THAT(traceOf("ecs",
@@ -641,9 +693,9 @@ TEST(Trace, WhatIsNotClosedIsEnteredAllTheSame) {
 TEST(Trace, KeptModesComeBack) {
   EXPECT_THAT(traceOf("linuxcnc",
                       "G21 G90 G54 G0 X0 Y0 Z100\nM70\nG91 G55 G20\nG43 H1\nM72\nG0 X2\n"
-                      "M70\nG91\nM71\nM72\nG0 X1\nM2\n",
+                      "M2\n",
                       knownOffsets),
-              ElementsAre("1 rapid X0 Y0 Z100", "6 rapid X2 Y0 Z100", "11 rapid", "12 end"));
+              ElementsAre("1 rapid X0 Y0 Z100", "6 rapid X2 Y0 Z100", "7 end"));
   EXPECT_THAT(traceOf("linuxcnc",
                       "o1 sub\nM73\nG91\nG0 X5\no1 endsub\n"
                       "G21 G90 G54 G0 X1 Y0 Z0\no1 call\nG0 X2\nM2\n",
@@ -656,6 +708,18 @@ TEST(Trace, KeptModesComeBack) {
                       knownOffsets),
               ElementsAre("13 rapid X1 Y0 Z0", "4 rapid X6 Y0 Z0", "8 rapid X11 Y0 Z0",
                           "15 rapid X13 Y0 Z0", "16 end")); // M70 took the place of M73's
+}
+
+/// As rs274 goes on behind them: from where the last pass ends.
+TEST(Trace, BehindPassesAlongAContourTheToolIsWhereTheLastOneEnds) {
+  const std::string head = "G21 G18 G7 G90 F100\nO200 sub\nG1 X20 Z-5\nG1 Z-20\nG1 X30\n"
+                           "O200 endsub\nG0 X40 Z2\n";
+  const auto behind = [&](const std::string &cycle) {
+    return only(traceOf("linuxcnc", head + cycle + "\nG91 G0 X2\nM2\n"), "9 ");
+  };
+  EXPECT_THAT(behind("G71 Q200 X34 Z-1 D0.5 I4 R0.5"), ElementsAre("9 rapid X18 Z-19.5"));
+  EXPECT_THAT(behind("G70 Q200 X34 Z-1"), ElementsAre("9 rapid X16 Z-20"));
+  EXPECT_THAT(behind("G70 Q200 X34 Z-1 D[#31]"), ElementsAre("9 rapid")); // nobody knows #31
 }
 
 TEST(Trace, StoredPlacesAreOnTheMachine) {
