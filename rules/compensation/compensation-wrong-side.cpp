@@ -186,9 +186,9 @@ private:
       return;
     }
     const double dx = end[0].value() - to_[0].value(), dy = end[1].value() - to_[1].value();
-    if (dx == 0 && dy == 0)
-      return; // a move along the tool axis
     known_ = false;
+    if (dx == 0 && dy == 0)
+      return; // down behind the entry, which was made above the work
     const double ex = from_[0].value() - to_[0].value(), ey = from_[1].value() - to_[1].value();
     const double left = dx * ey - dy * ex, along = dx * ex + dy * ey;
     constexpr double tolerance = 1e-3;
