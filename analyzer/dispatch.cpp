@@ -5,7 +5,7 @@ namespace ncvet {
 
 Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
                        const RuleSelection &selection, Collector &collector)
-    : byCode_(dialect.codes.size()), context_(collector) {
+    : byCode_(dialect.codes.size()), noticesOf_(dialect.codes.size()), context_(collector) {
   const llvm::ArrayRef<RuleEntry> table = allRules();
   std::vector<CodeIndex> noticed; // codes of which the table has something to say
   for (size_t code = 0; code < dialect.codes.size(); ++code)
@@ -42,6 +42,13 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     for (const EventKind kind : {EventKind::Block, EventKind::Motion})
       if (subscriptions.everyBlock() & bitOf(kind))
         everyBlock_.emplace_back(kind, listener);
+    for (const CodeIndex code : noticed)
+      if (dialect.codes[code].action == Action::Cycle &&
+          llvm::any_of(dialect.codes[code].notices,
+                       [&](const Notice &n) { return n.rule == table[i].info.id; })) {
+        kinds_ |= bitOf(EventKind::CycleRun);
+        noticesOf_[code].push_back(RuleId(i));
+      }
     // Facts of the table are reported for every rule; some do so themselves.
     if (!subscriptions.noticesHandled())
       for (const CodeIndex code : noticed)
@@ -87,6 +94,8 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
       context_.rule_ = listener.id;
       listener.rule->on(event, context_);
     }
+    if (event.kind == EventKind::CycleRun)
+      reportChanged(event);
     if (event.kind == EventKind::Code)
       for (const Listener &listener : byCode_[event.code]) {
         context_.rule_ = listener.id;
@@ -95,6 +104,19 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
         else
           context_.reportNotices(allRules()[listener.id].info.id, event);
       }
+  }
+}
+
+/// A later block of a modal cycle may give variables anew that the cycle reads: what the table says
+/// of the cycle is asked again.
+void Dispatcher::reportChanged(const Event &event) {
+  if (event.code == noCode || !context_.block().has(variableAddress) || context_.codeWord(event))
+    return;
+  Event changed = event;
+  changed.word = nullptr;
+  for (const RuleId id : noticesOf_[event.code]) {
+    context_.rule_ = id;
+    context_.reportNotices(allRules()[id].info.id, changed);
   }
 }
 

@@ -71,6 +71,7 @@ private:
   };
   void tellMove(FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after, unsigned callDepth);
+  void reportChanged(const Event &event);
   void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
                const MachineState &before, const MachineState &after, unsigned callDepth);
 
@@ -80,6 +81,7 @@ private:
   std::vector<const Rule *> rememberers_;
   std::array<std::vector<Listener>, size_t(EventKind::Count)> byKind_;
   std::vector<std::vector<Listener>> byCode_;
+  std::vector<std::vector<RuleId>> noticesOf_; ///< by code: rules for which the table has some
   std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of `Block` and `Motion`
   uint32_t kinds_ = 0;
   RuleContext context_;

@@ -36,17 +36,44 @@ FindingBuilder RuleContext::report(SourceRange range, bool certain) {
 
 bool RuleContext::asked() const { return collector_.isAsked(rule_); }
 
+namespace {
+/// The block's assignment to a variable that the formula of a notice reads, or null.
+const Word *changedFor(const Notice &notice, const CodeInfo &code, const Block &block) {
+  for (const FormulaStep &step : notice.when.formula.steps) {
+    uint64_t first = 0, other = 0;
+    if (step.op == FormulaOp::Variable || step.op == FormulaOp::GivenVariable) {
+      first = uint64_t(step.number);
+    } else if (step.op == FormulaOp::Word || step.op == FormulaOp::Given) {
+      first = code.words[step.index].variable;
+      other = code.words[step.index].orVariable;
+    }
+    for (const uint64_t key : {first, other})
+      if (const Word *word = key ? assignmentOf(block, key) : nullptr)
+        return word;
+  }
+  return nullptr;
+}
+} // namespace
+
+/// In a later block of a cycle, where no word is the code's, only what the block gives anew is
+/// judged, and only what was right before.
 void RuleContext::reportNotices(llvm::StringRef id, const Event &event) {
+  static const Block nothing;
   const CodeInfo &info = code(event);
   for (const Notice &notice : info.notices) {
     if (id != notice.rule || (notice.advice && !asked()) ||
         !holds(notice.when, &info, conditions()))
       continue;
+    const Word *const own = event.word ? event.word : changedFor(notice, info, *block_);
+    if (!own ||
+        (!event.word &&
+         holds(notice.when, &info, {*dialect_, *machine_, nothing, {}, *before_, false, 0})))
+      continue;
     const Word *word = notice.atVariable        ? assignmentOf(*block_, notice.atVariable)
-                       : notice.at == noAddress ? event.word
+                       : notice.at == noAddress ? own
                                                 : block_->find(notice.at);
     if (!word)
-      word = event.word;
+      word = own;
     if (auto finding = report(*word)) {
       std::string message = notice.message;
       for (size_t open = message.find('{'); open != std::string::npos;

@@ -57,11 +57,9 @@ Truth givenBefore(const WordSpec &spec, const MachineState &state) {
 }
 
 Interval wordValue(const Word &word, const Block &block, const MachineState &state) {
-  if (word.has(wordNoValue))
-    return Interval::unknown();
-  if (!word.has(wordExpression))
-    return Interval::exactly(word.value());
-  const Value value = evaluate(block, uint16_t(word.mantissa), state, nullptr);
+  if (!word.has(wordExpression) || word.has(wordNoValue))
+    return assignedWordValue(word, block, state);
+  const Value value = evaluateInBlock(block, uint16_t(word.mantissa), state);
   return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
 }
 

@@ -4,6 +4,7 @@
 #include "interp/arc.h"
 #include "interp/contour_element.h"
 #include "interp/execute.h"
+#include "interp/expression.h"
 
 #include <cmath>
 #include <numbers>
@@ -147,13 +148,13 @@ CornerRequest CornerWords::read(const ExecutedBlock &executed) const {
     request.size = *legs;
   }
   if (const Word *word = block.findAny(angle_); word && line && executed.after.frames.empty()) {
-    const Interval v = wordValue(*word, block, executed.after);
+    const Interval v = assignedWordValue(*word, block, executed.after);
     if (v.isConstant())
       request.angle = v.value();
     request.said = executed.outcome.via;
   }
   if (const Word *word = block.find(letterAddress('Q'))) {
-    const Interval v = wordValue(*word, block, executed.after);
+    const Interval v = assignedWordValue(*word, block, executed.after);
     request.farther = v.isConstant() && v.value() > 0;
   }
   return request;

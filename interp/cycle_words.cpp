@@ -61,7 +61,7 @@ std::optional<Interval> CycleWordReader::value(const WordSpec &spec) const {
   const bool length = isLength(spec.role);
   if (const Word *word = wordFor(executed_.block, spec)) {
     if (!length || spec.position || spec.variable)
-      return wordValue(*word, executed_.block, executed_.after);
+      return assignedWordValue(*word, executed_.block, executed_.after);
     const Interval value =
         lengthOf(*word, executed_.block, executed_.dialect, executed_.machine, executed_.after);
     // An address that is a length in some codes only: D is a depth of cut, or a number of passes.

@@ -166,7 +166,7 @@ private:
     return state_.groups[masks_.polar] & ~masks_.polarOn & ~groupUnset ? Truth::Unknown
                                                                        : Truth::Yes;
   }
-  Interval value(const Word &word) const { return wordValue(word, block_, state_); }
+  Interval value(const Word &word) const { return assignedWordValue(word, block_, state_); }
   const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }
   /// Whether a code stays in force behind its block.
   bool isModal(const CodeInfo &code) const {

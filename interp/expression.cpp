@@ -410,6 +410,59 @@ Value evaluate(const Block &block, uint16_t index, const MachineState &state, Ou
   return Evaluator(block, state, outcome).run(block.expressions[index]);
 }
 
+namespace {
+/// Whether the item gives a variable a value that what stands at `offset` finds.
+bool assignsBefore(const Item &item, uint32_t offset) {
+  return item.kind == ItemKind::Assignment && item.begin < offset && item.value != noExpression;
+}
+
+/// Whether an expression may read a variable that the block assigns in front of it.
+bool readsAssigned(const Block &block, const Expression &expression) {
+  const auto reads = [&](const Item &item) {
+    const uint64_t key = block.keyOf(item.target);
+    return llvm::any_of(operationsOf(block, expression), [&](const ExpressionOp &op) {
+      switch (op.op) {
+      case Op::Variable:
+        return !key || uint64_t(op.value) == key;
+      case Op::VariableAt:
+      case Op::ElementAt:
+        return true;
+      default:
+        return false;
+      }
+    });
+  };
+  return llvm::any_of(block.items, [&](const Item &item) {
+    return assignsBefore(item, expression.begin) && reads(item);
+  });
+}
+} // namespace
+
+Value evaluateInBlock(const Block &block, uint16_t index, const MachineState &before) {
+  const bool conditional =
+      llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::If; });
+  // Where names belong to the running program the control assigns behind the block's words.
+  if (index >= block.expressions.size() || block.items.empty() || conditional ||
+      before.ranges.namedLocal || !readsAssigned(block, block.expressions[index]))
+    return evaluate(block, index, before, nullptr);
+  MachineState state = before;
+  for (const Item &item : block.items)
+    if (assignsBefore(item, block.expressions[index].begin))
+      if (const Value key = evaluate(block, item.target, state, nullptr); key.isConstant())
+        writeVariable(state, std::llround(key.number.value()),
+                      evaluate(block, item.value, state, nullptr));
+  return evaluate(block, index, state, nullptr);
+}
+
+Interval assignedWordValue(const Word &word, const Block &block, const MachineState &state) {
+  if (word.has(wordNoValue))
+    return Interval::unknown();
+  if (!word.has(wordExpression))
+    return Interval::exactly(word.value());
+  const Value value = evaluate(block, uint16_t(word.mantissa), state, nullptr);
+  return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
+}
+
 Truth truthOf(const Value &value) {
   if (value.kind == Value::Kind::Unknown)
     return Truth::Unknown;

@@ -9,6 +9,13 @@ namespace ncvet {
 /// arithmetic are emitted into `outcome`, which may be null.
 Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome);
 
+/// The same on the state before the block: its own assignments that stand in front of the
+/// expression act first.
+Value evaluateInBlock(const Block &block, uint16_t index, const MachineState &before);
+/// Value of a word as written, on a state in which the block's own assignments have acted already.
+/// `wordValue` is for the state before the block.
+Interval assignedWordValue(const Word &word, const Block &block, const MachineState &state);
+
 /// The operations of an expression of `block`, in the order in which they are computed.
 inline llvm::ArrayRef<ExpressionOp> operationsOf(const Block &block, const Expression &expression) {
   return llvm::makeArrayRef(block.operations).slice(expression.first, expression.count);

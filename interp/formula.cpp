@@ -135,7 +135,7 @@ private:
   }
   Value variable(uint64_t key) const {
     if (const Item *item = assigned(key))
-      return evaluate(context_.block, item->value, context_.before, nullptr);
+      return evaluateInBlock(context_.block, item->value, context_.before);
     return readVariable(context_.before, int64_t(key));
   }
 

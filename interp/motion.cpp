@@ -79,7 +79,7 @@ Interval Execution::lengthOfWord(const Word &word) const {
 
 Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
                   const MachineProfile &machine, const MachineState &state) {
-  const Interval result = wordValue(word, block, state);
+  const Interval result = assignedWordValue(word, block, state);
   if (result.isUnknown() || dialect.addresses[word.address].unit != AddressUnit::Length)
     return result;
   double factor = 1;

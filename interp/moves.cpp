@@ -7,6 +7,7 @@
 #include "interp/cycle_moves.h"
 #include "interp/cycle_parameters.h"
 #include "interp/execute.h"
+#include "interp/expression.h"
 
 #include <cmath>
 #include <numbers>
@@ -249,7 +250,7 @@ private:
   std::optional<double> angleOf(const ArcWords &words) const {
     if (!words.angle)
       return std::nullopt;
-    const Interval v = wordValue(*words.angle, executed_.block, executed_.after);
+    const Interval v = assignedWordValue(*words.angle, executed_.block, executed_.after);
     return v.isConstant() ? std::optional(v.value()) : std::nullopt;
   }
   /// Full turns beside the one that leads to the end.
@@ -258,7 +259,7 @@ private:
     if (code)
       for (const WordSpec &spec : code->words)
         if (const Word *word = wordFor(executed_.block, spec)) {
-          const Interval v = wordValue(*word, executed_.block, executed_.after);
+          const Interval v = assignedWordValue(*word, executed_.block, executed_.after);
           if (v.isConstant() && spec.role == Role::Repeat)
             return v.value();
           if (v.isConstant() && spec.role == Role::PassCount) // all of them are counted

@@ -15,6 +15,11 @@ void EcsScanner::scan() {
       ++at_;
       continue;
     }
+    if (beginsNextBlock()) {
+      block_.end = offset(content);
+      block_.next = offset(at_);
+      return;
+    }
     scanItem();
     content = at_;
   }
@@ -23,6 +28,37 @@ void EcsScanner::scan() {
   if (block_.isEmpty() && block_.issues.empty() && block_.number < 0 && block_.skip < 0 &&
       !block_.hasLabel())
     block_.kind = BlockKind::Empty;
+}
+
+/// Whether the places of a code's arguments say what they are.
+bool EcsScanner::takesPlaces(CodeIndex code) const {
+  return code != noCode &&
+         llvm::any_of(dialect_.codes[code].words, [](const WordSpec &w) { return w.position; });
+}
+
+/// `<MAT:..> <TCT:ON;..>`: a line of instructions works them off one behind the other, each with
+/// arguments of its own. The second one is read as a block of its own.
+bool EcsScanner::beginsNextBlock() {
+  if (*at_ != '<' || !block_.has(keywordAddress) ||
+      (block_.addresses & ~(maskOf(keywordAddress) | maskOf(argumentAddress))) ||
+      llvm::any_of(block_.items, [](const Item &i) { return i.kind != ItemKind::Instruction; }) ||
+      llvm::none_of(block_.words, [&](const Word &w) {
+        return w.address == keywordAddress && takesPlaces(CodeIndex(w.mantissa));
+      }))
+    return false;
+  const char *const begin = at_++;
+  skipBlanks();
+  const std::string key = name().upper();
+  at_ = behindBlanks(at_ + key.size());
+  bool begins = false;
+  if (!key.empty() && at_ < end_ && *at_ == ':') {
+    ++at_;
+    skipBlanks();
+    const CodeIndex code = dialect_.keyword(key + ":" + name().upper());
+    begins = takesPlaces(code != noCode ? code : dialect_.keyword(key));
+  }
+  at_ = begin;
+  return begins;
 }
 
 void EcsScanner::scanItem() {

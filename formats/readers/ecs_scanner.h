@@ -55,6 +55,8 @@ private:
 
   // ecs_reader.cpp
   void scanItem();
+  bool takesPlaces(CodeIndex code) const;
+  bool beginsNextBlock();
   void scanLineComment(unsigned mark);
   void scanComment(char close);
   void scanLabel();

@@ -33,6 +33,9 @@ public:
     }
     if (event.kind != EventKind::Return)
       return LeftOnRule::on(event, ctx);
+    // What the profile's program calls gives pieces of it: the profile goes on behind the call.
+    if (begun_ && ctx.before().profile == 1 && ctx.callDepth() > depth_ + 1)
+      return;
     if (records_ && ctx.before().profile == 1 && pieces_ && !attached_ &&
         !ctx.before().may(Fact::UnknownCode)) {
       attached_ = true; // said once
@@ -49,7 +52,7 @@ public:
                       "to mill along");
   }
   void remember(RuleMemory &memory) const override {
-    memory(begun_, attached_, detached_, pieces_, begin_);
+    memory(begun_, attached_, detached_, pieces_, depth_, begin_);
   }
 
 private:
@@ -64,8 +67,9 @@ private:
   /// What is attached to a recorded profile is taken off at its end.
   void leftAttached(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before();
+    // The last block may take it off and return.
     if (before.profile != 1 || !pieces_ || before.compensation != phaseOn ||
-        before.may(Fact::UnknownCode) || detached_)
+        ctx.after().compensation != phaseOn || before.may(Fact::UnknownCode) || detached_)
       return;
     detached_ = true; // said once
     if (auto finding = ctx.report(event))
@@ -79,7 +83,7 @@ private:
       return withoutPiece(event, ctx);
     if (begun_)
       leftAttached(event, ctx);
-    if (begun_ && ctx.before().profile == 1 && !pieces_ && ctx.callDepth() == 0 &&
+    if (begun_ && ctx.before().profile == 1 && !pieces_ && ctx.callDepth() == depth_ &&
         !ctx.before().may(Fact::UnknownCode))
       if (auto finding = ctx.report(event))
         finding
@@ -88,6 +92,7 @@ private:
             .note(begin_, "the profile would begin here");
     begun_ = action == Action::ProfileBegin;
     begin_ = ctx.range(*event.word);
+    depth_ = ctx.callDepth();
     pieces_ = 0;
     attached_ = detached_ = false;
   }
@@ -111,6 +116,7 @@ private:
   bool attached_ = false; ///< one of its moves is compensated
   bool detached_ = false; ///< it was said that nothing takes the compensation off
   unsigned pieces_ = 0;
+  unsigned depth_ = 0; ///< calls around the code that begins it
   SourceRange begin_;
 };
 

@@ -17,6 +17,12 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (!running || running->action != Action::Cycle || running->family == code.family)
       return;
+    // Another code of the block ends it.
+    if (llvm::any_of(ctx.outcome().codes, [&](const CodeUse &use) {
+          return ctx.code(use).action == Action::CycleCancel &&
+                 ctx.code(use).family == running->family;
+        }))
+      return;
     const CodeInfo *right =
         running->opposite == noCode ? nullptr : &ctx.dialect().codes[running->opposite];
     if (auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode))) {

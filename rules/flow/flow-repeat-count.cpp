@@ -46,7 +46,7 @@ private:
         item.count == noExpression)
       return;
     const Expression &count = ctx.block().expressions[item.count];
-    const Value value = evaluate(ctx.block(), item.count, ctx.before(), nullptr);
+    const Value value = evaluateInBlock(ctx.block(), item.count, ctx.before());
     if (!value.isConstant())
       return;
     const double runs = value.number.value();

@@ -91,7 +91,7 @@ private:
     if (item.kind != ItemKind::Assignment || item.value == noExpression ||
         !ctx.text(name).startswith("%"))
       return;
-    const Value value = evaluate(ctx.block(), item.value, ctx.before(), nullptr);
+    const Value value = evaluateInBlock(ctx.block(), item.value, ctx.before());
     if (!value.isConstant() || value.number.value() == std::floor(value.number.value()))
       return;
     const SourceRange range{ctx.source().id(), item.begin, item.end};

@@ -44,7 +44,8 @@ public:
       return;
     for (const Word &word : block.words) {
       const char letter = all[word.offset];
-      if ((letter != 'O' && letter != 'o' && letter != 'l') || word.offset <= block.begin)
+      if ((letter != 'O' && letter != 'o' && letter != 'l') || word.offset <= block.begin ||
+          word.address == keywordAddress) // what defines an element begins where its name does
         continue;
       const char before = all[word.offset - 1];
       // Behind the block's number the name of an element stands as well without a space: `N40O5`.

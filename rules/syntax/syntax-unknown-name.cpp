@@ -131,7 +131,7 @@ private:
     for (const Item &item : ctx.block().items)
       if (item.kind == ItemKind::Assignment &&
           ctx.block().keyOf(item.target) == uint64_t(event.number) &&
-          !instructions_.count(
+          isParameter(item, ctx.block()) && !instructions_.count(
               ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}).upper()) &&
           !knownWithout(ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd})) &&
           !isOfPart(item, ctx))
@@ -139,6 +139,14 @@ private:
           finding.severity(Severity::Warning)
               .message("no cycle reads `{0}`: the value goes nowhere",
                        ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}));
+  }
+
+  /// `R1=5` beside `<ENT=R1>`: only what a cycle may take is a word of the block, a variable of the
+  /// program's own is not.
+  static bool isParameter(const Item &item, const Block &block) {
+    return llvm::any_of(block.words, [&](const Word &word) {
+      return word.address == variableAddress && word.offset == item.begin;
+    });
   }
 
   /// `CYC_DRILL2_DWELL` beside `CYC_COPY_PART = DRILL2`: a parameter of a part of which the table

@@ -151,7 +151,7 @@ private:
       Block inner = ctx.block(); // the expression without its function
       --inner.expressions[size_t(word.mantissa)].count;
       // The assignments of the block itself come first.
-      const Interval value = wordValue(word, inner, ctx.after());
+      const Interval value = assignedWordValue(word, inner, ctx.after());
       if (!value.isConstant() || value.value() == std::floor(value.value()))
         continue;
       if (auto finding = ctx.report(word))
