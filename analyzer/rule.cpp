@@ -65,9 +65,8 @@ void RuleContext::reportNotices(llvm::StringRef id, const Event &event) {
         !holds(notice.when, &info, conditions()))
       continue;
     const Word *const own = event.word ? event.word : changedFor(notice, info, *block_);
-    if (!own ||
-        (!event.word &&
-         holds(notice.when, &info, {*dialect_, *machine_, nothing, {}, *before_, false, 0})))
+    if (!own || (!event.word && holds(notice.when, &info,
+                                      {*dialect_, *machine_, nothing, {}, *before_, false, 0})))
       continue;
     const Word *word = notice.atVariable        ? assignmentOf(*block_, notice.atVariable)
                        : notice.at == noAddress ? own

@@ -96,9 +96,11 @@ private:
       Block block;
       for (uint32_t at = program.body; at < program.end; at = block.next) {
         ctx.index().read(at, block);
-        if (block.next <= at || llvm::any_of(block.items, [](const Item &i) {
-              return i.kind == ItemKind::Repeat || i.kind == ItemKind::Jump ||
-                     i.kind == ItemKind::Call;
+        // A jump in front of the frame only leads past something: a loop round it closes behind it.
+        const bool behind = at >= ctx.block().begin;
+        if (block.next <= at || llvm::any_of(block.items, [&](const Item &i) {
+              return i.kind == ItemKind::Repeat || i.kind == ItemKind::Call ||
+                     (i.kind == ItemKind::Jump && behind);
             }))
           return;
       }

@@ -118,9 +118,9 @@ private:
   /// The plane that holds is the control's own choice.
   void plane(const Event &event, RuleContext &ctx) {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Plane);
-    if (event.kind != EventKind::CycleStart || group == noGroup || said_ || ctx.callDepth() > 0 ||
-        event.code == noCode || !ctx.code(event).firesInPlane ||
-        ctx.before().may(Fact::UnknownCode) || (ctx.after().mayBeStated(group)))
+    if (event.kind != EventKind::CycleStart || group == noGroup || said_ || event.code == noCode ||
+        !ctx.code(event).firesInPlane || ctx.before().may(Fact::UnknownCode) ||
+        (ctx.after().mayBeStated(group)))
       return;
     said_ = true;
     if (auto finding = ctx.report(event))

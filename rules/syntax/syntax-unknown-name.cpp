@@ -131,7 +131,8 @@ private:
     for (const Item &item : ctx.block().items)
       if (item.kind == ItemKind::Assignment &&
           ctx.block().keyOf(item.target) == uint64_t(event.number) &&
-          isParameter(item, ctx.block()) && !instructions_.count(
+          isParameter(item, ctx.block()) &&
+          !instructions_.count(
               ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}).upper()) &&
           !knownWithout(ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd})) &&
           !isOfPart(item, ctx))
