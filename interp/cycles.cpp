@@ -16,6 +16,20 @@ const WordSpec *wordWithRole(const CodeInfo &code, Role role) {
   const auto at = llvm::find_if(code.words, [&](const WordSpec &w) { return w.role == role; });
   return at == code.words.end() ? nullptr : &*at;
 }
+
+/// An end that is given in another way than before, U for X, takes the place of the former one.
+void keepLastWay(CycleWords &cycle, const Block &block, const Dialect &dialect) {
+  for (const Word &word : block.words) {
+    if (!(dialect.axisWords & maskOf(word.address)))
+      continue;
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+      const unsigned other = letterAddress(letter);
+      if (other != word.address && (dialect.axisWords & maskOf(letter)) &&
+          dialect.addresses[other].axis == dialect.addresses[word.address].axis)
+        cycle.present &= ~(1u << other);
+    }
+  }
+}
 } // namespace
 
 /// The active modal cycle; `noCode` when there is none or it is not certain which.
@@ -120,6 +134,7 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   const bool turning = code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::FacePass ||
                        code.cycle == CycleKind::ThreadPass;
   if (turning) {
+    keepLastWay(state_.cycle, block_, dialect_);
     // Every pass returns to the point where the cycle began.
     if (state_.compensation == phaseStarting)
       state_.compensation = phaseOn;

@@ -32,13 +32,15 @@ private:
     // One finding for each contour: a run of blocks that cut.
     const bool goesOn = ctx.source().id() == contourFile_ && ctx.block().begin == contourEnd_;
     const bool known = goesOn && reported_;
+    // The move that cancels compensation leaves the contour: what follows is another one.
+    const bool leaves = ctx.before().compensation != phaseOff;
     contourFile_ = ctx.source().id();
-    contourEnd_ = ctx.block().next;
+    contourEnd_ = leaves && ctx.after().compensation == phaseOff ? noBlock : ctx.block().next;
     reported_ = known;
     const Axis x = Axis::X, z = Axis::Z;
     const uint16_t plane = uint16_t(1u << unsigned(x) | 1u << unsigned(z));
     if (planeAxes(ctx.dialect(), ctx.after()) != plane || ctx.after().compensation != phaseOff ||
-        !goesOn || known)
+        leaves || !goesOn || known)
       return;
     if (const ToolData *tool = toolInUse(ctx.machine(), ctx.after()))
       if (tool->kind != "turning" && tool->kind != "boring" && !tool->kind.empty())
@@ -102,8 +104,9 @@ private:
   }
 
   bool ends_ = false; ///< compensation is to go on and off in the contour's end blocks
+  static constexpr uint32_t noBlock = ~0u;
   FileId contourFile_ = 0;
-  uint32_t contourEnd_ = ~0u;
+  uint32_t contourEnd_ = noBlock;
   bool reported_ = false;
 };
 

@@ -25,10 +25,11 @@ public:
       else if (address.kind == AddressKind::Axis)
         return;
     }
-    if (!u || !i || !k)
-      return;
+    if (!u || (!i && !k))
+      return; // one of the two may be left out where it is zero
     const Interval dx = ctx.value(*u), dz = w ? ctx.value(*w) : Interval::exactly(0),
-                   ci = ctx.value(*i), ck = ctx.value(*k);
+                   ci = i ? ctx.value(*i) : Interval::exactly(0),
+                   ck = k ? ctx.value(*k) : Interval::exactly(0);
     if (!dx.isConstant() || !dz.isConstant() || !ci.isConstant() || !ck.isConstant())
       return;
     const double radius = std::hypot(ci.value(), ck.value());

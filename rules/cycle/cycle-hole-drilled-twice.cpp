@@ -93,7 +93,7 @@ private:
     }
     if (auto finding = ctx.report(*count, event.certain))
       finding.message("`{0}` runs `{1}` {2} times at the same place: the positions are absolute",
-                      ctx.text(*count), code.name, *n);
+                      ctx.text(*count), code.name, int64_t(*n));
   }
 
   /// A modal cycle called where a cycle of one hole has just made it.

@@ -9,7 +9,8 @@ namespace {
 class CycleLeftActive final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun});
+    to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun,
+           EventKind::CallReturned});
     if (to.dialect().emptyBlocksRun)
       to.on(EventKind::ToolWord);
     to.onCode([](const CodeInfo &code) {
@@ -24,6 +25,10 @@ public:
     const Dialect &dialect = ctx.dialect();
     if (before.profile != 0)
       return;
+    if (event.kind == EventKind::CallReturned) {
+      behindCall(ctx);
+      return;
+    }
     const Truth active = before.cycleActive(dialect);
     if (active == Truth::No || before.may(Fact::UnknownCode))
       return;
@@ -65,6 +70,9 @@ public:
       if (origin.file != ctx.source().id() || origin.begin < program.begin ||
           origin.begin >= program.end)
         return;
+      // The caller's next motion code ends it: what stands behind the call decides.
+      if (endsByMotion(*cycle, dialect) && ctx.callDepth() > 0)
+        return;
       where = "at the return from this program";
       break;
     }
@@ -93,6 +101,58 @@ public:
   void remember(RuleMemory &memory) const override { memory(said_); }
 
 private:
+  /// Cycles of the motion codes' group, which any of these ends.
+  static bool endsByMotion(const CodeInfo &cycle, const Dialect &dialect) {
+    const GroupIndex motion = dialect.group(StandardGroup::Motion);
+    return motion != noGroup && cycle.group == motion;
+  }
+
+  /// Behind a call that has left such a cycle active the caller goes on, without a motion code, to
+  /// a place on the free side of the start: it positions, and cuts no further pass.
+  static void behindCall(RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &after = ctx.after();
+    if (after.cycleActive(dialect) != Truth::Yes || after.may(Fact::UnknownCode) ||
+        ctx.before().cycleActive(dialect) != Truth::No)
+      return;
+    const CodeInfo *cycle = activeCycle(after, dialect);
+    const Origin &origin = after.origin.of(StatePart::Cycle);
+    if (!cycle || !endsByMotion(*cycle, dialect) || !origin.known() ||
+        origin.file != ctx.source().id())
+      return;
+    Block next;
+    bool more = readNext(ctx, next);
+    while (more && next.items.empty() && !next.hasAny(dialect.axisWords | lettersMask("GT")) &&
+           !findCode(dialect, next, callsAndEnds))
+      more = readOn(ctx, next);
+    if (!more || !next.items.empty() || next.hasAny(lettersMask("GT")) ||
+        !(onFreeSide(next, 'X', Axis::X, ctx) || onFreeSide(next, 'Z', Axis::Z, ctx)))
+      return;
+    if (auto finding = ctx.report(wordsRange(ctx, next)))
+      finding
+          .message("`{0}` of line {1} is still active behind the call: this position {2} again",
+                   cycle->name, lineOf(ctx, origin), verbOf(cycle->cycle))
+          .note(origin, cycle->name + " becomes active here");
+  }
+
+  static bool onFreeSide(const Block &block, char letter, Axis axis, const RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Word *word = block.find(letter);
+    const Interval &start = state.cycleStart[unsigned(axis)];
+    const auto unit = millimetresPer(ctx.dialect(), state);
+    if (!word || !word->isNumber() || !start.isConstant() || !unit || !state.cycle.has(letter) ||
+        state.inMachineCoordinates(axis))
+      return false;
+    constexpr double least = 0.5; // mm
+    const double pass = state.cycle.get(letter) * *unit - start.value();
+    const double place = word->value() * *unit - start.value();
+    return (pass < -least && place > least) || (pass > least && place < -least);
+  }
+
+  static constexpr std::initializer_list<Action> callsAndEnds = {
+      Action::CallProgram, Action::CallLocal, Action::Return, Action::ProgramEnd,
+      Action::ProgramEndRewind};
+
   Origin said_; ///< a cycle that was left active at the end of measuring
   static const CodeInfo *activeCycle(const MachineState &state, const Dialect &dialect) {
     for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion})

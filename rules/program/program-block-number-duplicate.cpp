@@ -26,8 +26,6 @@ private:
         continue;
       const NumberedBlock &first = numbers[i - 1], &again = numbers[i];
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
-        if (!file.isReached(again.offset)) // dead blocks confuse nobody
-          continue;
         if (i > 1 && numbers[i - 2].number == again.number) // once for each number
           continue;
         if (otherProgramBetween(first, again, file, ctx.dialect()))

@@ -37,7 +37,7 @@ private:
     if (auto finding = ctx.report(origin.range())) {
       std::string number = "the old S";
       if (state.speed->isConstant())
-        number = llvm::formatv("S{0}", state.speed->value()).str();
+        number = llvm::formatv("S{0}", llvm::format("%g", state.speed->value())).str();
       finding
           .message("`{0}` comes without an S: {1} counts as {2} from here on", mode->name, number,
                    surface ? "cutting speed" : "revolutions per minute")

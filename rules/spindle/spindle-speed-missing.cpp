@@ -41,6 +41,9 @@ private:
                       code.spindle == SpindleNeed::StartsItself;
     if (!starts && !taps)
       return;
+    // A tap in a driven tool that runs has that one's speed; the spindle needs none.
+    if (!starts && code.spindle == SpindleNeed::Any && (ctx.after().liveTool & ~spindleOff))
+      return;
     // A cycle that has a word of its own for the speed lacks none: its parameters are another rule.
     if (!starts && llvm::any_of(code.words, [](const WordSpec &spec) {
           return spec.role == Role::Speed && spec.need != Need::Optional;

@@ -17,7 +17,8 @@ public:
       if (z.isConstant() && !before.inMachineCoordinates(Axis::Z) &&
           before.must(Fact::MovedSinceTool) && z.value() < *lowest) {
         if (auto finding = ctx.report(event))
-          finding.message("the tool is changed at Z{0}, below the safe Z{1}", z.value(), *lowest);
+          finding.message("the tool is changed at Z{0}, below the safe Z{1}",
+                          llvm::format("%g", z.value()), llvm::format("%g", *lowest));
         return;
       }
     }

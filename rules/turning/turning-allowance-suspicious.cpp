@@ -34,7 +34,7 @@ public:
       return;
     const bool inside = profile.side == Side::Inside;
     for (const WordSpec &spec : cycle.words) {
-      if (spec.role != Role::AllowanceX)
+      if (spec.role != Role::AllowanceX && spec.role != Role::StockX)
         continue;
       const Word *word = wordFor(ctx.block(), spec);
       if (!word)
@@ -42,6 +42,10 @@ public:
       const Interval value = ctx.value(*word);
       if (!value.isConstant() || value.value() == 0 || (value.value() < 0) == inside)
         continue;
+      if (spec.role == Role::StockX) {
+        stockOnWrongSide(*word, event, cycle, inside, profile, ctx);
+        continue;
+      }
       if (auto finding = ctx.report(*word, event.certain))
         finding
             .message(inside
@@ -53,6 +57,18 @@ public:
   }
 
 private:
+  /// The distance from the first pass along the contour to the last is signed in the same way.
+  static void stockOnWrongSide(const Word &word, const Event &event, const CodeInfo &cycle,
+                               bool inside, const Profile &profile, RuleContext &ctx) {
+    if (auto finding = ctx.report(word, event.certain))
+      finding
+          .message("`{0}` is {1}, but `{2}` roughs {3}: the first passes lie behind the finished "
+                   "contour",
+                   ctx.text(word), inside ? "positive" : "negative", cycle.name,
+                   inside ? "inside" : "outside")
+          .note(profile.blocks.front().range, "the profile begins here");
+  }
+
   /// Neither of the two words: the same as two zeros.
   static void checkMissing(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
     bool takes = false;

@@ -9,7 +9,10 @@ constexpr double overshoot = 2; // mm in diameter, by which a last facing block 
 
 class TurningStartInsideContour final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::CycleRun});
+    passes_ = to.option("passes", 0) != 0;
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode)
@@ -22,7 +25,8 @@ public:
       break;
     case CycleKind::TurnPass:
     case CycleKind::FacePass:
-      pass(event, code, ctx);
+      if (passes_)
+        pass(event, code, ctx);
       break;
     default:
       break;
@@ -140,6 +144,8 @@ private:
     }
     return false;
   }
+
+  bool passes_ = false; ///< single passes too: a bar that bores looks the same in the text
 };
 
 } // namespace

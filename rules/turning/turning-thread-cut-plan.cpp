@@ -96,21 +96,18 @@ private:
 
   static void pass(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const MachineState &before = ctx.before();
-    for (const CodeUse &use : ctx.codes())
-      if (ctx.code(use).action == Action::Cycle)
-        return;
-    const Word *x = ctx.block().find('X');
-    if (!x || ctx.block().hasAny(lettersMask("ZWQUFE")) || !before.cycle.has('X') || !event.certain)
-      return;
-    const double last = before.cycle.get('X');
-    const Interval now = ctx.value(*x);
     const Interval &start = ctx.after().cycleStart[0];
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
-    if (!now.isConstant() || std::isnan(last) || !start.isConstant() || !unit ||
+    const Word *x = ctx.block().findAny(diameterWords);
+    if (!x || !goesOn(event, ctx) || !event.certain || !start.isConstant() || !unit ||
         before.inMachineCoordinates(Axis::X))
       return;
     const double from = start.value() / *unit;
-    if (now.value() == last) {
+    const auto kept = diameterKept(before.cycle, from), given = diameterOf(*x, ctx, from);
+    if (!kept || !given)
+      return;
+    const double last = *kept, now = *given;
+    if (std::fabs(now - last) < sameDiameter) {
       if (!deeperFollows(ctx, last, from))
         return;
       if (auto finding = ctx.report(*x))
@@ -122,7 +119,7 @@ private:
       return;
     }
     const bool outside = from > last;
-    if (from == last || (outside ? now.value() < last : now.value() > last))
+    if (from == last || (outside ? now < last : now > last))
       return;
     if (auto finding = ctx.report(*x))
       finding
@@ -132,15 +129,64 @@ private:
           .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
 
+  static constexpr AddressMask diameterWords = maskOf('X') | maskOf('U');
+  static constexpr double sameDiameter = 1e-6;
+
+  /// Whether the block is a further pass of the list: it gives a diameter alone, or it writes the
+  /// cycle once more for the same thread.
+  static bool goesOn(const Event &event, const RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const CycleWords &words = ctx.before().cycle;
+    const bool again = ctx.find({Action::Cycle});
+    if (!again)
+      return !block.hasAny(lettersMask("ZWQFE"));
+    const CodeInfo *running = ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion);
+    if (running != &ctx.code(event) ||
+        (block.has(letterAddress('X')) && block.has(letterAddress('U'))))
+      return false;
+    for (const Word &word : block.words) {
+      if (!(lettersMask("ZWFEIKQR") & maskOf(word.address)))
+        continue;
+      const Interval value = ctx.value(word);
+      const char letter = char('A' + word.address);
+      if (!words.has(letter) || !value.isConstant() || value.value() != words.get(letter))
+        return false; // another thread, or another start of it
+    }
+    return true;
+  }
+
+  /// The diameter that the list has reached, in units of the program; increments count from the
+  /// start point.
+  static std::optional<double> diameterKept(const CycleWords &words, double from) {
+    if (words.has('X') == words.has('U'))
+      return std::nullopt;
+    const double end = words.has('X') ? words.get('X') : from + words.get('U');
+    return std::isnan(end) ? std::nullopt : std::optional(end);
+  }
+
+  static std::optional<double> diameterOf(const Word &word, const RuleContext &ctx, double from) {
+    const Interval value = ctx.value(word);
+    if (!value.isConstant())
+      return std::nullopt;
+    return word.address == letterAddress('U') ? from + value.value() : value.value();
+  }
+
   /// Whether a later pass of the list is deeper than `x`.
   static bool deeperFollows(const RuleContext &ctx, double x, double from) {
     Block next;
     bool more = readNext(ctx, next);
     for (unsigned i = 0; more && i < 30; ++i, more = readOn(ctx, next)) {
-      if (next.hasAny(maskOf('G') | maskOf('T')) || !next.items.empty())
+      const CodeInfo *cycle = findCode(ctx.dialect(), next, {Action::Cycle});
+      const bool again = cycle && cycle->cycle == CycleKind::ThreadPass;
+      if ((next.has(letterAddress('G')) && !again) || next.has(letterAddress('T')) ||
+          !next.items.empty())
         return false;
-      const Word *word = next.find('X');
-      if (word && word->isNumber() && (from > x ? word->value() < x : word->value() > x))
+      const Word *word = next.findAny(diameterWords);
+      if (!word || !word->isNumber())
+        continue;
+      const double pass =
+          word->address == letterAddress('U') ? from + word->value() : word->value();
+      if (from > x ? pass < x - sameDiameter : pass > x + sameDiameter)
         return true;
     }
     return false;

@@ -17,13 +17,8 @@ public:
     const MachineState &before = ctx.before();
     if (before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Thread)
       return;
-    // The stroke before: a thread on a face runs along X and retracts in Z, and one that moves both
-    // axes may be the run-out.
     Block stroke;
-    if (!readPrevious(ctx, stroke))
-      return;
-    const uint16_t along = axesOf(ctx.dialect(), stroke);
-    if ((along & (xBit | zBit)) != zBit)
+    if (!readStroke(ctx, stroke))
       return;
     if (event.motion == MotionKind::Thread && !hasMotionCode(ctx.dialect(), ctx.block()) &&
         (event.axes & (xBit | zBit)) == xBit) {
@@ -45,6 +40,86 @@ public:
                 "the tool goes back in Z at the depth of the thread: it was not retracted in X")
             .note(SourceRange{ctx.source().id(), stroke.begin, stroke.end},
                   "the thread is cut here");
+    }
+  }
+
+private:
+  /// Reads the stroke along Z that was the last move in front of the block: nothing but switches
+  /// between the two, or the call that leads here.
+  static bool readStroke(const RuleContext &ctx, Block &stroke) {
+    uint32_t entry = ctx.block().begin; // nothing moves from here on to the block at hand
+    bool more = readPrevious(ctx, stroke);
+    while (more && movesNothing(ctx.dialect(), stroke)) {
+      entry = stroke.begin;
+      more = readBack(ctx, stroke);
+    }
+    if (more && runsAlongZ(ctx.dialect(), stroke))
+      return true;
+    return ctx.callDepth() > 0 && readStrokeOfCaller(ctx, entry, !more, stroke);
+  }
+
+  /// The stroke with which the thread began, when the call behind it leads to the blocks at hand.
+  static bool readStrokeOfCaller(const RuleContext &ctx, uint32_t entry, bool fromHead,
+                                 Block &stroke) {
+    const Origin begun = ctx.before().originOf(ctx.dialect(), StandardGroup::Motion);
+    if (!begun.known() || begun.file != ctx.source().id())
+      return false;
+    const FileIndex &index = ctx.index();
+    index.read(ctx.source().lines().lineBegin(begun.begin), stroke);
+    if (!runsAlongZ(ctx.dialect(), stroke))
+      return false;
+    Block call = stroke;
+    do {
+      if (!readOn(index, call))
+        return false;
+    } while (movesNothing(ctx.dialect(), call));
+    const CodeInfo *code = findCode(ctx.dialect(), call, {Action::CallProgram, Action::CallLocal});
+    if (!code)
+      return false;
+    const bool local = code->action == Action::CallLocal;
+    const Word *target = wordOf(call, *code, local ? Role::Sequence : Role::Program);
+    if (!target || !target->isNumber())
+      return false;
+    const int64_t number = int64_t(target->value());
+    const ProgramInfo &here = index.programAt(ctx.block().begin);
+    if (!local)
+      return fromHead && index.find(number) == &here;
+    const auto first = index.block(index.programAt(call.begin), number, call.begin);
+    return first && *first >= entry && *first <= ctx.block().begin;
+  }
+
+  /// A thread on a face runs along X and retracts in Z, and one that moves both axes may be the
+  /// run-out.
+  static bool runsAlongZ(const Dialect &dialect, const Block &block) {
+    return block.items.empty() && (axesOf(dialect, block) & (xBit | zBit)) == zBit;
+  }
+
+  /// Switches, speeds and stops only.
+  static bool movesNothing(const Dialect &dialect, const Block &block) {
+    if (!block.items.empty() || block.hasAny(dialect.axisWords | maskOf('T')))
+      return false;
+    for (const Word &word : block.words) {
+      const bool isCode = word.address == letterAddress('G') || word.address == letterAddress('M');
+      const CodeIndex code = codeOf(dialect, word);
+      if (isCode && (code == noCode || !movesNothing(dialect.codes[code].action)))
+        return false;
+    }
+    return true;
+  }
+  static bool movesNothing(Action action) {
+    switch (action) {
+    case Action::CoolantOn:
+    case Action::CoolantOff:
+    case Action::SpindleCw:
+    case Action::SpindleCcw:
+    case Action::SpindleStop:
+    case Action::OptionalStop:
+    case Action::ProgramStop:
+    case Action::Dwell:
+    case Action::Switch:
+      return true;
+    default:
+      return false;
     }
   }
 };
