@@ -12,8 +12,11 @@ namespace {
 /// The comment's text without its mark and outer blanks.
 llvm::StringRef innerText(const Comment &comment, llvm::StringRef text) {
   llvm::StringRef inner = text.slice(comment.begin, comment.end);
-  if (!inner.consume_front("\""))
-    inner = inner.drop_front(std::min<size_t>(3, inner.size())); // typographic, three bytes
+  if (!inner.consume_front("\"")) {
+    // Typographic: three bytes of UTF-8, or one of Windows-1250.
+    const size_t mark = inner.startswith("\xE2") ? 3 : 1;
+    inner = inner.drop_front(std::min(mark, inner.size()));
+  }
   return inner.trim();
 }
 
@@ -41,6 +44,12 @@ uint32_t endOfCode(const Block &block) {
   for (const Item &item : block.items)
     end = std::max(end, item.end);
   return end;
+}
+
+/// On the line of the block's last code. What follows on lines of its own may be meant for the
+/// next block.
+bool isBehind(uint32_t end, const Comment &comment, const Block &block, llvm::StringRef text) {
+  return end > block.begin && text.slice(end, comment.begin).trim(" \t").empty();
 }
 
 std::string optionOf(const Dialect &dialect, const MachineProfile &machine, llvm::StringRef name) {
@@ -94,7 +103,7 @@ GeneratedBlock readGenerated(const Block &block, llvm::StringRef text) {
     } else if (inner.startswith("LineCode")) {
       result.codeLines.push_back(&comment);
       appendWords(result.code, quoted(inner));
-    } else if (comment.begin < end) {
+    } else if (comment.begin < end || isBehind(end, comment, block, text)) {
       result.own.push_back(&comment);
     }
   }

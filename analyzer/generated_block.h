@@ -35,7 +35,7 @@ struct GeneratedBlock {
   const Comment *page = nullptr;          ///< `HtmlFile = '…'`
   llvm::StringRef path;                   ///< of the page, between its quotes
   std::vector<const Comment *> codeLines; ///< `LineCode1 = '…'`
-  std::vector<const Comment *> own;       ///< all others in front of the block's last code
+  std::vector<const Comment *> own;       ///< all others up to the end of the last code's line
   std::string code;                       ///< texts of the code lines, one blank between words
 
   bool isGenerated() const { return notice || page || !codeLines.empty(); }

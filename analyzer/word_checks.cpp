@@ -267,6 +267,12 @@ void reportKeptRanges(RuleContext &ctx, const Event &event, KeptFaults &faults,
   }
 }
 
+bool givesNoticedValue(const Block &block, const CodeInfo &code, llvm::StringRef rule) {
+  return llvm::any_of(code.notices, [&](const Notice &notice) {
+    return rule == notice.rule && notice.atVariable && assignmentOf(block, notice.atVariable);
+  });
+}
+
 void reportExcludedWords(RuleContext &ctx, const Event &event) {
   const CodeInfo &code = ctx.code(event);
   for (const auto &[first, second] : code.excludes) {

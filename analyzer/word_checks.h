@@ -83,6 +83,9 @@ private:
 void reportKeptRanges(RuleContext &ctx, const Event &event, KeptFaults &faults,
                       llvm::function_ref<bool(const CodeInfo &, const WordSpec &)> mine);
 
+/// Whether the block gives a value anew to a variable at which the code has notices for `rule`.
+bool givesNoticedValue(const Block &block, const CodeInfo &code, llvm::StringRef rule);
+
 /// What the bounds ask for: "0 or 1", "greater than 0", "a whole number from 1 to 4".
 std::string describe(const ValueTest &test);
 

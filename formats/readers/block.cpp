@@ -64,9 +64,16 @@ const Word *Block::find(AddressId address) const {
 const Word *Block::argument(unsigned position) const {
   if (!has(argumentAddress))
     return nullptr;
-  for (const Word &word : words)
-    if (word.address == argumentAddress && --position == 0)
-      return &word;
+  bool called = false;
+  for (const Word &word : words) {
+    if (word.address == argumentAddress) {
+      called = true;
+      if (--position == 0)
+        return &word;
+    } else if (called && word.address == keywordAddress) {
+      return nullptr; // another call begins, whose arguments are its own
+    }
+  }
   return nullptr;
 }
 

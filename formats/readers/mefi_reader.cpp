@@ -15,13 +15,14 @@ namespace {
 constexpr unsigned maxDigits = 18;
 /// Larger block numbers are cut.
 constexpr int64_t maxNumber = 1'000'000'000'000;
-/// A quotation mark of a word processor in UTF-8, three bytes: U+201C, U+201D, U+201E.
-constexpr llvm::StringLiteral typographicQuotes[] = {"\xE2\x80\x9C", "\xE2\x80\x9D",
-                                                     "\xE2\x80\x9E"};
-/// Dashes that look like a minus: U+2010 to U+2015, U+2212.
+/// Quotation marks of a word processor: U+201C to U+201E in UTF-8, and the same in Windows-1250 and
+/// 1252. No character of UTF-8 begins with these bytes.
+constexpr llvm::StringLiteral typographicQuotes[] = {"\xE2\x80\x9C", "\xE2\x80\x9D", "\xE2\x80\x9E",
+                                                     "\x93",         "\x94",         "\x84"};
+/// Dashes that look like a minus: U+2010 to U+2015 and U+2212 in UTF-8, the two of Windows.
 constexpr llvm::StringLiteral dashes[] = {"\xE2\x80\x90", "\xE2\x80\x91", "\xE2\x80\x92",
                                           "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x80\x95",
-                                          "\xE2\x88\x92"};
+                                          "\xE2\x88\x92", "\x96",         "\x97"};
 
 /// Between words: a block goes on over the ends of lines.
 bool isGap(char c) { return isLineBlank(c) || isLineEnd(c); }

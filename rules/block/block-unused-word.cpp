@@ -1,5 +1,6 @@
 // A word that no code of the block and no code in force takes.
 #include "analyzer/foreign_block.h"
+#include "analyzer/word_checks.h"
 
 #include <set>
 
@@ -17,12 +18,19 @@ public:
           if (spec.variable)
             parameters_.insert(spec.variable);
     if (!parameters_.empty())
-      to.on(EventKind::Assignment);
+      to.on({EventKind::Assignment, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
+    if (event.kind == EventKind::CycleRun) {
+      // A later hole of the cycle whose block gives a parameter anew.
+      if (event.code != noCode && !ctx.codeWord(event) &&
+          givesNoticedValue(ctx.block(), ctx.code(event), id))
+        ctx.reportNotices(id, event);
+      return;
+    }
     if (event.kind == EventKind::Assignment)
       return parameter(uint64_t(event.number), ctx);
     if (WordIssue(event.number) != WordIssue::Special)

@@ -20,6 +20,10 @@ public:
     // A preset makes a coordinate system of its own; increments need none.
     if (state.origin.of(StatePart::Preset).known() || state.may(Fact::UnknownCode))
       return;
+    // The block that the control runs before every program may have selected it.
+    if (ctx.machine().option("priorityBlock") &&
+        ctx.dialect().groups[ctx.dialect().group(StandardGroup::WorkOffset)].initial != 0xFF)
+      return;
     const AddressMask absolute = ctx.dialect().axisWords & ~ctx.dialect().incrementWords;
     const Word *word = ctx.block().findAny(absolute);
     if (!word || word->has(wordNoValue) ||

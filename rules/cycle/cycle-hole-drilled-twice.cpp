@@ -44,6 +44,9 @@ public:
     if (event.kind == EventKind::CycleRun) {
       if (calls_)
         behindCall(event, ctx);
+      // Of a block that neither moves nor calls the cycle, other rules say that it runs it.
+      if (ctx.dialect().emptyBlocksRun && !event.axes && !ctx.codeWord(event))
+        return;
       using Position = std::array<Interval, axisCount>;
       const llvm::ArrayRef<Position> holes = ctx.outcome().holes;
       for (const Position &position :
@@ -53,7 +56,13 @@ public:
       repeatedHere(event, ctx);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(call_, calledAt_, calledDepth_); }
+  void remember(RuleMemory &memory) const override {
+    memory(call_, calledAt_, calledDepth_);
+    if (recalled_.known()) {
+      memory.place(recalled_.file, recalled_.begin);
+      memory.place(recalled_.file, recalledList_);
+    }
+  }
   void startGathering() override { gathered_.start(); }
   std::shared_ptr<Gathered> gathered() const override { return gathered_.part(); }
   bool gather(const Gathered &gathered) override {
@@ -142,7 +151,7 @@ private:
     place.file = ctx.source().id();
     place.block = ctx.block().begin;
     place.end = ctx.block().end;
-    place.list = state.origin.of(StatePart::Cycle).begin;
+    place.list = listOf(event, ctx);
     place.depth = ctx.callDepth();
     place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
     for (unsigned i = 0; i < axisCount; ++i) {
@@ -177,13 +186,31 @@ private:
       return false;
     const Place &other = *known;
     if (other.block == place.block || other.offset != place.offset || other.at != place.at ||
-        (deeper && state.origin.of(StatePart::Cycle).begin < ctx.block().begin))
+        (deeper && place.list < ctx.block().begin))
       return false;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
           .note(SourceRange{place.file, other.block, other.end}, "this block was here already");
     return true;
   }
+
+  /// Where the list of holes begins: at the call of the cycle. One that is called again while it is
+  /// in force goes on with its list.
+  uint32_t listOf(const Event &event, const RuleContext &ctx) {
+    const Origin &call = ctx.after().origin.of(StatePart::Cycle);
+    if (recalled_.known() && call == recalled_)
+      return recalledList_;
+    const CodeInfo *before = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
+    if (!ctx.dialect().emptyBlocksRun || before != &ctx.code(event) || !ctx.codeWord(event))
+      return call.begin;
+    const Origin &first = ctx.before().origin.of(StatePart::Cycle);
+    if (!recalled_.known() || first != recalled_)
+      recalledList_ = first.begin;
+    recalled_ = call;
+    return recalledList_;
+  }
+  Origin recalled_;           ///< the last call of a cycle that was in force
+  uint32_t recalledList_ = 0; ///< where the list begins with which it goes on
 
   /// To a ten-thousandth of a millimetre: polar input and frames calculate.
   static double rounded(double value) {

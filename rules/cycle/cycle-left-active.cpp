@@ -30,8 +30,13 @@ public:
       return;
     }
     const Truth active = before.cycleActive(dialect);
-    if (active == Truth::No || before.may(Fact::UnknownCode))
+    if (before.may(Fact::UnknownCode))
       return;
+    if (active == Truth::No) {
+      if (event.kind == EventKind::ProgramEnd)
+        calledAtEnd(event, ctx);
+      return;
+    }
     const CodeInfo *cycle = activeCycle(before, dialect);
     if (event.kind == EventKind::CycleRun) {
       repeatedPass(event, ctx);
@@ -47,7 +52,7 @@ public:
       const CodeInfo &code = ctx.code(use);
       const bool ofFamily = code.family.empty() || code.family == cycle->family;
       if ((code.cancelsCycle && ofFamily) || code.action == Action::CycleCancel ||
-          (isMotion(code.action) && code.action != Action::None))
+          (isMotion(code.action) && !dialect.emptyBlocksRun))
         return;
     }
     const Origin &origin = before.origin.of(StatePart::Cycle);
@@ -92,7 +97,7 @@ public:
       finding
           .message("`{0}` of line {1} is still active {2}: {4} {3} again", cycle->name,
                    lineOf(ctx, origin), where, verbOf(cycle->cycle),
-                   called ? "the block" : "the next position")
+                   dialect.emptyBlocksRun ? "the block" : "the next position")
           .note(origin, cycle->name + " becomes active here")
           .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
                ctx.insertBlockBefore(cancel));
@@ -162,12 +167,28 @@ private:
     return nullptr;
   }
 
+  /// A cycle that is called in the very block that ends the program, and that nothing cancels.
+  static void calledAtEnd(const Event &event, RuleContext &ctx) {
+    for (const CodeUse &use : ctx.codes()) {
+      const CodeInfo &cycle = ctx.code(use);
+      if (cycle.action != Action::Cycle || cycle.group == noGroup || !ctx.dialect().emptyBlocksRun)
+        continue;
+      if (auto finding = ctx.report(event, event.certain))
+        finding
+            .message("`{0}` ends the program in the block that calls `{1}`: no `{2}` cancels it",
+                     ctx.text(*event.word), cycle.name, cancelOf(ctx.dialect(), cycle))
+            .note(ctx.range(*use.word), cycle.name + " becomes active here");
+      return;
+    }
+  }
+
   /// A cycle that every block without a motion code runs again, in a block that gives it nothing.
   static void repeatedPass(const Event &event, RuleContext &ctx) {
     if (event.code == noCode || !event.certain)
       return;
     const CodeInfo &code = ctx.code(event);
-    if (!code.firesOnEveryBlock || ctx.block().words.empty())
+    // Where blocks without any word run the cycle too, a rule of its own speaks of all of them.
+    if (!code.firesOnEveryBlock || ctx.block().words.empty() || ctx.dialect().emptyBlocksRun)
       return;
     AddressMask own = code.takes | ctx.dialect().axisWords;
     for (const WordSpec &spec : code.words)
@@ -183,9 +204,10 @@ private:
     const bool mayEnd = ctx.block().has(letterAddress('G'));
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.severity(mayEnd ? std::optional(Severity::Warning) : std::nullopt)
-          .message("`{0}` of line {1} is still active: this block {2} the last pass again",
+          .message("`{0}` of line {1} is still active: this block {2} the last {3} again",
                    code.name, lineOf(ctx, origin),
-                   code.cycle == CycleKind::ThreadPass ? "cuts" : verbOf(code.cycle))
+                   code.cycle == CycleKind::ThreadPass ? "cuts" : verbOf(code.cycle),
+                   makesHole(code.cycle) ? "hole" : "pass")
           .note(origin, code.name + " becomes active here")
           .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
                ctx.insertBlockBefore(cancel));

@@ -10,6 +10,11 @@ class CycleMissingParameter final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
+    if (llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
+          return code.firesOnEveryBlock &&
+                 llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+        }))
+      to.on(EventKind::CycleRun);
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Cycle ||
              llvm::any_of(
@@ -20,6 +25,13 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::CycleRun) {
+      // A later hole of the cycle whose block gives a parameter anew.
+      if (event.code != noCode && !ctx.codeWord(event) &&
+          givesNoticedValue(ctx.block(), ctx.code(event), id))
+        ctx.reportNotices(id, event);
+      return;
+    }
     // A list of arguments that breaks off is one slip, not one for each argument behind it.
     if (llvm::any_of(ctx.block().issues, [](const SyntaxIssue &issue) {
           return issue.kind == SyntaxIssueKind::UnbalancedBracket;

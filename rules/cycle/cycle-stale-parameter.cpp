@@ -28,27 +28,31 @@ public:
         continue;
       const auto last = meant_.find(spec.variable);
       if (wordFor(ctx.block(), spec)) {
-        meant_[spec.variable] = code.base;
+        meant_[spec.variable] = {code.base, code.base};
         continue;
       }
       if (mayStandOnly(spec) || last == meant_.end() ||
           ctx.before().commons.given(spec.variable) != Truth::Yes)
         continue;
-      if (last->second == code.base || shared(spec) ||
-          (kept_ && meansTheSame(spec, ctx.dialect().codes[last->second]))) {
+      if (last->second.taken == code.base || shared(spec) ||
+          (kept_ && meansTheSame(spec, ctx.dialect().codes[last->second.taken]))) {
         if (kept_ && (code.action == Action::Cycle || isForm(spec, code)))
           keeps(event, spec, code, ctx);
         continue;
       }
-      const CodeInfo &other = ctx.dialect().codes[last->second];
+      const CodeInfo &other = ctx.dialect().codes[last->second.given];
       if (auto finding = ctx.report(event))
         finding.severity(Severity::Warning)
             .message("`{0}` has no {1} in its block and takes the one that was given for `{2}`",
                      code.name, spec.name, other.name);
-      meant_[spec.variable] = code.base;
+      last->second.taken = code.base;
     }
   }
-  void remember(RuleMemory &memory) const override { memory(meant_); }
+  void remember(RuleMemory &memory) const override {
+    for (const auto &[variable, meant] : meant_)
+      memory(variable, meant.given, meant.taken);
+    memory(meant_.size());
+  }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-stale-parameter"};
@@ -64,7 +68,7 @@ private:
     if (active && active->firesOnEveryBlock && !ctx.find({Action::CycleCancel, Action::Cycle}) &&
         llvm::any_of(active->words,
                      [&](const WordSpec &w) { return w.variable == meant->first; })) {
-      meant->second = active->base;
+      meant->second = {active->base, active->base};
       return;
     }
     const bool inCycle = llvm::any_of(ctx.block().words, [&](const Word &word) {
@@ -111,7 +115,12 @@ private:
            spec.role == Role::Feed;
   }
 
-  std::map<uint64_t, CodeIndex> meant_; ///< by variable: the code in whose block it was given last
+  /// Whom the value of a variable serves.
+  struct Meant {
+    CodeIndex given = noCode; ///< the code in whose block it was given last
+    CodeIndex taken = noCode; ///< the last code that took it
+  };
+  std::map<uint64_t, Meant> meant_; ///< by variable
 };
 
 } // namespace

@@ -59,6 +59,10 @@ public:
     const bool families = !cycle->family.empty() && code.action == Action::Cycle;
     if (families && (code.family == cycle->family || code.group != cycles_))
       return;
+    // That a block that moves nowhere runs the cycle weighs more, and is a rule of its own.
+    if (ctx.dialect().emptyBlocksRun && code.action != Action::Cycle &&
+        !axesOf(ctx.dialect(), ctx.block()))
+      return;
     // What states the plane once more changes nothing.
     if (code.group != noGroup && code.group == ctx.dialect().group(StandardGroup::Plane) &&
         before.group(code.group) == uint64_t(1) << code.bit)

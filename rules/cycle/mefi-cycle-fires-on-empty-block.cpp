@@ -27,8 +27,6 @@ public:
     }
     if (ctx.block().has(letterAddress('T')))
       return; // the next tool is called: so do they of this
-    if (assignsWordOf(ctx.block(), cycle))
-      return; // a parameter that comes too late: another rule speaks of it
     const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
     const std::string cancel = cancelOf(ctx.dialect(), cycle);
     SourceRange range = ctx.blockRange();
@@ -42,7 +40,7 @@ public:
               verbOf(cycle.cycle), cycle.name, lineOf(ctx, origin), cancel)
           .note(origin, cycle.name + " becomes active here")
           .fix(FixSafety::Unsafe, "insert a block with " + cancel + " before this one",
-               ctx.insertBlockBefore("N " + cancel));
+               ctx.insertBlockBefore(cancel));
   }
 };
 

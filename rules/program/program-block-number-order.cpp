@@ -48,8 +48,9 @@ private:
   static void beginsInside(RuleContext &ctx) {
     const llvm::StringRef text = ctx.source().text();
     const Block &block = ctx.block();
+    const uint32_t line = ctx.source().lines().lineBegin(block.begin);
     const llvm::StringRef before =
-        text.slice(ctx.source().lines().lineBegin(block.begin), block.begin);
+        text.slice(std::max(line, ctx.source().textBegin()), block.begin);
     if (before.trim(" \t").empty())
       return;
     const uint32_t end = std::max(block.numberEnd, block.begin + 1);

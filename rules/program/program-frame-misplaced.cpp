@@ -72,7 +72,9 @@ private:
       }
       if (!frame && end.end && !block.isEmpty())
         report(end, "`{0}` does not stand at the end of the program", {}, ctx);
-      content |= !frame && !block.isEmpty();
+      // Where a number opens a block, one that holds nothing is a block too.
+      const bool opened = ctx.dialect().lexical.blocksSpanLines && block.kind != BlockKind::Empty;
+      content |= !frame && (opened || !block.isEmpty());
     }
   }
 

@@ -1,4 +1,6 @@
 // A feed move or a cutting cycle while the spindle stands.
+#include "analyzer/ending_code.h"
+#include "analyzer/lookahead.h"
 #include "analyzer/once.h"
 #include "interp/tool_data.h"
 
@@ -7,7 +9,11 @@ namespace {
 
 class SpindleOffWhileCutting final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    to.onChange({EventKind::Motion, EventKind::CycleRun});
+    hasHead_ = llvm::any_of(to.dialect().codes,
+                            [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
+  }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.code == noCode || ctx.before().profile == 1)
@@ -60,13 +66,25 @@ public:
     if (const ToolData *tool = toolInUse(ctx.machine(), state); tool && tool->kind == "probe")
       return;
     const Origin &origin = state.origin.of(StatePart::Spindle);
+    const bool nothingSaid = !state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
+                             !state.may(Fact::SpindleStated);
+    // What stands in front of a fragment may have started the spindle.
+    if (nothingSaid && hasHead_ && (!unsaid_.speaks(origin, ctx) || isFragment(ctx)))
+      return;
     if (!once_.speaks(origin, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither tool, speed nor spindle: the program may run axes in, or guide a laser.
-      if (!state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
-          !state.may(Fact::SpindleStated))
+      if (nothingSaid)
         finding.severity(Severity::Warning);
+      // A hole that the block of the stop itself makes.
+      if (behind && ctx.dialect().emptyBlocksRun && !ctx.codeWord(event) &&
+          ctx.find({Action::SpindleStop}))
+        finding.severity(Severity::Error)
+            .note(ctx.before().origin.of(StatePart::Cycle),
+                  code.name + " becomes active here, and runs in every block")
+            .fix(FixSafety::Unsafe, "end the cycle before this block",
+                 ctx.insertBlockBefore(cancelOf(ctx.dialect(), code)));
       const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
                                                 {Action::FeedPerRevolution}) == Truth::Yes;
       finding
@@ -77,10 +95,26 @@ public:
           .note(origin, "the spindle is stopped here");
     }
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
+  void remember(RuleMemory &memory) const override { memory(once_, unsaid_); }
 
 private:
+  /// A text with neither the word that opens a program nor one that ends it.
+  static bool isFragment(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const Reader &reader = ctx.index().reader();
+    Block block;
+    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
+      reader.read(at, block);
+      if (findCode(ctx.dialect(), block,
+                   {Action::ProgramHead, Action::ProgramEnd, Action::ProgramEndRewind}))
+        return false;
+    }
+    return true;
+  }
+
   OncePerCause once_;
+  OncePerCause unsaid_;  ///< the program has said nothing of tool, speed and spindle
+  bool hasHead_ = false; ///< the control has a word that opens a program
 };
 
 } // namespace
