@@ -58,6 +58,9 @@ std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const Machine
     if (!p || !p->isNumber())
       return std::nullopt;
     zone.outsideForbidden = p->value() == 1;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      if (zone.min[axis] && zone.max[axis] && *zone.min[axis] > *zone.max[axis])
+        return std::nullopt; // another rule speaks of limits that are no zone
     if (dialect.lengthsPerUnit(Axis::X) != 1)
       allowForRadius(zone);
     return zone;
