@@ -55,7 +55,8 @@ bool isLine(const RuleContext &ctx, const Event &motion) {
   return motion.kind == EventKind::Motion && motion.certain && motion.motion == MotionKind::Feed;
 }
 
-bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between) {
+bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between, bool &passed) {
+  passed = false;
   if (!readNext(ctx, next) || !next.items.empty())
     return false;
   for (unsigned i = 0; i < between; ++i) {
@@ -68,6 +69,7 @@ bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between) {
       break;
     if (!readOn(ctx, next) || !next.items.empty() || next.skip >= 0)
       return false;
+    passed = true;
   }
   return true;
 }

@@ -31,8 +31,8 @@ constexpr unsigned blocksBetweenMoves = 3;
 
 /// Reads the block that the corner of the block at hand has to reckon with: the next one, or, past
 /// at most `between` blocks that neither move nor run a cycle, the one behind these. False when
-/// none is found, or when something decides at run time what comes.
-bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between);
+/// none is found, or when something decides at run time what comes. `passed`: it is not the next.
+bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between, bool &passed);
 
 /// Axes that the words of a block that was read ahead name.
 uint16_t axesOf(const RuleContext &ctx, const Block &block);

@@ -63,9 +63,12 @@ private:
       return;
     }
     Block next;
-    if (!readNeighbour(ctx, next, between_))
+    bool passed = false;
+    if (!readNeighbour(ctx, next, between_, passed))
       return;
     const uint16_t then = axesOf(ctx, next) & (x | z);
+    if (passed && !(then & plane))
+      return; // another rule says that no move follows
     if (then == 0 || hasOtherAction(ctx, next) || statesPlane(ctx, next))
       return;
     if (findCode(ctx.dialect(), next, {Action::Rapid})) {
@@ -104,8 +107,11 @@ private:
       return;
     }
     Block next;
-    if (!readNeighbour(ctx, next, blocksBetweenMoves))
+    bool passed = false;
+    if (!readNeighbour(ctx, next, blocksBetweenMoves, passed))
       return;
+    if (passed && axesOf(ctx, next) && !(axesOf(ctx, next) & plane))
+      return; // another rule says that no move follows in the plane
     const CodeInfo *arc = findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw});
     if (ctx.dialect().addresses[word.address].linesOnly &&
         (arc || event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)) {
