@@ -26,6 +26,14 @@ bool takenByOther(const RuleContext &ctx, AddressMask letters);
 /// spindle turns, see `isCornerOfAxis`.
 bool asksForCorner(const RuleContext &ctx, const Word &word);
 
+/// Blocks without a move that may stand between the two moves of a corner written with a comma.
+constexpr unsigned blocksBetweenMoves = 3;
+
+/// Reads the block that the corner of the block at hand has to reckon with: the next one, or, past
+/// at most `between` blocks that neither move nor run a cycle, the one behind these. False when
+/// none is found, or when something decides at run time what comes. `passed`: it is not the next.
+bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between, bool &passed);
+
 /// Axes that the words of a block that was read ahead name.
 uint16_t axesOf(const RuleContext &ctx, const Block &block);
 

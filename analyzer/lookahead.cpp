@@ -1,6 +1,7 @@
 // Looks ahead in the text for rules: the next block, and the blocks of a turning profile.
 #include "analyzer/lookahead.h"
 
+#include "analyzer/profile_ways.h"
 #include "formats/dialect/measure.h"
 #include "formats/dialect/variable_key.h"
 #include "interp/expression.h"
@@ -142,9 +143,17 @@ ProfileEnds bracketedProfile(const RuleContext &ctx, const Flow &flow) {
   return std::nullopt;
 }
 
-} // namespace
+/// What is made of blocks that a switch may leave out.
+enum class Skippable : uint8_t { Undecided, Run, LeftOut };
 
-Profile readProfile(const RuleContext &ctx) {
+/// The blocks of a profile that a switch leaves out.
+struct SkippedBlocks {
+  SourceRange first;
+  int level = -1;
+  bool severalLevels = false;
+};
+
+Profile readProfileAs(const RuleContext &ctx, Skippable way, SkippedBlocks &skipped) {
   Profile profile;
   const Flow &flow = ctx.outcome().flow;
   ProfileEnds ends;
@@ -172,8 +181,18 @@ Profile readProfile(const RuleContext &ctx) {
       profile.blocks.pop_back();
       continue;
     }
-    if (!entry.block.items.empty() || entry.block.skip >= 0)
+    if (entry.block.skip >= 0) {
+      if (skipped.first.empty())
+        skipped.first = wordsRange(ctx, entry.block);
+      skipped.severalLevels |= skipped.level >= 0 && skipped.level != entry.block.skip;
+      skipped.level = entry.block.skip;
+    }
+    if (!entry.block.items.empty() || (entry.block.skip >= 0 && way == Skippable::Undecided))
       return profile; // what it does decides itself at run time
+    if (entry.block.skip >= 0 && way == Skippable::LeftOut) {
+      profile.blocks.pop_back();
+      continue;
+    }
     before = state;
     executor.execute(entry.block, before, state, outcome);
     entry.range = wordsRange(ctx, entry.block);
@@ -261,6 +280,31 @@ Profile readProfile(const RuleContext &ctx) {
   else
     profile.side = byStart;
   return profile;
+}
+
+} // namespace
+
+Profile readProfile(const RuleContext &ctx) {
+  SkippedBlocks skipped;
+  return readProfileAs(ctx, Skippable::Undecided, skipped);
+}
+
+llvm::SmallVector<ProfileWay, 2> profileWays(const RuleContext &ctx) {
+  SkippedBlocks skipped;
+  llvm::SmallVector<ProfileWay, 2> ways(1);
+  ways[0].profile = readProfileAs(ctx, Skippable::Run, skipped);
+  ways[0].skippable = skipped.first;
+  ways[0].always = skipped.first.empty();
+  if (ways[0].always)
+    return ways;
+  ProfileWay &without = ways.emplace_back();
+  without.profile = readProfileAs(ctx, Skippable::LeftOut, skipped);
+  without.skippable = skipped.first;
+  without.leavesOut = true;
+  without.always = false;
+  for (ProfileWay &way : ways)
+    way.profile.known &= !skipped.severalLevels;
+  return ways;
 }
 
 const Word *wordOf(const Block &block, const CodeInfo &code, Role role) {

@@ -144,12 +144,20 @@ private:
   static void zone(RuleContext &ctx) {
     const Word *side = ctx.block().find('P');
     const Interval inside = side ? ctx.value(*side) : Interval::unknown();
-    const struct { char upper, lower; } pairs[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
+    const struct {
+      char upper, lower;
+      Axis axis;
+    } pairs[] = {{'X', 'I', Axis::X}, {'Y', 'J', Axis::Y}, {'Z', 'K', Axis::Z}};
+    const Word *first = nullptr, *opposite = nullptr; // the first limits that are equal
+    bool empty = true;                                // all of them are
     for (const auto &pair : pairs) {
       const Word *upper = ctx.block().find(pair.upper), *lower = ctx.block().find(pair.lower);
-      if (!upper || !lower)
+      if (!upper || !lower) {
+        empty &= ctx.dialect().isLathe() && pair.axis == Axis::Y && !upper && !lower;
         continue;
+      }
       const Interval high = ctx.value(*upper), low = ctx.value(*lower);
+      empty &= high.isConstant() && low.isConstant() && high.value() == low.value();
       if (high.isUnknown() || low.isUnknown())
         continue;
       if (high.hi < low.lo) {
@@ -159,23 +167,25 @@ private:
                        "lower one",
                        ctx.text(*upper), ctx.text(*lower))
               .note(ctx.range(*lower), "the lower limit");
-        continue;
       }
-      if (!high.isConstant() || !low.isConstant() || high.value() != low.value())
-        continue;
-      const bool forbidsAll = inside.isConstant() && inside.value() == 1;
-      const bool allowsAll = inside.isConstant() && inside.value() == 0;
-      if (!forbidsAll && !allowsAll)
-        continue;
-      if (auto finding = ctx.report(*upper))
-        finding
-            .message(
-                forbidsAll
-                    ? "`{0}` and `{1}` are equal: the zone is empty and every place is forbidden"
-                    : "`{0}` and `{1}` are equal: the zone is empty and forbids nothing",
-                ctx.text(*upper), ctx.text(*lower))
-            .severity(forbidsAll ? Severity::Error : Severity::Style);
+      if (!first) {
+        first = upper;
+        opposite = lower;
+      }
     }
+    const bool forbidsAll = inside.isConstant() && inside.value() == 1;
+    const bool allowsAll = inside.isConstant() && inside.value() == 0;
+    // One pair of equal limits alone may be an axis that the machine has not.
+    if (!empty || !first || (!forbidsAll && !allowsAll))
+      return;
+    if (auto finding = ctx.report(*first))
+      finding
+          .message(forbidsAll ? "all limits are equal, as `{0}` and `{1}`: the zone is empty and "
+                                "every place is forbidden"
+                              : "all limits are equal, as `{0}` and `{1}`: the zone is empty and "
+                                "forbids nothing",
+                   ctx.text(*first), ctx.text(*opposite))
+          .severity(forbidsAll ? Severity::Error : Severity::Style);
   }
 };
 

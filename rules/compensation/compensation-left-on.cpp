@@ -1,5 +1,7 @@
 // Radius compensation that is still on at a tool change, a return or the program's end.
+#include "analyzer/behind_calls.h"
 #include "analyzer/ending_code.h"
+#include "analyzer/lookahead.h"
 
 #include <map>
 
@@ -42,7 +44,8 @@ public:
     default:
       // A subprogram called under compensation may return under it; of a profile that is
       // recorded another rule speaks.
-      if (ctx.after().profile == 0 && switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx))
+      if (ctx.after().profile == 0 && switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx) &&
+          !callersLeave(ctx))
         leftOn(event, "the program returns", std::nullopt, ctx);
     }
   }
@@ -66,6 +69,42 @@ private:
       finding.message("the program ends with {0} still on", nameOf(ctx));
       describe(finding, ctx);
     }
+  }
+
+  /// Whether every caller cuts on along the contour that this program has approached, and switches
+  /// compensation off before anything else.
+  static bool callersLeave(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const bool cuts =
+        ctx.after().isActive(dialect, StandardGroup::Motion,
+                             {Action::Linear, Action::ArcCw, Action::ArcCcw}) == Truth::Yes;
+    bool feeding = cuts;
+    const auto judge = [&](const Block &block) {
+      if (findCode(dialect, block, {Action::CompensationOff}))
+        return Behind::Ends;
+      for (const Word &word : block.words) {
+        if (dialect.addresses[word.address].kind != AddressKind::Code)
+          continue;
+        const CodeIndex code = codeOf(dialect, word);
+        switch (code == noCode ? Action::None : dialect.codes[code].action) {
+        case Action::Linear:
+        case Action::ArcCw:
+        case Action::ArcCcw:
+          feeding = true;
+          break;
+        case Action::CoolantOn:
+        case Action::CoolantOff:
+        case Action::OptionalStop:
+          break;
+        default:
+          return Behind::Relies;
+        }
+      }
+      const bool moves = block.hasAny(dialect.axisWords);
+      return (moves && !feeding) || block.has(letterAddress('T')) ? Behind::Relies : Behind::GoesOn;
+    };
+    return endsBehindEveryCall(
+        ctx, [&] { feeding = cuts; }, judge);
   }
 
   static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {

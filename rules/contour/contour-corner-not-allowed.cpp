@@ -9,6 +9,7 @@ public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
     axisParallel_ = to.option("axisParallel", 0) != 0;
+    between_ = to.option("between", 0) != 0 ? blocksBetweenMoves : 0;
     if (corners_.corner())
       to.onChange({EventKind::Motion});
   }
@@ -54,17 +55,31 @@ private:
             ctx.text(word));
       return;
     }
+    const uint16_t plane = ctx.after().active(ctx.dialect(), StandardGroup::Plane) == groupUnset
+                               ? x | z
+                               : planeAxes(ctx.dialect(), ctx.after());
+    if (axes && !(axes & plane)) {
+      outsidePlane(word, ctx);
+      return;
+    }
     Block next;
-    if (!readNext(ctx, next) || !next.items.empty())
+    bool passed = false;
+    if (!readNeighbour(ctx, next, between_, passed))
       return;
     const uint16_t then = axesOf(ctx, next) & (x | z);
-    if (then == 0 || hasOtherAction(ctx, next))
+    if (passed && !(then & plane))
+      return; // another rule says that no move follows
+    if (then == 0 || hasOtherAction(ctx, next) || statesPlane(ctx, next))
       return;
     if (findCode(ctx.dialect(), next, {Action::Rapid})) {
       if (auto finding = ctx.report(word))
         finding.message(
             "`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
             ctx.text(word));
+      return;
+    }
+    if (!(then & plane)) {
+      leavesPlane(word, ctx);
       return;
     }
     if (then != axes && (then != (x | z) || !axisParallel_))
@@ -88,14 +103,15 @@ private:
         1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y) | 1u << unsigned(Axis::Z);
     if ((event.axes & linear) && !(event.axes & plane) &&
         ctx.after().active(ctx.dialect(), StandardGroup::Plane) != groupUnset) {
-      if (auto finding = ctx.report(word))
-        finding.message("`{0}` asks for a corner in a move outside of the selected plane",
-                        ctx.text(word));
+      outsidePlane(word, ctx);
       return;
     }
     Block next;
-    if (!readNext(ctx, next) || !next.items.empty())
+    bool passed = false;
+    if (!readNeighbour(ctx, next, blocksBetweenMoves, passed))
       return;
+    if (passed && axesOf(ctx, next) && !(axesOf(ctx, next) & plane))
+      return; // another rule says that no move follows in the plane
     const CodeInfo *arc = findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw});
     if (ctx.dialect().addresses[word.address].linesOnly &&
         (arc || event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)) {
@@ -120,13 +136,26 @@ private:
                         ctx.text(word), cycle->name);
       return;
     }
-    if (hasOtherAction(ctx, next) ||
-        findCode(ctx.dialect(), next, {Action::PlaneXY, Action::PlaneZX, Action::PlaneYZ}))
+    if (hasOtherAction(ctx, next) || statesPlane(ctx, next))
       return;
     if ((then & linear) && !(then & plane))
-      if (auto finding = ctx.report(word))
-        finding.message("`{0}` asks for a corner, but the next move leaves the selected plane",
-                        ctx.text(word));
+      leavesPlane(word, ctx);
+  }
+
+  static void outsidePlane(const Word &word, RuleContext &ctx) {
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}` asks for a corner in a move outside of the selected plane",
+                      ctx.text(word));
+  }
+
+  static void leavesPlane(const Word &word, RuleContext &ctx) {
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}` asks for a corner, but the next move leaves the selected plane",
+                      ctx.text(word));
+  }
+
+  static bool statesPlane(const RuleContext &ctx, const Block &next) {
+    return findCode(ctx.dialect(), next, {Action::PlaneXY, Action::PlaneZX, Action::PlaneYZ});
   }
 
   /// The axis words of the next block are not those of a move.
@@ -143,6 +172,7 @@ private:
 
   CornerAddresses corners_;
   bool axisParallel_ = false;
+  unsigned between_ = 0; ///< blocks without a move that plain corners pass over
 };
 
 } // namespace

@@ -5,14 +5,12 @@
 namespace ncvet {
 namespace {
 
-/// Blocks without a move that may stand between the two moves of a corner written with a comma.
-constexpr unsigned blocksBetween = 3;
-
 class ContourCornerWithoutNext final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
     plane_ = to.option("plane", 0) != 0;
+    between_ = to.option("between", 0) != 0 ? blocksBetweenMoves : 1;
     if (corners_.corner())
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
@@ -41,12 +39,12 @@ public:
       if ((then && !leaves) ||
           next.hasAny(corners_.angle | ctx.dialect().elementWords | lettersMask("IJ")))
         return;
-      if (leaves && (!plane_ || i + 1 >= blocksBetween))
+      if (leaves && (!plane_ || i + 1 >= blocksBetweenMoves))
         break;
       if (findCode(ctx.dialect(), next,
                    {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
         return;
-      if (plain || i + 1 >= blocksBetween ||
+      if (i + 1 >= (plain ? between_ : blocksBetweenMoves) ||
           findCode(ctx.dialect(), next,
                    {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return,
                     Action::ProgramStop, Action::ToolChange}))
@@ -88,7 +86,8 @@ private:
   }
 
   CornerAddresses corners_;
-  bool plane_ = false; ///< a move out of the plane is passed over like a block without a move
+  unsigned between_ = 1; ///< blocks behind a corner by a plain letter of which one has to move
+  bool plane_ = false;   ///< a move out of the plane is passed over like a block without a move
 };
 
 } // namespace

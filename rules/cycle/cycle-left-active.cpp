@@ -1,4 +1,5 @@
 // A modal cycle is still active where the operation is over: tool change, program end, return.
+#include "analyzer/behind_calls.h"
 #include "analyzer/ending_code.h"
 #include "analyzer/lookahead.h"
 #include "analyzer/measuring_series.h"
@@ -73,7 +74,7 @@ public:
       // A cycle that the caller switched on is the caller's to switch off.
       const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
       if (origin.file != ctx.source().id() || origin.begin < program.begin ||
-          origin.begin >= program.end)
+          origin.begin >= program.end || callersEnd(*cycle, ctx))
         return;
       // The caller's next motion code ends it: what stands behind the call decides.
       if (endsByMotion(*cycle, dialect) && ctx.callDepth() > 0)
@@ -179,6 +180,42 @@ private:
                      ctx.text(*event.word), cycle.name, cancelOf(ctx.dialect(), cycle))
             .note(ctx.range(*use.word), cycle.name + " becomes active here");
       return;
+    }
+  }
+
+  /// Whether the first thing that every caller does is to end the cycle.
+  static bool callersEnd(const CodeInfo &cycle, const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const auto judge = [&](const Block &block) {
+      for (const CodeIndex index : codesOf(dialect, block)) {
+        const CodeInfo &code = dialect.codes[index];
+        if (code.action == Action::CycleCancel ||
+            (code.cancelsCycle && (code.family.empty() || code.family == cycle.family)) ||
+            (isMotion(code.action) && !dialect.cycleSurvivesMotion))
+          return Behind::Ends;
+      }
+      // Only codes that leave the tool where it is stand in front of the cycle's end.
+      const bool idle = llvm::all_of(block.words, [&](const Word &word) {
+        const CodeIndex index = codeOf(dialect, word);
+        return index != noCode && waits(dialect.codes[index].action);
+      });
+      return idle && !dialect.emptyBlocksRun ? Behind::GoesOn : Behind::Relies;
+    };
+    return endsBehindEveryCall(
+        ctx, [] {}, judge);
+  }
+
+  /// Codes beside which an active cycle makes nothing.
+  static bool waits(Action action) {
+    switch (action) {
+    case Action::CoolantOn:
+    case Action::CoolantOff:
+    case Action::SpindleStop:
+    case Action::ProgramStop:
+    case Action::OptionalStop:
+      return true;
+    default:
+      return false;
     }
   }
 

@@ -17,6 +17,17 @@ struct Zone {
   Origin origin;
 };
 
+/// No reference says whether the limits of X are diameters, as its coordinates are, or radii: only
+/// what breaks both of them counts.
+void allowForRadius(Zone &zone) {
+  constexpr unsigned x = unsigned(Axis::X);
+  std::optional<double> &min = zone.min[x], &max = zone.max[x];
+  if (min)
+    min = zone.outsideForbidden ? std::min(*min, 2 * *min) : std::max(*min, 2 * *min);
+  if (max)
+    max = zone.outsideForbidden ? std::max(*max, 2 * *max) : std::min(*max, 2 * *max);
+}
+
 std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const MachineState &state,
                                 const RuleContext &ctx) {
   const Dialect &dialect = ctx.dialect();
@@ -47,6 +58,11 @@ std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const Machine
     if (!p || !p->isNumber())
       return std::nullopt;
     zone.outsideForbidden = p->value() == 1;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      if (zone.min[axis] && zone.max[axis] && *zone.min[axis] > *zone.max[axis])
+        return std::nullopt; // another rule speaks of limits that are no zone
+    if (dialect.lengthsPerUnit(Axis::X) != 1)
+      allowForRadius(zone);
     return zone;
   }
   return std::nullopt;
@@ -59,8 +75,10 @@ public:
       if (code.action == Action::ZoneOn && code.group != noGroup &&
           !llvm::is_contained(groups_, code.group))
         groups_.push_back(code.group);
+    if (!groups_.empty())
+      to.on(EventKind::Motion);
     if (!groups_.empty() && !to.dialect().isLathe())
-      to.on({EventKind::Motion, EventKind::CycleRun});
+      to.on(EventKind::CycleRun);
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -210,6 +228,11 @@ private:
       return false;
     if (state.origin.of(StatePart::LengthOffset).known() &&
         state.origin.of(StatePart::LengthOffset).begin > zone.origin.begin)
+      return false;
+    // On a lathe the T word brings the lengths.
+    const Origin &tool = state.origin.of(StatePart::Tool);
+    if (dialect.isLathe() && tool.known() &&
+        (tool.file != zone.origin.file || tool.begin > zone.origin.begin))
       return false;
     if (dialect.group(StandardGroup::Polar) != noGroup &&
         state.active(dialect, StandardGroup::Polar) != groupUnset &&

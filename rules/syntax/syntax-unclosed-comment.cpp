@@ -29,6 +29,9 @@ public:
           finding.text("a `(` inside a comment: the interpreter stops here");
         return;
       }
+      // With nothing behind the `)` the comment is read whole, but for one more bracket.
+      if (ctx.source().text(issue.end, ctx.block().end).trim().empty())
+        return;
       // Who writes brackets into comments does it throughout.
       if (!once_.speaks(Origin(), ctx))
         return;

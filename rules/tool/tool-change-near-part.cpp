@@ -1,6 +1,8 @@
 // A tool change where the tool stands in the work or too low.
 #include "analyzer/lookahead.h"
 
+#include <cmath>
+
 namespace ncvet {
 namespace {
 
@@ -26,8 +28,11 @@ public:
     const bool atOnce = ctx.dialect().isLathe() || ctx.dialect().toolChangeByT;
     if (!atOnce || !before.must(Fact::Cut))
       return;
-    if (before.may(Fact::AwayFromPart))
-      return behindHole(event, ctx);
+    if (before.may(Fact::AwayFromPart)) {
+      behindHole(event, ctx);
+      behindCut(event, ctx);
+      return;
+    }
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding.message(
           "the tool is changed where the last cut ended: the next one may hit part, chuck "
@@ -57,6 +62,79 @@ private:
       if (!onlySwitches(ctx.dialect(), block))
         return;
     }
+  }
+
+  /// On a lathe the tool was lifted off the cut in X by a little, and has not moved since then.
+  static void behindCut(const Event &event, RuleContext &ctx) {
+    constexpr double little = 10; // mm of the diameter
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &before = ctx.before();
+    const Interval &x = before.at(Axis::X);
+    const auto unit = millimetresPer(dialect, before);
+    if (!dialect.isLathe() || before.may(Fact::AtMachinePosition) || !x.isConstant() ||
+        before.inMachineCoordinates(Axis::X) || !unit)
+      return;
+    Block block;
+    bool more = readPrevious(ctx, block);
+    while (more && isPlain(block) && onlySwitches(dialect, block))
+      more = readBack(ctx, block);
+    if (!more || !isPlain(block) || !liftsOff(dialect, block))
+      return;
+    const SourceRange lift = wordsRange(ctx, block);
+    // The cut in front of it: its motion code, and the last X that it gives.
+    constexpr unsigned furthest = 20; // blocks
+    std::optional<double> cut;
+    bool feeds = false;
+    for (unsigned i = 0; i < furthest && !(feeds && cut); ++i) {
+      if (!readBack(ctx, block) || !isPlain(block) || block.hasAny(dialect.incrementWords))
+        return;
+      const bool straight = findCode(dialect, block, {Action::Linear});
+      if (hasMotionCode(dialect, block) && !straight && !feeds)
+        return;
+      if (const Word *word = block.find('X'); word && !cut) {
+        if (!word->isNumber() || word->has(wordIncremental) || !onlyFeeds(dialect, block))
+          return;
+        cut = word->value() * *unit;
+      }
+      feeds |= straight;
+    }
+    const double way = cut ? std::fabs(x.value() - *cut) : little + 1;
+    if (!feeds || way > little)
+      return;
+    if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
+      finding
+          .message("the tool is changed {0} mm in X off the last cut: the next one may hit part, "
+                   "chuck or clamps",
+                   llvm::format("%g", way))
+          .note(lift, "nothing but this move has led away from it");
+  }
+
+  /// Nothing decides at run time whether the block runs, or what.
+  static bool isPlain(const Block &block) { return block.items.empty() && block.skip < 0; }
+
+  /// A rapid move in X alone.
+  static bool liftsOff(const Dialect &dialect, const Block &block) {
+    const Word *x = block.find('X');
+    return x && findCode(dialect, block, {Action::Rapid}) &&
+           !block.hasAny(dialect.axisWords & ~maskOf('X')) && onlyFeeds(dialect, block);
+  }
+
+  /// The axis words are those of a move: only codes of moves, compensation and coolant beside them.
+  static bool onlyFeeds(const Dialect &dialect, const Block &block) {
+    return llvm::all_of(codesOf(dialect, block), [&](const CodeIndex index) {
+      switch (dialect.codes[index].action) {
+      case Action::Rapid:
+      case Action::Linear:
+      case Action::CompensationOff:
+      case Action::CompensationLeft:
+      case Action::CompensationRight:
+      case Action::CoolantOn:
+      case Action::CoolantOff:
+        return true;
+      default:
+        return false;
+      }
+    });
   }
 
   /// Codes that move nothing: the cycle's end, the coolant, the spindle.

@@ -27,9 +27,8 @@ private:
     const Origin &origin = before.origin.of(StatePart::Roughing);
     if (flow.kind != FlowKind::Profile || event.code == noCode || before.roughFirst < 0 ||
         ctx.code(event).cycle == CycleKind::Finish || flow.first == before.roughFirst ||
-        ctx.callDepth() != 0 || ctx.dialect().profileRunsThrough || before.may(Fact::UnknownCode) ||
-        !origin.known() || origin.file != ctx.source().id() ||
-        isFinished(origin, before.roughFirst, ctx))
+        ctx.dialect().profileRunsThrough || before.may(Fact::UnknownCode) || !origin.known() ||
+        origin.file != ctx.source().id() || isFinished(origin, before.roughFirst, ctx))
       return;
     report(origin.range(), before.roughFirst, before.roughLast, "the next contour is roughed here",
            ctx);

@@ -1,6 +1,6 @@
 // The first block of a profile has the wrong motion code or axes for the roughing cycle.
-#include "analyzer/lookahead.h"
 #include "analyzer/profile_shape.h"
+#include "analyzer/profile_ways.h"
 
 namespace ncvet {
 namespace {
@@ -24,13 +24,22 @@ public:
     const bool finishing = cycle.cycle == CycleKind::Finish;
     if (finishing && !finish_)
       return;
-    const Profile profile = readProfile(ctx);
+    for (const ProfileWay &way : profileWays(ctx))
+      judge(event, cycle, way, ctx);
+  }
+
+private:
+  void judge(const Event &event, const CodeInfo &cycle, const ProfileWay &way,
+             RuleContext &ctx) const {
+    const Profile &profile = way.profile;
     if (!profile.known)
       return;
+    const bool finishing = cycle.cycle == CycleKind::Finish;
     const ProfileBlock &first = profile.blocks.front();
     const auto report = [&](bool certain = true) {
-      FindingBuilder finding = ctx.report(first.range, certain && event.certain);
+      FindingBuilder finding = ctx.report(first.range, certain && event.certain && way.always);
       finding.note(ctx.blockRange(), "the cycle that works along this profile");
+      way.explain(finding);
       return finding;
     };
     bool stated = false;
@@ -78,7 +87,7 @@ public:
       return;
     }
     const ShapeBreak undercut = undercutOf(ctx, profile);
-    if (hasX && hasZ && !undercut.found && undercut.decided) {
+    if (hasX && hasZ && !undercut.found && undercut.decided && way.always) {
       if (auto finding = report())
         finding
             .message(
@@ -97,7 +106,6 @@ public:
     }
   }
 
-private:
   bool codeRequired_ = false, zForbidden_ = false, faceXForbidden_ = false, undercutNeedsZ_ = false;
   bool finish_ = false;   ///< a finishing cycle asks the same of its first block
   bool mustMove_ = false; ///< the first block has to move

@@ -1,5 +1,5 @@
 // The profile of a turning cycle holds a code that may not stand there.
-#include "analyzer/lookahead.h"
+#include "analyzer/profile_ways.h"
 
 namespace ncvet {
 namespace {
@@ -15,7 +15,8 @@ public:
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
       return;
     const CodeInfo &cycle = ctx.code(event);
-    const Profile profile = readProfile(ctx);
+    const auto ways = profileWays(ctx);
+    const Profile &profile = ways.front().profile; // with all that may run
     for (const ProfileBlock &entry : profile.blocks)
       for (const CodeUse &use : entry.codes) {
         const CodeInfo &code = ctx.code(use);
@@ -27,7 +28,7 @@ public:
         if (!what)
           continue;
         const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
-        if (auto finding = ctx.report(at, event.certain))
+        if (auto finding = ctx.report(at, event.certain && entry.block.skip < 0))
           finding
               .message("`{0}` stands in the profile of `{1}` in line {2}: {3}", code.name,
                        cycle.name, ctx.source().lines().lineOf(ctx.block().begin), what)

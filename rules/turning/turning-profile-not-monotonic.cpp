@@ -1,5 +1,6 @@
 // A profile turns back where its roughing cycle needs a steadily rising or falling contour.
 #include "analyzer/profile_shape.h"
+#include "analyzer/profile_ways.h"
 #include "formats/dialect/measure.h"
 
 namespace ncvet {
@@ -23,7 +24,14 @@ public:
       return;
     if (cycle.cycle != CycleKind::RoughTurn && cycle.cycle != CycleKind::RoughFace)
       return;
-    const Profile profile = readProfile(ctx);
+    for (const ProfileWay &way : profileWays(ctx))
+      judge(event, cycle, way, ctx);
+  }
+
+private:
+  void judge(const Event &event, const CodeInfo &cycle, const ProfileWay &way,
+             RuleContext &ctx) const {
+    const Profile &profile = way.profile;
     if (!profile.known || profile.blocks.size() < 2)
       return;
     const ProfileBlock &first = profile.blocks.front();
@@ -40,19 +48,20 @@ public:
     const ShapeBreak &along = face ? x : z;
     const ShapeBreak &across = face ? z : x;
     if (along.decided && along.found)
-      report(event, cycle, profile.blocks[along.index], face ? 'X' : 'Z', ctx);
+      report(event, cycle, profile.blocks[along.index], face ? 'X' : 'Z', way, ctx);
     if (!across.decided || !across.found)
       return;
     if (!pocketType) {
-      report(event, cycle, profile.blocks[across.index], face ? 'Z' : 'X', ctx);
+      report(event, cycle, profile.blocks[across.index], face ? 'Z' : 'X', way, ctx);
     } else if (across.pockets > maxPockets_) {
-      if (auto finding = ctx.report(event, event.certain))
+      if (auto finding = ctx.report(event, event.certain && way.always)) {
         finding.message("the profile of `{0}` has {1} pockets, the cycle takes {2}", cycle.name,
                         across.pockets, maxPockets_);
+        way.explain(finding);
+      }
     }
   }
 
-private:
   /// Passes that cut at levels need a contour that is steady along these.
   static void passes(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
     if (!formulaOf(cycle, Measure::Step)) // finishing
@@ -73,14 +82,16 @@ private:
   }
 
   static void report(const Event &event, const CodeInfo &cycle, const ProfileBlock &block,
-                     char axis, RuleContext &ctx) {
-    if (auto finding = ctx.report(block.range, event.certain))
+                     char axis, const ProfileWay &way, RuleContext &ctx) {
+    if (auto finding = ctx.report(block.range, event.certain && way.always)) {
       finding
           .message(
               "the profile of `{0}` turns back in {1} here, but this type of roughing needs it "
               "steadily rising or falling",
               cycle.name, axis)
           .note(ctx.blockRange(), "the cycle that works along this profile");
+      way.explain(finding);
+    }
   }
 
   double maxPockets_ = 10;

@@ -1,5 +1,5 @@
 // Words of a profile that the roughing cycle does not obey.
-#include "analyzer/lookahead.h"
+#include "analyzer/profile_ways.h"
 
 namespace ncvet {
 namespace {
@@ -20,7 +20,8 @@ public:
     const bool finishing = cycle.cycle == CycleKind::Finish;
     if (finishing && !finish_)
       return;
-    const Profile profile = readProfile(ctx);
+    const auto ways = profileWays(ctx);
+    const Profile &profile = ways.front().profile; // with all that may run
     AddressMask technology = lettersMask("FST");
     if (onlyWithoutOwn_) // roughing has its own value
       technology &= ~ctx.block().addresses;
@@ -40,7 +41,7 @@ public:
         if (!(bit & technology) && !corner && !angle)
           continue;
         const SourceRange at{ctx.source().id(), word.offset, entry.block.endOf(word)};
-        if (auto finding = ctx.report(at, event.certain)) {
+        if (auto finding = ctx.report(at, event.certain && entry.block.skip < 0)) {
           if (corner)
             finding.message(
                 "`{0}` roughs along this profile without its corners: the shape stays sharp "
