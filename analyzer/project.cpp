@@ -179,9 +179,9 @@ Project::Found Project::findProgram(FileUnit &from, int64_t number) {
 /// `SHAFT` of `_N_SHAFT_SPF`: a program as a control with folders stores it; else the name.
 static llvm::StringRef withoutStoreMarks(llvm::StringRef name) {
   llvm::StringRef bare = name;
-  const bool marked = bare.consume_front_insensitive("_N_") &&
-                      (bare.consume_back_insensitive("_SPF") ||
-                       bare.consume_back_insensitive("_MPF"));
+  const bool marked =
+      bare.consume_front_insensitive("_N_") &&
+      (bare.consume_back_insensitive("_SPF") || bare.consume_back_insensitive("_MPF"));
   return marked && !bare.empty() ? bare : name;
 }
 

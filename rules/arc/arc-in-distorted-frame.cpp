@@ -65,9 +65,7 @@ private:
       ctx.reportNotices(id, shown);
   }
 
-  static bool isScale(const CodeInfo &code) {
-    return llvm::StringRef(code.name).endswith("SCALE");
-  }
+  static bool isScale(const CodeInfo &code) { return llvm::StringRef(code.name).endswith("SCALE"); }
 
   /// The path beside the contour would have another distance in each direction.
   void compensation(const Event &event, RuleContext &ctx) const {
@@ -98,7 +96,7 @@ private:
 
   SourceRange factors_; ///< the last ones, for the note
   bool scales_ = false; ///< the control has codes that scale
-  bool lines_ = false; ///< the tables speak of straight lines as well
+  bool lines_ = false;  ///< the tables speak of straight lines as well
 };
 
 } // namespace

@@ -96,7 +96,8 @@ public:
                        .str();
     left.cancel = cancel;
     left.edit = ctx.insertBlockBefore(cancel);
-    if (event.kind == EventKind::Return && ctx.callDepth() > 0) // the caller may be about to end it
+    // Switched on only and not run, it may be meant for the places that the caller gives.
+    if (event.kind == EventKind::Return && ctx.callDepth() > 0 && !before.may(Fact::CycleRan))
       returned_[{origin.file, origin.begin}] = std::move(left);
     else
       left.report(ctx);
@@ -105,7 +106,7 @@ public:
   /// Programs that no block called, of those that return with the cycle on.
   void finish(const FileSummary &, RuleContext &ctx) override {
     for (const auto &[place, left] : returned_)
-      if (!left.judged)
+      if (!left.judged && left.certain)
         left.report(ctx);
   }
 

@@ -297,7 +297,7 @@ private:
   bool percent_ = false;
   size_t nameLength_ = 0;
   size_t labelLength_ = 0; ///< most characters of a label; 0: any number
-  bool ending_ = false; ///< the ending of the file's name is looked at
+  bool ending_ = false;    ///< the ending of the file's name is looked at
 };
 
 } // namespace

@@ -103,10 +103,9 @@ private:
     if (ctx.callDepth() > 0 || isSubprogram(ctx))
       return;
     const auto begin = uint32_t(event.number);
-    const llvm::StringRef name =
-        ctx.source().text(begin, ctx.block().end).take_while([](char c) {
-          return llvm::isAlnum(c) || c == '_';
-        });
+    const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
+      return llvm::isAlnum(c) || c == '_';
+    });
     constexpr size_t least = 4; // shorter names differ by a letter on purpose
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     if (name.size() < least || !llvm::isAlpha(name[0]) || ctx.index().definition(program, name) ||
@@ -124,8 +123,7 @@ private:
     for (const auto &entry : ctx.index().definitions(program)) {
       const std::string other = letters(entry.getKey());
       if (entry.getValue().kind != ItemKind::Definition || other == own ||
-          entry.getKey().size() < least ||
-          llvm::StringRef(other).edit_distance(own, true, 1) > 1)
+          entry.getKey().size() < least || llvm::StringRef(other).edit_distance(own, true, 1) > 1)
         continue;
       if (near && near->begin < entry.getValue().begin)
         continue;
