@@ -214,6 +214,8 @@ private:
                                     const Block &made, const Item *&item);
   static void restoreModalCall(MachineState &state, const Passes &passes);
   void contour(Activation &activation, Live &live, const MachineState &before);
+  void contourSection(Activation &activation, const Live &live, const MachineState &before,
+                      llvm::StringRef labels);
   bool runsForReal(const Activation &activation, Head &head) const;
   bool entersStructure(const Region &region, uint32_t from, uint32_t target);
   void checkArguments(Activation &activation, const Live &live, const MachineState &before,

@@ -611,6 +611,37 @@ uint32_t Engine::endOfSection(FileUnit &unit, uint32_t first, uint32_t at) const
   return last;
 }
 
+/// A cycle reads the section between two labels of the program, `BEGIN1:END1`, as a contour.
+void Engine::contourSection(Activation &activation, const Live &live, const MachineState &before,
+                            llvm::StringRef labels) {
+  const Region &region = activation.region;
+  FileUnit &unit = region.unit;
+  const SourceRange where = flowRange(unit);
+  const llvm::StringRef head = labels.split(':').first.trim();
+  const llvm::StringRef tail = labels.split(':').second.trim();
+  usedLabels_.insert(unit.reader->labelKey(head));
+  usedLabels_.insert(unit.reader->labelKey(tail));
+  const auto first = unit.index.label(region.program, head, block_.begin);
+  const auto last = unit.index.label(region.program, tail, first ? *first : block_.begin);
+  if (!first || !last)
+    return issue(FlowIssue::UnknownProgram, activation, live, before, where);
+  Block end;
+  unit.reader->read(*last, end);
+  const bool holdsCycle = *first <= block_.begin && block_.begin < end.next;
+  if (*last < *first || holdsCycle || isRunning(unit, *first, Kind::Section, end.next) ||
+      callStack_.size() >= limits_.callDepth)
+    return;
+  Live read = live;
+  read.state.profile = 1;
+  read.state.clear(Fact::Cut);
+  read.state.set(Fact::InContour);
+  read.state.clear(Fact::ContourBegun);
+  read.path = step(live.path, PathNode::Kind::Call, where);
+  Region body{unit, region.program, *first, Kind::Section, region.depth};
+  body.stopAt = end.next;
+  callBody(body, std::move(read));
+}
+
 /// A cycle reads a program as the contour that it works along.
 void Engine::contour(Activation &activation, Live &live, const MachineState &before) {
   FileUnit &unit = activation.region.unit;
@@ -637,8 +668,10 @@ void Engine::contour(Activation &activation, Live &live, const MachineState &bef
       return add(activation, next, std::move(live));
   } else {
     const llvm::StringRef name = unit.source.text(where.begin, where.end);
-    if (name.contains(':')) // two labels of this program: its blocks are looked at where they stand
+    if (name.contains(':')) {
+      contourSection(activation, live, before, name);
       return add(activation, next, std::move(live));
+    }
     calledNames_.insert(name.upper());
     std::tie(callee.unit, callee.program) = project_.findProgram(unit, name);
     found = callee.program;

@@ -176,6 +176,15 @@ Project::Found Project::findProgram(FileUnit &from, int64_t number) {
       [number](const FileIndex &index) { return index.find(number); });
 }
 
+/// `SHAFT` of `_N_SHAFT_SPF`: a program as a control with folders stores it; else the name.
+static llvm::StringRef withoutStoreMarks(llvm::StringRef name) {
+  llvm::StringRef bare = name;
+  const bool marked =
+      bare.consume_front_insensitive("_N_") &&
+      (bare.consume_back_insensitive("_SPF") || bare.consume_back_insensitive("_MPF"));
+  return marked && !bare.empty() ? bare : name;
+}
+
 Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
   if (const ProgramInfo *program = from.index.find(name))
     return {&from, program};
@@ -183,6 +192,11 @@ Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
   const size_t slash = name.find_last_of("/\\");
   if (slash != llvm::StringRef::npos)
     name = name.drop_front(slash + 1);
+  if (const llvm::StringRef bare = withoutStoreMarks(name); bare.size() < name.size()) {
+    name = bare;
+    if (const ProgramInfo *program = from.index.find(name))
+      return {&from, program};
+  }
   const std::string key = name.upper();
   return searchFolders(
       from,

@@ -664,10 +664,12 @@ void Execution::moveAxes() {
                           : motion->action == Action::ArcCcw ? MotionKind::ArcCcw
                           : motion->action == Action::Thread ? MotionKind::Thread
                                                              : MotionKind::Feed;
-  if (isArc(motion->action) && !motionCode_.word)
-    for (const CodeUse &use : outcome_.codes)
-      if (info(use).ownMove) // an approach or a departure between two elements
-        return moveBy(&info(use), use.code, MotionKind::Feed, axes);
+  for (const CodeUse &use : outcome_.codes) {
+    // An approach or a departure between two elements; a tap, which never goes at rapid.
+    const bool feeds = info(use).action == Action::None;
+    if (info(use).ownMove && (feeds || (isArc(motion->action) && !motionCode_.word)))
+      return moveBy(&info(use), use.code, MotionKind::Feed, axes);
+  }
   moveBy(motion, motionCode_.word ? motionCode_.code : index, kind, axes);
 }
 

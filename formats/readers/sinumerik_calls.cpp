@@ -192,6 +192,44 @@ void SinumerikScanner::scanModalCall(const char *begin, llvm::StringRef name) {
   scanCall(called, item);
 }
 
+/// `CALL BLOCK BEGIN1 TO END1`: the section between two labels of this program once more.
+void SinumerikScanner::scanSection(Item item) {
+  const auto label = [&](char separator) {
+    skipBlanks();
+    const llvm::StringRef name = identifier();
+    if (name.empty() || isNumberDigit(name[0]))
+      return false;
+    Argument argument;
+    argument.kind = ArgumentKind::Label;
+    argument.separator = separator;
+    argument.begin = offset(name.begin());
+    argument.end = offset(name.end());
+    block_.arguments.push_back(argument);
+    ++item.arguments;
+    at_ = name.end();
+    skipBlanks();
+    return true;
+  };
+  const char *const begin = at_;
+  item.firstArgument = uint16_t(block_.arguments.size());
+  bool good = label(0) && identifier().equals_insensitive("TO");
+  if (good)
+    at_ = identifier().end();
+  good = good && label(' ') && atBlockEnd();
+  if (good) {
+    item.kind = ItemKind::Repeat;
+    item.jump = JumpKind::Anywhere;
+    item.count = constant(begin, begin, 1);
+  } else { // names of labels that only the run puts together
+    block_.arguments.truncate(item.firstArgument);
+    item.arguments = 0;
+    item.external = true;
+    item.value = opaque(begin, at_);
+    rest();
+  }
+  add(item);
+}
+
 /// `CALL "NAME"`, `CALL VARIABLE`, `PCALL /_N_SPF_DIR/NAME(..)`, `EXTCALL("NAME")`
 void SinumerikScanner::scanIndirectCall(Keyword keyword, const char *begin) {
   Item item = itemAt(ItemKind::Call, begin);
@@ -221,11 +259,9 @@ void SinumerikScanner::scanIndirectCall(Keyword keyword, const char *begin) {
     at_ = p;
     return scanCall(path, item);
   }
-  if (identifier().equals_insensitive("BLOCK")) { // labels of this program
-    item.external = true;
-    item.value = opaque(at_, identifier().end());
-    rest();
-    return add(item);
+  if (identifier().equals_insensitive("BLOCK")) {
+    at_ = identifier().end();
+    return scanSection(item);
   }
   item.external |= bracket;
   item.value = expression();

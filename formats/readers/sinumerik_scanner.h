@@ -85,6 +85,7 @@ private:
   void scanArgument(Item &item, char separator, bool words);
   void scanModalCall(const char *begin, llvm::StringRef name);
   void scanIndirectCall(Keyword keyword, const char *begin);
+  void scanSection(Item item);
 
   // sinumerik_flow.cpp
   void structure(Structure structure, const char *begin, uint16_t condition = noExpression);

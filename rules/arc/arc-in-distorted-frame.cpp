@@ -1,5 +1,7 @@
-// An arc under scale factors that differ.
+// An arc, or compensation, under scale factors that differ.
 #include "analyzer/rule.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
@@ -15,29 +17,34 @@ public:
     else
       to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     to.onAction({Action::FrameSet, Action::FrameAdd, Action::FrameClear});
+    scales_ = llvm::any_of(to.dialect().codes, isScale);
+    if (scales_)
+      to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Code) {
       const CodeInfo &code = ctx.code(event);
-      distorted_ = {};
-      if (llvm::StringRef(code.name).endswith("SCALE") && unequal(ctx))
-        distorted_ = ctx.range(*event.word);
+      if (code.action == Action::CompensationLeft || code.action == Action::CompensationRight)
+        return compensation(event, ctx);
+      if (isScale(code))
+        factors_ = ctx.range(*event.word);
+      else if (code.action != Action::FrameAdd)
+        factors_ = {};
       return;
     }
     if (event.code != noCode && hasNotice(ctx.code(event)))
       underModalCode(event, ctx);
-    if (!distorted_.end || event.code == noCode || event.motion == MotionKind::Feed ||
-        distorted_.file != ctx.source().id() || ctx.block().begin < distorted_.begin)
+    if (!scales_ || event.code == noCode || event.motion == MotionKind::Feed || !isDistorted(ctx))
       return;
     if (auto finding = ctx.report(event))
       finding
           .message(
               "`{0}` under scale factors that differ in the plane: the control makes no ellipse",
               ctx.code(event).name)
-          .note(distorted_, "the factors are programmed here");
+          .note(factors_, "the factors are programmed here");
   }
-  void remember(RuleMemory &memory) const override { memory(distorted_); }
+  void remember(RuleMemory &memory) const override { memory(factors_); }
 
 private:
   static constexpr llvm::StringLiteral id{"arc-in-distorted-frame"};
@@ -58,27 +65,38 @@ private:
       ctx.reportNotices(id, shown);
   }
 
-  /// The two axes of the plane have different factors; an axis that is not named has 1.
-  static bool unequal(RuleContext &ctx) {
-    const uint16_t plane = planeAxes(ctx.dialect(), ctx.before());
-    double factor[2] = {1, 1};
-    unsigned i = 0;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      if (!(plane >> axis & 1))
-        continue;
-      if (const Word *word = ctx.block().find(AddressId(letterAddress('X') + axis))) {
-        const Interval value = ctx.value(*word);
-        if (!value.isConstant())
-          return false;
-        factor[i] = value.value();
-      }
-      ++i;
-    }
-    return factor[0] != factor[1];
+  static bool isScale(const CodeInfo &code) { return llvm::StringRef(code.name).endswith("SCALE"); }
+
+  /// The path beside the contour would have another distance in each direction.
+  void compensation(const Event &event, RuleContext &ctx) const {
+    if (!isDistorted(ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` under scale factors that differ in the plane: the control makes no path "
+                   "beside the contour",
+                   ctx.code(event).name)
+          .note(factors_, "the factors are programmed here");
   }
 
-  SourceRange distorted_;
-  bool lines_ = false; ///< the tables speak of straight lines as well
+  /// Whether the frames in force stretch the two axes of the plane differently. They may have been
+  /// programmed in a caller, or in a program that was called.
+  static bool isDistorted(RuleContext &ctx) {
+    const std::optional<Frame> frame = ctx.after().frames.total();
+    if (!frame)
+      return false;
+    const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    double factor[2] = {1, 1};
+    unsigned i = 0;
+    for (unsigned axis = 0; axis < 3 && i < 2; ++axis)
+      if (plane >> axis & 1)
+        factor[i++] = std::hypot(frame->turn[0][axis], frame->turn[1][axis], frame->turn[2][axis]);
+    return std::fabs(factor[0] - factor[1]) > 1e-6;
+  }
+
+  SourceRange factors_; ///< the last ones, for the note
+  bool scales_ = false; ///< the control has codes that scale
+  bool lines_ = false;  ///< the tables speak of straight lines as well
 };
 
 } // namespace

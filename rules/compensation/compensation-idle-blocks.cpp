@@ -40,7 +40,9 @@ private:
     const uint16_t axes = axesOf(ctx.dialect(), ctx.block());
     const bool alone = axes == uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state))) &&
                        (state.compensation & (phaseOn | phaseStarting)) && state.profile != 1;
-    const bool follows = ctx.block().begin == behindInfeed_;
+    if (ctx.block().isEmpty())
+      return; // a remark is no block of the path
+    const bool follows = followsOn(behindInfeed_, ctx);
     // Until the first move in the plane nothing in between makes a difference.
     if (follows && !axes && ctx.before().compensation == phaseStarting) {
       behindInfeed_ = ctx.block().next;
@@ -59,9 +61,23 @@ private:
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
+  /// Whether nothing but remarks and blank lines stand between `behind` and the block.
+  static bool followsOn(uint32_t behind, const RuleContext &ctx) {
+    constexpr unsigned most = 50; // lines
+    Block block;
+    for (unsigned i = 0; behind < ctx.block().begin && i < most; ++i, behind = block.next) {
+      ctx.index().read(behind, block);
+      if (!block.isEmpty() || block.next <= behind)
+        return false;
+    }
+    return behind == ctx.block().begin;
+  }
+
   /// Keeps which block comes next as long as only idle ones follow a soft approach.
   void approach(RuleContext &ctx) {
-    const bool follows = ctx.block().begin == behindApproach_ && ctx.after().idleBlocks > 0;
+    if (ctx.block().isEmpty())
+      return;
+    const bool follows = followsOn(behindApproach_, ctx) && ctx.after().idleBlocks > 0;
     const bool begins = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
       return ctx.code(use).action == Action::SoftApproach;
     });

@@ -4,6 +4,8 @@
 #include "analyzer/lookahead.h"
 #include "analyzer/measuring_series.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
@@ -28,6 +30,7 @@ public:
       return;
     if (event.kind == EventKind::CallReturned) {
       behindCall(ctx);
+      backInCaller(ctx);
       return;
     }
     const Truth active = before.cycleActive(dialect);
@@ -94,17 +97,32 @@ public:
       break;
     }
     const std::string cancel = cancelOf(dialect, *cycle);
-    if (auto finding = ctx.report(event, active == Truth::Yes))
-      finding
-          .message("`{0}` of line {1} is still active {2}: {4} {3} again", cycle->name,
-                   lineOf(ctx, origin), where, verbOf(cycle->cycle),
-                   dialect.emptyBlocksRun ? "the block" : "the next position")
-          .note(origin, cycle->name + " becomes active here")
-          .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
-               ctx.insertBlockBefore(cancel));
+    Left left;
+    left.place = event.word ? ctx.range(*event.word) : ctx.blockRange();
+    left.certain = active == Truth::Yes;
+    left.origin = origin;
+    left.name = cycle->name;
+    left.message = llvm::formatv("`{0}` of line {1} is still active {2}: {4} {3} again",
+                                 cycle->name, lineOf(ctx, origin), where, verbOf(cycle->cycle),
+                                 dialect.emptyBlocksRun ? "the block" : "the next position")
+                       .str();
+    left.cancel = cancel;
+    left.edit = ctx.insertBlockBefore(cancel);
+    // Switched on only and not run, it may be meant for the places that the caller gives.
+    if (event.kind == EventKind::Return && ctx.callDepth() > 0 && !before.may(Fact::CycleRan))
+      returned_[{origin.file, origin.begin}] = std::move(left);
+    else
+      left.report(ctx);
   }
 
-  void remember(RuleMemory &memory) const override { memory(said_); }
+  /// Programs that no block called, of those that return with the cycle on.
+  void finish(const FileSummary &, RuleContext &ctx) override {
+    for (const auto &[place, left] : returned_)
+      if (!left.judged && left.certain)
+        left.report(ctx);
+  }
+
+  void remember(RuleMemory &memory) const override { memory(said_, returned_); }
 
 private:
   /// Cycles of the motion codes' group, which any of these ends.
@@ -158,6 +176,72 @@ private:
   static constexpr std::initializer_list<Action> callsAndEnds = {
       Action::CallProgram, Action::CallLocal, Action::Return, Action::ProgramEnd,
       Action::ProgramEndRewind};
+
+  /// A cycle that is still active somewhere.
+  struct Left {
+    SourceRange place;
+    Origin origin;
+    std::string name, message, cancel;
+    TextEdit edit;
+    bool certain = false;
+    bool judged = false; ///< a caller was seen
+
+    void remember(RuleMemory &memory) const { memory(place, origin, certain, judged); }
+    void report(RuleContext &ctx) const {
+      if (auto finding = ctx.report(place, certain))
+        finding.text(message)
+            .note(origin, name + " becomes active here")
+            .fix(FixSafety::Unsafe, "insert " + cancel + " before this block", edit);
+    }
+  };
+  std::map<std::pair<FileId, uint32_t>, Left> returned_; ///< by where the cycle becomes active
+
+  /// A program that switches the cycle on for its caller, which gives the places and ends it, does
+  /// what it is there for.
+  void backInCaller(RuleContext &ctx) {
+    const Origin &origin = ctx.after().origin.of(StatePart::Cycle);
+    const auto left = returned_.find({origin.file, origin.begin});
+    if (left == returned_.end() || ctx.after().cycleActive(ctx.dialect()) == Truth::No)
+      return;
+    if (ctx.callDepth() > 0 && nothingBehind(ctx)) // handed on to the caller's caller
+      return;
+    left->second.judged = true;
+    if (!endsBehindPlaces(ctx))
+      left->second.report(ctx);
+  }
+
+  /// Only the return stands behind the call.
+  static bool nothingBehind(RuleContext &ctx) {
+    Block next;
+    return !readNext(ctx, next) || findCode(ctx.dialect(), next, {Action::Return});
+  }
+
+  /// Whether nothing but places in the plane stand between the call and the end of the cycle.
+  static bool endsBehindPlaces(RuleContext &ctx) {
+    constexpr unsigned most = 1000; // blocks that are read
+    const Dialect &dialect = ctx.dialect();
+    const uint16_t tool = uint16_t(1u << unsigned(toolAxis(dialect, ctx.after())));
+    Block next;
+    bool more = readNext(ctx, next);
+    for (unsigned i = 0; more && i < most; ++i, more = readOn(ctx, next)) {
+      if (next.skip >= 0 || next.hasLabel())
+        return false;
+      bool places = next.items.empty();
+      for (const CodeIndex index : codesOf(dialect, next)) {
+        const CodeInfo &code = dialect.codes[index];
+        if (code.action == Action::CycleCancel || code.cancelsCycle)
+          return true;
+        if (code.cycle == CycleKind::Pattern)
+          places = true;
+        else if (code.action != Action::Rapid && code.action != Action::Absolute &&
+                 code.action != Action::Incremental)
+          return false;
+      }
+      if (!places || (axesOf(dialect, next) & tool))
+        return false;
+    }
+    return false;
+  }
 
   Origin said_; ///< a cycle that was left active at the end of measuring
   static const CodeInfo *activeCycle(const MachineState &state, const Dialect &dialect) {

@@ -42,7 +42,8 @@ private:
     bool more = readNext(ctx, next);
     unsigned places = 0;
     for (; more && places < 2; more = readOn(ctx, next)) {
-      const bool plain = !(next.addresses & ~(ctx.dialect().axisWords | maskOf('G')));
+      const AddressMask polar = ctx.dialect().polarWords;
+      const bool plain = !(next.addresses & ~(ctx.dialect().axisWords | polar | maskOf('G')));
       if (!next.items.empty() || next.words.empty() || !plain ||
           llvm::any_of(next.words, [&](const Word &word) {
             const CodeIndex code =
@@ -52,7 +53,7 @@ private:
           }))
         break;
       const uint16_t axes = axesOf(ctx.dialect(), next);
-      if (!axes || (axes & ~plane))
+      if (axes ? (axes & ~plane) != 0 : !next.hasAny(polar))
         break;
       ++places;
     }
@@ -60,7 +61,7 @@ private:
       if (llvm::any_of(codesOf(ctx.dialect(), next),
                        [&](CodeIndex code) { return makesHole(ctx.dialect().codes[code].cycle); }))
         return false;
-      if (next.words.empty() || !next.hasAny(ctx.dialect().axisWords))
+      if (next.words.empty() || !next.hasAny(ctx.dialect().axisWords | ctx.dialect().polarWords))
         break;
     }
     return places == 2;

@@ -118,13 +118,24 @@ private:
             ctx.dialect().codes[code].group != ctx.dialect().group(StandardGroup::FeedMode))
           continue;
         if (word.offset == mode.begin)
-          return last != noCode && last != code;
+          return last != noCode && otherUnit(ctx.dialect(), last, code);
         last = code;
       }
       if (block.next <= at)
         break;
     }
     return false;
+  }
+
+  /// Whether the number of F counts otherwise under `b` than under `a`. Where the table says which
+  /// codes have one unit, a code of which it says nothing may have any.
+  static bool otherUnit(const Dialect &dialect, CodeIndex a, CodeIndex b) {
+    const GroupInfo &group = dialect.groups[dialect.group(StandardGroup::FeedMode)];
+    const bool told = llvm::any_of(group.members, [&](CodeIndex member) {
+      return member != noCode && !dialect.codes[member].family.empty();
+    });
+    const std::string &first = dialect.codes[a].family, &second = dialect.codes[b].family;
+    return told ? !first.empty() && !second.empty() && first != second : a != b;
   }
 
   uint32_t reported_ = ~0u;

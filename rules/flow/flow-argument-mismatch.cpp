@@ -88,6 +88,8 @@ private:
     if (argument.kind != ArgumentKind::Expression || argument.expression == noExpression)
       return false;
     const Expression &e = block.expressions[argument.expression];
+    if (isLabelPair(ctx.text(SourceRange{ctx.source().id(), argument.begin, argument.end}), ctx))
+      return true;
     if (e.bad || e.count != 1 || block.operations[e.first].op == Op::Opaque)
       return false;
     const Defined *defined =
@@ -95,6 +97,19 @@ private:
                                ctx.text(SourceRange{ctx.source().id(), e.begin, e.end}).trim());
     return !defined || defined->kind != ItemKind::Definition ||
            defined->type != VariableType::String;
+  }
+
+  /// `BEGIN1:END1`, two names of which neither is a variable.
+  static bool isLabelPair(llvm::StringRef text, const RuleContext &ctx) {
+    const auto [first, second] = text.split(':');
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const auto isLabel = [&](llvm::StringRef name) {
+      name = name.trim();
+      return !name.empty() && !llvm::isDigit(name[0]) &&
+             llvm::all_of(name, [](char c) { return llvm::isAlnum(c) || c == '_'; }) &&
+             !ctx.index().definition(program, name);
+    };
+    return isLabel(first) && isLabel(second);
   }
 
   /// Definitions stand in front of everything that runs, and what a program takes in front of them.

@@ -31,6 +31,10 @@ public:
     if (local)
       finding.message("`{0}` calls a block that this program does not have: the control stops here",
                       ctx.text(ctx.flowRange()));
+    else if (flow.kind == FlowKind::Contour && ctx.text(ctx.flowRange()).contains(':'))
+      finding.message("`{0}` is a contour between two labels, and this program does not have both: "
+                      "the control stops here",
+                      ctx.text(ctx.flowRange()));
     else if (builtIn)
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: nothing is known of what it does",

@@ -1,6 +1,6 @@
 // Codes and words that change nothing: a code that switches off what is off already, a feed in a
 // rapid block, an increment under incremental dimensions, a block that holds nothing.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -60,9 +60,33 @@ private:
         code.group == noGroup || !(before.isStated(code.group)) ||
         before.group(code.group) != (uint64_t(1) << code.bit) || isSafeLine(ctx))
       return;
+    if (otherWayLeadsHere(before.origin.ofGroup(code.group), ctx))
+      return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}`: compensation is off already", code.name)
           .note(before.origin.ofGroup(code.group), "since here");
+  }
+
+  /// Whether the code that has switched it off may be left out: by the block skip, or by a jump to
+  /// a block behind it. What is redundant behind it is then needed on the other way.
+  static bool otherWayLeadsHere(const Origin &off, RuleContext &ctx) {
+    constexpr unsigned lookBack = 200; // blocks
+    if (!off.known() || off.file != ctx.source().id() || off.begin >= ctx.block().begin)
+      return false;
+    if (ctx.block().hasLabel())
+      return true;
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < lookBack; ++i, more = readBack(ctx, block)) {
+      const bool there = block.begin <= off.begin;
+      if (there)
+        return block.skip >= 0;
+      if (block.hasLabel() || llvm::any_of(block.items, [](const Item &item) {
+            return item.kind == ItemKind::Structure || item.kind == ItemKind::End;
+          }))
+        return true;
+    }
+    return false;
   }
 
   /// As for compensation: only behind a cycle that has ended.
@@ -73,6 +97,8 @@ private:
         !(before.isStated(code.group)) || !before.must(Fact::MovedSinceTool) ||
         before.may(Fact::UnknownCode) || isSafeLine(ctx) || before.modalCalls ||
         ctx.after().modalCalls)
+      return;
+    if (otherWayLeadsHere(before.origin.ofGroup(code.group), ctx))
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}`: no cycle is active", code.name)

@@ -1,5 +1,8 @@
 // A rapid move to where the tool has cut, and then the tool is changed.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
+
+#include <algorithm>
+#include <map>
 
 namespace ncvet {
 namespace {
@@ -40,9 +43,17 @@ public:
                       "operation forgotten?");
   }
 
+  void finish(const FileSummary &file, RuleContext &ctx) override {
+    for (const auto &[place, block] : still_)
+      if (place.first == file.source.id() &&
+          !std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number))
+        stands(block.range, ctx);
+  }
+  void remember(RuleMemory &memory) const override { memory(still_); }
+
 private:
   /// A feed move of coordinates alone that ends where it begins.
-  static void nowhere(const Event &event, RuleContext &ctx) {
+  void nowhere(const Event &event, RuleContext &ctx) {
     if (event.motion != MotionKind::Feed || event.number || event.code == noCode || !event.axes ||
         (ctx.block().addresses & ~ctx.dialect().axisWords) || ctx.before().profile ||
         ctx.after().compensation != phaseOff)
@@ -52,10 +63,49 @@ private:
                                     !(ctx.before().position[i] == ctx.after().position[i]) ||
                                     (ctx.before().machineAxes >> i & 1)))
         return;
-    if (auto finding = ctx.report(event))
+    if (!comesFromFront(event.axes, ctx))
+      return;
+    if (ctx.block().number >= 0 && ctx.callDepth() == 0) {
+      still_[{ctx.source().id(), ctx.block().begin}] = {ctx.blockRange(), ctx.block().number};
+      return;
+    }
+    stands(ctx.blockRange(), ctx);
+  }
+
+  static void stands(SourceRange range, RuleContext &ctx) {
+    if (auto finding = ctx.report(range))
       finding.severity(Severity::Style)
           .message("this block moves nothing: the tool stands there already");
   }
+
+  /// Whether the blocks that brought these axes to where they are stand in front of this one, with
+  /// nothing in between that another way may lead to: in a loop the first pass moves.
+  static bool comesFromFront(uint16_t axes, RuleContext &ctx) {
+    constexpr unsigned lookBack = 50; // blocks
+    if (ctx.block().hasLabel())
+      return false;
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && axes && i < lookBack; ++i, more = readBack(ctx, block)) {
+      if (block.skip >= 0 || llvm::any_of(block.items, [](const Item &item) {
+            return item.kind != ItemKind::Assignment && item.kind != ItemKind::Definition;
+          }))
+        return false;
+      axes &= uint16_t(~axesOf(ctx.dialect(), block));
+      if (axes && block.hasLabel())
+        return false;
+    }
+    return axes == 0;
+  }
+
+  /// Blocks with a number to which a jump may lead; whether one does, the whole file says.
+  struct Still {
+    SourceRange range;
+    int64_t number = -1;
+
+    void remember(RuleMemory &memory) const { memory(range, number); }
+  };
+  std::map<std::pair<FileId, uint32_t>, Still> still_;
 
   bool zero_ = false;
 

@@ -18,6 +18,7 @@ public:
     percent_ = to.dialect().lexical.percentHeader;
     nameLength_ = size_t(to.option("fileNameLength", 0));
     ending_ = to.option("fileEnding", 0) != 0;
+    labelLength_ = size_t(to.option("labelLength", 0));
   }
 
   void on(const Event &event, RuleContext &ctx) override {
@@ -176,20 +177,26 @@ private:
   }
 
   /// `X1:` looks like a word, and is read as one where it is jumped to.
-  static void labelNames(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+  void labelNames(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     constexpr size_t readable = 4u << 20; // a program that long was made by a machine
     if (program.end - program.begin > readable)
       return;
     Block block;
     for (const auto &label : file.index.labels(program)) {
-      if (label.getKey().startswith("_") || !wrongName(label.getKey()))
+      const bool tooLong = labelLength_ && label.getKey().size() > labelLength_;
+      const bool wrong = !label.getKey().startswith("_") && wrongName(label.getKey());
+      if (!wrong && !tooLong)
         continue;
       for (const uint32_t at : label.getValue()) {
         file.reader.read(at, block);
         const SourceRange range{file.source.id(), block.labelBegin, block.labelEnd};
-        if (auto finding = ctx.report(range))
+        auto finding = ctx.report(range);
+        if (finding && wrong)
           finding.message("`{0}` is no name for a label: {1}", ctx.text(range),
                           wrongName(label.getKey()));
+        else if (finding)
+          finding.message("the label `{0}` has {1} characters, and the control takes {2}",
+                          ctx.text(range), label.getKey().size(), labelLength_);
       }
     }
   }
@@ -289,7 +296,8 @@ private:
   uint16_t digitsMin_ = 1, digitsMax_ = 0;
   bool percent_ = false;
   size_t nameLength_ = 0;
-  bool ending_ = false; ///< the ending of the file's name is looked at
+  size_t labelLength_ = 0; ///< most characters of a label; 0: any number
+  bool ending_ = false;    ///< the ending of the file's name is looked at
 };
 
 } // namespace

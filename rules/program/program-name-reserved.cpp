@@ -19,6 +19,8 @@ public:
     if (event.kind == EventKind::Code)
       return library(event, ctx);
     const Item &call = ctx.block().items[size_t(event.number)];
+    if (call.kind == ItemKind::Definition)
+      return variable(call, ctx);
     if (call.kind != ItemKind::Call || call.nameBegin == call.nameEnd)
       return;
     const SourceRange where{ctx.source().id(), call.nameBegin, call.nameEnd};
@@ -52,6 +54,18 @@ public:
   }
 
 private:
+  /// A variable with the name of one of the control's codes or cycles.
+  static void variable(const Item &definition, RuleContext &ctx) {
+    const SourceRange where{ctx.source().id(), definition.nameBegin, definition.nameEnd};
+    const llvm::StringRef name = ctx.text(where);
+    const CodeIndex own = name.empty() ? noCode : ctx.dialect().keyword(name);
+    if (own == noCode)
+      return;
+    if (auto finding = ctx.report(where))
+      finding.message("`{0}` is a word of the control itself ({1}): no variable can have its name",
+                      name, ctx.dialect().codes[own].title);
+  }
+
   /// `L<TRANS>` where the project has a program of that name as well.
   static void library(const Event &event, RuleContext &ctx) {
     const llvm::StringRef name = llvm::StringRef(ctx.code(event).name).split('<').second.rtrim('>');

@@ -1,5 +1,5 @@
 // The spindle reversed while it turns.
-#include "analyzer/rule.h"
+#include "analyzer/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -18,6 +18,11 @@ public:
     else if (code.action == Action::SpindleCcw)
       other = spindleCw;
     else
+      return;
+    // The chuck of a tap takes up the reversal at the bottom of the hole.
+    if (llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+          return ctx.code(use).ownMove && taps(ctx.code(use).cycle);
+        }))
       return;
     const bool certain = ctx.before().spindle == other;
     if (!certain && (!(ctx.before().spindle & other) || ctx.before().may(Fact::UnknownCode) ||

@@ -27,12 +27,16 @@ public:
       known_.insert(variableKey(name));
     to.on({EventKind::Syntax, EventKind::Assignment});
     defined_ = to.option("definedNames", 0) != 0;
+    if (defined_)
+      to.on(EventKind::UnsetRead);
     instructions_ = instructionNames(to.dialect());
   }
 
   void on(const Event &event, RuleContext &ctx) override {
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
+    if (event.kind == EventKind::UnsetRead)
+      return misspelt(event, ctx);
     if (event.kind == EventKind::Block || event.kind == EventKind::Code)
       return element(ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
@@ -91,6 +95,50 @@ private:
                      name);
       return;
     }
+  }
+
+  /// A name is read that the program does not define, and it defines one that is almost the same.
+  /// Any other name may be one of the machine's own definitions.
+  void misspelt(const Event &event, RuleContext &ctx) {
+    if (ctx.callDepth() > 0 || isSubprogram(ctx))
+      return;
+    const auto begin = uint32_t(event.number);
+    const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
+      return llvm::isAlnum(c) || c == '_';
+    });
+    constexpr size_t least = 4; // shorter names differ by a letter on purpose
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (name.size() < least || !llvm::isAlpha(name[0]) || ctx.index().definition(program, name) ||
+        known_.count(variableKey(name)))
+      return;
+    const auto letters = [](llvm::StringRef text) {
+      std::string kept;
+      for (const char c : text)
+        if (!llvm::isDigit(c))
+          kept += llvm::toUpper(c);
+      return kept;
+    };
+    const std::string own = letters(name);
+    const Defined *near = nullptr;
+    for (const auto &entry : ctx.index().definitions(program)) {
+      const std::string other = letters(entry.getKey());
+      if (entry.getValue().kind != ItemKind::Definition || other == own ||
+          entry.getKey().size() < least || llvm::StringRef(other).edit_distance(own, true, 1) > 1)
+        continue;
+      if (near && near->begin < entry.getValue().begin)
+        continue;
+      near = &entry.getValue();
+    }
+    if (!near || !spoken_.insert(variableKey(name)).second)
+      return;
+    const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
+    const SourceRange defined{ctx.source().id(), near->begin, near->end};
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("the program defines no `{0}`, but `{1}`: unless the machine's own definitions "
+                   "have both, the control stops here",
+                   name, ctx.text(defined))
+          .note(defined, "this name is defined");
   }
 
   static bool isSubprogram(const RuleContext &ctx) {

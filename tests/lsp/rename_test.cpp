@@ -97,6 +97,8 @@ TEST(Rename, Labels) {
   EXPECT_EQ(renamed("sinumerik", "AA<|>A: G0\nGOTOB AAA\n", "GOTOF"),
             "! `GOTOF` has a meaning of its own for the control");
   EXPECT_EQ(renamed("sinumerik", "AA<|>A: G0\nBBB: G0\nCALL BLOCK AAA TO BBB\n", "CCC"),
+            "CCC: G0\nBBB: G0\nCALL BLOCK CCC TO BBB\n");
+  EXPECT_EQ(renamed("sinumerik", "AA<|>A: G0\nBBB: G0\nCALL BLOCK AAA TO BBB<<R1\n", "CCC"),
             "! line 3 names `AAA` in a way that is not read closely");
 }
 

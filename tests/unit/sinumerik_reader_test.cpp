@@ -69,6 +69,21 @@ TEST_F(SinumerikReading, ANameAloneIsACall) {
   EXPECT_EQ(blocks[5].items[0].kind, ItemKind::Call);
 }
 
+TEST_F(SinumerikReading, ACalledSectionIsARepeatOfIt) {
+  const auto blocks = blocksOf("CALL BLOCK FIRST TO LAST\nCALL BLOCK FIRST TO LAST<<R1\n");
+  ASSERT_EQ(blocks.size(), 2u);
+  ASSERT_EQ(blocks[0].items.size(), 1u);
+  EXPECT_EQ(blocks[0].items[0].kind, ItemKind::Repeat);
+  EXPECT_EQ(valueOf(blocks[0], blocks[0].items[0].count), 1);
+  const auto labels = blocks[0].argumentsOf(blocks[0].items[0]);
+  ASSERT_EQ(labels.size(), 2u);
+  EXPECT_EQ(spelling(labels[0].begin, labels[0].end), "FIRST");
+  EXPECT_EQ(spelling(labels[1].begin, labels[1].end), "LAST");
+  ASSERT_EQ(blocks[1].items.size(), 1u); // which label that is only the run knows
+  EXPECT_EQ(blocks[1].items[0].kind, ItemKind::Call);
+  EXPECT_TRUE(blocks[1].items[0].external);
+}
+
 TEST_F(SinumerikReading, ACycleIsAWordWithArguments) {
   const Block block = blockOf("N60 MCALL CYCLE83(20,0,2,-40,,-12,,R5)\n");
   ASSERT_NE(block.argument(4), nullptr);
