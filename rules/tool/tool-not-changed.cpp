@@ -24,7 +24,7 @@ public:
     if (event.kind == EventKind::ToolWord && event.word) {
       forgotten(event, ctx);
       named_ = ctx.range(*event.word);
-      number_ = event.number;
+      number_ = numberOf(event);
     } else if (event.kind == EventKind::ToolChange) {
       named_ = {};
       nameless_.see(event, ctx);
@@ -56,9 +56,14 @@ private:
     named_ = {};
   }
 
+  static int64_t numberOf(const Event &event) {
+    return event.value.isConstant() ? int64_t(event.value.value()) : 0;
+  }
+
   /// Another tool is named before this one was changed in.
   void forgotten(const Event &event, RuleContext &ctx) {
-    if (!named_.end || event.number <= 0 || event.number == number_ ||
+    const int64_t next = numberOf(event);
+    if (!named_.end || number_ <= 0 || next <= 0 || next == number_ ||
         ctx.before().preselected != number_ || ctx.before().may(Fact::UnknownCode))
       return;
     if (auto finding = ctx.report(named_))
