@@ -71,9 +71,14 @@ public:
   /// `mainBlocks`: the number of a main block stands behind `:`.
   NumbersOf(llvm::StringRef text, bool mainBlocks) : text_(text), mainBlocks_(mainBlocks) {}
   std::optional<NumberedBlock> operator()(uint32_t line, uint32_t at) const {
-    // Block skip may stand in front of the number.
-    while (at < text_.size() && (text_[at] == '/' || llvm::isDigit(text_[at]) || text_[at] == ' '))
-      ++at;
+    // Block skip and comments in braces may stand in front of the number.
+    while (at < text_.size() &&
+           (text_[at] == '/' || llvm::isDigit(text_[at]) || text_[at] == ' ' || text_[at] == '{'))
+      if (text_[at++] == '{') {
+        while (at < text_.size() && text_[at] != '}' && text_[at] != '\n')
+          ++at;
+        at += at < text_.size() && text_[at] == '}';
+      }
     if (at >= text_.size() ||
         (text_[at] != 'N' && text_[at] != 'n' && !(mainBlocks_ && text_[at] == ':')))
       return std::nullopt;

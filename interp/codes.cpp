@@ -422,7 +422,8 @@ void Execution::reset(const Word &word) {
   state_.frames.clear();
   for (Interval &position : state_.position)
     position = Interval::unknown();
-  for (const Fact fact : {Fact::FeedSet, Fact::SpeedSet, Fact::WorkOffsetStated, Fact::CycleRan})
+  for (const Fact fact :
+       {Fact::FeedSet, Fact::SpeedSet, Fact::WorkOffsetStated, Fact::CycleRan, Fact::SpeedLimitSet})
     state_.clear(fact);
 }
 

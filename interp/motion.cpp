@@ -632,7 +632,9 @@ void Execution::moveAxes() {
       }
       if (code) {
         storeCycleWords(false);
-        return;
+        // Where the holes lie in the plane, a block of the tool axis alone is a plain move.
+        if (!code->firesInPlane || !axes || (axes & planeAxes(dialect_, state_)))
+          return;
       }
     }
   }

@@ -47,8 +47,9 @@ void EcsScanner::scanLetter() {
       setNumber(begin, 0);
       return issue(SyntaxIssueKind::MalformedNumber, begin, at_);
     }
-    if (digit && startsBlock() && block_.number < 0) {
-      ++at_;
+    if (const char *const value = behindBlanks(next);
+        value < end_ && isNumberDigit(*value) && startsBlock() && block_.number < 0) {
+      at_ = value;
       const int64_t number = takeWhole();
       const bool broken = at_ < end_ && (*at_ == '.' || *at_ == ',');
       while (broken && at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == ','))

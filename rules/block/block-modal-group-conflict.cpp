@@ -82,11 +82,21 @@ private:
     if ((a.action == Action::CoolantOn && b.action == Action::CoolantOff) ||
         (a.action == Action::CoolantOff && b.action == Action::CoolantOn))
       return "`{0}` and `{1}` switch the same thing on and off";
+    // A code of the spindle may switch the coolant with it.
+    if (a.action != b.action && a.group != b.group &&
+        ((a.action == Action::CoolantOff && switchesOn(b, a)) ||
+         (b.action == Action::CoolantOff && switchesOn(a, b))))
+      return "`{0}` and `{1}` switch the coolant on and off";
     // A motion code ends the canned cycle that the same block defines.
     if ((isMotion(a.action) && a.cancelsCycle && isModalCycle(dialect, b)) ||
         (isMotion(b.action) && b.cancelsCycle && isModalCycle(dialect, a)))
       return "`{0}` and `{1}` end each other: a motion code cancels the cycle";
     return nullptr;
+  }
+
+  /// Whether `code` switches on besides its own work what `off` switches off.
+  static bool switchesOn(const CodeInfo &code, const CodeInfo &off) {
+    return code.effect.on && code.effect.index != 0xFF && code.effect.index == off.effect.index;
   }
 
   static bool isModalCycle(const Dialect &dialect, const CodeInfo &code) {

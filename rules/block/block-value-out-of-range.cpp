@@ -36,6 +36,10 @@ public:
       return skipLevel(event, ctx);
     if (event.kind != EventKind::Code)
       return ofAddress(event, ctx);
+    if (ctx.code(event).action == Action::Reset) { // the limits of the machine hold again
+      lower_.clear();
+      upper_.clear();
+    }
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     const AddressMask whole = ctx.dialect().whole;
@@ -95,12 +99,18 @@ private:
     if (sides.size() != 2)
       return;
     const bool upper = code.base == sides[1];
+    std::map<uint32_t, Limit> &own = upper ? upper_ : lower_;
+    // The code by itself takes back what it narrowed, an axis without a value this axis'.
+    if (!axesOf(dialect, ctx.block()))
+      std::erase_if(own, [&](const auto &limit) { return limit.first >> 8 == code.group; });
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = dialect.addresses[word.address];
       const Interval value = ctx.value(word);
+      const uint32_t key = uint32_t(code.group) << 8 | uint32_t(address.axis);
+      if (address.kind == AddressKind::Axis && (!value.isConstant() || word.has(wordNoValue)))
+        own.erase(key);
       if (address.kind != AddressKind::Axis || !value.isConstant() || word.has(wordNoValue))
         continue;
-      const uint32_t key = uint32_t(code.group) << 8 | uint32_t(address.axis);
       if (!upper) {
         lower_[key] = {value.value(), ctx.range(word)};
         if (const auto high = upper_.find(key); high != upper_.end())

@@ -97,6 +97,10 @@ private:
   static void ofTool(const CodeInfo &code, SourceRange where, const Event &event,
                      RuleContext &ctx) {
     const MachineState &state = ctx.after();
+    // A stock makes a radius of its own, without any tool.
+    if (const uint8_t stock = ctx.dialect().toolRadius.unknownWhile;
+        stock != 0xFF && state.switchMayBeOn(stock))
+      return;
     const bool none =
         state.tool == notSet && !state.may(Fact::ToolCalled) && !state.may(Fact::UnknownCode);
     if (!none && compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)

@@ -90,7 +90,8 @@ private:
   void misses(const Word &word, const Point &direction, const Point &way, RuleContext &ctx) const {
     // The end of an arc may be what this line decides.
     if (!dialectEndsByNext(ctx) || isArcActive(ctx.before(), ctx.dialect()) ||
-        ctx.block().hasAny(ctx.dialect().elementWords))
+        ctx.block().hasAny(ctx.dialect().elementWords) ||
+        ctx.outcome().kinds & bitOf(EventKind::CompensationMove)) // on its way to the contour
       return;
     const double length = std::hypot(way[0], way[1]);
     const double aside = std::fabs(direction[0] * way[1] - direction[1] * way[0]);

@@ -121,7 +121,8 @@ private:
     if (index >= block.expressions.size())
       return false;
     const Expression &e = block.expressions[index];
-    return !e.bad && e.count == 1 && block.operations[e.first].op == Op::Number;
+    return !e.bad && block.operations[e.first].op == Op::Number &&
+           (e.count == 1 || (e.count == 2 && block.operations[e.first + 1].op == Op::Negate));
   }
 
   static bool reads(const Block &block, uint16_t index, uint64_t key) {

@@ -25,6 +25,8 @@ private:
       if (numbers[i].number != numbers[i - 1].number)
         continue;
       const NumberedBlock &first = numbers[i - 1], &again = numbers[i];
+      if (isPhase(first, file, ctx) || isPhase(again, file, ctx))
+        continue;
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
         if (i > 1 && numbers[i - 2].number == again.number) // once for each number
           continue;
@@ -62,6 +64,15 @@ private:
         return true;
     }
     return false;
+  }
+
+  /// `:20` where that begins a phase of the program, which is found by a number of its own.
+  static bool isPhase(const NumberedBlock &where, const FileSummary &file, const RuleContext &ctx) {
+    if (ctx.dialect().keyword(":N") == noCode)
+      return false;
+    Block block;
+    file.reader.read(where.offset, block);
+    return block.mainBlock;
   }
 
   static SourceRange numberAt(const NumberedBlock &where, const FileSummary &file) {

@@ -62,6 +62,10 @@ private:
       if (const Action action = ctx.code(use).action;
           action == Action::Reset || action == Action::DataInput)
         return;
+    const auto &switches = ctx.dialect().switches;
+    for (unsigned i = 0; i < switches.size(); ++i)
+      if (switches[i].id == "tool-file" && ctx.before().switchMayBeOn(i))
+        return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.message("this block has no number, and every block of this control has one");
   }

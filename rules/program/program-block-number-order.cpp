@@ -63,7 +63,10 @@ private:
   /// The first descent of a program. Numbers that something refers to are labels, not an order.
   static void ascending(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     const NumberedBlock *last = nullptr;
+    const bool phases = ctx.dialect().keyword(":N") != noCode;
     for (const NumberedBlock &block : file.index.numbersAsWritten(program)) {
+      if (phases && isPhase(block, file))
+        continue;
       const bool descends = last && block.number < last->number;
       const bool begins = descends && last->number >= wrapsFrom && block.number < wrapsFrom / 10;
       if (descends && !begins) {
@@ -79,6 +82,18 @@ private:
 
   static bool isLabel(const NumberedBlock &block, const FileSummary &file) {
     return std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number);
+  }
+
+  /// `:20` begins a phase of the program: phases are counted by themselves.
+  static bool isPhase(const NumberedBlock &where, const FileSummary &file) {
+    const llvm::StringRef line = file.source.text().substr(where.offset).take_until([](char c) {
+      return c == 'N' || c == 'n' || c == '\n';
+    });
+    if (!line.contains(':'))
+      return false;
+    Block block;
+    file.reader.read(where.offset, block);
+    return block.mainBlock;
   }
 
   static void report(const NumberedBlock &before, const NumberedBlock &block,

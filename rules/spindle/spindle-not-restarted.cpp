@@ -10,11 +10,17 @@ class SpindleNotRestarted final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun});
+    to.handleNotices();
+    to.onCode([](const CodeInfo &code) {
+      return llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    });
     afterTap_ = to.option("afterTap", 0) != 0;
     wanted_ = to.option("codes", 0) != 0;
   }
 
   void on(const Event &event, RuleContext &ctx) override {
+    if (event.kind == EventKind::Code)
+      return ctx.reportNotices(id, event);
     if (afterTap_)
       directionAfterTap(event, ctx);
     stopped(event, ctx);
@@ -62,6 +68,8 @@ public:
   void remember(RuleMemory &memory) const override { memory(tap_, once_); }
 
 private:
+  static constexpr llvm::StringLiteral id{"spindle-not-restarted"};
+
   /// The code that stopped the spindle besides doing its own work; null: a tapping cycle did.
   static const CodeInfo *stoppedBy(const RuleContext &ctx) {
     const Origin &origin = ctx.before().origin.of(StatePart::Spindle);

@@ -14,10 +14,17 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) override {
-    if (ctx.callDepth() > 0)
+    if (ctx.callDepth() > 0) { // a program of its own may change the tool
+      if (event.kind == EventKind::ToolChange) {
+        named_ = {};
+        nameless_.see(event, ctx);
+      }
       return;
+    }
     if (event.kind == EventKind::ToolWord && event.word) {
+      forgotten(event, ctx);
       named_ = ctx.range(*event.word);
+      number_ = numberOf(event);
     } else if (event.kind == EventKind::ToolChange) {
       named_ = {};
       nameless_.see(event, ctx);
@@ -31,7 +38,7 @@ public:
                         ctx.text(named_));
     }
   }
-  void remember(RuleMemory &memory) const override { memory(nameless_, named_); }
+  void remember(RuleMemory &memory) const override { memory(nameless_, named_, number_); }
 
 private:
   /// A tool that is got ready while another one cuts is usual; the program has changed in none yet.
@@ -49,7 +56,25 @@ private:
     named_ = {};
   }
 
+  static int64_t numberOf(const Event &event) {
+    return event.value.isConstant() ? int64_t(event.value.value()) : 0;
+  }
+
+  /// Another tool is named before this one was changed in.
+  void forgotten(const Event &event, RuleContext &ctx) {
+    const int64_t next = numberOf(event);
+    if (!named_.end || number_ <= 0 || next <= 0 || next == number_ ||
+        ctx.before().preselected != number_ || ctx.before().may(Fact::UnknownCode))
+      return;
+    if (auto finding = ctx.report(named_))
+      finding
+          .message("`{0}` names a tool that nothing changes in: `{1}` takes its place",
+                   ctx.text(named_), ctx.text(*event.word))
+          .note(ctx.range(*event.word), "the next tool is named here");
+  }
+
   NamelessChanges nameless_;
+  int64_t number_ = 0;
   SourceRange named_;
 };
 
