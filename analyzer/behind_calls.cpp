@@ -48,8 +48,6 @@ bool endsBehind(const FileIndex &index, Block block,
   return false;
 }
 
-} // namespace
-
 bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin,
                          llvm::function_ref<Behind(const Block &)> judge) {
   const FileIndex &index = ctx.index();
@@ -72,6 +70,17 @@ bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begi
       called = true;
     }
   return called;
+}
+
+} // namespace
+
+bool BehindCalls::allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
+                         llvm::function_ref<Behind(const Block &)> judge) {
+  const uint32_t program = ctx.index().programAt(ctx.block().begin).begin;
+  const auto [answer, fresh] = answers_.try_emplace({ctx.source().id(), program, mode});
+  if (fresh)
+    answer->second = endsBehindEveryCall(ctx, begin, judge);
+  return answer->second;
 }
 
 } // namespace ncvet

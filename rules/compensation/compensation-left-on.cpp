@@ -73,7 +73,7 @@ private:
 
   /// Whether every caller cuts on along the contour that this program has approached, and switches
   /// compensation off before anything else.
-  static bool callersLeave(const RuleContext &ctx) {
+  bool callersLeave(const RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     const bool cuts =
         ctx.after().isActive(dialect, StandardGroup::Motion,
@@ -103,9 +103,10 @@ private:
       const bool moves = block.hasAny(dialect.axisWords);
       return (moves && !feeding) || block.has(letterAddress('T')) ? Behind::Relies : Behind::GoesOn;
     };
-    return endsBehindEveryCall(
-        ctx, [&] { feeding = cuts; }, judge);
+    return behind_.allEnd(
+        cuts, ctx, [&] { feeding = cuts; }, judge);
   }
+  BehindCalls behind_;
 
   static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {
     const Origin &origin = ctx.after().origin.of(StatePart::Compensation);

@@ -146,9 +146,12 @@ private:
       return;
     Block next;
     bool more = readNext(ctx, next);
-    while (more && next.items.empty() && !next.hasAny(dialect.axisWords | lettersMask("GT")) &&
-           !findCode(dialect, next, callsAndEnds))
-      more = readOn(ctx, next);
+    constexpr unsigned lookAhead = 20;
+    for (unsigned i = 0;
+         more && next.items.empty() && !next.hasAny(dialect.axisWords | lettersMask("GT")) &&
+         !findCode(dialect, next, callsAndEnds);
+         ++i)
+      more = i < lookAhead && readOn(ctx, next);
     if (!more || !next.items.empty() || next.hasAny(lettersMask("GT")) ||
         !(onFreeSide(next, 'X', Axis::X, ctx) || onFreeSide(next, 'Z', Axis::Z, ctx)))
       return;
@@ -218,7 +221,7 @@ private:
 
   /// Whether nothing but places in the plane stand between the call and the end of the cycle.
   static bool endsBehindPlaces(RuleContext &ctx) {
-    constexpr unsigned most = 1000; // blocks that are read
+    constexpr unsigned most = 200; // blocks that are read
     const Dialect &dialect = ctx.dialect();
     const uint16_t tool = uint16_t(1u << unsigned(toolAxis(dialect, ctx.after())));
     Block next;
@@ -268,7 +271,7 @@ private:
   }
 
   /// Whether the first thing that every caller does is to end the cycle.
-  static bool callersEnd(const CodeInfo &cycle, const RuleContext &ctx) {
+  bool callersEnd(const CodeInfo &cycle, const RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     const auto judge = [&](const Block &block) {
       for (const CodeIndex index : codesOf(dialect, block)) {
@@ -285,9 +288,10 @@ private:
       });
       return idle && !dialect.emptyBlocksRun ? Behind::GoesOn : Behind::Relies;
     };
-    return endsBehindEveryCall(
-        ctx, [] {}, judge);
+    return behind_.allEnd(
+        cycle.base, ctx, [] {}, judge);
   }
+  BehindCalls behind_;
 
   /// Codes beside which an active cycle makes nothing.
   static bool waits(Action action) {

@@ -109,7 +109,7 @@ private:
     constexpr size_t least = 4; // shorter names differ by a letter on purpose
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     if (name.size() < least || !llvm::isAlpha(name[0]) || ctx.index().definition(program, name) ||
-        known_.count(variableKey(name)))
+        known_.count(variableKey(name)) || !spoken_.insert(variableKey(name)).second)
       return;
     const auto letters = [](llvm::StringRef text) {
       std::string kept;
@@ -129,7 +129,7 @@ private:
         continue;
       near = &entry.getValue();
     }
-    if (!near || !spoken_.insert(variableKey(name)).second)
+    if (!near)
       return;
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
     const SourceRange defined{ctx.source().id(), near->begin, near->end};
