@@ -378,6 +378,9 @@ Engine::Exits Engine::execute(const Region &region, Lives entry) {
           const Action action = unit.dialect->codes[use.code].action;
           return action == Action::ProgramStop || action == Action::OptionalStop;
         });
+      // A cycle among the blocks of a contour reads none of its own.
+      if (region.kind == Kind::Profile && outcome_.flow.kind == FlowKind::Profile)
+        outcome_.flow = Flow();
       if (watcher_ && !stopped_)
         watcher_->executed(unit, block_, outcome_, before, live.state);
       if (at == observedAt_ && unit.source.id() == observedFile_)
