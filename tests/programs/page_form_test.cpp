@@ -1,0 +1,47 @@
+// Every rule's page has the same sections in the same order, and lists the options that it has.
+#include "analyzer/rule_page.h"
+#include "tests/support/rule_pages.h"
+
+namespace ncvet::test {
+namespace {
+
+std::vector<std::string> sectionsOf(llvm::StringRef body) {
+  std::vector<std::string> sections;
+  bool inside = false; // a fenced program
+  for (const std::string &line : linesOf(body.str())) {
+    if (line.rfind("```", 0) == 0)
+      inside = !inside;
+    else if (!inside && line.rfind("## ", 0) == 0)
+      sections.push_back(line.substr(3));
+  }
+  return sections;
+}
+
+TEST(RulePageForm, EveryPageHasTheSameSectionsInTheSameOrder) {
+  for (const RuleEntry &entry : allRules()) {
+    const ncvet::RulePage page = readRulePage(entry.info);
+    std::vector<std::string> due = {"What it reports", "Why it matters at the machine", "Wrong",
+                                    "Right"};
+    if (!page.options.empty())
+      due.push_back("Options");
+    due.push_back("Limits");
+    EXPECT_EQ(due, sectionsOf(page.body)) << entry.info.id.str();
+  }
+}
+
+TEST(RulePageForm, TheSectionOfTheOptionsListsThoseOfTheHead) {
+  for (const RuleEntry &entry : allRules()) {
+    const ncvet::RulePage page = readRulePage(entry.info);
+    std::vector<std::string> due, listed;
+    for (const RuleOption &option : page.options)
+      due.push_back(option.name);
+    const llvm::StringRef section = page.body.split("\n## Options\n").second.split("\n## ").first;
+    for (const std::string &line : linesOf(section.str()))
+      if (line.rfind("- `", 0) == 0)
+        listed.push_back(llvm::StringRef(line).drop_front(3).split('`').first.str());
+    EXPECT_EQ(due, listed) << entry.info.id.str();
+  }
+}
+
+} // namespace
+} // namespace ncvet::test
