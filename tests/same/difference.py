@@ -1,26 +1,33 @@
 """Shows a difference: the program, a command that repeats it, and the first lines that differ."""
 import itertools
 import json
+import os
 import shlex
 
 import runs
 import sessions
 
-LONGEST = 1500  # characters of a line that is shown
+LONGEST = 1200  # characters of a line that are shown
+BEFORE = 300  # of them before the first that differs
 
 
 def first_difference(other, this):
-    """The first pair of lines that differ; none where one text ends."""
+    """Number and text of the first lines that differ; no text where one of them ends."""
     for number, (a, b) in enumerate(itertools.zip_longest(other, this), 1):
         if a != b:
             return number, a, b
     return None
 
 
-def shown(line):
+def shown(line, beside):
+    """A line, of a long one the part where it differs from the one beside it."""
     if line is None:
         return "(nothing)"
-    return line if len(line) <= LONGEST else line[:LONGEST] + " ..."
+    if len(line) <= LONGEST:
+        return line
+    at = len(os.path.commonprefix([line, beside or ""]))
+    begin = max(0, min(at - BEFORE, len(line) - LONGEST))
+    return f"{'... ' if begin else ''}{line[begin : begin + LONGEST]}{' ...' if begin + LONGEST < len(line) else ''}"
 
 
 def command(binary, arguments):
@@ -57,4 +64,4 @@ def describe(job, unit, this, other, root):
         lines.append("  (not seen again when run alone: it depends on the programs checked before it)")
         return lines
     number, a, b = found
-    return [*lines, f"  line {number}", f"  other: {shown(a)}", f"  this:  {shown(b)}"]
+    return [*lines, f"  line {number}", f"  other: {shown(a, b)}", f"  this:  {shown(b, a)}"]

@@ -1,4 +1,4 @@
-// Holds every source file to the table of layers: what it may include, and that it says what it is
+// Holds every source file to the table of rooms: what it may include, and that it says what it is
 // for.
 #include "gtest/gtest.h"
 
@@ -18,50 +18,63 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One row of the table of layers: a folder, and the folders whose headers its files may include.
+/// A room: a folder, and the rooms whose headers its files may include.
 struct Layer {
-  std::string_view folder; ///< prefix of a path, with `/` at the end
-  std::vector<std::string_view> mayInclude;
+  std::string folder; ///< prefix of a path, with `/` at the end
+  std::vector<std::string> never;
+  std::set<std::string> mayInclude;
 };
 
-/// The first row whose folder is a prefix of a path is the file's layer, so inner folders stand
-/// above outer ones.
+std::vector<std::string> wordsOf(const std::string &line) {
+  std::istringstream stream(line.substr(0, line.find('#')));
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// The lines of a table of tests/shape, as words; comments and empty lines left out.
+std::vector<std::vector<std::string>> tableOf(const std::string &name) {
+  std::vector<std::vector<std::string>> rows;
+  std::ifstream stream(fs::path(NCVET_SOURCE_DIR) / "tests/shape" / name);
+  for (std::string line; std::getline(stream, line);)
+    if (std::vector<std::string> words = wordsOf(line); !words.empty())
+      rows.push_back(std::move(words));
+  return rows;
+}
+
+bool isIn(std::string_view path, std::string_view folder) {
+  return path.substr(0, folder.size()) == folder;
+}
+
+/// The table of rooms, as `./dev shape` reads it: a room includes the ones above it in the table.
 const std::vector<Layer> &layers() {
-  static const std::vector<Layer> table = {
-      {"formats/text/", {"formats/text/"}},
-      {"formats/finding/", {"formats/finding/", "formats/text/"}},
-      {"formats/dialect/", {"formats/dialect/", "formats/finding/", "formats/text/"}},
-      {"formats/readers/",
-       {"formats/readers/", "formats/dialect/", "formats/finding/", "formats/text/"}},
-      {"formats/reports/", {"formats/reports/", "formats/finding/", "formats/text/"}},
-      // Not formats/finding/: the interpreter says what happens, rules say what is wrong with it.
-      {"interp/", {"interp/", "formats/readers/", "formats/dialect/", "formats/text/"}},
-      {"analyzer/cli/",
-       {"analyzer/", "analyzer/cli/", "rules/", "lsp/", "interp/", "formats/reports/",
-        "formats/readers/", "formats/dialect/", "formats/finding/", "formats/text/"}},
-      {"analyzer/",
-       {"analyzer/", "interp/", "formats/readers/", "formats/dialect/", "formats/finding/",
-        "formats/text/"}},
-      // A rule knows nothing of other rules: what several need belongs into analyzer/ or interp/.
-      {"rules/",
-       {"analyzer/", "interp/", "formats/readers/", "formats/dialect/", "formats/finding/",
-        "formats/text/"}},
-      // What an editor shows, in plain data: it knows nothing of the protocol.
-      {"lsp/features/",
-       {"lsp/features/", "analyzer/", "interp/", "formats/readers/", "formats/dialect/",
-        "formats/finding/", "formats/text/"}},
-      {"lsp/",
-       {"lsp/", "lsp/features/", "rules/", "analyzer/", "interp/", "formats/reports/",
-        "formats/readers/", "formats/dialect/", "formats/finding/", "formats/text/"}},
-  };
+  static const std::vector<Layer> table = [] {
+    std::vector<Layer> rooms;
+    for (const std::vector<std::string> &words : tableOf("rooms.txt")) {
+      Layer &room = rooms.emplace_back();
+      room.folder = words[0] + "/";
+      for (size_t i = 2; i < words.size(); ++i) // after `not`
+        room.never.push_back(words[i] + "/");
+      for (const Layer &above : rooms)
+        if (std::none_of(room.never.begin(), room.never.end(),
+                         [&](const std::string &never) { return isIn(above.folder, never); }))
+          room.mayInclude.insert(above.folder);
+    }
+    for (const std::vector<std::string> &words : tableOf("exceptions.txt"))
+      if (words[0] == "arrow")
+        for (Layer &room : rooms)
+          if (room.folder == words[1] + "/")
+            room.mayInclude.insert(words[2] + "/");
+    return rooms;
+  }();
   return table;
 }
 
+/// The room with the longest folder that a path lies in.
 const Layer *layerOf(std::string_view path) {
+  const Layer *found = nullptr;
   for (const Layer &layer : layers())
-    if (path.substr(0, layer.folder.size()) == layer.folder)
-      return &layer;
-  return nullptr;
+    if (isIn(path, layer.folder) && (!found || layer.folder.size() > found->folder.size()))
+      found = &layer;
+  return found;
 }
 
 /// True for a folder of this project; everything else is a library.
@@ -91,9 +104,8 @@ const std::set<std::string, std::less<>> &dialectIds() {
 
 /// Rules are told by the table, the interpreter by actions, the engine by both: none by a name.
 bool mustNotNameDialects(std::string_view path) {
-  const Layer *layer = layerOf(path);
-  return layer &&
-         (layer->folder == "interp/" || layer->folder == "analyzer/" || layer->folder == "rules/");
+  return isIn(path, "interp/") || isIn(path, "rules/") ||
+         (isIn(path, "analyzer/") && !isIn(path, "analyzer/cli/"));
 }
 
 /// Header → what must not be included, and where. `interp/` is pure: no files and no output.
@@ -179,7 +191,7 @@ std::vector<std::string> violations(const std::string &path, const std::string &
     found.push_back(path + ":" + std::to_string(line) + ": " + what);
   };
   if (!layer) {
-    report(1, "lies in no folder of the table of layers");
+    report(1, "lies in no room of tests/shape/rooms.txt");
     return found;
   }
   const std::vector<std::string> lines = splitLines(text);
@@ -196,8 +208,7 @@ std::vector<std::string> violations(const std::string &path, const std::string &
         continue;
       }
       const Layer *target = layerOf(line.header);
-      if (!target || std::find(layer->mayInclude.begin(), layer->mayInclude.end(),
-                               target->folder) == layer->mayInclude.end())
+      if (!target || layer->mayInclude.count(target->folder) == 0)
         report(i + 1, "may not include " + line.header);
     }
     if (!mustNotNameDialects(path))
