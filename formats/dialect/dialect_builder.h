@@ -3,80 +3,107 @@
 
 #include "formats/dialect/dialect.h"
 #include "formats/dialect/json_reader.h"
+#include "formats/dialect/records.h"
 
 #include "llvm/ADT/StringMap.h"
 
 namespace ncvet {
 
-/// Reads the sections of a table in the order in which they need one another. Errors are kept in
-/// the reader; the dialect is whole only when it has none.
-class DialectBuilder {
+/// Reads a table by its records, whose fields are in the order in which they need one another.
+/// Errors are kept as in any reader; the dialect is whole only when it has none. The functions that
+/// take a value and a struct are what records name for keys that take more than their form.
+class DialectBuilder : public JsonReader {
 public:
-  DialectBuilder(JsonReader &reader, const Json &root, Dialect &dialect)
-      : in_(reader), root_(root), dialect_(dialect) {}
+  DialectBuilder(llvm::ArrayRef<JsonLayer> layers, const Json &root, Dialect &dialect)
+      : JsonReader(layers, root), root_(root), dialect_(dialect) {}
 
   void build();
 
-private:
-  // dialect_builder.cpp: everything but codes
-  void readHead();
-  void readLexical();
-  void readLimits();
-  void readAddresses();
-  void readAddress(const std::string &name, const Json &value);
-  void readGroups();
-  void readSwitches();
-  void readToolRadius();
-  void readRules();
+  // dialect_builder.cpp: everything but addresses and codes
+  void readOptions(const Json &value, Dialect &dialect);
+  void readLexical(const Json &value, Dialect &dialect);
+  void readProgramDigits(const Json &value, Limits &limits);
+  void readSwitches(const Json &value, Dialect &dialect);
+  void readUnknownWhile(const Json &value, Dialect &dialect);
+  void readGroups(const Json &value, Dialect &dialect);
+  void readStandsFor(const Json &value, GroupInfo &group);
+  void readRules(const Json &value, Dialect &dialect);
+  void readDetect(const Json &value, Dialect &dialect);
+
+  // address_builder.cpp: addresses and sets of them
+  void readAddresses(const Json &value, Dialect &dialect);
+  void readAddressArc(const Json &value, AddressInfo &info);
+  void readAddressAction(const Json &value, AddressInfo &info);
+  void readAddressSwitch(const Json &value, AddressInfo &info);
   std::optional<AddressId> addressId(const Json &at, llvm::StringRef name);
   AddressMask addressSet(const Json &value);
-  AddressMask addressSet(const Json &at, llvm::StringRef text);
-  void readSet(const Json &object, const char *key, AddressMask &target);
 
-  // code_builder.cpp: codes, their words, notices and variants
+  // code_builder.cpp: codes and their variants
+  void readCodes(const Json &value, Dialect &dialect);
+  void readNeeds(const Json &value, CodeInfo &info);
+  void readFires(const Json &value, CodeInfo &info);
+  void readOpposite(const Json &value, CodeInfo &info);
+  void readSwitch(const Json &value, CodeInfo &info);
+  void readSwitchId(const Json &value, SwitchEffect &effect);
+
+  // code_format_builder.cpp: words and formulas of a code
+  void readWords(const Json &value, CodeInfo &info);
+  void readExcludes(const Json &value, CodeInfo &info);
+  void readStores(const Json &value, CodeInfo &info);
+  void readMeasures(const Json &value, CodeInfo &info);
+  void readTraits(const Json &value, CodeInfo &info);
+  Formula formula(const Json &value);
+
+  // condition_builder.cpp: conditions and notices
+  void readTestWord(const Json &value, ValueTest &test);
+  void readActive(const Json &value, Condition &when);
+  void readWith(const Json &value, Condition &when);
+  void readWithout(const Json &value, Condition &when);
+  void readWhenOptions(const Json &value, Condition &when);
+  void readWhenOn(const Json &value, Condition &when);
+  void readWhenOff(const Json &value, Condition &when);
+  void readNotices(const Json &value, CodeInfo &info);
+  void readNoticePlace(const Json &value, Notice &notice);
+
+private:
+  void summarizeAddresses();
+  void summarizeCodes();
+  void readInitialStates();
+  std::optional<size_t> switchIndex(const Json &at, llvm::StringRef id);
+
+  void readAddress(const std::string &name, const Json &value);
+  AddressMask addressSet(const Json &at, llvm::StringRef text);
+
   void nameCodes(const Json &codes);
   void nameCode(const std::string &name, const Json &value);
   void joinGroup(const Json &value, CodeIndex index);
-  void readCodes(const Json &codes);
   CodeInfo readCode(const Json &value, CodeInfo info);
-  void readNeeds(const Json &value, CodeInfo &info);
-  void readSwitch(const Json &value, CodeInfo &info);
   void switchCoolant(CodeInfo &info) const;
-  void readWords(const Json &value, CodeInfo &info);
+  void readVariants(const std::string &name, const Json &value, CodeIndex base);
+  void readVariant(const JsonPath &place, const Json &value, const Json &variant, CodeIndex base);
+
   WordSpec readWord(const std::string &name, const Json &value);
-  void readExcludes(const Json &value, CodeInfo &info);
-  void readNotices(const Json &value, CodeInfo &info);
+  std::optional<FormulaName> formulaName(llvm::StringRef name) const;
+
   void readNoticeList(const Json &list, bool shared, CodeInfo &info);
   void readSharedNotices(const Json &name, CodeInfo &info);
-  void readNotice(const Json &element, CodeInfo &info);
-  void readVariants(const std::string &name, const Json &value, CodeIndex base);
-  Condition readCondition(const Json &value);
-  void readFormula(const Json &value, Condition &when);
-  Formula formula(const Json &value);
-  void readStores(const Json &value, CodeInfo &info);
-  void readLevels(const Json &value, CodeInfo &info);
-  void readPlaces(const Json &value, CodeInfo &info);
-  void readSteps(const Json &value, CodeInfo &info);
-  bool readStep(const Json &entry, CodeInfo &info);
-  void readMeasures(const Json &value, CodeInfo &info);
-  uint32_t switchSet(const Json &value, const char *key);
-  void readConditionOptions(const Json &value, Condition &when);
-  void readConditionCodes(const Json &value, Condition &when);
-  ValueTest readTest(const Json &value);
+  uint32_t switchSet(const Json &names);
   std::vector<CodeIndex> codeList(const Json &value);
   std::vector<std::pair<GroupIndex, uint64_t>> groupStates(llvm::ArrayRef<CodeIndex> codes,
                                                            std::vector<CodeIndex> &groupless) const;
-  void readInitialStates();
 
-  JsonReader &in_;
   const Json &root_;
   Dialect &dialect_;
   llvm::StringMap<CodeIndex> namedCodes_;
+  AddressId address_ = noAddress;  ///< being read
   const CodeInfo *code_ = nullptr; ///< being read: its words are what formulas name
 };
 
 /// Text form of an option's value: "true", "SL-30", "2.5"; empty for null.
 std::string optionText(const Json &value);
+
+/// An error when the least value of a test is greater than the greatest one.
+void checkBounds(JsonReader &in, const Json &value, const ValueTest &test);
 
 /// Marks and file name endings of `detect`, which is not inherited.
 void readDetection(JsonReader &in, const Json &detect, std::vector<DetectMark> &marks,

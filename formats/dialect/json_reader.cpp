@@ -226,6 +226,13 @@ std::optional<double> JsonReader::number(const Json &value) {
   return std::nullopt;
 }
 
+std::optional<bool> JsonReader::flag(const Json &value) {
+  if (value.is_boolean())
+    return value.get<bool>();
+  fail(value, "true or false is expected");
+  return std::nullopt;
+}
+
 std::optional<long> JsonReader::whole(const Json *value, long least, long most) {
   if (!value)
     return std::nullopt;
@@ -271,13 +278,9 @@ void JsonReader::read(const Json &object, const char *key, std::string &target) 
 }
 
 void JsonReader::read(const Json &object, const char *key, bool &target) {
-  const Json *value = member(object, key);
-  if (!value)
-    return;
-  if (value->is_boolean())
-    target = value->get<bool>();
-  else
-    fail(*value, "true or false is expected");
+  if (const Json *value = member(object, key))
+    if (const std::optional<bool> given = flag(*value))
+      target = *given;
 }
 
 void JsonReader::read(const Json &object, const char *key, double &target) {

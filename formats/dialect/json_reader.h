@@ -65,6 +65,7 @@ public:
   }
   std::optional<std::string> text(const Json &value);
   std::optional<double> number(const Json &value);
+  std::optional<bool> flag(const Json &value);
   std::optional<long> whole(const Json *value, long least, long most);
   std::optional<size_t> choice(const Json *value, const char *what,
                                llvm::ArrayRef<llvm::StringLiteral> names);

@@ -18,10 +18,6 @@ struct Layers {
   std::vector<Json> values;
 };
 
-/// What is said of one table alone: a table that extends it has its own.
-constexpr const char *ownKeys[] = {"id",      "title",  "abstract", "detect",
-                                   "extends", "source", "$schema"};
-
 /// Sources that give lines ("L560-590") become sources that name the book as well, since the merged
 /// table has many; and options keep their null, which elsewhere takes an entry away.
 void prepareLayer(Json &layer) {
@@ -84,8 +80,9 @@ llvm::Error collect(llvm::StringRef id, const DialectSource &source, Layers &lay
 Json merge(std::vector<Json> &&values) {
   Json merged = Json::object();
   for (Json &value : values) {
-    for (const char *key : ownKeys)
-      merged.erase(key);
+    for (const Field &field : dialectRecord.fields)
+      if (field.own) // said of one table alone: a table that extends it has its own
+        merged.erase(field.key.str());
     layOver(merged, std::move(value));
   }
   return merged;
@@ -94,9 +91,9 @@ Json merge(std::vector<Json> &&values) {
 llvm::Expected<std::shared_ptr<Dialect>> build(llvm::ArrayRef<JsonLayer> files,
                                                const Json &merged) {
   auto dialect = std::make_shared<Dialect>();
-  JsonReader reader(files, merged);
-  DialectBuilder(reader, merged, *dialect).build();
-  if (llvm::Error error = reader.takeError())
+  DialectBuilder builder(files, merged, *dialect);
+  builder.build();
+  if (llvm::Error error = builder.takeError())
     return error;
   return dialect;
 }

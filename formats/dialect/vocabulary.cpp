@@ -48,6 +48,10 @@ constexpr llvm::StringLiteral kinds[] = {"unknown", "axis", "increment", "polar"
 constexpr llvm::StringLiteral namings[] = {"none", "define", "use", "drop"};
 constexpr llvm::StringLiteral units[] = {"none",  "length", "angle", "feed",
                                          "speed", "time",   "whole"};
+constexpr llvm::StringLiteral arcWords[] = {"radius", "angle", "through-x", "through-y",
+                                            "through-z"};
+constexpr llvm::StringLiteral addressActions[] = {"speed-limit", "spindle-orient"};
+constexpr llvm::StringLiteral codeNeeds[] = {"feed", "speed"};
 constexpr llvm::StringLiteral axes[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
 static_assert(std::size(axes) == axisCount);
 constexpr llvm::StringLiteral machines[] = {"lathe", "mill"};
@@ -71,6 +75,9 @@ llvm::ArrayRef<llvm::StringLiteral> pointNames() { return points; }
 llvm::ArrayRef<llvm::StringLiteral> spindleNames() { return spindles; }
 llvm::ArrayRef<llvm::StringLiteral> addressKindNames() { return kinds; }
 llvm::ArrayRef<llvm::StringLiteral> addressUnitNames() { return units; }
+llvm::ArrayRef<llvm::StringLiteral> arcWordNames() { return arcWords; }
+llvm::ArrayRef<llvm::StringLiteral> addressActionNames() { return addressActions; }
+llvm::ArrayRef<llvm::StringLiteral> codeNeedNames() { return codeNeeds; }
 llvm::ArrayRef<llvm::StringLiteral> axisNames() { return axes; }
 llvm::ArrayRef<llvm::StringLiteral> machineNames() { return machines; }
 llvm::ArrayRef<llvm::StringLiteral> semicolonNames() { return semicolons; }

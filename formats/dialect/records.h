@@ -1,0 +1,42 @@
+// The records of tables and machine profiles: every key that they may have, with what it is for.
+#pragma once
+
+#include "formats/dialect/machine.h"
+#include "formats/dialect/shape.h"
+
+namespace ncvet {
+
+class DialectBuilder;
+
+/// Marks of programs for a control, and the endings of their files.
+struct ProgramMarks {
+  std::vector<DetectMark> marks;
+  std::vector<std::string> extensions; ///< without the dot
+};
+
+// dialect_records.cpp
+extern const RecordOf<Dialect> dialectRecord;
+extern const RecordOf<Lexical> lexicalRecord;
+extern const RecordOf<AddressInfo> addressRecord;
+extern const RecordOf<GroupInfo> groupRecord;
+extern const RecordOf<SwitchInfo> switchRecord;
+extern const RecordOf<RuleOverride> ruleRecord;
+extern const RecordOf<ProgramMarks> detectionRecord;
+
+// code_records.cpp
+extern const RecordOf<CodeInfo> codeRecord;
+extern const RecordOf<Variant> variantRecord; ///< what it has besides the keys of its code
+extern const RecordOf<Condition> conditionRecord;
+extern const RecordOf<Notice> noticeRecord;
+extern const RecordOf<WordSpec> wordRecord;
+extern const RecordOf<Store> storeRecord;
+extern const RecordOf<SwitchEffect> switchEffectRecord;
+extern const Shape noticesShape; ///< notices, and names of lists that several codes share
+
+// machine_records.cpp
+extern const RecordOf<MachineProfile> machineRecord;
+extern const RecordOf<AxisLimits> axisRecord;
+extern const RecordOf<ToolData> toolRecord;
+extern const Record machineOptionRecord; ///< options of machine profiles, of all dialects
+
+} // namespace ncvet
