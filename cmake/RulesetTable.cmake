@@ -1,5 +1,6 @@
-# Writes rulesets/**.json as C++ string tables: name ("dialects/haas-lathe.json") and text.
+# Writes rulesets/**.json but the schemas as C++ string tables: name ("dialects/haas-lathe.json") and text.
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.json)
+list(FILTER files EXCLUDE REGEX "^schema/")
 list(SORT files)
 set(rows "")
 foreach(name IN LISTS files)

@@ -1,82 +1,156 @@
-// The schemas of rulesets/: their vocabulary is the loader's, and every built-in table fits them.
-#include "formats/dialect/action.h"
-#include "formats/dialect/vocabulary.h"
+// What is made of the tables' records: schemas and reference are the newest, and all files fit
+// them.
+#include "formats/dialect/loader.h"
+#include "formats/dialect/records.h"
+#include "formats/schema/generated_files.h"
 
 #include "llvm/Support/MemoryBuffer.h"
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
+#include <set>
 
 namespace ncvet {
 namespace {
 
-const std::string root = NCVET_SOURCE_DIR;
+const std::string root = NCVET_SOURCE_DIR "/rulesets/";
 
-nlohmann::json schema(const std::string &name) {
-  auto buffer = llvm::MemoryBuffer::getFile(root + "/rulesets/schema/" + name + ".schema.json");
-  if (!buffer)
-    return nullptr;
-  return nlohmann::json::parse((*buffer)->getBuffer().begin(), (*buffer)->getBuffer().end(),
-                               nullptr, false);
+std::string contentOf(const std::string &name) {
+  auto buffer = llvm::MemoryBuffer::getFile(root + name);
+  return buffer ? (*buffer)->getBuffer().str() : std::string();
 }
 
-/// The names of an enumeration at `pointer`, which may also allow null.
-std::vector<std::string> names(const nlohmann::json &schema, const std::string &pointer) {
-  nlohmann::json::json_pointer at(pointer);
-  if (!schema.contains(at))
-    return {};
-  nlohmann::json value = schema[at];
-  if (value.contains("anyOf"))
-    value = value["anyOf"][0];
-  return value.value("enum", std::vector<std::string>());
+/// The roots and all records that their fields name.
+std::vector<const Record *> allRecords() {
+  std::vector<const Record *> records = {&dialectRecord, &machineRecord};
+  const auto add = [&](const Shape *shape) {
+    for (; shape; shape = shape->of ? shape->of : shape->otherwise)
+      if (shape->record &&
+          std::find(records.begin(), records.end(), shape->record) == records.end())
+        records.push_back(shape->record);
+  };
+  for (size_t at = 0; at < records.size(); ++at)
+    for (const Field &field : records[at]->fields) {
+      add(&field.shape);
+      add(field.shape.otherwise);
+      add(field.shape.of ? field.shape.of->otherwise : nullptr);
+    }
+  return records;
 }
 
-std::vector<std::string> texts(llvm::ArrayRef<llvm::StringLiteral> list, size_t from = 0) {
-  std::vector<std::string> copy;
-  for (llvm::StringRef name : list.drop_front(from))
-    copy.push_back(name.str());
-  return copy;
+TEST(GeneratedTableFiles, AreWhatTheRecordsMakeOfThem) {
+  for (const GeneratedFile &file : generatedFiles())
+    EXPECT_TRUE(contentOf(file.name) == file.text)
+        << "rulesets/" << file.name << " is not the newest: run ./dev schema";
 }
 
-TEST(Schemas, UseTheVocabularyOfTheLoader) {
-  nlohmann::json dialect = schema("dialect");
-  ASSERT_TRUE(dialect.is_object());
-  EXPECT_EQ(names(dialect, "/$defs/action"), texts(actionNames()));
-  EXPECT_EQ(names(dialect, "/$defs/severity"), texts(severityNames()));
-  const std::string code = "/$defs/code/properties/", word = "/$defs/word/properties/";
-  EXPECT_EQ(names(dialect, code + "cycle"), texts(cycleNames()));
-  EXPECT_EQ(names(dialect, code + "spindle"), texts(spindleNames()));
-  EXPECT_EQ(names(dialect, word + "role"), texts(roleNames()));
-  EXPECT_EQ(names(dialect, word + "need"), texts(needNames()));
-  EXPECT_EQ(names(dialect, word + "point"), texts(pointNames()));
-  EXPECT_EQ(names(dialect, "/properties/machine"), texts(machineNames()));
-  const nlohmann::json &address = dialect["properties"]["addresses"]["patternProperties"];
-  ASSERT_EQ(address.size(), 1u);
-  const nlohmann::json entry = address.begin().value()["anyOf"][0];
-  EXPECT_EQ(names(entry, "/properties/kind"), texts(addressKindNames(), 1)) << "without `unknown`";
-  EXPECT_EQ(names(entry, "/properties/unit"), texts(addressUnitNames()));
-  EXPECT_EQ(names(entry, "/properties/axis"), texts(axisNames()));
+TEST(TableRecords, EveryKeyHasAMeaningAndAnExampleThatIsJson) {
+  EXPECT_GT(allRecords().size(), 30u);
+  for (const Record *record : allRecords()) {
+    std::set<std::string> keys;
+    for (const Field &field : record->fields) {
+      const std::string name = record->name.str() + "." + field.key.str();
+      EXPECT_TRUE(keys.insert(field.key.str()).second) << name << " is there twice";
+      EXPECT_GE(field.meaning.size(), 2u) << name;
+      EXPECT_FALSE(field.meaning.endswith(".")) << name;
+      if (!field.example.empty())
+        EXPECT_FALSE(nlohmann::json::parse(field.example.str(), nullptr, false).is_discarded())
+            << name;
+      else
+        EXPECT_NE(field.shape.form, Form::Flag) << name << " needs an example";
+    }
+  }
 }
 
-TEST(Schemas, EveryBuiltinFileFitsItsSchema) {
-  if (std::system("python3 -c 'import jsonschema' 2>/dev/null") != 0)
-    GTEST_SKIP() << "needs Python's jsonschema";
-  std::string program = R"(
+TEST(TableRecords, KnowEveryOptionThatADialectHas) {
+  std::set<std::string> used;
+  for (const DialectSummary &summary : listDialects()) {
+    auto dialect = loadDialect(summary.id, builtinDialects());
+    ASSERT_TRUE(bool(dialect)) << llvm::toString(dialect.takeError());
+    for (const auto &option : (*dialect)->options) {
+      EXPECT_TRUE(isFieldOf(machineOptionRecord, option.getKey()))
+          << summary.id << " has the option " << option.getKey().str()
+          << ", which formats/dialect/machine_options.cpp does not describe";
+      used.insert(option.getKey().str());
+    }
+  }
+  for (const Field &field : machineOptionRecord.fields)
+    EXPECT_TRUE(used.count(field.key.str())) << field.key.str() << " is no dialect's option";
+}
+
+/// Checks all built-in files, and the examples in the schemas themselves.
+constexpr const char *fitsProgram = R"(
 import glob, json, sys
 from jsonschema import Draft202012Validator as Validator
-bad = 0
+bad = []
+def examples(schema, part, place):
+    if isinstance(part, list):
+        for i, item in enumerate(part):
+            examples(schema, item, place + [i])
+    elif isinstance(part, dict):
+        if isinstance(part.get("examples"), list):
+            for example in part["examples"]:
+                for error in Validator(dict(part, **{"$defs": schema["$defs"]})).iter_errors(example):
+                    bad.append((place, error.message))
+        for key, item in part.items():
+            examples(schema, item, place + [key])
 for kind, folder in (("dialect", "dialects"), ("machine", "machines")):
-    schema = json.load(open(f"{sys.argv[1]}/schema/{kind}.schema.json", encoding="utf-8"))
+    schema = json.load(open(f"{sys.argv[1]}schema/{kind}.schema.json", encoding="utf-8"))
     Validator.check_schema(schema)
-    for path in sorted(glob.glob(f"{sys.argv[1]}/{folder}/*.json")):
+    examples(schema, schema, [kind])
+    for path in sorted(glob.glob(f"{sys.argv[1]}{folder}/*.json")):
         for error in Validator(schema).iter_errors(json.load(open(path, encoding="utf-8"))):
-            print(path, list(error.absolute_path), error.message[:200])
-            bad += 1
-sys.exit(bad != 0)
+            bad.append((path, list(error.absolute_path), error.message[:200]))
+for item in bad:
+    print(*item)
+sys.exit(bool(bad))
 )";
-  std::string command = "python3 -c '" + program + "' '" + root + "/rulesets'";
+
+TEST(Schemas, EveryBuiltinFileAndEveryExampleFits) {
+  if (std::system("python3 -c 'import jsonschema' 2>/dev/null") != 0)
+    GTEST_SKIP() << "needs Python's jsonschema";
+  const std::string command = std::string("python3 -c '") + fitsProgram + "' '" + root + "'";
   EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+/// The texts of the fenced JSON blocks of a page.
+std::vector<std::string> fencedJson(llvm::StringRef page) {
+  std::vector<std::string> blocks;
+  while (page.contains("```json\n")) {
+    page = page.split("```json\n").second;
+    blocks.push_back(page.split("```").first.str());
+  }
+  return blocks;
+}
+
+TEST(TablesReadme, ItsExamplesLoad) {
+  const std::vector<std::string> examples = fencedJson(contentOf("README.md"));
+  ASSERT_EQ(examples.size(), 3u) << "a code, a control, a machine";
+  for (const std::string &text : examples) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << text;
+    if (json.contains("id")) {
+      const auto id = json["id"].get<std::string>();
+      const DialectSource builtin = builtinDialects();
+      auto dialect = loadDialect(
+          id,
+          [&](llvm::StringRef wanted) -> std::optional<std::pair<std::string, llvm::StringRef>> {
+            if (wanted == id)
+              return std::pair(std::string("README.md"), llvm::StringRef(text));
+            return builtin(wanted);
+          });
+      EXPECT_TRUE(bool(dialect)) << llvm::toString(dialect.takeError());
+      continue;
+    }
+    auto dialect = loadDialect(json["dialect"].get<std::string>(), builtinDialects());
+    ASSERT_TRUE(bool(dialect)) << llvm::toString(dialect.takeError());
+    auto changed = overlay(*dialect, "README.md", text);
+    EXPECT_TRUE(bool(changed)) << llvm::toString(changed.takeError());
+    auto profile = parseMachineProfile("README.md", text);
+    EXPECT_TRUE(bool(profile)) << llvm::toString(profile.takeError());
+  }
 }
 
 } // namespace
