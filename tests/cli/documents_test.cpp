@@ -17,7 +17,8 @@ struct Document {
 
 std::vector<Document> documents() {
   const std::filesystem::path root = NCVET_SOURCE_DIR;
-  std::vector<std::filesystem::path> paths = {root / "README.md", root / "CONTRIBUTING.md"};
+  std::vector<std::filesystem::path> paths = {root / "README.md", root / "CONTRIBUTING.md",
+                                              root / "rulesets/README.md"};
   for (const auto &entry : std::filesystem::directory_iterator(root / "docs"))
     if (entry.path().extension() == ".md")
       paths.push_back(entry.path());
