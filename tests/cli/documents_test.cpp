@@ -1,5 +1,6 @@
 // README.md and docs/: their commands print what they show, their JSON files are accepted, their
 // links lead to files.
+#include "tests/support/plain_words.h"
 #include "tests/support/process.h"
 
 #include <gmock/gmock.h>
@@ -99,6 +100,11 @@ TEST(Documents, GiveConfigurationsAndMachineProfilesThatAreAccepted) {
     count += files.size();
   }
   EXPECT_GE(count, 2u);
+}
+
+TEST(Documents, AreWrittenInPlainWords) {
+  for (const Document &document : documents())
+    EXPECT_EQ(std::vector<std::string>(), test::hardWords(document.text)) << document.path;
 }
 
 TEST(Documents, LinkToFilesThatExist) {

@@ -1,5 +1,6 @@
 // Every rule's page has the same sections in the same order, and lists the options that it has.
 #include "analyzer/rule_page.h"
+#include "tests/support/plain_words.h"
 #include "tests/support/rule_pages.h"
 
 namespace ncvet::test {
@@ -40,6 +41,13 @@ TEST(RulePageForm, TheSectionOfTheOptionsListsThoseOfTheHead) {
       if (line.rfind("- `", 0) == 0)
         listed.push_back(llvm::StringRef(line).drop_front(3).split('`').first.str());
     EXPECT_EQ(due, listed) << entry.info.id.str();
+  }
+}
+
+TEST(RulePageForm, ItsWordsAreThoseOfAPlainEnglish) {
+  for (const RuleEntry &entry : allRules()) {
+    EXPECT_EQ(std::vector<std::string>(), hardWords(entry.info.help)) << entry.info.id.str();
+    EXPECT_EQ(std::vector<std::string>(), hardWords(entry.info.summary)) << entry.info.id.str();
   }
 }
 
