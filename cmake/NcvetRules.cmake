@@ -11,5 +11,5 @@ add_custom_command(
   VERBATIM)
 add_library(ncvet_rules STATIC ${rule_sources} ${rule_table})
 target_link_libraries(ncvet_rules PUBLIC ncvet_analyzer)
-target_precompile_headers(ncvet_rules PRIVATE ${CMAKE_SOURCE_DIR}/analyzer/rule.h)
+target_precompile_headers(ncvet_rules PRIVATE ${CMAKE_SOURCE_DIR}/analyzer/rule/rule.h)
 ncvet_warnings(ncvet_rules)

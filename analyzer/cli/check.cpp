@@ -1,10 +1,10 @@
 // `ncvet check`: inputs to findings to reports, and the exit code.
 #include "analyzer/cli/check.h"
 
-#include "analyzer/baseline.h"
+#include "analyzer/check/baseline.h"
 #include "analyzer/cli/progress.h"
-#include "analyzer/fix.h"
-#include "analyzer/inputs.h"
+#include "analyzer/check/fix.h"
+#include "analyzer/setup/input_files.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report.h"
 #include "formats/text/diff.h"

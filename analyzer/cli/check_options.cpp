@@ -1,7 +1,7 @@
 // Options of `ncvet check`: their declaration, and what they may be.
 #include "analyzer/cli/check_options.h"
 
-#include "analyzer/failure.h"
+#include "formats/text/failure.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/reports/report.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/cli/command.h"
-#include "analyzer/session.h"
+#include "analyzer/setup/session.h"
 
 namespace ncvet::cli {
 

@@ -1,7 +1,7 @@
 // `ncvet rules`: the list of rules, for people and as JSON.
 #include "analyzer/cli/explain.h"
-#include "analyzer/rule.h"
-#include "analyzer/rule_page.h"
+#include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_page.h"
 
 #include "llvm/Support/Format.h"
 #include "llvm/Support/raw_ostream.h"

@@ -1,10 +1,10 @@
 // Chooses a reader by the name in the dialect's table.
 #include "formats/readers/reader.h"
 
-#include "formats/readers/ecs_reader.h"
-#include "formats/readers/iso_reader.h"
-#include "formats/readers/mefi_reader.h"
-#include "formats/readers/sinumerik_reader.h"
+#include "formats/readers/ecs/ecs_reader.h"
+#include "formats/readers/iso/iso_reader.h"
+#include "formats/readers/mefi/mefi_reader.h"
+#include "formats/readers/sinumerik/sinumerik_reader.h"
 
 namespace ncvet {
 

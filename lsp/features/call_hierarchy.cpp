@@ -1,7 +1,7 @@
 // Which program calls which, by the text: every call that is written, whether it is reached or not.
 #include "lsp/features/call_hierarchy.h"
 
-#include "analyzer/block_at.h"
+#include "analyzer/program/block_reading.h"
 #include "lsp/features/definition.h"
 
 #include "llvm/ADT/SmallPtrSet.h"

@@ -1,8 +1,8 @@
 // Code lenses: one look at all blocks for calls and tools, one run for the contours.
 #include "lsp/features/code_lens.h"
 
-#include "analyzer/contour_report.h"
-#include "interp/condition.h"
+#include "analyzer/check/contour_report.h"
+#include "interp/evaluate/condition.h"
 #include "lsp/features/number_text.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 // Completion: finds out by the text in front of the cursor what may follow.
 #include "lsp/features/completion.h"
 
-#include "interp/condition.h"
+#include "interp/evaluate/condition.h"
 #include "lsp/features/completion_sources.h"
 #include "lsp/features/word_help.h"
 

@@ -1,5 +1,5 @@
 // Completion of codes and of the words that they read, by the table.
-#include "interp/condition.h"
+#include "interp/evaluate/condition.h"
 #include "lsp/features/completion_sources.h"
 #include "lsp/features/word_help.h"
 

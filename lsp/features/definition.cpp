@@ -1,7 +1,7 @@
 // Where the name at a place of a document is defined, in this file or in another one.
 #include "lsp/features/definition.h"
 
-#include "analyzer/block_at.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet::lsp {
 

@@ -1,9 +1,9 @@
 // Inlay hints: gathered while the program is followed along its one certain way.
 #include "lsp/features/inlay_hints.h"
 
-#include "analyzer/engine.h"
-#include "interp/condition.h"
-#include "interp/expression.h"
+#include "analyzer/flow/engine.h"
+#include "interp/evaluate/condition.h"
+#include "interp/evaluate/expression.h"
 #include "lsp/features/number_text.h"
 #include "lsp/features/word_use.h"
 

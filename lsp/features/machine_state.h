@@ -1,7 +1,7 @@
 // The machine's state at a block, in words.
 #pragma once
 
-#include "analyzer/states_at.h"
+#include "analyzer/flow/states_at_block.h"
 #include "lsp/features/snapshot.h"
 
 namespace ncvet::lsp {

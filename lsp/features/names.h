@@ -1,7 +1,7 @@
 // Names of a program text: where each is defined, and every place that uses it.
 #pragma once
 
-#include "analyzer/project.h"
+#include "analyzer/program/project.h"
 
 namespace ncvet::lsp {
 

@@ -1,7 +1,7 @@
 // Numbers as hints and help show them.
 #pragma once
 
-#include "interp/value.h"
+#include "interp/value/value.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // Semantic tokens: places whose meaning the block tells, and between them what the spelling tells.
 #include "lsp/features/semantic_tokens.h"
 
-#include "interp/condition.h"
+#include "interp/evaluate/condition.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringSwitch.h"

@@ -1,8 +1,8 @@
 // Signature help: formats of the table, and parameters of programs.
 #include "lsp/features/signature_help.h"
 
-#include "interp/condition.h"
-#include "interp/macro_argument.h"
+#include "interp/evaluate/condition.h"
+#include "interp/value/macro_argument.h"
 #include "lsp/features/cursor_context.h"
 #include "lsp/features/word_help.h"
 #include "lsp/features/word_use.h"

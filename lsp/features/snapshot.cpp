@@ -1,7 +1,7 @@
 // One version of a document: its setup, and its text cut into blocks.
 #include "lsp/features/snapshot.h"
 
-#include "analyzer/block_at.h"
+#include "analyzer/program/block_reading.h"
 #include "lsp/features/names.h"
 
 #include <algorithm>

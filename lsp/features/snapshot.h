@@ -1,7 +1,7 @@
 // One version of a document with all that its control makes of it: what every feature looks at.
 #pragma once
 
-#include "analyzer/checker.h"
+#include "analyzer/check/checker.h"
 
 namespace ncvet::lsp {
 

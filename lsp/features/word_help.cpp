@@ -1,8 +1,8 @@
 // Help on the word at a place, from the dialect's tables.
 #include "lsp/features/word_help.h"
 
-#include "interp/condition.h"
-#include "interp/expression.h"
+#include "interp/evaluate/condition.h"
+#include "interp/evaluate/expression.h"
 #include "lsp/features/number_text.h"
 #include "lsp/features/word_use.h"
 

@@ -1,5 +1,5 @@
 // Pull diagnostics: of one document with the files that it calls, and of the whole workspace.
-#include "analyzer/inputs.h"
+#include "analyzer/setup/input_files.h"
 #include "lsp/protocol/uri.h"
 #include "lsp/server/bindings.h"
 

@@ -1,5 +1,5 @@
 // Edits that the user asks for: renaming, formatting, and the number of a new block.
-#include "analyzer/failure.h"
+#include "formats/text/failure.h"
 #include "lsp/features/format.h"
 #include "lsp/features/on_type.h"
 #include "lsp/features/rename.h"

@@ -1,5 +1,5 @@
 // Hover: what the word under the cursor is, and the machine's state in front of its block.
-#include "interp/condition.h"
+#include "interp/evaluate/condition.h"
 #include "lsp/features/code_lens.h"
 #include "lsp/features/machine_state.h"
 #include "lsp/features/word_help.h"

@@ -1,5 +1,5 @@
 // Navigation: where names are defined and used, the outline, folds, selections, calls and links.
-#include "analyzer/inputs.h"
+#include "analyzer/setup/input_files.h"
 #include "lsp/features/call_hierarchy.h"
 #include "lsp/features/definition.h"
 #include "lsp/features/folding.h"

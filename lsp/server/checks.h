@@ -1,7 +1,7 @@
 // Checks of open documents, one after the other on a thread of their own.
 #pragma once
 
-#include "analyzer/checker.h"
+#include "analyzer/check/checker.h"
 #include "lsp/protocol/diagnostic.h"
 #include "lsp/server/documents.h"
 

@@ -2,7 +2,7 @@
 // both.
 #include "lsp/server/context.h"
 
-#include "analyzer/inputs.h"
+#include "analyzer/setup/input_files.h"
 #include "lsp/protocol/uri.h"
 
 #include "llvm/Support/raw_ostream.h"

@@ -1,7 +1,7 @@
 // What all parts of the server share, and how a request comes to the text that it is about.
 #pragma once
 
-#include "analyzer/states_at.h"
+#include "analyzer/flow/states_at_block.h"
 #include "lsp/features/snapshot.h"
 #include "lsp/protocol/places.h"
 #include "lsp/server/problem_board.h"

@@ -1,7 +1,7 @@
 // Settings of the client: the same choices as on the command line, and those of the editor alone.
 #include "lsp/server/settings.h"
 
-#include "analyzer/rule_settings.h"
+#include "analyzer/rule/rule_settings.h"
 
 #include <set>
 

@@ -1,7 +1,7 @@
 // What the client's configuration says: the section `ncvet` of its settings.
 #pragma once
 
-#include "analyzer/session.h"
+#include "analyzer/setup/session.h"
 
 #include <nlohmann/json.hpp>
 

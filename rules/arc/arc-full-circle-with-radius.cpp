@@ -1,6 +1,6 @@
 // An arc by radius that ends where it starts.
-#include "analyzer/rule.h"
-#include "interp/arc.h"
+#include "analyzer/rule/rule.h"
+#include "interp/geometry/arc.h"
 
 #include <cmath>
 

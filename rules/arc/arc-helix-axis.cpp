@@ -1,6 +1,6 @@
 // An arc with an axis outside of its plane, where the control does not say what becomes of it or
 // cannot compensate it.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

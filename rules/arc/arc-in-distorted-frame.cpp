@@ -1,5 +1,5 @@
 // An arc, or compensation, under scale factors that differ.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // A negative radius, or the flag in its place, where the arc over 180 degrees cannot be meant.
-#include "analyzer/rule.h"
-#include "interp/arc.h"
+#include "analyzer/rule/rule.h"
+#include "interp/geometry/arc.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // An arc block with both a radius and a centre.
-#include "analyzer/rule.h"
-#include "interp/arc.h"
+#include "analyzer/rule/rule.h"
+#include "interp/geometry/arc.h"
 
 namespace ncvet {
 namespace {

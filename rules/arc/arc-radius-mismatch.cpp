@@ -1,6 +1,6 @@
 // An arc whose end is not as far from its centre as its start.
-#include "analyzer/rule.h"
-#include "interp/arc.h"
+#include "analyzer/rule/rule.h"
+#include "interp/geometry/arc.h"
 
 #include <cmath>
 

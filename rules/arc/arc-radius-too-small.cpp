@@ -1,6 +1,6 @@
 // An arc whose radius is zero or does not reach from start to end.
-#include "analyzer/rule.h"
-#include "interp/arc.h"
+#include "analyzer/rule/rule.h"
+#include "interp/geometry/arc.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // An arc through three points that lie on a line, or a tangential one that nothing leads to.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // An arc block with a centre word of an axis that does not lie in the active plane.
-#include "analyzer/once.h"
-#include "interp/arc.h"
+#include "analyzer/rule/report_once.h"
+#include "interp/geometry/arc.h"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // A code, word or form that the control's family has, but not this control.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // An address that may stand once stands twice in a block.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <set>
 

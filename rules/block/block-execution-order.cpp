@@ -1,5 +1,5 @@
 // Words of a block that take effect in another order, or by another code, than they seem to.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A code or word that is used as another control reads it.
-#include "analyzer/foreign_block.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/foreign_block.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A code without a word that it requires.
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
 namespace {

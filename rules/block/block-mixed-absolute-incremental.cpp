@@ -1,5 +1,5 @@
 // One axis with an absolute and an incremental word in the same block.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

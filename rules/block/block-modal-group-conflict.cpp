@@ -1,5 +1,5 @@
 // Two codes of one block that exclude each other.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A code that needs a block of its own shares it with words that are not its own.
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
 namespace {

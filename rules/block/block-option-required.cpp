@@ -1,5 +1,5 @@
 // A code that works only with an option of the machine that the profile does not confirm.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // More M codes in a block than the control takes.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

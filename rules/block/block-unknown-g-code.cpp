@@ -1,5 +1,5 @@
 // A G code that this control's table does not have.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

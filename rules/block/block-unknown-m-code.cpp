@@ -1,5 +1,5 @@
 // An M code that neither this control's table nor the machine profile has.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 // A word that no code of the block and no code in force takes.
-#include "analyzer/foreign_block.h"
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/foreign_block.h"
+#include "analyzer/facts/word_checks.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 // A value outside of what its code takes.
-#include "analyzer/lookahead.h"
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/word_checks.h"
 
 #include "llvm/ADT/StringExtras.h"
 

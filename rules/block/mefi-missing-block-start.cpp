@@ -1,5 +1,5 @@
 // A line that looks like a block of its own, but goes on with the block above, or belongs to none.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Corner and vector codes of compensation (G38, G39) where they cannot work.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

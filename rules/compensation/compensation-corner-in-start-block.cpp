@@ -1,5 +1,5 @@
 // A chamfer or rounding in the move that switches compensation on or off.
-#include "analyzer/corner_words.h"
+#include "analyzer/facts/corner_words.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // The move that builds up or removes compensation is shorter than the radius.
-#include "analyzer/rule.h"
-#include "interp/tool_data.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/tool_data.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Codes that must not be used while radius compensation is on.
-#include "analyzer/ending_code.h"
-#include "analyzer/read_ahead.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/preprocessor_reads.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

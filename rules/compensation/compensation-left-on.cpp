@@ -1,7 +1,7 @@
 // Radius compensation that is still on at a tool change, a return or the program's end.
-#include "analyzer/behind_calls.h"
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/after_calls.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 // A turned contour with slants or arcs and no compensation, or compensation around a contour cycle.
-#include "analyzer/lookahead.h"
-#include "interp/tool_data.h"
+#include "analyzer/facts/lookahead.h"
+#include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
 namespace {

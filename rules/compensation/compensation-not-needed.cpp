@@ -1,5 +1,5 @@
 // Nose radius compensation around a path that runs parallel to the axes only.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The plane changed while radius compensation is on.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

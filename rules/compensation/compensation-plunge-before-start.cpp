@@ -1,5 +1,5 @@
 // A cutter that is fed down to depth before compensation is switched on.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

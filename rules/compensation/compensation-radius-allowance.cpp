@@ -1,7 +1,7 @@
 // Compensation with a negative radius, which swaps its sides, and a stock that is left set.
-#include "analyzer/left_on.h"
-#include "analyzer/lookahead.h"
-#include "interp/tool_data.h"
+#include "analyzer/rule/switch_left_on.h"
+#include "analyzer/facts/lookahead.h"
+#include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
 namespace {

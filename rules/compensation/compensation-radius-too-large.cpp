@@ -1,5 +1,5 @@
 // A place of the contour into which the compensated tool does not fit.
-#include "analyzer/contour_trail.h"
+#include "analyzer/facts/contour_trail.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // The side of compensation changed without switching it off in between.
-#include "analyzer/ending_code.h"
-#include "interp/tool_data.h"
+#include "analyzer/facts/ending_code.h"
+#include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Compensation engages on the contour itself.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

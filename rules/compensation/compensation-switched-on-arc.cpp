@@ -1,5 +1,5 @@
 // Compensation that an arc has to build up or take away.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

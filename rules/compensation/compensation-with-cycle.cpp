@@ -1,5 +1,5 @@
 // A drilling or threading cycle, or a thread, while radius compensation is on.
-#include "analyzer/ending_code.h"
+#include "analyzer/facts/ending_code.h"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // A compensation code without a move in the plane, and a subprogram that begins without one.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // Compensation without an offset number, or with an offset that holds no radius.
-#include "analyzer/once.h"
-#include "interp/tool_data.h"
+#include "analyzer/rule/report_once.h"
+#include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
 namespace {

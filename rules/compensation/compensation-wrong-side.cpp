@@ -1,7 +1,7 @@
 // Radius compensation on the side of the material, or on that which the tool's nose does not have.
-#include "analyzer/once.h"
-#include "analyzer/path_ahead.h"
-#include "interp/tool_data.h"
+#include "analyzer/rule/report_once.h"
+#include "analyzer/facts/path_ahead.h"
+#include "interp/evaluate/tool_data.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The end of a line does not lie in the direction of its angle.
-#include "analyzer/corner_words.h"
-#include "analyzer/path_ahead.h"
-#include "interp/arc.h"
+#include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/path_ahead.h"
+#include "interp/geometry/arc.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // The angle of a line runs parallel to the coordinate that is to be reached.
-#include "analyzer/corner_words.h"
+#include "analyzer/facts/corner_words.h"
 
 #include <cmath>
 

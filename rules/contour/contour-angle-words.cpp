@@ -1,5 +1,5 @@
 // A line by angle has too many or too few coordinates, or stands in a block that is no line.
-#include "analyzer/corner_words.h"
+#include "analyzer/facts/corner_words.h"
 
 #include <bit>
 

@@ -1,5 +1,5 @@
 // A chamfer or rounding stands where the control does not take one.
-#include "analyzer/corner_words.h"
+#include "analyzer/facts/corner_words.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A corner in which the control stops with an alarm when it runs block by block.
-#include "analyzer/corner_words.h"
+#include "analyzer/facts/corner_words.h"
 
 namespace ncvet {
 namespace {

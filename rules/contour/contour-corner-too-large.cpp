@@ -1,6 +1,6 @@
 // A chamfer or rounding that does not fit on its neighbours, or is not positive.
-#include "analyzer/corner_words.h"
-#include "analyzer/path_ahead.h"
+#include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/path_ahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A chamfer or rounding has no following move.
-#include "analyzer/corner_words.h"
-#include "interp/corner_path.h"
+#include "analyzer/facts/corner_words.h"
+#include "interp/path/corner_path.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // Chamfer and rounding stand together, have the wrong letter or the wrong sign.
-#include "analyzer/corner_words.h"
-#include "analyzer/path_ahead.h"
+#include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/path_ahead.h"
 
 #include <cmath>
 

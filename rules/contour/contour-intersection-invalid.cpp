@@ -1,9 +1,9 @@
 // Two blocks that the control has to intersect are incomplete or do not meet.
-#include "analyzer/corner_words.h"
-#include "analyzer/defined_elements.h"
-#include "analyzer/element_geometry.h"
-#include "interp/arc.h"
-#include "interp/contour_cycle.h"
+#include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/defined_elements.h"
+#include "analyzer/facts/element_geometry.h"
+#include "interp/geometry/arc.h"
+#include "interp/cycles/contour_cycle.h"
 
 #include <bit>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Contours to look at again: conventional milling, and arcs that a drawing shows mirrored.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

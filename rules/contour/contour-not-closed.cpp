@@ -1,7 +1,7 @@
 // The contour of a pocket or island that does not end where it begins, and a compensated contour
 // that ends just beside it.
-#include "analyzer/rule.h"
-#include "interp/tool_data.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/tool_data.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // Codes that a contour program may not hold.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

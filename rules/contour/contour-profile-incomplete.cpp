@@ -1,5 +1,5 @@
 // A contour that has a start and no element, or that nothing mills along.
-#include "analyzer/left_on.h"
+#include "analyzer/rule/switch_left_on.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Sections of a swept surface that do not fit each other or their numbers.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // An arc fits only when the increment in X is read as a radius.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <cmath>
 

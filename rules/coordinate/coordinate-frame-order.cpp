@@ -1,5 +1,5 @@
 // Shifts, rotations, scaling and mirrors are ended in an order that the control does not allow.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A frame that replaces the one in force.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // An active scaling or mirror image changes more than it seems to.
-#include "analyzer/defined_elements.h"
+#include "analyzer/facts/defined_elements.h"
 
 #include <set>
 

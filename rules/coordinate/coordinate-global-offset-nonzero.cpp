@@ -1,5 +1,5 @@
 // A common offset of the machine shifts every program.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

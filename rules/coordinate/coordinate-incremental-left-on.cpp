@@ -1,5 +1,5 @@
 // Incremental dimensions are still on when the program ends.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

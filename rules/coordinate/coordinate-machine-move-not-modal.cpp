@@ -1,5 +1,5 @@
 // A block looks as if the machine coordinates of the block before were still in force.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

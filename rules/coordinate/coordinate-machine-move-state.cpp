@@ -1,5 +1,5 @@
 // A machine-coordinate move is written with increments.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A machine-coordinate move is not at rapid, or leads to the wrong side of machine zero.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <algorithm>
 

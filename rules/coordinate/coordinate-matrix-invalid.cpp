@@ -1,5 +1,5 @@
 // A matrix that the control cannot use, or does not know.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // A program writes data that later programs work with.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // A polar point lacks its radius, or gives it as an increment.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A transformation that does not fit the machine.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 #include "formats/dialect/variable_key.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Inch and metric are mixed, or the unit is selected after motion.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The tool moves in work coordinates before a work offset was selected.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A cycle begins below its retraction plane, at the part.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // The levels of a drilling cycle lie in the wrong order: start, R, depth.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

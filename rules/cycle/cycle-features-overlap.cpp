@@ -1,9 +1,9 @@
 // Slots or holes of one call run into each other, an island lies outside of its pocket.
-#include "analyzer/element_geometry.h"
-#include "analyzer/lookahead.h"
-#include "analyzer/outline.h"
-#include "interp/arc.h"
-#include "interp/expression.h"
+#include "analyzer/facts/element_geometry.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/outline.h"
+#include "interp/geometry/arc.h"
+#include "interp/evaluate/expression.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // With incremental repeats the place where the cycle is called gets no hole.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

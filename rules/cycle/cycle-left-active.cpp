@@ -1,8 +1,8 @@
 // A modal cycle is still active where the operation is over: tool change, program end, return.
-#include "analyzer/behind_calls.h"
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
-#include "analyzer/measuring_series.h"
+#include "analyzer/facts/after_calls.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/measuring_series.h"
 
 #include <map>
 

@@ -1,5 +1,5 @@
 // A boring cycle waits for the operator, or shifts a tool whose direction nobody checked.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A canned or turning cycle lacks a word that it needs.
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A cycle is set up without a hole and cancelled before it made one, or its data stand where they
 // are lost.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <set>
 #include <unordered_map>

@@ -1,5 +1,5 @@
 // Words of a cycle exclude each other.
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
 namespace {

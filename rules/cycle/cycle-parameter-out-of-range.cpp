@@ -1,6 +1,6 @@
 // A word of a canned or turning cycle has a value that the cycle does not take.
-#include "analyzer/lookahead.h"
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
 namespace {

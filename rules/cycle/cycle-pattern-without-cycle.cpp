@@ -1,5 +1,5 @@
 // Positions for a cycle that does not run.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // The pecks of a drilling cycle are missing, not positive, or contradict each other.
-#include "analyzer/lookahead.h"
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
 namespace {

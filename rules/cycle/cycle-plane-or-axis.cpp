@@ -1,5 +1,5 @@
 // A drilling cycle runs in a plane in which it does not work.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <nlohmann/json.hpp>
 

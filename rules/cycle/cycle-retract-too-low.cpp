@@ -1,7 +1,7 @@
 // A cycle withdraws to a level inside the work, or below a clamp on the way to the next place.
-#include "analyzer/rule.h"
-#include "interp/cycle_moves.h"
-#include "interp/obstacle.h"
+#include "analyzer/rule/rule.h"
+#include "interp/cycles/cycle_moves.h"
+#include "interp/geometry/obstacle.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The spindle turns the other way than the cycle needs.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A cycle needs something of the spindle that the machine does not have or that was not prepared.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

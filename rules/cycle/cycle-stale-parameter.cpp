@@ -1,5 +1,5 @@
 // A cycle takes a value that was meant for another one.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // A code that is not known to cancel a drilling cycle stands while the cycle is active.
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
-#include "analyzer/once.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/report_once.h"
 
 #include <set>
 

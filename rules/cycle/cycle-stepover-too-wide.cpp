@@ -1,5 +1,5 @@
 // The side step of a grooving cycle is wider than the insert, or leaves an uneven last step.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Feed and speed of a tapping cycle do not give the pitch.
-#include "analyzer/drill_parts.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/drill_parts.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The tool is too large for what the cycle is to make.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A cycle that was written for another tool.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

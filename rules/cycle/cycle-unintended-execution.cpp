@@ -1,6 +1,6 @@
 // A block runs the active cycle again although it looks like a retract or a plain move.
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

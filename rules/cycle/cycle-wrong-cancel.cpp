@@ -1,5 +1,5 @@
 // A cancel code of another family than the active cycle's.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

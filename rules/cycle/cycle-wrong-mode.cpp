@@ -1,5 +1,5 @@
 // A cycle runs under a mode that it does not work in.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 // A drilling cycle runs again in a block that moves nowhere.
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A feed whose size belongs to the other feed unit.
-#include "analyzer/once.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A feed move or cutting cycle runs without a feed ever having been programmed.
-#include "analyzer/once.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The feed's unit was changed, and the next feed move has no F of its own.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

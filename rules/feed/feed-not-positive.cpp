@@ -1,5 +1,5 @@
 // A feed of zero or less.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,7 +1,7 @@
 // An answer of the operator that nothing checks.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
-#include "interp/expression.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/expression.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A call and what it calls do not agree in their arguments.
-#include "analyzer/rule.h"
-#include "interp/condition.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/condition.h"
 
 namespace ncvet {
 namespace {

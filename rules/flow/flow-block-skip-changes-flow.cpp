@@ -1,6 +1,6 @@
 // The two blocks of a two-block cycle can be skipped separately.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

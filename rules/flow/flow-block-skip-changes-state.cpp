@@ -1,6 +1,6 @@
 // What runs behind a skippable block depends on the skip switch.
-#include "analyzer/lookahead.h"
-#include "analyzer/reliance.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/mode_reliance.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A local call gives its target as a block number word.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A target that only the run decides.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A condition has always the same result.
-#include "analyzer/lookahead.h"
-#include "interp/expression.h"
+#include "analyzer/facts/lookahead.h"
+#include "interp/evaluate/expression.h"
 
 #include <map>
 

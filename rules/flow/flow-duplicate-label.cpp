@@ -1,5 +1,5 @@
 // A label that two blocks of a program carry.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,7 +1,7 @@
 // A loop has no way out.
-#include "analyzer/lookahead.h"
-#include "analyzer/repeated_sections.h"
-#include "interp/expression.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/repeated_sections.h"
+#include "interp/evaluate/expression.h"
 
 #include <set>
 

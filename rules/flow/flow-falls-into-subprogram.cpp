@@ -1,5 +1,5 @@
 // The main flow runs on into a local subprogram.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

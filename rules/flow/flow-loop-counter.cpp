@@ -1,6 +1,6 @@
 // The variable of a counting loop is written inside the loop.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A modal call is still on when the program ends.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

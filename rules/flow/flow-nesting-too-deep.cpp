@@ -1,5 +1,5 @@
 // Calls inside calls go deeper than the control can follow.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

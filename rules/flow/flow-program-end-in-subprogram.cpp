@@ -1,6 +1,6 @@
 // A program end code stands in a called program.
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

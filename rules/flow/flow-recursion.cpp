@@ -1,5 +1,5 @@
 // A program calls itself, directly or through others.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

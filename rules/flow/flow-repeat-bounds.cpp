@@ -1,6 +1,6 @@
 // A section that is repeated ends before it begins, or holds the block that repeats it or an end.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 // The repeat count of a call is not a whole number of runs.
-#include "analyzer/rule.h"
-#include "interp/expression.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/expression.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Every pass of a repeated call does the same again.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

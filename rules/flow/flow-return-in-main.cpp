@@ -1,5 +1,5 @@
 // A return code is reached in a program that nobody called.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

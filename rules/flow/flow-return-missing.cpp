@@ -1,6 +1,6 @@
 // A called program does not come to its return.
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

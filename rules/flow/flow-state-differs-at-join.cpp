@@ -1,6 +1,6 @@
 // A block is reached in different modes, depending on the way.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
 
 #include <map>
 #include <set>

@@ -1,6 +1,6 @@
 // WHILE, DO and END do not belong together.
-#include "analyzer/repeated_sections.h"
-#include "analyzer/rule.h"
+#include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A called program leaves a mode changed that the caller relies on.
-#include "analyzer/reliance.h"
-#include "analyzer/rule.h"
+#include "analyzer/facts/mode_reliance.h"
+#include "analyzer/rule/rule.h"
 
 #include "llvm/ADT/StringExtras.h"
 

@@ -1,5 +1,5 @@
 // A call or jump code stands without the word that names its target.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

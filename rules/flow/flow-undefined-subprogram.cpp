@@ -1,5 +1,5 @@
 // A called program, or a locally called block, exists nowhere.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A jump or a return names a block that does not exist.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

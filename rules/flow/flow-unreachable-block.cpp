@@ -1,6 +1,6 @@
 // Blocks that no path reaches.
-#include "analyzer/block_at.h"
-#include "analyzer/lookahead.h"
+#include "analyzer/program/block_reading.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <algorithm>
 

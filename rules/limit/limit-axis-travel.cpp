@@ -1,7 +1,7 @@
 // A programmed value lies outside of the machine, or of the volume that the program keeps to.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 #include "formats/dialect/variable_key.h"
-#include "interp/zero.h"
+#include "interp/state/zero_point.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // A spindle speed lies above the clamp that the program set.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A zone that was set with one tool is used with another.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <bit>
 

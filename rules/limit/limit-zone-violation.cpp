@@ -1,5 +1,5 @@
 // A move leads into a forbidden zone.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <array>
 #include <bit>

@@ -1,5 +1,5 @@
 // A new phase of the program resets what is still needed.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

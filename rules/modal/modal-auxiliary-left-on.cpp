@@ -1,5 +1,5 @@
 // A function that comes as an on and off pair is still on at the end of the program.
-#include "analyzer/left_on.h"
+#include "analyzer/rule/switch_left_on.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Coolant is still on at the end of the program.
-#include "analyzer/left_on.h"
+#include "analyzer/rule/switch_left_on.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The control is left in another language.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

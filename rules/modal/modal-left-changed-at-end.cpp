@@ -1,6 +1,6 @@
 // A mode that the next program does not expect: left on at the end, or, on lathes, the plane that a
 // drilling cycle selected.
-#include "analyzer/left_on.h"
+#include "analyzer/rule/switch_left_on.h"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // A corner mode that does not suit the work.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Exact stop or a limit of look-ahead is still on at the end of the program, or over a contour.
-#include "analyzer/left_on.h"
+#include "analyzer/rule/switch_left_on.h"
 
 #include <map>
 #include <set>

@@ -1,6 +1,6 @@
 // Codes and words that change nothing: a code that switches off what is off already, a feed in a
 // rapid block, an increment under incremental dimensions, a block that holds nothing.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // The spindle is started while clamped or open, the chuck opens while it turns, or a clamped axis
 // moves.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

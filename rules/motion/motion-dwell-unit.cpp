@@ -1,5 +1,5 @@
 // The size of a dwell time points to the wrong unit.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

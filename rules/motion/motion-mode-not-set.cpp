@@ -1,5 +1,5 @@
 // Axis words stand before any motion code of the program.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A rapid move in two axes leaves a bore.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A rapid move along the tool axis ends in the work.
-#include "analyzer/lookahead.h"
-#include "interp/obstacle.h"
+#include "analyzer/facts/lookahead.h"
+#include "interp/geometry/obstacle.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A rapid move in the plane while the tool is still at cutting depth.
-#include "analyzer/rule.h"
-#include "interp/obstacle.h"
+#include "analyzer/rule/rule.h"
+#include "interp/geometry/obstacle.h"
 
 #include <array>
 

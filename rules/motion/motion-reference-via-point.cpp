@@ -1,5 +1,5 @@
 // A return from the reference point has no intermediate point to pass.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A rapid move to where the tool has cut, and then the tool is changed.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <algorithm>
 #include <map>

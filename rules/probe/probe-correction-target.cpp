@@ -1,5 +1,5 @@
 // A measurement corrects what does not fit it, or what is in use.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

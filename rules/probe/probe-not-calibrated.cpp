@@ -1,5 +1,5 @@
 // A probe that nothing has qualified.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

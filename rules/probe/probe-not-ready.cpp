@@ -1,5 +1,5 @@
 // A measuring cycle without a probe, or with one that is not switched on.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include "llvm/ADT/StringExtras.h"
 

@@ -1,8 +1,8 @@
 // The results of measuring go on being written.
-#include "analyzer/lookahead.h"
-#include "analyzer/measuring_series.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/measuring_series.h"
 #include "formats/dialect/variable_key.h"
-#include "interp/expression.h"
+#include "interp/evaluate/expression.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A measuring cycle with values that it cannot work with.
-#include "analyzer/measuring_series.h"
-#include "analyzer/rule.h"
+#include "analyzer/facts/measuring_series.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

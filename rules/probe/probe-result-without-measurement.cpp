@@ -1,5 +1,5 @@
 // A check of the skip signal without a skip move before it.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

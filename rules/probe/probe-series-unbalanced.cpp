@@ -1,5 +1,5 @@
 // A measurement outside of its series, or a series that is not closed.
-#include "analyzer/left_on.h"
+#include "analyzer/rule/switch_left_on.h"
 
 namespace ncvet {
 namespace {

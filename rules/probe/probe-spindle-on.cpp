@@ -1,5 +1,5 @@
 // The spindle turns while a probe touches.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

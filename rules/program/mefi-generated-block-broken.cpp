@@ -1,6 +1,6 @@
 // A generated block that its dialog can no longer edit, or whose next edit loses something.
-#include "analyzer/drill_parts.h"
-#include "analyzer/generated_block.h"
+#include "analyzer/facts/drill_parts.h"
+#include "analyzer/facts/generated_block.h"
 
 #include "llvm/ADT/StringExtras.h"
 

@@ -1,5 +1,5 @@
 // A generated block that departs from what its dialog writes, without harm.
-#include "analyzer/generated_block.h"
+#include "analyzer/facts/generated_block.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A block number that occurs twice in a program.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

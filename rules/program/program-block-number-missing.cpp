@@ -1,5 +1,5 @@
 // The first block of a tool section has no number.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Block numbers that do not ascend, or do not stand first in their block.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Blocks behind the program's end that nothing reaches.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

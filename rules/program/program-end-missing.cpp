@@ -1,5 +1,5 @@
 // A path of the main program reaches the end of the text without an end code.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The program ends with the tool in the work.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The program ends with a code that does not return to its start.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

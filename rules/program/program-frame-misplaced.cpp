@@ -1,5 +1,5 @@
 // A program's head or end stands in the wrong place, or more than once.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

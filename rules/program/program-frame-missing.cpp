@@ -1,5 +1,5 @@
 // The program number, or the closing mark, that the control wants around a program is missing.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A program number or file name that breaks the control's rules.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

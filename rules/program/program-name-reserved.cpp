@@ -1,5 +1,5 @@
 // A program number that belongs to the control.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Two programs of one file have the same number.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A feed is programmed before the program has said what it is measured in.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

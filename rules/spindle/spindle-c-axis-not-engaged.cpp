@@ -1,5 +1,5 @@
 // C axis words while the C axis is not coupled to the spindle.
-#include "analyzer/once.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {

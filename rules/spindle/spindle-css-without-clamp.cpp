@@ -1,5 +1,5 @@
 // Constant surface speed without a limit of the spindle's speed.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A live tool that still turns at a tool change or at the program's end.
-#include "analyzer/left_on.h"
+#include "analyzer/rule/switch_left_on.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The speed mode changed without a new S, and an S that does not fit its mode.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,7 +1,7 @@
 // A cut behind rigid tapping, a tool change or an oriented stop, which have left the spindle
 // standing.
-#include "analyzer/lookahead.h"
-#include "analyzer/once.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {

@@ -1,8 +1,8 @@
 // A feed move or a cutting cycle while the spindle stands.
-#include "analyzer/ending_code.h"
-#include "analyzer/lookahead.h"
-#include "analyzer/once.h"
-#include "interp/tool_data.h"
+#include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/report_once.h"
+#include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
 namespace {

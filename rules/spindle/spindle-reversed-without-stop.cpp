@@ -1,5 +1,5 @@
 // The spindle reversed while it turns.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A spindle that is started without a speed, or with none above zero.
-#include "analyzer/once.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A choice by value without a way for every other value.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

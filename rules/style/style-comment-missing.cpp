@@ -1,5 +1,5 @@
 // A program number without a comment that names the program, or a comment of the wrong kind.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // More digits behind the point than the control resolves.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Code written in lower case.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

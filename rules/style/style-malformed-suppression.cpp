@@ -1,5 +1,5 @@
 // A suppression comment that ncvet cannot follow: an unknown word, or a rule that does not exist.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

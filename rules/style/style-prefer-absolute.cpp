@@ -1,5 +1,5 @@
 // A long chain of incremental moves where absolute values are safer.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

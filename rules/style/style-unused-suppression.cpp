@@ -1,6 +1,6 @@
 // A suppression comment that suppresses nothing. Comments that cannot cover anything are found
 // here; those that could but do not, by the step that applies them when all rules have run.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // What should be a program of its own: equal sequences of blocks, and a profile inside the main
 // program.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include "llvm/Support/xxhash.h"
 

@@ -1,5 +1,5 @@
 // A variable that the control itself uses, or loses.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // An expression that the control groups in another way than it looks.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A parameter that is written like a word, without the sign that gives it its value.
-#include "analyzer/foreign_block.h"
-#include "analyzer/instruction_name.h"
+#include "analyzer/facts/foreign_block.h"
+#include "analyzer/facts/instruction_name.h"
 
 #include "llvm/ADT/StringExtras.h"
 

@@ -1,5 +1,5 @@
 // A block of more characters than the control reads.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A comment that is nothing but a code word, and therefore does nothing.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A comma as the decimal sign, on a control where commas open words of their own.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

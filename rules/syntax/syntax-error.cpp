@@ -1,5 +1,5 @@
 // A statement, expression or run of letters that does not fit the control's grammar.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A comment in the manner of another control.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

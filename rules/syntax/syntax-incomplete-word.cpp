@@ -1,5 +1,5 @@
 // An address without a number, or a number without an address.
-#include "analyzer/foreign_block.h"
+#include "analyzer/facts/foreign_block.h"
 
 namespace ncvet {
 namespace {

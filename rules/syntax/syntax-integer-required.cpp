@@ -1,6 +1,6 @@
 // A word that takes a whole number has a fraction or a decimal point.
-#include "analyzer/rule.h"
-#include "interp/expression.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/expression.h"
 
 #include <cmath>
 

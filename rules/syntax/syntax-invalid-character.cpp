@@ -1,5 +1,5 @@
 // A character outside comments that the control cannot read.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // A letter that looks like a digit stands inside a number.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

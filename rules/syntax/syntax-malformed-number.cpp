@@ -1,5 +1,5 @@
 // A number with two points, a sign in the middle, a blank inside or no digit.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A length, angle or feed without a decimal point on a control that may scale such a value.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Brackets, parentheses or quotation marks that are not closed, in languages of calls.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A comment that is not closed in its block, is nested, or is closed without having been opened.
-#include "analyzer/once.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // An address letter that this control does not have.
-#include "analyzer/foreign_block.h"
+#include "analyzer/facts/foreign_block.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A name that the control does not know and the program does not define.
-#include "analyzer/defined_elements.h"
-#include "analyzer/instruction_name.h"
+#include "analyzer/facts/defined_elements.h"
+#include "analyzer/facts/instruction_name.h"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // A tool change where the tool stands in the work or too low.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // A tool change and a move in one block.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A tool change for which no tool was selected.
-#include "analyzer/nameless_change.h"
+#include "analyzer/facts/unnamed_tool_change.h"
 
 namespace ncvet {
 namespace {

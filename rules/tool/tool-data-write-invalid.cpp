@@ -1,5 +1,5 @@
 // Tool data that the control does not take.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

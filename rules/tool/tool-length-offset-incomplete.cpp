@@ -1,5 +1,5 @@
 // A length offset code without its number, or without the axis along which it acts.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Length compensation that is still on at a tool change, a machine move or the program's end.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

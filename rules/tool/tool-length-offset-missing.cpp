@@ -1,5 +1,5 @@
 // A move along the tool axis after a tool change, before length compensation is on.
-#include "analyzer/once.h"
+#include "analyzer/rule/report_once.h"
 
 #include <cstring>
 #include <map>

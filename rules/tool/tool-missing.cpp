@@ -1,5 +1,5 @@
 // A cut before any tool was called.
-#include "analyzer/nameless_change.h"
+#include "analyzer/facts/unnamed_tool_change.h"
 
 namespace ncvet {
 namespace {

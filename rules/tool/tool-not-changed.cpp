@@ -1,5 +1,5 @@
 // A tool is named, and the program cuts or ends without having changed it in.
-#include "analyzer/nameless_change.h"
+#include "analyzer/facts/unnamed_tool_change.h"
 
 namespace ncvet {
 namespace {

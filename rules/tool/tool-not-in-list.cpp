@@ -1,5 +1,5 @@
 // Tool and offset numbers that the machine profile's list does not have.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Work with a tool whose offset is cancelled.
-#include "analyzer/once.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // An offset number that is not the tool's own.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

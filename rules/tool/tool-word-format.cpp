@@ -1,5 +1,5 @@
 // A tool word that does not have the digits of this control: station and offset on lathes.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The finishing allowance of a roughing cycle has the wrong sign for the side, or there is none.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A drilling cycle that the main spindle drives runs beside its axis.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

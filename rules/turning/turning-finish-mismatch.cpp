@@ -1,5 +1,5 @@
 // The finishing cycle runs along other blocks, or starts elsewhere, than the roughing before it.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Roughing leaves an allowance that no finishing pass removes.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

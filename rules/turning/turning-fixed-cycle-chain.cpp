@@ -1,5 +1,5 @@
 // Increments of successive passes look like a chain, but count from the start point.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // The first block of a profile has the wrong motion code or axes for the roughing cycle.
-#include "analyzer/profile_shape.h"
-#include "analyzer/profile_ways.h"
+#include "analyzer/facts/profile_shape.h"
+#include "analyzer/facts/profile_ways.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // The blocks that a turning cycle names as its profile do not exist or stand in the wrong order.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

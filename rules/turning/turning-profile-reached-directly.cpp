@@ -1,5 +1,5 @@
 // Plain flow runs the blocks of a profile that a finishing cycle runs as well.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // Words of a profile that the roughing cycle does not obey.
-#include "analyzer/profile_ways.h"
+#include "analyzer/facts/profile_ways.h"
 
 namespace ncvet {
 namespace {

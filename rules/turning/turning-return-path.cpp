@@ -1,5 +1,5 @@
 // The return to the start point at the end of a cycle can cross the part.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

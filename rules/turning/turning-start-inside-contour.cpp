@@ -1,5 +1,5 @@
 // A turning cycle starts inside of what it is to cut.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

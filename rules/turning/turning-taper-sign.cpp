@@ -1,5 +1,5 @@
 // The taper of a turning or threading pass has a doubtful sign.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

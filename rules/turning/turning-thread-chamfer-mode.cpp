@@ -1,5 +1,5 @@
 // The run-out mode of a thread is not stated, or shortens the full thread.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

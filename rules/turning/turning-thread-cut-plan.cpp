@@ -1,7 +1,7 @@
 // The passes of a thread do not fit its depth, or do not go deeper.
-#include "analyzer/path_ahead.h"
+#include "analyzer/facts/path_ahead.h"
 #include "formats/dialect/measure.h"
-#include "interp/cycle_parameters.h"
+#include "interp/evaluate/cycle_parameters.h"
 
 #include <cmath>
 

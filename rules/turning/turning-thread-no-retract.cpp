@@ -1,5 +1,5 @@
 // A single thread stroke is not followed by a retract at rapid.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A thread is cut with a feed that was not given as its pitch.
-#include "analyzer/lookahead.h"
-#include "analyzer/word_checks.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
 namespace {

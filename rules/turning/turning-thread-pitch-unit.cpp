@@ -1,5 +1,5 @@
 // Pitch or depth of a thread is given in the wrong unit, in two units, or in a doubtful feed mode.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

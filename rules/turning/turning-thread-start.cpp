@@ -1,5 +1,5 @@
 // A thread starts too near in diameter or in run-in length.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // A thread or a hole is cut while constant surface speed is active.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // A turning cycle is written in another control's form, or one of its two blocks is missing.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A called program writes a variable that the caller has set and still needs.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include "llvm/ADT/StringExtras.h"
 

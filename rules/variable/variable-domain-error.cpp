@@ -1,5 +1,5 @@
 // A division by zero, or a function of a value outside its domain.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // A fraction is compared for equality.
-#include "analyzer/rule.h"
-#include "interp/expression.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/expression.h"
 
 #include <cmath>
 

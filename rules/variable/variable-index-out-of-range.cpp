@@ -1,5 +1,5 @@
 // A variable or an element that the control does not have.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <set>
 

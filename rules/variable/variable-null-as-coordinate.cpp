@@ -1,6 +1,6 @@
 // An axis word whose variable was never set.
-#include "analyzer/rule.h"
-#include "interp/expression.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/expression.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // An actual value is read before the moves in front of it are done.
-#include "analyzer/read_ahead.h"
+#include "analyzer/facts/preprocessor_reads.h"
 
 namespace ncvet {
 namespace {

@@ -1,5 +1,5 @@
 // A parameter is read that the program has not given a value.
-#include "analyzer/lookahead.h"
+#include "analyzer/facts/lookahead.h"
 
 #include "llvm/ADT/StringExtras.h"
 

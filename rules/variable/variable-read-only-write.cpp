@@ -1,5 +1,5 @@
 // A system variable that the control alone writes.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

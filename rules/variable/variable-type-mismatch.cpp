@@ -1,6 +1,6 @@
 // A text where a number is due, or a number where a text is.
-#include "analyzer/rule.h"
-#include "interp/expression.h"
+#include "analyzer/rule/rule.h"
+#include "interp/evaluate/expression.h"
 
 #include "llvm/ADT/StringMap.h"
 

@@ -1,5 +1,5 @@
 // A variable or an element of a contour that is defined and never read.
-#include "analyzer/defined_elements.h"
+#include "analyzer/facts/defined_elements.h"
 
 #include <map>
 #include <set>

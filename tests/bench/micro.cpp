@@ -3,7 +3,7 @@
 #include "formats/dialect/loader.h"
 #include "formats/readers/reader.h"
 #include "formats/text/source.h"
-#include "interp/execute.h"
+#include "interp/execute/execute.h"
 
 #include <benchmark/benchmark.h>
 

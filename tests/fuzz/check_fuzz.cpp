@@ -1,7 +1,7 @@
 // Fuzzes the whole check: any bytes, in any dialect, with all rules, give findings that can be
 // reported, the same ones each time, and fixes that fit.
-#include "analyzer/checker.h"
-#include "analyzer/fix.h"
+#include "analyzer/check/checker.h"
+#include "analyzer/check/fix.h"
 #include "formats/reports/report.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sessions.h"

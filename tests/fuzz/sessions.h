@@ -1,8 +1,8 @@
 // Sessions for fuzzing, one a dialect.
 #pragma once
 
-#include "analyzer/rule.h"
-#include "analyzer/session.h"
+#include "analyzer/rule/rule.h"
+#include "analyzer/setup/session.h"
 #include "formats/dialect/loader.h"
 
 #include <cstdlib>

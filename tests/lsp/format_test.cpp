@@ -1,5 +1,5 @@
 // Formatting and renumbering: the text changes, what the control does never.
-#include "analyzer/trace.h"
+#include "analyzer/flow/trace.h"
 #include "lsp/features/format.h"
 #include "lsp/features/renumber.h"
 #include "lsp/features/same_block.h"

@@ -1,5 +1,5 @@
 // Renaming: the new text moves the machine as the old one does, or there is none.
-#include "analyzer/trace.h"
+#include "analyzer/flow/trace.h"
 #include "formats/text/edit.h"
 #include "lsp/features/rename.h"
 #include "tests/support/marked_text.h"

@@ -1,5 +1,5 @@
 // Help on the word at a place: codes, addresses, parameters and variables.
-#include "analyzer/states_at.h"
+#include "analyzer/flow/states_at_block.h"
 #include "lsp/features/word_help.h"
 #include "tests/support/marked_text.h"
 

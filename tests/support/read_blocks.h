@@ -2,7 +2,7 @@
 #pragma once
 
 #include "formats/readers/reader.h"
-#include "interp/expression.h"
+#include "interp/evaluate/expression.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // due.
 #pragma once
 
-#include "analyzer/analyze.h"
+#include "analyzer/check/analyze.h"
 #include "formats/dialect/loader.h"
 
 #include <unistd.h>

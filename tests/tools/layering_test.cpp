@@ -115,7 +115,7 @@ bool forbiddenHeader(std::string_view path, std::string_view header) {
   const bool isHeader = path.size() > 2 && path.substr(path.size() - 2) == ".h";
   // A second of compile time for everybody who includes it: .cpp files only, and the one header
   // that is the plane geometry itself.
-  if (isHeader && header.substr(0, 6) == "Eigen/" && path != "interp/contour_element.h")
+  if (isHeader && header.substr(0, 6) == "Eigen/" && path != "interp/geometry/contour_element.h")
     return true;
   // The messages of the language server are JSON; its features are not.
   const bool inFeatures = path.substr(0, 13) == "lsp/features/";
@@ -330,7 +330,7 @@ TEST(Layering, AnIncludeOfARowBelowIsSeenWithItsLine) {
   EXPECT_EQ(violations("interp/x.h", sentence + "\n  #  include <formats/finding/finding.h>\n"),
             std::vector<std::string>{"interp/x.h:3: may not include formats/finding/finding.h"});
   EXPECT_EQ(
-      violations("formats/reports/x.h", sentence + "#include \"analyzer/analyze.h\"\n").size(), 1U);
+      violations("formats/reports/x.h", sentence + "#include \"analyzer/check/analyze.h\"\n").size(), 1U);
 }
 
 TEST(Layering, NobodyButTheCommandLineIncludesTheServerOrTheCommandLine) {
@@ -346,14 +346,14 @@ TEST(Layering, NobodyButTheCommandLineIncludesTheServerOrTheCommandLine) {
 TEST(Layering, ARuleThatIncludesAnotherRuleIsSeen) {
   EXPECT_EQ(violations("rules/cycle/a.cpp", sentence + "#include \"rules/cycle/b.h\"\n").size(),
             1U);
-  EXPECT_TRUE(violations("rules/cycle/a.cpp", sentence + "#include \"analyzer/rule.h\"\n").empty());
+  EXPECT_TRUE(violations("rules/cycle/a.cpp", sentence + "#include \"analyzer/rule/rule.h\"\n").empty());
 }
 
 TEST(Layering, ADialectNamedInCodeIsSeenAndInACommentIsNot) {
   EXPECT_EQ(violations("interp/x.cpp", sentence + "if (id == \"haas-lathe\") // \"ecs\"\n"),
             std::vector<std::string>{
                 "interp/x.cpp:2: names the dialect \"haas-lathe\"; ask its table instead"});
-  EXPECT_EQ(violations("analyzer/detect.cpp", sentence + "return \"fanuc-0m\";\n").size(), 1U);
+  EXPECT_EQ(violations("analyzer/setup/detect.cpp", sentence + "return \"fanuc-0m\";\n").size(), 1U);
   EXPECT_EQ(violations("rules/tool/x.cpp", sentence + "c == '\"' ? \"mefi\" : \"\";\n").size(), 1U);
   EXPECT_TRUE(violations("analyzer/cli/x.cpp", sentence + "return \"haas-lathe\";\n").empty());
   EXPECT_TRUE(violations("rules/flow/x.cpp", sentence + "id == \"ecs-input-unchecked\"\n").empty());

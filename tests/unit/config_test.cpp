@@ -1,5 +1,5 @@
 // Globs of the configuration.
-#include "analyzer/config.h"
+#include "analyzer/setup/config.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Which tools fit beside a contour, and how far elements are apart.
-#include "interp/contour_distance.h"
-#include "interp/contour_fit.h"
+#include "interp/geometry/contour_distance.h"
+#include "interp/geometry/contour_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Tables of FANUC, NCT and DIN 66025: which control has which code, and what it means there.
 #include "formats/dialect/loader.h"
 #include "formats/readers/reader.h"
-#include "interp/execute.h"
+#include "interp/execute/execute.h"
 
 #include "llvm/Support/Regex.h"
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // What is kept of a text from one version to the next is what a look at all of it finds.
-#include "analyzer/file_scan.h"
+#include "analyzer/program/file_scan.h"
 #include "formats/dialect/loader.h"
 #include "tests/support/random_edits.h"
 

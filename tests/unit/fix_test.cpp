@@ -1,5 +1,5 @@
 // Fixes: applying all safe ones gives no new finding, and a second time changes nothing.
-#include "analyzer/fix.h"
+#include "analyzer/check/fix.h"
 #include "tests/support/rule_pages.h"
 
 #include "llvm/Support/FileSystem.h"

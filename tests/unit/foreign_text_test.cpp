@@ -1,5 +1,5 @@
 // Texts that are for another control: told once, and what is wrong in a program is told of.
-#include "analyzer/checker.h"
+#include "analyzer/check/checker.h"
 
 #include <gtest/gtest.h>
 

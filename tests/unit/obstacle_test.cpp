@@ -1,5 +1,5 @@
 // Ways through the boxes of a machine profile.
-#include "interp/obstacle.h"
+#include "interp/geometry/obstacle.h"
 
 #include <gtest/gtest.h>
 

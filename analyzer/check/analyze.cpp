@@ -1,0 +1,36 @@
+// The facade: checks one program with everything that it calls.
+#include "analyzer/check/analyze.h"
+
+#include "analyzer/flow/engine.h"
+
+namespace ncvet {
+
+RuleSelection RuleSelection::defaults(const Dialect &dialect) {
+  RuleSelection selection;
+  for (const RuleEntry &entry : allRules()) {
+    bool on = entry.info.enabledByDefault;
+    const auto table = dialect.rules.find(entry.info.id);
+    if (table != dialect.rules.end() && table->second.enabled)
+      on = *table->second.enabled;
+    selection.enabled.push_back(on);
+  }
+  selection.asked.resize(selection.enabled.size());
+  selection.severity.resize(selection.enabled.size());
+  return selection;
+}
+
+RuleSelection RuleSelection::everything() {
+  RuleSelection selection;
+  selection.enabled.assign(allRules().size(), true);
+  selection.asked = selection.enabled;
+  selection.severity.resize(selection.enabled.size());
+  return selection;
+}
+
+AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
+                       const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                       StraightRuns *runs) {
+  return Engine(project, unit, rules, limits, cancel, runs).run();
+}
+
+} // namespace ncvet

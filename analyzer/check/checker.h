@@ -1,0 +1,76 @@
+// Checker: one file from its setup to its findings, with suppressions and what names a finding.
+#pragma once
+
+#include "analyzer/setup/session.h"
+#include "analyzer/reuse/run_cache.h"
+
+namespace ncvet {
+
+/// A finding with what its fingerprint is made of.
+struct CheckedFinding {
+  Finding finding;
+  std::string program;             ///< name of the enclosing program
+  std::string blockText;           ///< see `fingerprintText`
+  FailOn failOn = Severity::Error; ///< as configured where it was found
+};
+
+struct FileOutcome {
+  std::string error; ///< not empty: the file was not checked
+  std::string dialect;
+  std::string reason; ///< why this dialect
+  uint64_t blocks = 0;
+  bool complete = true;
+  std::vector<std::string> cuts; ///< why not complete
+  /// The compensated contours, one line each: "12: on the left, 8 elements, safe up to R6.00".
+  std::vector<std::string> contours;
+  FailOn failOn = Severity::Error;
+  /// Those that are suppressed among them, and those about unused suppressions.
+  std::vector<CheckedFinding> findings;
+  /// (name of the file, offset) of suppressions in called files that this file made use of.
+  std::vector<std::pair<std::string, uint32_t>> usedSuppressions;
+};
+
+/// What checks of one file keep for the next one, so that it need only follow what has changed.
+/// Belongs to one thread.
+class CheckMemory {
+public:
+  /// What is known of `text`, that of `file`, under this setup: moved from the text that was
+  /// checked last.
+  FileScan *scanFor(const FileSetup &setup, const SourceFile &file, const SharedText &text);
+  /// The runs for the same text, of which this is the index.
+  StraightRuns *runsFor(const FileIndex &index);
+  /// Blocks that the next check need not follow when nothing changes.
+  uint64_t blocks() const { return runs_.straight.blocks(); }
+  /// What was taken over since the last call.
+  StraightRuns::Taken takeTaken() { return std::exchange(runs_.taken, {}); }
+
+private:
+  FileScan scan_;
+  StraightRuns runs_;
+  std::shared_ptr<const std::string> text_;
+  std::optional<TextChanges> changes_; ///< that led to it; none: it is another text
+  std::shared_ptr<const Dialect> dialect_;
+  std::shared_ptr<const MachineProfile> machine_;
+  std::shared_ptr<const RuleSelection> rules_;
+  std::shared_ptr<ProgramFolders> folders_;
+  FileId file_ = 0;
+  std::string programs_; ///< which programs the text held
+};
+
+/// The text of the file that is checked, and what earlier checks of it have left.
+struct Recheck {
+  SharedText text;
+  CheckMemory &memory;
+};
+
+/// Checks `file`, a file of `sources`. Findings may lie in other files that it calls; these are
+/// added to `sources`. `cancel`, when given, ends the check early, with what was found so far.
+/// `again` changes how long the check takes, never what it finds.
+FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
+                      const std::atomic<bool> *cancel = nullptr, Recheck *again = nullptr);
+
+/// Behind the first check of `file`: finds out what else checks of later versions may ask for, so
+/// that the first of these that does need not look through the whole text.
+void prepareChecks(Session &session, SourceSet &sources, const SourceFile &file, Recheck &first);
+
+} // namespace ncvet

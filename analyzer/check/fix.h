@@ -1,0 +1,26 @@
+// Fixes: applied round by round until nothing is left to fix, and never at the price of a finding.
+#pragma once
+
+#include "analyzer/check/checker.h"
+
+namespace ncvet {
+
+struct FixedText {
+  std::string text;     ///< equal to the source's when nothing was fixed
+  unsigned applied = 0; ///< number of fixes
+  unsigned rounds = 0;
+};
+
+/// Applies the safe fixes to the text of `file`, with `unsafe` the others too; suppressed findings
+/// are left alone. Fixes that touch each other, and fixes of several rules on one line, are applied
+/// one after the other, each on the text that the one before left. Fixes after which there are more
+/// findings of any rule than before are not applied. At most ten rounds. Called programs are those
+/// of `open` before those on disk.
+FixedText fixText(Session &session, const SourceFile &file, bool unsafe,
+                  const std::shared_ptr<const SourceSet::Overlay> &open = nullptr);
+
+/// Replaces the file on disk in one step: at any time it holds the old text or the new one. A link
+/// stays a link; permissions are kept.
+llvm::Error replaceFile(llvm::StringRef path, llvm::StringRef text);
+
+} // namespace ncvet

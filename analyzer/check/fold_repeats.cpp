@@ -1,0 +1,85 @@
+// Repeats: findings of the same words, folded into the first of them.
+#include "analyzer/check/fold_repeats.h"
+
+#include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_page.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/ADT/StringMap.h"
+
+#include <map>
+
+namespace ncvet {
+
+namespace {
+
+/// Further places that a reader is shown; the number of all of them is in the message.
+constexpr size_t mostNotes = 8;
+
+/// The message without its numbers.
+std::string withoutNumbers(llvm::StringRef message) {
+  std::string text;
+  for (const char c : message)
+    if (!llvm::isDigit(c) && !llvm::StringRef("+-.").contains(c))
+      text += c;
+  return text;
+}
+
+/// What the rules' pages say; each is read once, and only when the rule has spoken twice.
+class Pages {
+public:
+  RepeatedFindings repeated(RuleId rule) {
+    const auto [known, fresh] = known_.try_emplace(rule);
+    if (fresh)
+      known->second = readRulePage(allRules()[rule].info).repeated;
+    return known->second;
+  }
+
+private:
+  std::map<RuleId, RepeatedFindings> known_;
+};
+
+void fold(const std::vector<Finding *> &group) {
+  Finding &first = *group.front();
+  for (Finding *further : llvm::makeArrayRef(group).drop_front()) {
+    if (first.notes.size() < mostNotes)
+      first.notes.push_back({further->range, "here too"});
+    if (first.fix && further->fix && first.fix->safety == further->fix->safety)
+      llvm::append_range(first.fix->edits, further->fix->edits);
+    further->message.clear(); // taken out by the caller
+  }
+  first.message += llvm::formatv("; {0} more times in this file", group.size() - 1);
+}
+
+} // namespace
+
+void foldRepeats(std::vector<Finding> &findings) {
+  std::map<RuleId, size_t> counts;
+  for (const Finding &finding : findings)
+    ++counts[finding.rule];
+  Pages pages;
+  std::map<std::pair<RuleId, std::string>, std::vector<Finding *>> groups;
+  for (Finding &finding : findings) {
+    if (finding.suppressed || counts[finding.rule] < 2)
+      continue;
+    const RepeatedFindings repeated = pages.repeated(finding.rule);
+    if (repeated == RepeatedFindings::Each)
+      continue;
+    const std::string said =
+        repeated == RepeatedFindings::Alike ? withoutNumbers(finding.message) : finding.message;
+    groups[{finding.rule,
+            llvm::formatv("{0} {1} {2} {3}", finding.range.file, unsigned(finding.severity),
+                          unsigned(finding.certainty), said)}]
+        .push_back(&finding);
+  }
+  bool folded = false;
+  for (auto &[key, group] : groups)
+    if (group.size() > 1) {
+      fold(group);
+      folded = true;
+    }
+  if (folded)
+    llvm::erase_if(findings, [](const Finding &finding) { return finding.message.empty(); });
+}
+
+} // namespace ncvet

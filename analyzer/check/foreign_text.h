@@ -1,0 +1,23 @@
+// A text that is no program of its control: one finding in place of one for every block.
+#pragma once
+
+#include "analyzer/program/project.h"
+
+namespace ncvet {
+
+/// What is known of a text as a whole.
+struct TextOrigin {
+  uint64_t blocks = 0;   ///< with content
+  bool detected = false; ///< its control was found out, nobody named it
+  /// Names the control that the text is for by its own marks, or nothing; asked only where it
+  /// matters.
+  llvm::function_ref<std::string()> otherControl;
+};
+
+/// Folds the findings of `unit` into one when they have one cause: several blocks are wrong and the
+/// text bears the marks of another control, or its control was a guess and much of it cannot be
+/// read. Where somebody named the control every block that it cannot read is told.
+void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &origin,
+                     std::vector<Finding> &findings);
+
+} // namespace ncvet

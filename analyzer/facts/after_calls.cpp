@@ -1,0 +1,86 @@
+// What the callers of a program do behind their calls, for rules on what a return leaves in force.
+#include "analyzer/facts/after_calls.h"
+
+#include "analyzer/facts/lookahead.h"
+
+namespace ncvet {
+
+namespace {
+
+/// No longer file is looked through for calls, in bytes.
+constexpr uint32_t longest = 200000;
+/// Blocks behind a call: modes are ended long before that.
+constexpr unsigned lookAhead = 60;
+
+/// Whether the block calls the program with this number; `once` tells that it does so one time.
+bool calls(const Dialect &dialect, const Block &block, int64_t number, bool &once) {
+  if (!findCode(dialect, block, {Action::CallProgram}))
+    return false;
+  const Word *target = block.find('P');
+  // A number that is not known here may be this one.
+  if (!target || !target->isNumber()) {
+    once = false;
+    return target != nullptr;
+  }
+  auto called = int64_t(target->value());
+  const Word *count = block.find('L');
+  once = !count || (count->isNumber() && count->value() == 1);
+  // Four-digit controls pack the count in front of the number.
+  if (called > 9999 && !count && dialect.limits.programDigitsMax == 4) {
+    once = called / 10000 == 1;
+    called %= 10000;
+  }
+  return called == number;
+}
+
+/// Whether the blocks behind `block` end the mode before one relies on it.
+bool endsBehind(const FileIndex &index, Block block,
+                llvm::function_ref<Behind(const Block &)> judge) {
+  for (unsigned i = 0; i < lookAhead; ++i) {
+    if (!readOn(index, block) || !block.items.empty())
+      return false;
+    const Behind behind = judge(block);
+    if (behind == Behind::Relies)
+      return false;
+    if (behind == Behind::Ends && block.skip < 0)
+      return true;
+  }
+  return false;
+}
+
+bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin,
+                         llvm::function_ref<Behind(const Block &)> judge) {
+  const FileIndex &index = ctx.index();
+  const ProgramInfo &own = index.programAt(ctx.block().begin);
+  if (own.number < 0 || ctx.source().text().size() > longest)
+    return false;
+  bool called = false;
+  Block block;
+  for (const ProgramInfo &program : index.programs())
+    for (uint32_t at = program.body; at < program.end; at = block.next) {
+      index.read(at, block);
+      if (block.next <= at)
+        return false;
+      bool once = true;
+      if (!calls(ctx.dialect(), block, own.number, once))
+        continue;
+      begin();
+      if (!once || !endsBehind(index, block, judge))
+        return false;
+      called = true;
+    }
+  return called;
+}
+
+} // namespace
+
+bool BehindCalls::allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
+                         llvm::function_ref<Behind(const Block &)> judge) {
+  const uint32_t program = ctx.index().programAt(ctx.block().begin).begin;
+  const auto [answer, fresh] = answers_.try_emplace({ctx.source().id(), program, mode});
+  if (fresh)
+    answer->second = endsBehindEveryCall(ctx, begin, judge);
+  return answer->second;
+}
+
+} // namespace ncvet

@@ -1,0 +1,101 @@
+// Looks ahead in the text for rules: the next block, and the blocks of a turning profile.
+#pragma once
+
+#include "analyzer/rule/rule.h"
+
+#include <deque>
+
+namespace ncvet {
+
+/// Reads the next block behind the one at hand that holds anything to execute, in the same program.
+/// False at the program's end. Jumps and calls are not followed.
+bool readNext(const RuleContext &ctx, Block &next);
+/// The same, behind a block that `readNext` returned; `block` is overwritten.
+bool readOn(const FileIndex &index, Block &block);
+inline bool readOn(const RuleContext &ctx, Block &block) { return readOn(ctx.index(), block); }
+
+/// Reads the block with content that stands in front of the one at hand; false at the program's
+/// begin.
+bool readPrevious(const RuleContext &ctx, Block &previous);
+
+/// The same, in front of a block that `readPrevious` returned; `block` is overwritten.
+bool readBack(const RuleContext &ctx, Block &block);
+
+/// Where the words of a block of this file stand.
+SourceRange wordsRange(const RuleContext &ctx, const Block &block);
+
+/// Codes of a block that was read ahead, without their variants.
+llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block);
+/// First code of the block with one of the actions, or null.
+const CodeInfo *findCode(const Dialect &dialect, const Block &block,
+                         std::initializer_list<Action> actions);
+/// True when the block holds a motion code (G00 to G03, threads) or a modal cycle.
+bool hasMotionCode(const Dialect &dialect, const Block &block);
+
+/// One block of a profile, executed for itself.
+struct ProfileBlock {
+  SourceRange range; ///< the block's words
+  Block block;
+  llvm::SmallVector<CodeUse, 4> codes;
+  bool moves = false;
+  MotionKind motion = MotionKind::Rapid;
+  bool motionKnown = false;
+  uint16_t axes = 0;
+  Interval fromX, fromZ, toX, toZ; ///< mm, X as programmed
+};
+
+enum class Side : uint8_t { Unknown, Outside, Inside };
+
+/// The blocks that a turning cycle works along.
+struct Profile {
+  bool known = false;              ///< false: the blocks are not there, or not a plain list
+  std::deque<ProfileBlock> blocks; ///< stays where it is: the codes point into it
+  size_t lastCut = 0;              ///< index behind the last block that belongs to the contour
+  /// Least and greatest X and Z of the contour, from the first block's end point on; none when one
+  /// end point is not known.
+  std::optional<double> minX, maxX, minZ, maxZ;
+  /// Least and greatest X of the end points that are known: the contour reaches at least so far.
+  Interval reachesX = emptyInterval;
+  Side side = Side::Unknown;
+};
+
+/// Reads the profile of the cycle that the block at hand runs (`Outcome::flow` names its blocks).
+/// `startX`, `startZ`: where the cycle begins, for the side.
+Profile readProfile(const RuleContext &ctx);
+
+/// First word of the block that has this role in the code's format, or null.
+const Word *wordOf(const Block &block, const CodeInfo &code, Role role);
+/// First assignment of the block to a variable that is a word of the code's format, or null.
+const Word *assignsWordOf(const Block &block, const CodeInfo &code);
+/// All addresses with this role in the code's format.
+AddressMask addressesOf(const CodeInfo &code, Role role);
+/// Value of a role's word as the active cycle keeps it, or of its variable; none when it is absent
+/// or not known.
+std::optional<double> kept(const MachineState &state, const CodeInfo &code, Role role);
+/// Known value of a role's word in the block at hand, as written.
+std::optional<double> valueOf(const RuleContext &ctx, const CodeInfo &code, Role role);
+/// Millimetres per unit of a length in the state; none when the unit is not known.
+std::optional<double> millimetresPer(const Dialect &dialect, const MachineState &state);
+/// End coordinate of an axis that the block gives: its absolute word, or its increment from
+/// `start`.
+std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &start);
+
+/// Whether the tool comes from below the work, so that its planes stand the other way round: the
+/// tables' codes say so in `_BELOW`.
+bool comesFromBelow(const MachineState &state);
+/// True for cycles that make a hole along the tool axis.
+bool makesHole(CycleKind kind);
+/// True for tapping cycles.
+bool taps(CycleKind kind);
+/// True for threads cut by turning.
+bool cutsThread(CycleKind kind);
+/// "drills", "taps", "bores", "turns", … for messages.
+llvm::StringRef verbOf(CycleKind kind);
+
+/// The block's only word, when it names an element of a contour that this main program does not
+/// define: `L100` on a control whose lines are called so; else null.
+const Word *undefinedElement(const RuleContext &ctx);
+/// Line number of a place, from 1.
+unsigned lineOf(const RuleContext &ctx, const Origin &origin);
+
+} // namespace ncvet

@@ -1,0 +1,180 @@
+// The path behind the block at hand, followed in the text for rules that look at two elements.
+#include "analyzer/facts/path_ahead.h"
+
+#include "interp/geometry/arc.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+namespace {
+
+/// Blocks without a move that may stand between two elements.
+constexpr unsigned blocksBetween = 3;
+constexpr double shortest = 1e-6; // mm
+/// Directions are parallel when their sine is below this.
+constexpr double parallel = 1e-6;
+
+double dot(const std::array<double, 2> &a, const std::array<double, 2> &b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+
+bool goesOn(const Outcome &outcome) {
+  return outcome.flow.kind == FlowKind::Next && outcome.callsModally == Truth::No;
+}
+
+/// Whether lengths are the same inside of the frames and outside.
+bool keepsLengths(const FrameStack &frames) {
+  if (frames.empty())
+    return true;
+  const auto total = frames.total();
+  if (!total)
+    return false;
+  constexpr double same = 1e-9;
+  for (size_t i = 0; i < 3; ++i)
+    for (size_t j = 0; j < 3; ++j) {
+      double product = 0;
+      for (size_t k = 0; k < 3; ++k)
+        product += total->turn[k][i] * total->turn[k][j];
+      if (std::fabs(product - (i == j ? 1 : 0)) > same)
+        return false;
+    }
+  return true;
+}
+
+/// The block's only move, when it stays in its plane and in its coordinates; else null.
+const Event *moveInPlane(const ExecutedBlock &executed) {
+  const Dialect &dialect = executed.dialect;
+  const MachineState &before = executed.before, &after = executed.after;
+  const uint16_t plane = planeAxes(dialect, after);
+  // A control that mills and turns may read X as a diameter there.
+  if (!dialect.isLathe() && planeOrder(dialect, after)[0] == Axis::Z)
+    return nullptr;
+  if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) || before.profile == 1 ||
+      before.may(Fact::UnknownCode) || planeAxes(dialect, before) != plane ||
+      !(before.frames == after.frames) || !keepsLengths(after.frames))
+    return nullptr;
+  const Event *motion = nullptr;
+  for (const Event &event : executed.outcome.events)
+    if (event.kind == EventKind::Motion) {
+      if (motion)
+        return nullptr;
+      motion = &event;
+    }
+  return motion && motion->certain && motion->code != noCode && !(motion->axes & ~plane) ? motion
+                                                                                         : nullptr;
+}
+
+/// Circle of the arc that the block cuts; none when it is not known.
+std::optional<ArcGeometry::Point> centreOf(const ArcWords &words, const ArcGeometry &arc,
+                                           bool clockwise) {
+  if (words.hasCentre())
+    return arc.centre();
+  if (!arc.radius || !arc.start || !arc.end)
+    return std::nullopt;
+  return centreByRadius(*arc.start, *arc.end, *arc.radius, clockwise);
+}
+
+} // namespace
+
+ExecutedBlock executedBlock(const RuleContext &ctx) {
+  return {ctx.dialect(), ctx.machine(), ctx.block(), ctx.outcome(), ctx.before(), ctx.after()};
+}
+
+PathAhead::PathAhead(const RuleContext &ctx)
+    : dialect_(&ctx.dialect()), machine_(&ctx.machine()), index_(&ctx.index()),
+      executor_(ctx.dialect(), ctx.machine(), ctx.source().id()), after_(ctx.after()),
+      ended_(!goesOn(ctx.outcome())) {
+  block_.begin = ctx.block().begin;
+  block_.next = ctx.block().next;
+}
+
+bool PathAhead::next() {
+  constexpr uint32_t ends = bitOf(EventKind::UnknownCode) | bitOf(EventKind::ToolChange) |
+                            bitOf(EventKind::CycleStart) | bitOf(EventKind::CycleRun) |
+                            bitOf(EventKind::CoordinateChange) | bitOf(EventKind::Call) |
+                            bitOf(EventKind::Return) | bitOf(EventKind::ProgramEnd);
+  for (unsigned i = 0; i <= blocksBetween && !ended_; ++i) {
+    ended_ = true;
+    if (!readOn(*index_, block_) || !block_.items.empty() || block_.skip >= 0)
+      return false;
+    before_ = after_;
+    executor_.execute(block_, before_, after_, outcome_);
+    if (outcome_.flow.kind != FlowKind::Next || outcome_.kinds & ends)
+      return false;
+    ended_ = !goesOn(outcome_);
+    if (outcome_.kinds & bitOf(EventKind::Motion))
+      return true;
+  }
+  return false;
+}
+
+double StraightElement::length() const { return std::hypot(to[0] - from[0], to[1] - from[1]); }
+
+std::array<double, 2> StraightElement::direction() const {
+  const double all = length();
+  return {(to[0] - from[0]) / all, (to[1] - from[1]) / all};
+}
+
+std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
+  const Dialect &dialect = executed.dialect;
+  const MachineState &before = executed.before, &after = executed.after;
+  const Event *motion = moveInPlane(executed);
+  if (!motion || motion->motion != MotionKind::Feed ||
+      dialect.codes[motion->code].action != Action::Linear)
+    return std::nullopt;
+  const std::array<Axis, 2> axes = planeOrder(dialect, after);
+  StraightElement result;
+  for (size_t i = 0; i < 2; ++i) {
+    const auto from = placeInPlane(dialect, before, axes[i]),
+               to = placeInPlane(dialect, after, axes[i]);
+    if (!from || !to)
+      return std::nullopt;
+    result.from[i] = *from;
+    result.to[i] = *to;
+  }
+  return result.length() < shortest ? std::nullopt : std::optional(result);
+}
+
+std::optional<std::array<double, 2>> directionAt(const ExecutedBlock &executed, bool end) {
+  if (const auto line = straightElement(executed))
+    return line->direction();
+  const Event *motion = moveInPlane(executed);
+  if (!motion || (motion->motion != MotionKind::ArcCw && motion->motion != MotionKind::ArcCcw))
+    return std::nullopt;
+  const bool clockwise = motion->motion == MotionKind::ArcCw;
+  const ArcWords words = arcWords(executed.dialect, executed.after, executed.block);
+  const ArcGeometry arc = arcGeometry(words, executed.dialect, executed.machine, executed.block,
+                                      executed.before, executed.after);
+  const auto centre = centreOf(words, arc, clockwise);
+  const auto &place = end ? arc.end : arc.start;
+  if (!centre || !place || words.angle)
+    return std::nullopt;
+  const double x = (*place)[0] - (*centre)[0], y = (*place)[1] - (*centre)[1];
+  const double radius = std::hypot(x, y);
+  if (radius < shortest)
+    return std::nullopt;
+  const double sense = clockwise ? -1 : 1;
+  return std::array<double, 2>{-y / radius * sense, x / radius * sense};
+}
+
+std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,
+                                    const StraightElement &out) {
+  const auto a = in.direction(), b = out.direction();
+  const double sine = std::fabs(a[0] * b[1] - a[1] * b[0]), cosine = dot(a, b);
+  if (sine < parallel)
+    return std::nullopt;
+  switch (corner.kind) {
+  case CornerRequest::Kind::Rounding:
+    return corner.size * sine / (1 + cosine);
+  case CornerRequest::Kind::Legs:
+    return corner.size;
+  case CornerRequest::Kind::Across:
+    return corner.size / std::sqrt(2 + 2 * cosine);
+  case CornerRequest::Kind::None:
+    break;
+  }
+  return std::nullopt;
+}
+
+} // namespace ncvet

@@ -1,0 +1,60 @@
+// The path behind the block at hand, followed in the text for rules that look at two elements.
+#pragma once
+
+#include "analyzer/facts/lookahead.h"
+#include "interp/path/corner_path.h"
+
+namespace ncvet {
+
+/// The block at hand, as it was executed.
+ExecutedBlock executedBlock(const RuleContext &ctx);
+
+/// Executes the blocks behind the one at hand, one move after the other. Outlives the call in which
+/// it was made, not the analysis.
+class PathAhead {
+public:
+  explicit PathAhead(const RuleContext &ctx);
+
+  /// On to the next block that moves. False when none follows soon, or when what comes before it
+  /// decides itself at run time, leaves the text, or changes the coordinates.
+  bool next();
+  const Block &block() const { return block_; }
+  const Outcome &outcome() const { return outcome_; }
+  ExecutedBlock executed() const {
+    return {*dialect_, *machine_, block_, outcome_, before_, after_};
+  }
+
+private:
+  const Dialect *dialect_;
+  const MachineProfile *machine_;
+  const FileIndex *index_;
+  Executor executor_;
+  Block block_; ///< only its place is known until the first move is found
+  Outcome outcome_;
+  MachineState before_, after_;
+  bool ended_;
+};
+
+/// A straight element of a contour: millimetres along the axes of its plane, where a diameter is
+/// turned into a radius.
+struct StraightElement {
+  std::array<double, 2> from{}, to{};
+
+  double length() const; ///< mm
+  std::array<double, 2> direction() const;
+};
+
+/// The line that the block cuts in its plane and nowhere else; none when it is no line, or its ends
+/// or the lengths of its frame are not known.
+std::optional<StraightElement> straightElement(const ExecutedBlock &executed);
+
+/// Direction in which the line or arc that the block cuts in its plane begins, or ends; a vector of
+/// length one, none under the conditions of `straightElement`, or when the circle is not known.
+std::optional<std::array<double, 2>> directionAt(const ExecutedBlock &executed, bool end);
+
+/// What a corner takes away of each of the two lines that meet in it, in millimetres; none when
+/// there is no corner.
+std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,
+                                    const StraightElement &out);
+
+} // namespace ncvet

@@ -1,0 +1,18 @@
+// The machine's states at one block: the analysis run again without rules, looking at that block.
+#include "analyzer/flow/states_at_block.h"
+
+#include "analyzer/flow/engine.h"
+
+namespace ncvet {
+
+StatesAt statesAt(Project &project, FileUnit &entry, const FileUnit &unit, uint32_t offset,
+                  const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                  StraightRuns *runs) {
+  RuleSelection none;
+  none.enabled.resize(allRules().size());
+  none.asked.resize(allRules().size());
+  none.severity.resize(allRules().size());
+  return Engine(project, entry, none, limits, cancel, runs).observe(unit.source.id(), offset);
+}
+
+} // namespace ncvet

@@ -1,0 +1,26 @@
+// The machine's states at one block, on all ways that lead there.
+#pragma once
+
+#include "analyzer/check/analyze.h"
+
+namespace ncvet {
+
+/// The machine on one way to a block.
+struct StateOnWay {
+  MachineState before, after;
+  std::vector<PathStep> path; ///< calls, jumps and skips that lead there; empty: straight on
+};
+
+struct StatesAt {
+  std::vector<StateOnWay> ways; ///< empty: nothing reaches the block
+  bool joined = false;          ///< the last stands for all further ones
+  bool complete = true;         ///< false: the analysis was cut short
+};
+
+/// The states on entry of and behind the block of `unit` that begins at `offset`, when the file
+/// `entry` runs with all that it calls. At most eight ways are told apart.
+StatesAt statesAt(Project &project, FileUnit &entry, const FileUnit &unit, uint32_t offset,
+                  const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr,
+                  StraightRuns *runs = nullptr);
+
+} // namespace ncvet

@@ -1,0 +1,145 @@
+// The motions that a program makes, from its first block to its end.
+#include "analyzer/flow/trace.h"
+
+#include "analyzer/flow/cycle_contour.h"
+#include "analyzer/flow/engine.h"
+#include "interp/geometry/arc.h"
+#include "interp/path/compensated_path.h"
+#include "interp/evaluate/tool_data.h"
+
+#include <utility>
+
+namespace ncvet {
+
+namespace {
+
+/// Makes motions of the blocks that are executed.
+class Tracer : public BlockWatcher {
+public:
+  Tracer(Project &project, FileUnit &unit, TraceSink &sink, TracedPath path)
+      : project_(project), sink_(sink), corners_(project.dialect()), path_(project.dialect()),
+        contour_(project.dialect()) {
+    if (path == TracedPath::ToolCentre && !project.dialect().isLathe())
+      compensated_.emplace(project.dialect(), habitsOf(project.dialect(), unit.machine));
+  }
+
+  void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
+                const MachineState &before, const MachineState &after) override {
+    constexpr uint8_t readAsData = 1, run = 2;
+    const ExecutedBlock executed{*unit.dialect, unit.machine, block, outcome, before, after};
+    moves_.clear();
+    appendMoves(executed, moves_);
+    const uint64_t tag = uint64_t(unit.source.id()) << 32 | block.begin;
+    if (before.profile == readAsData && after.profile == readAsData) {
+      if (cycle_) // the contour of no cycle is not followed
+        contour_.take(executed, moves_);
+      return;
+    }
+    if (before.profile == run && cycle_)
+      for (Move &move : moves_)
+        shiftByRest(*cycle_, move);
+    if (auto cycle = contourCycle(executed)) {
+      cycle_ = std::move(cycle);
+      cycleTag_ = tag;
+      contour_.begin(executed, *cycle_);
+    }
+    if (moves_.empty())
+      return;
+    const CornerRequest corner = corners_.read(executed);
+    const std::array<Axis, 2> plane = arcWords(*unit.dialect, after, block).axes;
+    if (after.compensation == phaseOn) {
+      const int8_t side = compensatedSide(*unit.dialect, after);
+      const auto radius = compensationRadius(*unit.dialect, unit.machine, after);
+      for (Move &move : moves_) {
+        move.side = side;
+        move.toolRadius = radius;
+        move.plane = plane;
+      }
+    }
+    for (const Move &move : moves_)
+      add(tag, move, corner, plane);
+  }
+
+  void lost(SourceRange where, llvm::StringRef why) override {
+    finish();
+    sink_.lost(unitOf(where.file), where, why);
+  }
+
+  /// Behind a contour the tool goes back to where the cycle began.
+  void profileEnds() override {
+    if (!cycle_)
+      return;
+    const auto write = [&](const Move &move) { add(cycleTag_, move, {}, {Axis::Z, Axis::X}); };
+    const llvm::ArrayRef<Move> contour = contour_.end(*cycle_);
+    if (cycle_->has(CycleTrait::Turned)) {
+      turn(*cycle_, contour, write);
+    } else if (cycle_->has(CycleTrait::TurnsContour)) {
+      turnContour(*cycle_, contour, write);
+    } else if (cycle_->kind == CycleKind::Contour) {
+      millContour(*cycle_, contour, write);
+    } else {
+      if (cycle_->kind != CycleKind::Finish)
+        roughContour(*cycle_, contour, write);
+      returnToStart(*cycle_, last_, write);
+    }
+    cycle_.reset();
+  }
+
+  void finish() {
+    path_.finish([&](uint64_t from, const Move &move) { compensate(from, move); });
+    if (compensated_)
+      compensated_->finish([&](uint64_t from, const Move &move) { give(from, move); });
+  }
+
+private:
+  void add(uint64_t tag, const Move &move, const CornerRequest &corner,
+           const std::array<Axis, 2> &plane) {
+    last_ = move.to;
+    path_.add(tag, move, corner, plane, [&](uint64_t from, const Move &m) { compensate(from, m); });
+  }
+  /// Passes of which nothing is known lead nobody knows where.
+  static void turn(const ContourCycle &cycle, llvm::ArrayRef<Move> contour,
+                   llvm::function_ref<void(const Move &)> write) {
+    if (cycle.profile && profilePasses(*cycle.profile, cycle.start, cycle.feed, contour, write))
+      return;
+    Move lost = cycle.start;
+    lost.to[size_t(Axis::X)] = lost.to[size_t(Axis::Z)] = Interval::unknown();
+    write(lost);
+  }
+  const FileUnit &unitOf(FileId file) { return project_.unit(project_.sources().get(file)); }
+  void compensate(uint64_t tag, const Move &move) {
+    if (compensated_)
+      compensated_->add(tag, move, [&](uint64_t from, const Move &m) { give(from, m); });
+    else
+      give(tag, move);
+  }
+  void give(uint64_t tag, const Move &move) {
+    sink_.moved({&unitOf(FileId(tag >> 32)), uint32_t(tag), move});
+  }
+
+  Project &project_;
+  TraceSink &sink_;
+  const CornerWords corners_;
+  CornerPath path_;
+  std::optional<CompensatedPath> compensated_;
+  CycleContour contour_;
+  std::optional<ContourCycle> cycle_; ///< whose contour is read, or run
+  uint64_t cycleTag_ = 0;
+  Place last_; ///< where the last motion ends, without what corners change
+  llvm::SmallVector<Move, 16> moves_;
+};
+
+} // namespace
+
+void trace(Project &project, FileUnit &unit, const AnalysisLimits &limits, TraceSink &sink,
+           TracedPath path) {
+  const RuleSelection noRules{std::vector<bool>(allRules().size()),
+                              std::vector<bool>(allRules().size()),
+                              std::vector<std::optional<Severity>>(allRules().size()),
+                              {}};
+  Tracer tracer(project, unit, sink, path);
+  Engine(project, unit, noRules, limits, nullptr).follow(tracer);
+  tracer.finish();
+}
+
+} // namespace ncvet

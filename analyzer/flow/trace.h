@@ -1,0 +1,34 @@
+// The motions that a program makes, from its first block to its end.
+#pragma once
+
+#include "analyzer/check/analyze.h"
+#include "interp/state/move.h"
+
+namespace ncvet {
+
+/// A motion with the block that it comes from.
+struct TracedMove {
+  const FileUnit *unit = nullptr;
+  uint32_t begin = 0; ///< offset of that block
+  Move move;
+};
+
+/// Receives the motions in the order in which they happen.
+class TraceSink {
+public:
+  virtual ~TraceSink() = default;
+  virtual void moved(const TracedMove &traced) = 0;
+  /// Behind `where` only the run itself decides what happens.
+  virtual void lost(const FileUnit &unit, SourceRange where, llvm::StringRef why) = 0;
+};
+
+enum class TracedPath : uint8_t {
+  ToolCentre, ///< of mills whose radius is known while compensation is on; else as programmed
+  Programmed
+};
+
+/// Follows the first program of `unit` with all that it calls: block skip off, optional stops off.
+void trace(Project &project, FileUnit &unit, const AnalysisLimits &limits, TraceSink &sink,
+           TracedPath path = TracedPath::ToolCentre);
+
+} // namespace ncvet

@@ -1,0 +1,294 @@
+// Looks at every byte of a text, and at those that a change touches.
+#include "analyzer/program/file_scan.h"
+
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/StringExtras.h"
+
+#include <cstring>
+
+namespace ncvet {
+
+namespace {
+
+/// Places of one byte beyond so many are not kept.
+constexpr size_t mostPlaces = 1u << 22;
+/// Blocks of a piece whose names are kept together.
+constexpr uint64_t pieceBlocks = 512;
+/// After so many plain blocks the next one that is not begins a piece of its own, and so many end
+/// such a piece: who looks for them reads little else.
+constexpr uint64_t plainBlocks = 32;
+
+/// Files with lone CR as line end are rare.
+bool endsLinesByLineFeed(llvm::StringRef text, uint32_t begin) {
+  return memchr(text.data() + begin, '\n', text.size() - begin) != nullptr;
+}
+
+/// Calls `visit(lineBegin, firstContent)` for every line of [begin, end) that is not blank. The
+/// pages that lie behind are given back on the way.
+template <typename Visit>
+void eachLine(const SourceFile &source, uint32_t begin, size_t end, bool lineFeeds, Visit visit) {
+  const llvm::StringRef text = source.text();
+  constexpr ptrdiff_t forgetStep = 4 << 20;
+  const char *const base = text.data();
+  const char *at = base + begin;
+  const char *const stop = base + end;
+  const char *forgotten = at;
+  while (at < stop) {
+    if (at - forgotten >= forgetStep) {
+      source.forget(uint32_t(at - base));
+      forgotten = at;
+    }
+    const auto *next =
+        static_cast<const char *>(memchr(at, lineFeeds ? '\n' : '\r', size_t(stop - at)));
+    const char *content = at;
+    while (content < stop && (*content == ' ' || *content == '\t' || *content == '\0'))
+      ++content;
+    if (content < stop)
+      visit(uint32_t(at - base), uint32_t(content - base));
+    if (!next)
+      break;
+    at = next + 1;
+  }
+}
+
+class HeadsOf {
+public:
+  HeadsOf(llvm::StringRef text, llvm::StringRef marks) : text_(text) {
+    for (const char c : marks)
+      isMark_[uint8_t(llvm::toUpper(c))] = isMark_[uint8_t(llvm::toLower(c))] = true;
+  }
+  std::optional<uint32_t> operator()(uint32_t line, uint32_t content) const {
+    return isMark_[uint8_t(text_[content])] ? std::optional(line) : std::nullopt;
+  }
+
+private:
+  llvm::StringRef text_;
+  std::array<bool, 256> isMark_{};
+};
+
+class NumbersOf {
+public:
+  /// `mainBlocks`: the number of a main block stands behind `:`.
+  NumbersOf(llvm::StringRef text, bool mainBlocks) : text_(text), mainBlocks_(mainBlocks) {}
+  std::optional<NumberedBlock> operator()(uint32_t line, uint32_t at) const {
+    // Block skip and comments in braces may stand in front of the number.
+    while (at < text_.size() &&
+           (text_[at] == '/' || llvm::isDigit(text_[at]) || text_[at] == ' ' || text_[at] == '{'))
+      if (text_[at++] == '{') {
+        while (at < text_.size() && text_[at] != '}' && text_[at] != '\n')
+          ++at;
+        at += at < text_.size() && text_[at] == '}';
+      }
+    if (at >= text_.size() ||
+        (text_[at] != 'N' && text_[at] != 'n' && !(mainBlocks_ && text_[at] == ':')))
+      return std::nullopt;
+    ++at;
+    while (at < text_.size() && text_[at] == ' ')
+      ++at;
+    int64_t number = 0;
+    unsigned digits = 0;
+    while (at < text_.size() && llvm::isDigit(text_[at]) && digits < 12) {
+      number = number * 10 + (text_[at++] - '0');
+      ++digits;
+    }
+    return digits ? std::optional(NumberedBlock{number, line}) : std::nullopt;
+  }
+
+private:
+  llvm::StringRef text_;
+  bool mainBlocks_;
+};
+
+template <typename Entry, typename Look>
+std::vector<Entry> linesIn(const SourceFile &source, uint32_t begin, size_t end, bool lineFeeds,
+                           const Look &look) {
+  std::vector<Entry> found;
+  eachLine(source, begin, end, lineFeeds, [&](uint32_t line, uint32_t content) {
+    if (const auto entry = look(line, content))
+      found.push_back(*entry);
+  });
+  return found;
+}
+
+/// The number of a main block stands behind `:`, where that is no mark of a head.
+bool hasMainBlocks(llvm::StringRef marks) { return !marks.contains(':'); }
+
+uint32_t &offsetOf(uint32_t &offset) { return offset; }
+uint32_t &offsetOf(NumberedBlock &block) { return block.offset; }
+
+bool holdsNothing(const Block &block) { return block.isEmpty() && block.number < 0; }
+
+/// See `TextPiece::isPlain`.
+bool isPlain(const Block &block) {
+  constexpr AddressMask control = maskOf('M') | maskOf(keywordAddress);
+  if (holdsNothing(block))
+    return block.kind == BlockKind::Empty;
+  return block.kind == BlockKind::Normal && block.items.empty() && !block.hasAny(control) &&
+         block.number < 0 && !block.hasLabel() && !block.words.empty();
+}
+
+void look(TextPiece &piece, const SourceFile &source, const Reader &reader, const Block &block) {
+  piece.blocks += !holdsNothing(block);
+  if (block.hasLabel())
+    piece.labels.emplace_back(reader.labelKey(source.text(block.labelBegin, block.labelEnd)),
+                              piece.end);
+  for (const Item &item : block.items) {
+    if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
+        item.kind != ItemKind::Parameters && item.kind != ItemKind::Macro)
+      continue;
+    piece.definitions.emplace_back(
+        source.text(item.nameBegin, item.nameEnd).upper(),
+        Defined{item.kind, item.type, item.arguments != 0, item.nameBegin, item.nameEnd});
+    if (item.kind == ItemKind::Parameters)
+      for (const Argument &parameter : block.argumentsOf(item))
+        piece.definitions.emplace_back(
+            source.text(parameter.begin, parameter.end).upper(),
+            Defined{ItemKind::Definition, parameter.type, false, parameter.begin, parameter.end});
+  }
+}
+
+/// Entries of [begin, end) give way to `fresh`, those behind move.
+template <typename Entry>
+void replace(std::vector<Entry> &entries, uint32_t begin, uint32_t end, const TextChange &change,
+             const std::vector<Entry> &fresh) {
+  const auto before = [](Entry entry, uint32_t offset) { return offsetOf(entry) < offset; };
+  auto first = std::lower_bound(entries.begin(), entries.end(), begin, before);
+  const auto last = std::lower_bound(first, entries.end(), end, before);
+  if (change.end != change.endAfter())
+    for (auto entry = last; entry != entries.end(); ++entry)
+      offsetOf(*entry) = change.moved(offsetOf(*entry));
+  const auto common = std::min(size_t(last - first), fresh.size());
+  first = std::copy(fresh.begin(), fresh.begin() + ptrdiff_t(common), first);
+  if (common < fresh.size())
+    entries.insert(first, fresh.begin() + ptrdiff_t(common), fresh.end());
+  else
+    entries.erase(first, last);
+}
+
+} // namespace
+
+const std::vector<uint32_t> &FileScan::heads(const SourceFile &source, llvm::StringRef marks) {
+  if (!heads_ || marks_ != marks) {
+    lineFeeds_ = endsLinesByLineFeed(source.text(), source.textBegin());
+    if (marks_ != marks)
+      numbers_.reset();
+    marks_ = marks.str();
+    source.forget(0);
+    heads_ = linesIn<uint32_t>(source, source.textBegin(), source.text().size(), lineFeeds_,
+                               HeadsOf(source.text(), marks));
+  }
+  return *heads_;
+}
+
+const std::vector<NumberedBlock> &FileScan::numbers(const SourceFile &source) {
+  if (!numbers_) {
+    lineFeeds_ = endsLinesByLineFeed(source.text(), source.textBegin());
+    source.forget(0);
+    numbers_ = linesIn<NumberedBlock>(source, source.textBegin(), source.text().size(), lineFeeds_,
+                                      NumbersOf(source.text(), hasMainBlocks(marks_)));
+  }
+  return *numbers_;
+}
+
+const std::vector<uint32_t> *FileScan::places(const SourceFile &source, char c) {
+  const auto [known, fresh] = places_.try_emplace(c);
+  std::vector<uint32_t> &places = known->second;
+  if (fresh)
+    source.eachPlaceOf(c, [&](uint32_t place) {
+      if (places.size() <= mostPlaces)
+        places.push_back(place);
+    });
+  return places.size() > mostPlaces ? nullptr : &places;
+}
+
+void TextPiece::move(const TextChange &change) {
+  RunPlace::move(change);
+  for (auto &[key, block] : labels)
+    block = change.moved(block);
+  for (auto &[name, defined] : definitions) {
+    defined.begin = change.moved(defined.begin);
+    defined.end = change.moved(defined.end);
+  }
+}
+
+void FileScan::eachPiece(const SourceFile &source, const Reader &reader, uint32_t begin,
+                         uint32_t end, llvm::function_ref<bool(const TextPiece &)> visit) {
+  Block block;
+  for (uint32_t at = begin; at < end;) {
+    const TextPiece *known = pieces_.find(at);
+    if (!known || known->end > end) {
+      TextPiece piece;
+      piece.begin = piece.end = at;
+      const uint32_t stop = std::min(end, pieces_.next(at + 1));
+      uint64_t plain = 0; // in a row
+      for (uint64_t read = 0; piece.end < stop && read < pieceBlocks; ++read) {
+        reader.read(piece.end, block);
+        if (isPlain(block)) {
+          if (++plain > plainBlocks && !piece.isPlain)
+            break;
+        } else {
+          if (plain > plainBlocks)
+            break;
+          plain = 0;
+          piece.isPlain = false;
+        }
+        look(piece, source, reader, block);
+        piece.end = block.next;
+      }
+      pieces_.insert(std::move(piece));
+      known = pieces_.find(at);
+    }
+    at = known->end;
+    if (!visit(*known))
+      return;
+  }
+}
+
+void FileScan::clear() {
+  pieces_.clear();
+  heads_.reset();
+  numbers_.reset();
+  places_.clear();
+}
+
+void FileScan::edit(const TextChange &change, const SourceFile &after) {
+  const llvm::StringRef text = after.text();
+  const uint32_t first = after.textBegin();
+  if (change.begin < 3 || endsLinesByLineFeed(text, first) != lineFeeds_)
+    return clear(); // a byte order mark may have come or gone
+  const char ending = lineFeeds_ ? '\n' : '\r';
+  const size_t front = text.rfind(ending, change.begin); // looks in front of it
+  const uint32_t begin = std::max(first, front == llvm::StringRef::npos ? 0 : uint32_t(front + 1));
+  const size_t back = text.find(ending, change.endAfter());
+  const uint32_t end = uint32_t(back == llvm::StringRef::npos ? text.size() : back + 1);
+  const uint32_t endBefore = end - change.endAfter() + change.end;
+  if (heads_)
+    replace(*heads_, begin, endBefore, change,
+            linesIn<uint32_t>(after, begin, end, lineFeeds_, HeadsOf(text, marks_)));
+  if (numbers_)
+    replace(*numbers_, begin, endBefore, change,
+            linesIn<NumberedBlock>(after, begin, end, lineFeeds_,
+                                   NumbersOf(text, hasMainBlocks(marks_))));
+  pieces_.edit([&](TextPiece &piece) {
+    if (change.begin <= piece.end && change.end >= piece.begin)
+      return true;
+    if (piece.begin >= change.end)
+      piece.move(change);
+    return false;
+  });
+  for (auto known = places_.begin(); known != places_.end();) {
+    auto &[c, places] = *known;
+    std::vector<uint32_t> fresh;
+    for (uint32_t at = change.begin; at < change.endAfter(); ++at)
+      if (text[at] == c)
+        fresh.push_back(at);
+    if (places.size() > mostPlaces) {
+      known = places_.erase(known);
+      continue;
+    }
+    replace(places, change.begin, change.end, change, fresh);
+    ++known;
+  }
+}
+
+} // namespace ncvet

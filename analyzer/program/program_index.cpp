@@ -1,0 +1,240 @@
+// What stands where in one file: its programs, and on demand the block numbers in them.
+#include "analyzer/program/program_index.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace ncvet {
+
+namespace {
+
+/// By the header (`%_N_SHAFT_MPF`) or, without one, by the ending of the file's name.
+ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const Dialect &dialect) {
+  llvm::StringRef sign = source.text(program.headerBegin, program.headerEnd).rsplit('_').second;
+  if (!program.hasHeader()) {
+    const llvm::StringRef path = source.display();
+    sign = path.contains('.') ? path.rsplit('.').second : llvm::StringRef();
+  }
+  const auto isOneOf = [&](const std::vector<std::string> &endings) {
+    return llvm::any_of(endings,
+                        [&](const std::string &one) { return sign.equals_insensitive(one); });
+  };
+  return isOneOf(dialect.mainExtensions)         ? ProgramKind::Main
+         : isOneOf(dialect.subprogramExtensions) ? ProgramKind::Subprogram
+                                                 : ProgramKind::Unknown;
+}
+
+bool isHeaderMark(char c, const Dialect &dialect) {
+  const llvm::StringRef marks = dialect.lexical.headerMarks;
+  return marks.contains(c) || marks.contains(llvm::toUpper(c));
+}
+
+} // namespace
+
+FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect,
+                     FileScan *kept)
+    : source_(source), reader_(reader), own_(kept ? nullptr : std::make_unique<FileScan>()),
+      scan_(kept ? *kept : *own_), keeps_(kept) {
+  const llvm::StringRef text = source.text();
+  const std::string marks = dialect.lexical.headerMarks + '%';
+  Block block;
+  ProgramInfo first;
+  first.begin = first.body = reader.first();
+  programs_.push_back(first);
+  for (const uint32_t line : scan_.heads(source, marks)) {
+    const char c = text[text.find_first_not_of(llvm::StringRef(" \t\0", 3), line)];
+    if (c == '%')
+      tapeMarks_.push_back(line);
+    if (!isHeaderMark(c, dialect))
+      continue;
+    reader.read(line, block);
+    if (!block.items.empty() && block.items[0].kind == ItemKind::Structure &&
+        block.items[0].structure == Structure::Sub)
+      subprograms_.push_back(line);
+    if (block.kind != BlockKind::ProgramHeader)
+      continue;
+    ProgramInfo program;
+    program.number = block.program;
+    program.name = text.slice(block.nameBegin, block.nameEnd).upper();
+    program.begin = line;
+    // Words behind the number stand in the header's block and are executed with it.
+    program.body = line;
+    program.headerBegin = block.headerBegin;
+    program.headerEnd = block.headerEnd;
+    if (programs_.size() == 1 && !programs_[0].hasHeader()) {
+      // What stands in front of the first header is a leader (tape mark, comments) or a fragment.
+      bool content_ = false;
+      for (uint32_t at = programs_[0].begin; at < line;) {
+        Block other;
+        reader.read(at, other);
+        content_ |= !other.isEmpty();
+        at = other.next;
+        if (at > programs_[0].begin + 65536)
+          break;
+      }
+      if (!content_)
+        programs_.clear();
+    }
+    programs_.push_back(program);
+  }
+  for (ProgramInfo &program : programs_)
+    program.kind = kindOf(source, program, dialect);
+  for (size_t i = 0; i < programs_.size(); ++i)
+    programs_[i].end = i + 1 < programs_.size() ? programs_[i + 1].begin : uint32_t(text.size());
+}
+
+const ProgramInfo &FileIndex::programAt(uint32_t offset) const {
+  auto at = std::upper_bound(programs_.begin(), programs_.end(), offset,
+                             [](uint32_t o, const ProgramInfo &p) { return o < p.begin; });
+  return at == programs_.begin() ? programs_.front() : *std::prev(at);
+}
+
+const ProgramInfo *FileIndex::find(int64_t number) const {
+  for (const ProgramInfo &program : programs_)
+    if (program.hasHeader() && program.number == number)
+      return &program;
+  return nullptr;
+}
+
+const ProgramInfo *FileIndex::find(llvm::StringRef name) const {
+  for (const ProgramInfo &program : programs_)
+    if (!program.name.empty() && name.equals_insensitive(program.name))
+      return &program;
+  return nullptr;
+}
+
+namespace {
+
+/// Of offsets in text order the one that a search from `from` finds.
+template <typename Range, typename Offset>
+std::optional<uint32_t> found(const Range &range, uint32_t from, Search search, Offset offsetOf) {
+  std::optional<uint32_t> before;
+  for (const auto &entry : range) {
+    const uint32_t offset = offsetOf(entry);
+    if (offset > from) {
+      if (search != Search::Backward)
+        return offset;
+      break;
+    }
+    if (!before || search == Search::Backward)
+      before = offset;
+  }
+  return search == Search::Forward ? std::nullopt : before;
+}
+
+bool byNumber(const NumberedBlock &a, const NumberedBlock &b) { return a.number < b.number; }
+} // namespace
+
+llvm::ArrayRef<NumberedBlock> FileIndex::numbers(const ProgramInfo &program) const {
+  const llvm::ArrayRef<NumberedBlock> written = numbersAsWritten(program);
+  const auto [known, fresh] = numbers_.try_emplace(program.begin);
+  Numbers &numbers = known->second;
+  if (fresh) {
+    numbers.ascending = llvm::is_sorted(written, byNumber);
+    if (!numbers.ascending) {
+      numbers.sorted = written.vec();
+      std::stable_sort(numbers.sorted.begin(), numbers.sorted.end(), byNumber);
+    }
+  }
+  return numbers.ascending ? written : llvm::makeArrayRef(numbers.sorted);
+}
+
+llvm::ArrayRef<NumberedBlock> FileIndex::numbersAsWritten(const ProgramInfo &program) const {
+  looks_.anywhere = true;
+  const auto before = [](const NumberedBlock &block, uint32_t offset) {
+    return block.offset < offset;
+  };
+  const std::vector<NumberedBlock> &all = scan_.numbers(source_);
+  const auto first = std::lower_bound(all.begin(), all.end(), program.begin, before);
+  const auto last = std::lower_bound(first, all.end(), program.end, before);
+  return llvm::makeArrayRef(all).slice(size_t(first - all.begin()), size_t(last - first));
+}
+
+std::optional<uint32_t> FileIndex::block(const ProgramInfo &program, int64_t number, uint32_t from,
+                                         Search search) const {
+  const llvm::ArrayRef<NumberedBlock> list = numbers(program);
+  const auto [first, last] =
+      std::equal_range(list.begin(), list.end(), NumberedBlock{number, 0}, byNumber);
+  return found(llvm::makeArrayRef(first, last), from, search,
+               [](const NumberedBlock &block) { return block.offset; });
+}
+
+const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
+  looks_.anywhere = true;
+  const auto [known, fresh] = labels_.try_emplace(program.begin);
+  Labels &labels = known->second;
+  if (fresh)
+    scan_.eachPiece(source_, reader_, program.begin, program.end, [&](const auto &piece) {
+      for (const auto &[key, block] : piece.labels)
+        labels[key].push_back(block);
+      return true;
+    });
+  return labels;
+}
+
+const FileIndex::Definitions &FileIndex::definitions(const ProgramInfo &program) const {
+  looks_.anywhere = true;
+  const auto [known, fresh] = definitions_.try_emplace(program.begin);
+  Definitions &definitions = known->second;
+  if (fresh)
+    scan_.eachPiece(source_, reader_, program.begin, program.end, [&](const auto &piece) {
+      for (const auto &[name, defined] : piece.definitions)
+        definitions.try_emplace(name, defined);
+      return true;
+    });
+  return definitions;
+}
+
+void FileIndex::eachBlock(uint32_t begin, uint32_t end,
+                          llvm::function_ref<bool(uint32_t, const Block &)> read,
+                          llvm::function_ref<bool(const TextPiece &)> pass) const {
+  looks_.anywhere = true;
+  Block block;
+  scan_.eachPiece(source_, reader_, begin, end, [&](const TextPiece &piece) {
+    if (piece.isPlain && pass(piece))
+      return true;
+    for (uint32_t at = piece.begin; at < piece.end; at = block.next) {
+      reader_.read(at, block);
+      if (!read(at, block))
+        return false;
+    }
+    return true;
+  });
+}
+
+const Defined *FileIndex::definition(const ProgramInfo &program, llvm::StringRef name) const {
+  const Definitions &all = definitions(program);
+  const auto known = all.find(name.upper());
+  return known == all.end() ? nullptr : &known->second;
+}
+
+std::optional<uint32_t> FileIndex::label(const ProgramInfo &program, llvm::StringRef label,
+                                         uint32_t from, Search search) const {
+  const Labels &all = labels(program);
+  const auto known = all.find(reader_.labelKey(label));
+  if (known == all.end())
+    return std::nullopt;
+  return found(known->second, from, search, [](uint32_t offset) { return offset; });
+}
+
+llvm::ArrayRef<Suppression> FileIndex::suppressions() const {
+  if (!suppressions_)
+    suppressions_ = findSuppressions(source_, reader_, [this](auto visit) {
+      // A colon is rare in programs, and one byte is found at the speed of memory.
+      eachPlaceOf(':', visit);
+    });
+  return *suppressions_;
+}
+
+void FileIndex::eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const {
+  looks_.anywhere = true;
+  const std::vector<uint32_t> *known = keeps_ ? scan_.places(source_, c) : nullptr;
+  if (known)
+    std::for_each(known->begin(), known->end(), visit);
+  else
+    source_.eachPlaceOf(c, visit);
+}
+
+} // namespace ncvet

@@ -1,0 +1,134 @@
+// What stands where in one file: its programs, and on demand the block numbers in them.
+#pragma once
+
+#include "analyzer/program/file_scan.h"
+#include "analyzer/check/suppress.h"
+#include "formats/readers/reader.h"
+#include "formats/text/source.h"
+
+#include "llvm/ADT/DenseMap.h"
+#include "llvm/ADT/StringMap.h"
+
+#include <string>
+#include <vector>
+
+namespace ncvet {
+
+/// What the text or the file's name says a program is.
+enum class ProgramKind : uint8_t { Unknown, Main, Subprogram };
+
+/// One program of a file.
+struct ProgramInfo {
+  int64_t number = -1; ///< -1: no readable number
+  std::string name;    ///< in capitals; empty when the header gives none
+  uint32_t begin = 0;  ///< first byte: of the header, or of the text when there is none
+  uint32_t body = 0;   ///< first block to execute
+  uint32_t end = 0;    ///< behind the last byte
+  uint32_t headerBegin = 0, headerEnd = 0; ///< equal: no header
+  ProgramKind kind = ProgramKind::Unknown;
+  bool hasHeader() const { return headerEnd > headerBegin; }
+};
+
+/// Where a jump looks for its target.
+enum class Search : uint8_t {
+  Anywhere, ///< behind the jump, then from the program's begin
+  Forward,
+  Backward ///< the nearest in front of the jump
+};
+
+/// Index of one file, from one light scan of its lines; block numbers are collected when the first
+/// jump, local call or profile asks for them.
+class FileIndex {
+public:
+  /// `kept`, when given, is what earlier versions of the text have left.
+  FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect,
+            FileScan *kept = nullptr);
+
+  llvm::ArrayRef<ProgramInfo> programs() const { return programs_; }
+  /// The program that holds `offset`.
+  const ProgramInfo &programAt(uint32_t offset) const;
+  /// First program with this number, or null.
+  const ProgramInfo *find(int64_t number) const;
+  /// First program with this name, in capitals or not; null.
+  const ProgramInfo *find(llvm::StringRef name) const;
+  /// Offset of the block numbered `number` in the program, looked for from the block at `from`.
+  /// None: no such block.
+  std::optional<uint32_t> block(const ProgramInfo &program, int64_t number, uint32_t from,
+                                Search search = Search::Anywhere) const;
+  /// Offset of the block with this label (as the text spells it), in the same way.
+  std::optional<uint32_t> label(const ProgramInfo &program, llvm::StringRef label, uint32_t from,
+                                Search search = Search::Anywhere) const;
+  /// All labels of the program by key, each with its blocks in text order.
+  using Labels = llvm::StringMap<std::vector<uint32_t>>;
+  const Labels &labels(const ProgramInfo &program) const;
+  /// All numbered blocks of the program, sorted by number, then offset.
+  llvm::ArrayRef<NumberedBlock> numbers(const ProgramInfo &program) const;
+  /// The same in the order in which they are written.
+  llvm::ArrayRef<NumberedBlock> numbersAsWritten(const ProgramInfo &program) const;
+  /// Variables, parameters, declared programs and macros of the program by name, in capitals.
+  using Definitions = llvm::StringMap<Defined>;
+  const Definitions &definitions(const ProgramInfo &program) const;
+  /// Calls `read` for the blocks of [begin, end) until it says false. Pieces whose blocks are all
+  /// plain, and of which `pass` says true, are left out. `begin` is that of a block.
+  void eachBlock(uint32_t begin, uint32_t end,
+                 llvm::function_ref<bool(uint32_t at, const Block &)> read,
+                 llvm::function_ref<bool(const TextPiece &)> pass) const;
+  /// One of them, or null.
+  const Defined *definition(const ProgramInfo &program, llvm::StringRef name) const;
+  /// Offsets of the lines that hold a tape mark `%` first, ascending.
+  llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
+  /// The suppression comments of the file; looked for when first asked.
+  llvm::ArrayRef<Suppression> suppressions() const;
+  /// Calls `visit` with the offset of every byte `c`, ascending.
+  void eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const;
+  /// Offsets of the lines that open a subprogram between brackets (`o100 sub`), ascending.
+  llvm::ArrayRef<uint32_t> subprograms() const { return subprograms_; }
+  const SourceFile &source() const { return source_; }
+  /// Reads a block of the text that is not the one at hand.
+  void read(uint32_t offset, Block &block) const {
+    reader_.read(offset, block);
+    looks_.from = std::min(looks_.from, offset);
+    looks_.to = std::max(looks_.to, block.next);
+  }
+  /// For any reading of the text; who looks at one block says so by `read`.
+  const Reader &reader() const {
+    looks_.anywhere = true;
+    return reader_;
+  }
+  /// What was looked at beside the blocks at hand.
+  struct Looks {
+    uint32_t from = ~0u, to = 0;
+    bool anywhere = false; ///< it cannot be said where
+
+    Looks &operator|=(const Looks &other) {
+      from = std::min(from, other.from);
+      to = std::max(to, other.to);
+      anywhere |= other.anywhere;
+      return *this;
+    }
+  };
+  Looks looks() const { return looks_; }
+  /// What has been looked at since the last call.
+  Looks takeLooks() const { return std::exchange(looks_, Looks()); }
+
+private:
+  mutable Looks looks_;
+  const SourceFile &source_;
+  const Reader &reader_;
+  std::unique_ptr<FileScan> own_; ///< when nothing is kept
+  FileScan &scan_;
+  const bool keeps_;
+  std::vector<ProgramInfo> programs_;
+  std::vector<uint32_t> tapeMarks_;
+  std::vector<uint32_t> subprograms_;
+  struct Numbers {
+    std::vector<NumberedBlock> sorted; ///< empty when sorted as written
+    bool ascending = false;
+  };
+  mutable llvm::DenseMap<uint32_t, Numbers> numbers_;         ///< by program's begin
+  mutable llvm::DenseMap<uint32_t, Labels> labels_;           ///< by program's begin
+  mutable llvm::DenseMap<uint32_t, Definitions> definitions_; ///< by program's begin
+  mutable std::optional<std::vector<Suppression>> suppressions_;
+};
+
+} // namespace ncvet

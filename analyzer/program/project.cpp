@@ -1,0 +1,235 @@
+// The files of one analysis: the program at hand and those that it calls from elsewhere.
+#include "analyzer/program/project.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Path.h"
+
+namespace ncvet {
+
+namespace {
+
+/// Files of a folder whose first bytes are looked at for a program header: a shop's folder holds
+/// hundreds, and a folder that is no program store must not be read as a whole.
+constexpr unsigned maxHeaderFiles = 500;
+constexpr size_t headerBytes = 4096;
+/// Larger files are no subprograms.
+constexpr uint64_t maxSubprogramBytes = 64u << 20;
+
+/// `O1234.nc`, `1234`, `%O0012.txt`: the number; -1 for other names.
+int64_t numberOfName(llvm::StringRef name) {
+  llvm::StringRef stem = llvm::sys::path::stem(name);
+  stem.consume_front("%");
+  if (!stem.consume_front("O"))
+    stem.consume_front("o");
+  int64_t number = -1;
+  if (stem.empty() || stem.size() > 9 || stem.getAsInteger(10, number))
+    return -1;
+  return number;
+}
+
+/// `EXTERN NAME`: the program says that it calls one of its own.
+bool declares(llvm::StringRef text, llvm::StringRef name) {
+  constexpr llvm::StringLiteral word = "EXTERN";
+  for (size_t at = text.find_insensitive(word); at != llvm::StringRef::npos;
+       at = text.find_insensitive(word, at + 1)) {
+    const llvm::StringRef behind = text.drop_front(at + word.size()).ltrim(" \t");
+    if (behind.startswith_insensitive(name) &&
+        (behind.size() == name.size() ||
+         !(llvm::isAlnum(behind[name.size()]) || behind[name.size()] == '_')))
+      return true;
+  }
+  return false;
+}
+
+int64_t numberOfHeader(llvm::StringRef text) {
+  unsigned lines = 0;
+  while (!text.empty() && lines++ < 50) {
+    llvm::StringRef line;
+    std::tie(line, text) = text.split('\n');
+    line = line.ltrim(" \t\r");
+    line.consume_front("%");
+    line = line.ltrim();
+    if (!line.consume_front("O") && !line.consume_front(":"))
+      continue;
+    const llvm::StringRef digits = line.take_while([](char c) { return c >= '0' && c <= '9'; });
+    int64_t number = -1;
+    if (!digits.empty() && digits.size() <= 9 && !digits.getAsInteger(10, number))
+      return number;
+  }
+  return -1;
+}
+
+} // namespace
+
+Project::Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
+                 std::vector<std::string> searchFolders, std::shared_ptr<ProgramFolders> folders)
+    : sources_(sources), dialect_(std::move(dialect)), machine_(std::move(machine)),
+      searchFolders_(std::move(searchFolders)), folders_(std::move(folders)) {}
+
+FileUnit &Project::unit(const SourceFile &file, FileScan *kept) {
+  auto &unit = units_[file.id()];
+  if (!unit) {
+    unit = std::make_unique<FileUnit>(file, dialect_, machine_, kept);
+    if (!dialect_->hiddenPrograms.empty())
+      unit->reader->setHidesProgram(
+          [this, &from = *unit](llvm::StringRef name) { return hidesProgram(from, name); });
+  }
+  return *unit;
+}
+
+const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto [at, fresh] = folders_.try_emplace(path);
+  Programs &programs = at->second;
+  if (!fresh)
+    return programs;
+  std::vector<std::string> files;
+  std::error_code error;
+  for (llvm::sys::fs::directory_iterator i(path, error), end; i != end && !error;
+       i.increment(error)) {
+    const auto type = i->type();
+    if (type == llvm::sys::fs::file_type::directory_file)
+      continue;
+    llvm::StringRef name = i->path();
+    name.consume_front("./"); // as the user names the files of the present folder
+    files.push_back(name.str());
+    if (files.size() > 20000) // not a program store
+      break;
+  }
+  std::sort(files.begin(), files.end());
+  for (const std::string &file : files) {
+    const int64_t number = numberOfName(llvm::sys::path::filename(file));
+    if (number >= 0)
+      programs.byNumber.try_emplace(number, file);
+    programs.byName.try_emplace(llvm::sys::path::stem(file).upper(), file);
+  }
+  unsigned looked = 0;
+  for (const std::string &file : files) {
+    uint64_t size = 0;
+    if (numberOfName(llvm::sys::path::filename(file)) >= 0 || looked >= maxHeaderFiles ||
+        llvm::sys::fs::file_size(file, size) || size > maxSubprogramBytes)
+      continue;
+    ++looked;
+    const auto buffer =
+        llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, headerBytes), 0);
+    if (!buffer)
+      continue;
+    const int64_t number = numberOfHeader((*buffer)->getBuffer());
+    if (number >= 0)
+      programs.byNumber.try_emplace(number, file);
+  }
+  return programs;
+}
+
+std::vector<std::string> Project::foldersOf(const FileUnit &from) const {
+  std::vector<std::string> folders;
+  if (!from.source.path().empty()) {
+    const llvm::StringRef parent = llvm::sys::path::parent_path(from.source.path());
+    folders.push_back(parent.empty() ? "." : parent.str());
+  }
+  folders.insert(folders.end(), searchFolders_.begin(), searchFolders_.end());
+  return folders;
+}
+
+Project::Found
+Project::searchFolders(FileUnit &from,
+                       llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
+                       llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
+  for (const std::string &path : foldersOf(from)) {
+    const std::string name = fileOf(folders_->programs(path));
+    if (name.empty())
+      continue;
+    // A file of this project keeps its number. Others' files in the set are left alone: they may be
+    // at work on another thread.
+    const SourceFile *file = nullptr;
+    for (const auto &known : units_)
+      if (known.second->source.path() == name)
+        file = &known.second->source;
+    if (!file) {
+      auto opened = sources_.open(name);
+      if (!opened) {
+        llvm::consumeError(opened.takeError());
+        continue;
+      }
+      file = *opened;
+    }
+    FileUnit &other = unit(*file);
+    if (const ProgramInfo *program = programOf(other.index))
+      return {&other, program};
+    // The file's name says which program it is; what it holds needs no header of its own.
+    if (!other.index.programs().empty() && !other.index.programs()[0].hasHeader())
+      return {&other, &other.index.programs()[0]};
+  }
+  return {nullptr, nullptr};
+}
+
+Project::Found Project::findProgram(FileUnit &from, int64_t number) {
+  if (const ProgramInfo *program = from.index.find(number))
+    return {&from, program};
+  return searchFolders(
+      from,
+      [number](const ProgramFolders::Programs &programs) {
+        const auto found = programs.byNumber.find(number);
+        return found == programs.byNumber.end() ? std::string() : found->second;
+      },
+      [number](const FileIndex &index) { return index.find(number); });
+}
+
+/// `SHAFT` of `_N_SHAFT_SPF`: a program as a control with folders stores it; else the name.
+static llvm::StringRef withoutStoreMarks(llvm::StringRef name) {
+  llvm::StringRef bare = name;
+  const bool marked =
+      bare.consume_front_insensitive("_N_") &&
+      (bare.consume_back_insensitive("_SPF") || bare.consume_back_insensitive("_MPF"));
+  return marked && !bare.empty() ? bare : name;
+}
+
+Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
+  if (const ProgramInfo *program = from.index.find(name))
+    return {&from, program};
+  // Only the name counts: the control has folders of its own.
+  const size_t slash = name.find_last_of("/\\");
+  if (slash != llvm::StringRef::npos)
+    name = name.drop_front(slash + 1);
+  if (const llvm::StringRef bare = withoutStoreMarks(name); bare.size() < name.size()) {
+    name = bare;
+    if (const ProgramInfo *program = from.index.find(name))
+      return {&from, program};
+  }
+  const std::string key = name.upper();
+  return searchFolders(
+      from,
+      [&key](const ProgramFolders::Programs &programs) {
+        const auto found = programs.byName.find(key);
+        return found == programs.byName.end() ? std::string() : found->second;
+      },
+      [name](const FileIndex &index) { return index.find(name); });
+}
+
+bool Project::hidesProgram(FileUnit &from, llvm::StringRef name) {
+  const std::string key = name.upper();
+  const auto [known, fresh] = from.hides.try_emplace(key, false);
+  if (!fresh)
+    return known->second;
+  const auto isProgramFile = [&](llvm::StringRef path) {
+    llvm::StringRef ending = llvm::sys::path::extension(path);
+    ending.consume_front(".");
+    const auto same = [&](const std::string &one) { return ending.equals_insensitive(one); };
+    if (dialect_->mainExtensions.empty() && dialect_->subprogramExtensions.empty())
+      return ending.empty() || llvm::any_of(dialect_->extensions, same);
+    return llvm::any_of(dialect_->mainExtensions, same) ||
+           llvm::any_of(dialect_->subprogramExtensions, same);
+  };
+  bool hides = from.index.find(name) || declares(from.source.text(), name);
+  for (const std::string &folder : foldersOf(from)) {
+    if (hides)
+      break;
+    const ProgramFolders::Programs &programs = folders_->programs(folder);
+    const auto file = programs.byName.find(key);
+    hides = file != programs.byName.end() && isProgramFile(file->second);
+  }
+  return from.hides[key] = hides;
+}
+
+} // namespace ncvet

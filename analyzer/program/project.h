@@ -1,0 +1,84 @@
+// The files of one analysis: the program at hand and those that it calls from elsewhere.
+#pragma once
+
+#include "analyzer/program/program_index.h"
+#include "formats/dialect/machine.h"
+#include "formats/text/source_set.h"
+#include "interp/execute/execute.h"
+
+#include <map>
+#include <mutex>
+
+namespace ncvet {
+
+/// A file with its dialect, reader, index and executor.
+struct FileUnit {
+  FileUnit(const SourceFile &file, std::shared_ptr<const Dialect> language,
+           const MachineProfile &profile, FileScan *kept = nullptr)
+      : source(file), dialect(std::move(language)), machine(profile),
+        reader(makeReader(*dialect, file.text())), index(file, *reader, *dialect, kept),
+        executor(*dialect, machine, file.id()) {}
+
+  const SourceFile &source;
+  std::shared_ptr<const Dialect> dialect;
+  const MachineProfile &machine;
+  std::unique_ptr<Reader> reader;
+  FileIndex index;
+  Executor executor;
+  llvm::StringMap<bool> hides; ///< names of the control's programs, as far as they were asked for
+};
+
+/// Which programs lie in which folder; each folder is read once. Safe for several threads.
+class ProgramFolders {
+public:
+  struct Programs {
+    std::map<int64_t, std::string> byNumber; ///< file by program number
+    llvm::StringMap<std::string> byName;     ///< file by its name without ending, in capitals
+  };
+  /// Programs of a folder, from file names like `O1234.nc` and from headers.
+  const Programs &programs(const std::string &folder);
+
+private:
+  std::mutex mutex_;
+  std::map<std::string, Programs> folders_;
+};
+
+/// Finds programs that a file calls: in the same file, then in files of the same folder, then of
+/// the search folders; never outside of these.
+class Project {
+public:
+  Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
+          std::vector<std::string> searchFolders = {},
+          std::shared_ptr<ProgramFolders> folders = std::make_shared<ProgramFolders>());
+
+  /// The unit of a file of the set; made when first asked for, with what is kept of its text.
+  FileUnit &unit(const SourceFile &file, FileScan *kept = nullptr);
+  /// Program `number` as seen from `from`: its unit and entry; null when there is none.
+  using Found = std::pair<FileUnit *, const ProgramInfo *>;
+  Found findProgram(FileUnit &from, int64_t number);
+  /// The same for program `name`. A path in front of it is not followed.
+  Found findProgram(FileUnit &from, llvm::StringRef name);
+  /// Whether a program of the project is called where `from` names this program of the control: one
+  /// of the same file or folder, or one that the file declares.
+  bool hidesProgram(FileUnit &from, llvm::StringRef name);
+  const Dialect &dialect() const { return *dialect_; }
+  const MachineProfile &machine() const { return machine_; }
+  SourceSet &sources() { return sources_; }
+
+private:
+  /// The folder of a file, then those that are searched for every file.
+  std::vector<std::string> foldersOf(const FileUnit &from) const;
+  /// Looks through the folders; `fileOf` picks a folder's file, `programOf` the program in it.
+  Found searchFolders(FileUnit &from,
+                      llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
+                      llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf);
+
+  SourceSet &sources_;
+  std::shared_ptr<const Dialect> dialect_;
+  MachineProfile machine_;
+  std::vector<std::string> searchFolders_;
+  std::map<FileId, std::unique_ptr<FileUnit>> units_;
+  std::shared_ptr<ProgramFolders> folders_;
+};
+
+} // namespace ncvet

@@ -1,0 +1,47 @@
+// A run of plain blocks that an earlier analysis of almost the same text has followed.
+#pragma once
+
+#include "analyzer/reuse/continuation_move.h"
+#include "analyzer/rule/rule.h"
+#include "analyzer/program/span_store.h"
+
+namespace ncvet {
+
+/// A run of blocks that are executed one after the other, of which no rule had anything to say.
+/// Where it begins again in the same text and in a state that differs only in what it neither looks
+/// at nor sets, with rules that remember the same, it does the same.
+struct StraightRun : RunPlace {
+  uint32_t from = 0, to = 0; ///< the text that was looked at for it
+  bool isClean = true;       ///< a reader finds nothing wrong in it
+  StateUse use;
+  CutArea::Box cut = CutArea::none; ///< what is added to it
+  DepthMoves depth;
+  KnownState entry, exit;
+  PlainRun plainEntry, plainExit;
+  RuleMemory memory;   ///< at its begin, and at its end as well
+  Gatherings gathered; ///< what it adds to it
+
+  explicit StraightRun(FileId file) : memory(file) {}
+
+  /// It ends here, has used this much, and things were set there when it began.
+  void finish(const StateUse &used, const OriginState &before, const MachineState &behind,
+              const PlainRun &plainBehind);
+  /// Whether it does the same from here.
+  bool begins(const MachineState &state, const PlainRun &plain, const RuleMemory &now) const;
+  /// Makes of what stands in front of it what stands behind it.
+  void carry(MachineState &state, PlainRun &plain) const;
+  /// `next` begins where it ends, and has been taken over there: the two are one.
+  void join(const StraightRun &next, const MachineState &behind, const PlainRun &plainBehind);
+  /// What happens to it when text in front of it changes.
+  void move(const TextChange &change);
+  /// Whether something that it looks at was set in the changed text.
+  bool stemsFrom(const TextChange &change) const;
+
+private:
+  bool sparesLevel(const KnownState &state) const;
+
+  /// Where things were set that it looks at or sets, in the order of their places in the state.
+  std::vector<Origin> entryOrigins_, exitOrigins_;
+};
+
+} // namespace ncvet

@@ -1,0 +1,75 @@
+// Records runs of plain blocks while a program is followed, and finds those that are known already.
+#pragma once
+
+#include "analyzer/rule/collector.h"
+#include "analyzer/rule/dispatch.h"
+#include "analyzer/reuse/run_chains.h"
+
+namespace ncvet {
+
+/// At work while the first program of a file is followed straight on. Without a store it does
+/// nothing.
+class RunRecorder {
+public:
+  RunRecorder(StraightRuns *runs, FileUnit &unit, const Dispatcher &dispatcher,
+              const Collector &collector);
+
+  bool isOn() const { return runs_; }
+  /// In front of the block at `offset`, which one state alone reaches: takes over what a known run
+  /// from here does, of those that `may` allows. Nothing: the block is to be executed.
+  std::optional<RunPlace> takeOver(uint32_t offset, MachineState &state, PlainRun &plain,
+                                   llvm::function_ref<bool(const RunPlace &)> may);
+  /// A block was executed, and the next one follows. `goesOn`: it only goes on as the one before.
+  void executed(const Block &block, bool goesOn) {
+    if (runs_)
+      take(block, goesOn);
+  }
+  /// The block for which `takeOver` had nothing was executed, and is not one that only goes on;
+  /// `before` is the state in front of it, and no rule has heard of it yet.
+  void goesOnNoMore(MachineState &before) {
+    if (stretch_.isRecording())
+      endStretchInFront(before);
+  }
+  /// What is being recorded is no run.
+  void interrupt() {
+    if (runs_)
+      end();
+  }
+
+private:
+  using May = llvm::function_ref<bool(const RunPlace &)>;
+
+  void take(const Block &block, bool goesOn);
+  void end();
+  void collect(MachineState &state);
+  bool mayBegin(uint32_t offset, MachineState &state, const PlainRun &plain);
+  void rememberMoves();
+  void finishStretch(uint32_t offset, MachineState &state, const PlainRun &plain);
+  void endStretchInFront(MachineState &before);
+  std::optional<RunPlace> takeWhole(uint32_t offset, MachineState &state, PlainRun &plain, May may);
+  std::optional<RunPlace> takeStretch(uint32_t offset, MachineState &state, PlainRun &plain,
+                                      May may);
+
+  StraightRuns *runs_;
+  FileUnit &unit_;
+  const Dispatcher &dispatcher_;
+  const Collector &collector_;
+  RunTrack whole_;
+  RunTrack stretch_;
+  RunChains chains_;
+  /// How it was in front of a block behind which it may be found that the stretch has ended there.
+  struct InFront {
+    uint32_t offset = 0;
+    StateUse use;
+    FileIndex::Looks looks;
+    PlainRun plain;
+  };
+  InFront inFront_;
+  RuleMemory memory_;        ///< of the moment, for all but stretches
+  RuleMemory moves_;         ///< the same for stretches
+  uint32_t executedEnd_ = 0; ///< up to here a run must be executed
+  unsigned pause_ = 0;       ///< blocks in front of which rules are not asked again
+  unsigned streak_ = 0;      ///< blocks in a row that only went on
+};
+
+} // namespace ncvet

@@ -1,0 +1,65 @@
+// Records the runs of one kind.
+#pragma once
+
+#include "analyzer/reuse/recorded_run.h"
+
+namespace ncvet {
+
+/// The run that is being recorded, and the last one that is known.
+class RunTrack {
+public:
+  /// `longest`: so many blocks are enough for a run.
+  explicit RunTrack(RunStore<StraightRun> *runs, unsigned longest = longestRun)
+      : runs_(runs), longest_(longest) {}
+
+  bool isRecording() const { return run_.has_value(); }
+  /// `memory`, here and below: what rules remember at this moment.
+  void begin(uint32_t offset, const MachineState &state, const PlainRun &plain,
+             const RuleMemory &memory, uint64_t reports);
+  /// Something was looked at, set or added since it began.
+  void collect(const StateUse &use, const FileIndex::Looks &looks, const CutArea::Box &cut,
+               const DepthMoves &depth);
+  /// A block was executed.
+  void take(const Block &block, bool clean);
+  /// A run of another store was taken over.
+  void take(const StraightRun &run);
+  /// Blocks that were executed since it was last seen whether they still are a run.
+  uint64_t unseen() const { return here_.blocks - run_->blocks; }
+  /// What was executed up to `end` belongs to the run, if it still is one.
+  bool mark(uint32_t end, const MachineState &state, const PlainRun &plain,
+            const RuleMemory &memory, Gatherings gathered);
+  bool isEmpty() const { return here_.blocks == 0; }
+  bool isFull() const { return here_.blocks >= longest_; }
+  uint64_t reports() const { return reports_; } ///< of the collector when it began
+  /// Begin of a known run behind it.
+  uint32_t nextKnown() const { return nextKnown_; }
+  /// What is recorded up to the last mark is a run that is known from now on.
+  void keep();
+  void drop() { run_.reset(); }
+
+  /// The run that begins at `offset` when it does the same from here, or null: then it is
+  /// forgotten.
+  const StraightRun *find(uint32_t offset, const MachineState &state, const PlainRun &plain,
+                          const RuleMemory &memory);
+  /// Takes over what `run`, which `find` has found, does. Runs that follow each other become one:
+  /// edits would leave nothing but short ones.
+  void takeOver(const StraightRun &run, MachineState &state, PlainRun &plain,
+                const RuleMemory &memory);
+
+private:
+  RunStore<StraightRun> *runs_;
+  unsigned longest_;
+  std::optional<StraightRun> run_; ///< up to the last mark
+  RunPlace here_;                  ///< up to the last block
+  OriginState origin_;             ///< when it began
+  StateUse use_;
+  FileIndex::Looks looks_;
+  CutArea::Box cut_ = CutArea::none;
+  DepthMoves depth_;
+  bool clean_ = true;
+  uint64_t reports_ = 0;
+  uint32_t nextKnown_ = ~0u;
+  uint32_t lastRun_ = ~0u, lastEnd_ = ~0u; ///< that was kept or taken over
+};
+
+} // namespace ncvet

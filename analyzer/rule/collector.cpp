@@ -1,0 +1,177 @@
+// Collects findings while programs run: one per rule and place, with the shortest path to it.
+#include "analyzer/rule/collector.h"
+
+#include "llvm/ADT/StringSet.h"
+
+#include <algorithm>
+#include <set>
+
+namespace ncvet {
+
+namespace {
+
+std::string describe(const PathNode &node) {
+  switch (node.kind) {
+  case PathNode::Kind::Call:
+    return "called here";
+  case PathNode::Kind::ModalCall:
+    return "behind this block the modal call runs its program";
+  case PathNode::Kind::Jump:
+    return "when this jump is taken";
+  case PathNode::Kind::NoJump:
+    return "when this condition does not hold";
+  case PathNode::Kind::Skip:
+    return "when block skip is on";
+  case PathNode::Kind::LoopPass:
+    return "in a later pass of this loop";
+  }
+  return {};
+}
+
+void fillPath(Finding &finding, const PathNode *path) {
+  const std::vector<PathStep> steps = stepsOf(path);
+  finding.path.assign(steps.begin(), steps.end());
+}
+
+} // namespace
+
+std::vector<PathStep> stepsOf(const PathNode *path) {
+  std::vector<const PathNode *> nodes;
+  for (const PathNode *node = path; node; node = node->before)
+    nodes.push_back(node);
+  std::vector<PathStep> steps;
+  // A loop that is run for real takes the same jump in every pass: said once, it explains as much.
+  std::set<std::pair<FileId, uint32_t>> jumps;
+  for (const PathNode *node : llvm::reverse(nodes))
+    if (node->kind != PathNode::Kind::Jump ||
+        jumps.insert({node->range.file, node->range.begin}).second)
+      steps.push_back({node->range, describe(*node)});
+  return steps;
+}
+
+Collector::Collector(const RuleSelection &selection, const Dialect &dialect,
+                     const AnalysisLimits &limits)
+    : selection_(selection), dialect_(dialect), limits_(limits), perRule_(allRules().size()) {}
+
+/// Notes a report of the frame's present visit; certain in one state is enough for that visit.
+void Collector::count(Frame &frame, const Key &key, bool certain) {
+  constexpr size_t few = 16;
+  AtStop *known = nullptr;
+  if (frame.reports.size() <= few) {
+    known = llvm::find_if(frame.reports, [&](const AtStop &at) { return at.key == key; });
+  } else {
+    for (size_t i = frame.places.size(); i < frame.reports.size(); ++i)
+      frame.places.emplace(frame.reports[i].key, i);
+    const auto place = frame.places.find(key);
+    known = place == frame.places.end() ? frame.reports.end() : &frame.reports[place->second];
+  }
+  if (known == frame.reports.end())
+    return frame.reports.push_back({key, certain ? 1u : 0u, frame.visits});
+  if (known->lastVisit != frame.visits) {
+    known->lastVisit = frame.visits;
+    known->certain += certain;
+  }
+}
+
+Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
+  ++reports_;
+  if (definiteOnly_ && !certain)
+    return nullptr;
+  const Key key{rule, range.file, range.begin, range.end};
+  Frame &frame = frames_[depth_ - 1];
+  count(frame, key, certain);
+  const unsigned length = frame.path ? frame.path->length : 0;
+  const auto found = entries_.find(key);
+  if (found != entries_.end()) {
+    found->second.uncalled &= uncalled_;
+    // Known: a shorter way to it is the better explanation.
+    if (length < found->second.pathLength) {
+      found->second.pathLength = length;
+      fillPath(found->second.finding, frame.path);
+    }
+    return nullptr;
+  }
+  if (perRule_[rule]++ >= limits_.findingsPerRule)
+    return nullptr;
+  Entry &entry = entries_[key];
+  entry.pathLength = length;
+  entry.uncalled = uncalled_;
+  Finding &finding = entry.finding;
+  finding.rule = rule;
+  finding.range = range;
+  finding.certainty = Certainty::Possible;
+  finding.severity = allRules()[rule].info.severity;
+  const auto table = dialect_.rules.find(allRules()[rule].info.id);
+  if (table != dialect_.rules.end() && table->second.severity)
+    finding.severity = *table->second.severity;
+  fillPath(finding, frame.path);
+  return &finding;
+}
+
+void Collector::settle() {
+  const Frame &frame = frames_[depth_ - 1];
+  for (const AtStop &at : frame.reports) {
+    const bool certain = at.certain >= frame.visits;
+    if (depth_ > 1) {
+      count(frames_[depth_ - 2], at.key, certain);
+    } else if (certain) {
+      const auto found = entries_.find(at.key);
+      if (found != entries_.end())
+        found->second.finding.certainty = Certainty::Definite;
+    }
+  }
+}
+
+/// Whether the control, looking for the end of a body that it does not run, stops at what the rule
+/// reports.
+bool Collector::stopsUncalled(RuleId rule) const {
+  const auto table = dialect_.rules.find(allRules()[rule].info.id);
+  return table != dialect_.rules.end() && table->second.numbers.lookup("uncalledStops") != 0;
+}
+
+std::vector<Finding> Collector::take(const SourceSet &sources) {
+  std::vector<Finding> all;
+  all.reserve(entries_.size());
+  for (auto &[key, entry] : entries_) {
+    Finding &finding = entry.finding;
+    if (entry.uncalled && !dialect_.loadsWhole && finding.severity == Severity::Error &&
+        !stopsUncalled(finding.rule))
+      finding.severity = Severity::Warning;
+    if (selection_.severity.size() > finding.rule && selection_.severity[finding.rule])
+      finding.severity = *selection_.severity[finding.rule];
+    else
+      finding.severity = std::min(finding.severity, selection_.highest);
+    all.push_back(std::move(finding));
+  }
+  entries_.clear();
+  llvm::sort(all, [](const Finding &a, const Finding &b) {
+    return std::tie(a.range.file, a.range.begin, a.rule, a.range.end) <
+           std::tie(b.range.file, b.range.begin, b.rule, b.range.end);
+  });
+  // Of two rules that would say the same thing of one block, the one that names the cause speaks.
+  std::vector<Finding> kept;
+  kept.reserve(all.size());
+  const auto lineOf = [&](const Finding &f) {
+    return sources.get(f.range.file).lines().lineBegin(f.range.begin);
+  };
+  for (size_t begin = 0; begin < all.size();) {
+    size_t end = begin + 1;
+    const uint32_t line = lineOf(all[begin]);
+    while (end < all.size() && all[end].range.file == all[begin].range.file &&
+           lineOf(all[end]) == line)
+      ++end;
+    for (size_t i = begin; i < end; ++i) {
+      const llvm::StringRef id = allRules()[all[i].rule].info.id;
+      bool consequence = false;
+      for (size_t j = begin; j < end && !consequence; ++j)
+        consequence = j != i && all[j].rule != all[i].rule &&
+                      llvm::is_contained(allRules()[all[j].rule].info.subsumes, id);
+      if (!consequence)
+        kept.push_back(std::move(all[i]));
+    }
+    begin = end;
+  }
+  return kept;
+}
+
+} // namespace ncvet

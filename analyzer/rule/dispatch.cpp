@@ -1,0 +1,175 @@
+// Hands the events of a block to the rules that listen for them.
+#include "analyzer/rule/dispatch.h"
+
+namespace ncvet {
+
+Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
+                       const RuleSelection &selection, Collector &collector)
+    : byCode_(dialect.codes.size()), noticesOf_(dialect.codes.size()), context_(collector) {
+  const llvm::ArrayRef<RuleEntry> table = allRules();
+  std::vector<CodeIndex> noticed; // codes of which the table has something to say
+  for (size_t code = 0; code < dialect.codes.size(); ++code)
+    if (!dialect.codes[code].notices.empty())
+      noticed.push_back(CodeIndex(code));
+  for (size_t i = 0; i < table.size(); ++i) {
+    if (i < selection.enabled.size() && !selection.enabled[i])
+      continue;
+    // The user's options lie over the dialect's.
+    RuleOverride options;
+    const auto ofDialect = dialect.rules.find(table[i].info.id);
+    if (ofDialect != dialect.rules.end())
+      options = ofDialect->second;
+    const auto ofUser = selection.options.find(table[i].info.id);
+    if (ofUser != selection.options.end())
+      for (const auto &entry : ofUser->second)
+        options.numbers[entry.first()] = entry.second;
+    rules_.push_back(table[i].make());
+    Listener listener{rules_.back().get(), RuleId(i)};
+    all_.push_back(listener);
+    Subscriptions subscriptions(dialect, machine, &options);
+    listener.rule->listen(subscriptions);
+    listener.moves = subscriptions.moves();
+    if (subscriptions.isGathering())
+      gatherers_.push_back(listener.rule);
+    RuleMemory first(FileId(0));
+    listener.rule->remember(first);
+    if (!first.isLeftOut())
+      rememberers_.push_back(listener.rule);
+    kinds_ |= subscriptions.kinds();
+    for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
+      if (subscriptions.kinds() >> kind & 1)
+        byKind_[kind].push_back(listener);
+    for (const EventKind kind : {EventKind::Block, EventKind::Motion})
+      if (subscriptions.everyBlock() & bitOf(kind))
+        everyBlock_.emplace_back(kind, listener);
+    for (const CodeIndex code : noticed)
+      if (dialect.codes[code].action == Action::Cycle &&
+          llvm::any_of(dialect.codes[code].notices,
+                       [&](const Notice &n) { return n.rule == table[i].info.id; })) {
+        kinds_ |= bitOf(EventKind::CycleRun);
+        noticesOf_[code].push_back(RuleId(i));
+      }
+    // Facts of the table are reported for every rule; some do so themselves.
+    if (!subscriptions.noticesHandled())
+      for (const CodeIndex code : noticed)
+        if (llvm::any_of(dialect.codes[code].notices,
+                         [&](const Notice &n) { return n.rule == table[i].info.id; })) {
+          kinds_ |= bitOf(EventKind::Code);
+          byCode_[code].push_back({nullptr, RuleId(i)});
+        }
+    for (const CodeIndex code : subscriptions.codes()) {
+      kinds_ |= bitOf(EventKind::Code);
+      if (llvm::none_of(byCode_[code], [&](const Listener &l) { return l.rule == listener.rule; }))
+        byCode_[code].push_back(listener);
+    }
+  }
+}
+
+void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
+                         const MachineState &before, const MachineState &after,
+                         unsigned callDepth) {
+  context_.dialect_ = unit.dialect.get();
+  context_.machine_ = &unit.machine;
+  context_.source_ = &unit.source;
+  context_.index_ = &unit.index;
+  context_.block_ = &block;
+  context_.outcome_ = &outcome;
+  context_.before_ = &before;
+  context_.after_ = &after;
+  context_.callDepth_ = callDepth;
+}
+
+void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
+                          const MachineState &before, const MachineState &after,
+                          unsigned callDepth) {
+  if (!(outcome.kinds & kinds_))
+    return;
+  prepare(unit, block, outcome, before, after, callDepth);
+  for (const Event &event : outcome.events) {
+    if (!(bitOf(event.kind) & kinds_))
+      continue;
+    for (const Listener &listener : byKind_[size_t(event.kind)]) {
+      if (!listener.wants(event))
+        continue;
+      context_.rule_ = listener.id;
+      listener.rule->on(event, context_);
+    }
+    if (event.kind == EventKind::CycleRun)
+      reportChanged(event);
+    if (event.kind == EventKind::Code)
+      for (const Listener &listener : byCode_[event.code]) {
+        context_.rule_ = listener.id;
+        if (listener.rule)
+          listener.rule->on(event, context_);
+        else
+          context_.reportNotices(allRules()[listener.id].info.id, event);
+      }
+  }
+}
+
+/// A later block of a modal cycle may give variables anew that the cycle reads: what the table says
+/// of the cycle is asked again.
+void Dispatcher::reportChanged(const Event &event) {
+  if (event.code == noCode || !context_.block().has(variableAddress) || context_.codeWord(event))
+    return;
+  Event changed = event;
+  changed.word = nullptr;
+  for (const RuleId id : noticesOf_[event.code]) {
+    context_.rule_ = id;
+    context_.reportNotices(allRules()[id].info.id, changed);
+  }
+}
+
+void Dispatcher::tellMove(FileUnit &unit, const Block &block, const Outcome &outcome,
+                          const MachineState &before, const MachineState &after,
+                          unsigned callDepth) {
+  prepare(unit, block, outcome, before, after, callDepth);
+  for (const Event &event : outcome.events)
+    for (const auto &[kind, listener] : everyBlock_)
+      if (kind == event.kind && listener.wants(event)) {
+        context_.rule_ = listener.id;
+        listener.rule->on(event, context_);
+      }
+}
+
+void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
+                           const Outcome &outcome, const MachineState &before,
+                           const MachineState &after, unsigned callDepth, SourceRange where,
+                           SourceRange related) {
+  prepare(unit, block, outcome, before, after, callDepth);
+  context_.flowRange_ = where;
+  context_.flowRelated_ = related;
+  Event event;
+  event.kind = EventKind::FlowIssue;
+  event.number = int64_t(issue);
+  for (const Listener &listener : byKind_[size_t(EventKind::FlowIssue)]) {
+    context_.rule_ = listener.id;
+    listener.rule->on(event, context_);
+  }
+}
+
+void Dispatcher::callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
+                              const MachineState &before, const MachineState &after,
+                              unsigned callDepth) {
+  prepare(unit, block, outcome, before, after, callDepth);
+  Event event;
+  event.kind = EventKind::CallReturned;
+  event.code = outcome.flow.code;
+  for (const Listener &listener : byKind_[size_t(EventKind::CallReturned)]) {
+    context_.rule_ = listener.id;
+    listener.rule->on(event, context_);
+  }
+}
+
+void Dispatcher::finish(const FileSummary &summary, FileUnit &unit) {
+  static const Block noBlock;
+  const Outcome noOutcome;
+  const MachineState state = initialState(*unit.dialect);
+  prepare(unit, noBlock, noOutcome, state, state, 0);
+  for (const Listener &listener : all_) {
+    context_.rule_ = listener.id;
+    listener.rule->finish(summary, context_);
+  }
+}
+
+} // namespace ncvet

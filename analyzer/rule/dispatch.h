@@ -1,0 +1,90 @@
+// Hands the events of a block to the rules that listen for them.
+#pragma once
+
+#include "analyzer/rule/collector.h"
+#include "analyzer/program/project.h"
+
+namespace ncvet {
+
+/// The rules of one run, made and subscribed for one dialect.
+class Dispatcher {
+public:
+  Dispatcher(const Dialect &dialect, const MachineProfile &machine, const RuleSelection &selection,
+             Collector &collector);
+
+  /// Events of these kinds have listeners.
+  uint32_t kinds() const { return kinds_; }
+  void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
+                const MachineState &before, const MachineState &after, unsigned callDepth);
+  /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
+  /// to know of every move.
+  void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
+                    const MachineState &before, const MachineState &after, unsigned callDepth) {
+    if (!everyBlock_.empty())
+      tellMove(unit, block, outcome, before, after, callDepth);
+  }
+  /// A `FlowIssue` event of its own, outside of what the block itself emitted.
+  void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
+                 const MachineState &before, const MachineState &after, unsigned callDepth,
+                 SourceRange where, SourceRange related);
+  /// A `CallReturned` event at the call: the state before the call and the one that came back.
+  void callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
+                    const MachineState &before, const MachineState &after, unsigned callDepth);
+  void finish(const FileSummary &summary, FileUnit &unit);
+  /// What the rules remember at this moment.
+  void remember(RuleMemory &memory) const {
+    for (const Rule *rule : rememberers_)
+      rule->remember(memory);
+  }
+  /// The same of those that are told of moves that only go on.
+  void rememberMoves(RuleMemory &memory) const {
+    for (const auto &[kind, listener] : everyBlock_)
+      listener.rule->remember(memory);
+  }
+  void startGathering() const {
+    for (Rule *rule : gatherers_)
+      rule->startGathering();
+  }
+  /// What rules have gathered since then.
+  Gatherings gathered() const {
+    Gatherings all;
+    for (size_t i = 0; i < gatherers_.size(); ++i)
+      if (auto gathered = gatherers_[i]->gathered())
+        all.emplace_back(i, std::move(gathered));
+    return all;
+  }
+  /// False when a rule would have had something to say.
+  bool gather(const Gatherings &all) const {
+    return llvm::all_of(
+        all, [&](const auto &entry) { return gatherers_[entry.first]->gather(*entry.second); });
+  }
+
+private:
+  struct Listener {
+    Rule *rule;
+    RuleId id;
+    uint8_t moves = 0xFF; ///< bit per kind of move of which `Motion` events are wanted
+
+    bool wants(const Event &event) const {
+      return event.kind != EventKind::Motion || (moves & bitOf(event.motion));
+    }
+  };
+  void tellMove(FileUnit &unit, const Block &block, const Outcome &outcome,
+                const MachineState &before, const MachineState &after, unsigned callDepth);
+  void reportChanged(const Event &event);
+  void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
+               const MachineState &before, const MachineState &after, unsigned callDepth);
+
+  std::vector<std::unique_ptr<Rule>> rules_;
+  std::vector<Listener> all_;
+  std::vector<Rule *> gatherers_;
+  std::vector<const Rule *> rememberers_;
+  std::array<std::vector<Listener>, size_t(EventKind::Count)> byKind_;
+  std::vector<std::vector<Listener>> byCode_;
+  std::vector<std::vector<RuleId>> noticesOf_; ///< by code: rules for which the table has some
+  std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of `Block` and `Motion`
+  uint32_t kinds_ = 0;
+  RuleContext context_;
+};
+
+} // namespace ncvet

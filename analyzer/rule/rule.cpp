@@ -1,0 +1,145 @@
+// What rules look at and how they report.
+#include "analyzer/rule/rule.h"
+
+#include "analyzer/rule/collector.h"
+
+namespace ncvet {
+
+const CodeUse *RuleContext::find(std::initializer_list<Action> actions) const {
+  for (const CodeUse &use : codes())
+    if (llvm::is_contained(actions, code(use).action))
+      return &use;
+  return nullptr;
+}
+
+SourceRange RuleContext::blockRange() const {
+  SourceRange range{source_->id(), block_->begin, block_->end};
+  const auto begin = [&](uint32_t offset) { range.begin = std::min(range.begin, offset); };
+  range.begin = block_->end;
+  range.end = block_->begin;
+  for (const Word &word : block_->words) {
+    begin(word.offset);
+    range.end = std::max(range.end, block_->endOf(word));
+  }
+  for (const Item &item : block_->items) {
+    begin(item.begin);
+    range.end = std::max(range.end, item.end);
+  }
+  if (range.begin >= range.end)
+    range = {source_->id(), block_->begin, block_->end};
+  return range;
+}
+
+FindingBuilder RuleContext::report(SourceRange range, bool certain) {
+  return FindingBuilder(collector_.report(rule_, range, certain));
+}
+
+bool RuleContext::asked() const { return collector_.isAsked(rule_); }
+
+namespace {
+/// The block's assignment to a variable that the formula of a notice reads, or null.
+const Word *changedFor(const Notice &notice, const CodeInfo &code, const Block &block) {
+  for (const FormulaStep &step : notice.when.formula.steps) {
+    uint64_t first = 0, other = 0;
+    if (step.op == FormulaOp::Variable || step.op == FormulaOp::GivenVariable) {
+      first = uint64_t(step.number);
+    } else if (step.op == FormulaOp::Word || step.op == FormulaOp::Given) {
+      first = code.words[step.index].variable;
+      other = code.words[step.index].orVariable;
+    }
+    for (const uint64_t key : {first, other})
+      if (const Word *word = key ? assignmentOf(block, key) : nullptr)
+        return word;
+  }
+  return nullptr;
+}
+} // namespace
+
+/// In a later block of a cycle, where no word is the code's, only what the block gives anew is
+/// judged, and only what was right before.
+void RuleContext::reportNotices(llvm::StringRef id, const Event &event) {
+  static const Block nothing;
+  const CodeInfo &info = code(event);
+  for (const Notice &notice : info.notices) {
+    if (id != notice.rule || (notice.advice && !asked()) ||
+        !holds(notice.when, &info, conditions()))
+      continue;
+    const Word *const own = event.word ? event.word : changedFor(notice, info, *block_);
+    if (!own || (!event.word && holds(notice.when, &info,
+                                      {*dialect_, *machine_, nothing, {}, *before_, false, 0})))
+      continue;
+    const Word *word = notice.atVariable        ? assignmentOf(*block_, notice.atVariable)
+                       : notice.at == noAddress ? own
+                                                : block_->find(notice.at);
+    if (!word)
+      word = own;
+    if (auto finding = report(*word)) {
+      std::string message = notice.message;
+      for (size_t open = message.find('{'); open != std::string::npos;
+           open = message.find('{', open + 1)) {
+        const size_t close = message.find('}', open);
+        if (close == std::string::npos)
+          break;
+        const llvm::StringRef name = llvm::StringRef(message).slice(open + 1, close);
+        std::string text;
+        if (name == "code") {
+          text = event.kind == EventKind::Code ? this->text(*event.word).str() : info.name;
+        } else if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') {
+          if (const Word *named = block_->find(name[0]))
+            text = this->text(*named).str();
+        } else {
+          continue;
+        }
+        message.replace(open, close - open + 1, text);
+      }
+      finding.text(std::move(message)).severity(notice.severity);
+    }
+  }
+}
+
+TextEdit RuleContext::remove(const Word &word) const {
+  SourceRange where = range(word);
+  const llvm::StringRef all = source_->text();
+  while (where.begin > block_->begin && all[where.begin - 1] == ' ')
+    --where.begin;
+  return {where, ""};
+}
+
+namespace {
+/// The line end that the file uses at `offset`.
+llvm::StringRef lineEndAt(llvm::StringRef text, uint32_t end) {
+  const llvm::StringRef rest = text.substr(end, 2);
+  if (rest.startswith("\r\n"))
+    return "\r\n";
+  return rest.startswith("\r") ? "\r" : "\n";
+}
+} // namespace
+
+/// Where blocks span lines a new one begins with its mark.
+static llvm::StringRef headOf(const Dialect &dialect) {
+  return dialect.lexical.blocksSpanLines ? "N " : "";
+}
+
+TextEdit RuleContext::insertBlockBefore(llvm::StringRef text) const {
+  return {{source_->id(), block_->begin, block_->begin},
+          (headOf(*dialect_) + text + lineEndAt(source_->text(), block_->end)).str()};
+}
+
+TextEdit RuleContext::insertBlockAfter(llvm::StringRef text) const {
+  return {{source_->id(), block_->end, block_->end},
+          (lineEndAt(source_->text(), block_->end) + headOf(*dialect_) + text).str()};
+}
+
+bool FileSummary::isAnyReached(uint32_t begin, uint32_t end) const {
+  const auto at =
+      llvm::partition_point(reached, [&](const SourceRange &r) { return r.end <= begin; });
+  return at != reached.end() && at->begin < end;
+}
+
+bool FileSummary::isReached(uint32_t offset) const {
+  const auto at =
+      llvm::partition_point(reached, [&](const SourceRange &r) { return r.end <= offset; });
+  return at != reached.end() && at->begin <= offset;
+}
+
+} // namespace ncvet

@@ -1,0 +1,321 @@
+// The interface of rules: what they may listen to, what they may look at, how they report.
+#pragma once
+
+#include "analyzer/program/program_index.h"
+#include "analyzer/rule/rule_memory.h"
+#include "formats/finding/finding.h"
+#include "interp/evaluate/condition.h"
+#include "interp/state/event.h"
+#include "interp/execute/execute.h"
+
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/Support/FormatVariadic.h"
+
+#include <functional>
+#include <memory>
+
+namespace ncvet {
+
+class Collector;
+class Rule;
+class RuleContext;
+
+/// Fills in a finding; false when nobody will see it, so that nothing is formatted in vain:
+///
+///     if (auto finding = ctx.report(word))
+///       finding.message("`{0}` …", ctx.text(word)).note(range, "…");
+class FindingBuilder {
+public:
+  FindingBuilder() = default;
+  explicit FindingBuilder(Finding *finding) : finding_(finding) {}
+  explicit operator bool() const { return finding_; }
+
+  /// Message in llvm::formatv form: what is, then what the control does with it; lower case, no
+  /// final period, code in backticks.
+  template <typename... Args>
+  FindingBuilder &message(const char *format, Args &&...args) {
+    if (finding_)
+      finding_->message = llvm::formatv(format, std::forward<Args>(args)...).str();
+    return *this;
+  }
+  FindingBuilder &text(std::string message) {
+    if (finding_)
+      finding_->message = std::move(message);
+    return *this;
+  }
+  /// Severity of this finding when the table or the case at hand has another than the rule.
+  FindingBuilder &severity(std::optional<Severity> severity) {
+    if (finding_ && severity)
+      finding_->severity = *severity;
+    return *this;
+  }
+  FindingBuilder &note(const Origin &origin, std::string message) {
+    if (finding_ && origin.known())
+      finding_->notes.push_back({origin.range(), std::move(message)});
+    return *this;
+  }
+  FindingBuilder &note(SourceRange range, std::string message) {
+    if (finding_)
+      finding_->notes.push_back({range, std::move(message)});
+    return *this;
+  }
+  FindingBuilder &fix(FixSafety safety, std::string description, TextEdit edit) {
+    if (finding_) {
+      finding_->fix.emplace();
+      finding_->fix->safety = safety;
+      finding_->fix->description = std::move(description);
+      finding_->fix->edits.push_back(std::move(edit));
+    }
+    return *this;
+  }
+  /// A further edit of the fix given before.
+  FindingBuilder &edit(TextEdit edit) {
+    if (finding_ && finding_->fix)
+      finding_->fix->edits.push_back(std::move(edit));
+    return *this;
+  }
+
+private:
+  Finding *finding_ = nullptr;
+};
+
+/// What a rule subscribes to. Compiled into one table per run: a block in which nothing happens
+/// that anybody listens for costs one bit test.
+class Subscriptions {
+public:
+  Subscriptions(const Dialect &dialect, const MachineProfile &machine, const RuleOverride *options)
+      : dialect_(dialect), machine_(machine), options_(options) {}
+
+  const Dialect &dialect() const { return dialect_; }
+  const MachineProfile &machine() const { return machine_; }
+  void on(EventKind kind) {
+    kinds_ |= bitOf(kind);
+    everyBlock_ |= bitOf(kind);
+  }
+  void on(std::initializer_list<EventKind> kinds) {
+    for (const EventKind kind : kinds)
+      on(kind);
+  }
+  /// As `on`, but not in blocks that only go on as the block before: plain words for the same axes,
+  /// in the same modes, with the same facts known. For rules that no coordinate interests.
+  void onChange(std::initializer_list<EventKind> kinds) {
+    for (const EventKind kind : kinds)
+      kinds_ |= bitOf(kind);
+  }
+  /// `Motion` events of these kinds of moves only.
+  void onMoves(std::initializer_list<MotionKind> moves) {
+    on(EventKind::Motion);
+    moves_ = 0;
+    for (const MotionKind move : moves)
+      moves_ |= bitOf(move);
+  }
+  /// `Code` events of the codes for which `wanted` is true (variants are codes of their own).
+  void onCode(llvm::function_ref<bool(const CodeInfo &)> wanted) {
+    for (size_t i = 0; i < dialect_.codes.size(); ++i)
+      if (wanted(dialect_.codes[i]))
+        codes_.push_back(CodeIndex(i));
+  }
+  void onAction(std::initializer_list<Action> actions) {
+    onCode([&](const CodeInfo &code) { return llvm::is_contained(actions, code.action); });
+  }
+  /// `Code` events of the codes that have notices for rule `id`.
+  void onNotices(llvm::StringRef id) {
+    noticesHandled_ = true;
+    onCode([&](const CodeInfo &code) {
+      return llvm::any_of(code.notices, [&](const Notice &n) { return id == n.rule; });
+    });
+  }
+  /// The rule reports its notices itself; without this they are reported for it.
+  void handleNotices() { noticesHandled_ = true; }
+  bool noticesHandled() const { return noticesHandled_; }
+  /// A threshold of the rule: the dialect's or the user's, else `fallback`.
+  double option(llvm::StringRef name, double fallback) const {
+    if (options_) {
+      const auto found = options_->numbers.find(name);
+      if (found != options_->numbers.end())
+        return found->second;
+    }
+    return fallback;
+  }
+
+  /// See `Rule::gathered`.
+  void gathers() { gathers_ = true; }
+  bool isGathering() const { return gathers_; }
+
+  uint32_t kinds() const { return kinds_; }
+  /// Those of `kinds` that are wanted of every block.
+  uint32_t everyBlock() const { return everyBlock_; }
+  /// Bit per kind of move of which `Motion` events are wanted.
+  uint8_t moves() const { return moves_; }
+  llvm::ArrayRef<CodeIndex> codes() const { return codes_; }
+
+private:
+  const Dialect &dialect_;
+  const MachineProfile &machine_;
+  const RuleOverride *options_;
+  uint32_t kinds_ = 0;
+  uint32_t everyBlock_ = 0;
+  uint8_t moves_ = 0xFF;
+  bool noticesHandled_ = false;
+  bool gathers_ = false;
+  std::vector<CodeIndex> codes_;
+};
+
+/// What a rule may look at and how it reports. Valid during one call.
+class RuleContext {
+public:
+  RuleContext(Collector &collector) : collector_(collector) {}
+
+  const Dialect &dialect() const { return *dialect_; }
+  const MachineProfile &machine() const { return *machine_; }
+  const SourceFile &source() const { return *source_; }
+  const FileIndex &index() const { return *index_; }
+  const Block &block() const { return *block_; }
+  llvm::ArrayRef<CodeUse> codes() const { return outcome_->codes; }
+  /// Word of this block that names the event's code; null: the code runs on from an earlier block.
+  const Word *codeWord(const Event &event) const {
+    const auto *use =
+        llvm::find_if(codes(), [&](const CodeUse &u) { return u.code == event.code; });
+    return use == codes().end() ? nullptr : use->word;
+  }
+  const Outcome &outcome() const { return *outcome_; }
+  /// State on entry of the block, and behind it.
+  const MachineState &before() const { return *before_; }
+  const MachineState &after() const { return *after_; }
+  /// Number of calls between the main program and this block.
+  unsigned callDepth() const { return callDepth_; }
+  /// Where the flow that a `FlowIssue` event speaks of is written; a further place that explains
+  /// it.
+  SourceRange flowRange() const { return flowRange_; }
+  SourceRange flowRelated() const { return flowRelated_; }
+  /// For conditions of the table.
+  ConditionContext conditions() const {
+    return {*dialect_, *machine_, *block_, outcome_->codes, *before_};
+  }
+
+  const CodeInfo &code(const Event &event) const { return dialect_->codes[event.code]; }
+  const CodeInfo &code(const CodeUse &use) const { return dialect_->codes[use.code]; }
+  /// Value of a word as written (before units), on the state before the block.
+  Interval value(const Word &word) const { return wordValue(word, *block_, *before_); }
+  /// First code of the block with one of these actions, or null.
+  const CodeUse *find(std::initializer_list<Action> actions) const;
+  /// Codes of the block as written: the spelling of a word, a range, a code's word.
+  llvm::StringRef text(const Word &word) const {
+    return source_->text(word.offset, block_->endOf(word));
+  }
+  llvm::StringRef text(SourceRange range) const { return source_->text(range.begin, range.end); }
+
+  SourceRange range(const Word &word) const {
+    return {source_->id(), word.offset, block_->endOf(word)};
+  }
+  /// The block's words, without leading blanks, number and trailing comment or blanks.
+  SourceRange blockRange() const;
+
+  /// `certain` false: the rule is broken on some of the paths that the state stands for.
+  FindingBuilder report(SourceRange range, bool certain = true);
+  FindingBuilder report(const Word &word, bool certain = true) {
+    return report(range(word), certain);
+  }
+  FindingBuilder report(const Event &event, bool certain = true) {
+    return event.word ? report(*event.word, certain) : report(blockRange(), certain);
+  }
+  /// Whether the user selected the rule at work: its advice is wanted too.
+  bool asked() const;
+  /// Reports every notice of `code` for rule `id` whose condition holds.
+  void reportNotices(llvm::StringRef id, const Event &event);
+
+  // Edits for fixes.
+  TextEdit replace(SourceRange range, llvm::StringRef text) const { return {range, text.str()}; }
+  /// Removes the word and the blanks in front of it.
+  TextEdit remove(const Word &word) const;
+  /// A new line in front of the block, with the block's own line end.
+  TextEdit insertBlockBefore(llvm::StringRef text) const;
+  TextEdit insertBlockAfter(llvm::StringRef text) const;
+  TextEdit insertBefore(uint32_t offset, llvm::StringRef text) const {
+    return {{source_->id(), offset, offset}, text.str()};
+  }
+
+private:
+  friend class Dispatcher;
+  friend class Engine;
+  Collector &collector_;
+  RuleId rule_ = 0;
+  const Dialect *dialect_ = nullptr;
+  const MachineProfile *machine_ = nullptr;
+  const SourceFile *source_ = nullptr;
+  const FileIndex *index_ = nullptr;
+  const Block *block_ = nullptr;
+  const Outcome *outcome_ = nullptr;
+  const MachineState *before_ = nullptr;
+  const MachineState *after_ = nullptr;
+  unsigned callDepth_ = 0;
+  SourceRange flowRange_, flowRelated_;
+};
+
+/// What is known of a file when all of its programs have been followed.
+struct FileSummary {
+  const FileIndex &index;
+  const SourceFile &source;
+  const Reader &reader;
+  /// Byte ranges of blocks that were executed on some path, ascending, joined where they touch.
+  llvm::ArrayRef<SourceRange> reached;
+  /// Block numbers that a jump, call, return or profile of this file named, ascending.
+  llvm::ArrayRef<int64_t> usedNumbers;
+  /// Program numbers called from the analysed files, ascending.
+  llvm::ArrayRef<int64_t> calledPrograms;
+  /// Keys of the labels that a jump or repeat of this file named, ascending.
+  llvm::ArrayRef<std::string> usedLabels;
+  /// Names of the programs called, in capitals, ascending.
+  llvm::ArrayRef<std::string> calledNames;
+  bool complete =
+      true; ///< false: the analysis was cut short, what was not reached may be reachable
+
+  bool isReached(uint32_t offset) const;
+  /// Whether any of [begin, end) is.
+  bool isAnyReached(uint32_t begin, uint32_t end) const;
+};
+
+/// What a rule has gathered in a stretch of blocks.
+class Gathered {
+public:
+  virtual ~Gathered() = default;
+  /// The text in front of it has changed.
+  virtual void move(const TextChange &change) = 0;
+};
+
+/// By which of the rules that gather.
+using Gatherings = std::vector<std::pair<size_t, std::shared_ptr<Gathered>>>;
+
+/// A rule. One object per analysed file; keeps no state about the flow of the program (that is the
+/// machine state's job), at most what it has seen of the text.
+class Rule {
+public:
+  virtual ~Rule() = default;
+  virtual void listen(Subscriptions &to) = 0;
+  virtual void on(const Event &, RuleContext &) {}
+  /// Gives all that `on` has changed in the rule and that decides what it does later. Rules that
+  /// remember nothing leave it out.
+  virtual void remember(RuleMemory &memory) const { memory.leaveOut(); }
+  /// For rules that gather more than can be compared, and that have said so in `listen`: forgets
+  /// what was gathered since the last call, gives it, and takes it for its own as if the blocks had
+  /// been executed; false when the rule would have had something to say.
+  virtual void startGathering() {}
+  virtual std::shared_ptr<Gathered> gathered() const { return nullptr; }
+  virtual bool gather(const Gathered &) { return true; }
+  /// Called once, when all flow is known; only findings that the whole file decides.
+  virtual void finish(const FileSummary &, RuleContext &) {}
+};
+
+struct RuleEntry {
+  RuleInfo info;
+  std::unique_ptr<Rule> (*make)();
+};
+
+/// Every rule of the build, sorted by category and id. Generated from the rules' pages.
+llvm::ArrayRef<RuleEntry> allRules();
+
+/// Ends a rule's file: defines the factory that the generated table names.
+#define NCVET_RULE(Class, function)                                                                \
+  std::unique_ptr<Rule> make_##function() { return std::make_unique<Class>(); }
+
+} // namespace ncvet

@@ -1,0 +1,148 @@
+// What rules remember of the blocks that they have seen, in a form that can be compared.
+#pragma once
+
+#include "formats/text/text_change.h"
+#include "interp/state/state.h"
+
+#include "llvm/ADT/StringMap.h"
+#include "llvm/Support/xxhash.h"
+
+#include <array>
+#include <bit>
+#include <map>
+#include <set>
+#include <type_traits>
+
+namespace ncvet {
+
+/// The memories of all rules at one place of a run, one behind the other. Two that are equal let
+/// the rules go on in the same way. Places in the analysed file move with its text.
+class RuleMemory {
+public:
+  explicit RuleMemory(FileId file) : file_(file) {}
+
+  template <typename... T>
+  void operator()(const T &...values) {
+    (add(values), ...);
+  }
+  void clear() {
+    for (Words &words : kinds_) {
+      words.all.clear();
+      words.places.clear();
+    }
+    comparable_ = true;
+  }
+  /// False: something is remembered that cannot be compared.
+  bool isComparable() const { return comparable_; }
+  /// Whether both let the rules go on in the same way. `asides`: what they keep aside counts.
+  bool isSame(const RuleMemory &other, bool asides) const {
+    return comparable_ && other.comparable_ && kinds_[0].all == other.kinds_[0].all &&
+           (!asides || kinds_[1].all == other.kinds_[1].all);
+  }
+  FileId file() const { return file_; }
+  void move(const TextChange &change) {
+    for (Words &words : kinds_)
+      for (const uint32_t place : words.places)
+        words.all[place] = change.moved(uint32_t(words.all[place]));
+  }
+  /// What `remember` gives is asked for in few blocks, such as what has been reported already: who
+  /// looks at it notes that in `stateUse`.
+  template <typename Remember>
+  void aside(const Remember &remember) {
+    kind_ = 1;
+    remember();
+    kind_ = 0;
+  }
+  /// Of a rule that never remembers anything.
+  void leaveOut() { leftOut_ = true; }
+  bool isLeftOut() const { return leftOut_; }
+  /// A place in a file.
+  void place(FileId file, uint32_t offset) {
+    add(file);
+    if (file == file_)
+      words().places.push_back(uint32_t(words().all.size()));
+    words().all.push_back(offset);
+  }
+
+private:
+  template <typename T>
+  static constexpr bool isList = requires(const T &list) {
+    list.begin();
+    list.end();
+    list.size();
+  };
+  template <typename T>
+  static constexpr bool remembers = requires(const T &value, RuleMemory &memory) {
+    value.remember(memory);
+  };
+
+  struct Words {
+    std::vector<uint64_t> all;
+    std::vector<uint32_t> places; ///< which of them are offsets in the file
+  };
+  Words &words() { return kinds_[kind_]; }
+
+  void add(const SourceRange &range) {
+    if (range.end == 0)
+      return words().all.push_back(0);
+    place(range.file, range.begin);
+    place(range.file, range.end);
+  }
+  void add(const Origin &origin) { add(SourceRange{origin.file, origin.begin, origin.end}); }
+  void add(const std::string &text) { words().all.push_back(llvm::xxHash64(text)); }
+  void add(const Interval &value) {
+    add(value.lo);
+    add(value.hi);
+  }
+  template <typename A, typename B>
+  void add(const std::pair<A, B> &pair) {
+    add(pair.first);
+    add(pair.second);
+  }
+  template <typename T>
+  void add(const std::optional<T> &value) {
+    words().all.push_back(value.has_value());
+    if (value)
+      add(*value);
+  }
+  template <typename K, typename V>
+  void add(const std::unordered_map<K, V> &map) {
+    addUnordered(map.size());
+  }
+  template <typename K, typename V>
+  void add(const llvm::DenseMap<K, V> &map) {
+    addUnordered(map.size());
+  }
+  template <typename V>
+  void add(const llvm::StringMap<V> &map) {
+    addUnordered(map.size());
+  }
+  void addUnordered(size_t size) {
+    words().all.push_back(size);
+    comparable_ &= size == 0;
+  }
+  template <typename T>
+  void add(const T &value) {
+    if constexpr (std::is_floating_point_v<T>) {
+      words().all.push_back(std::bit_cast<uint64_t>(double(value)));
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+      words().all.push_back(uint64_t(value));
+    } else if constexpr (remembers<T>) {
+      value.remember(*this);
+    } else if constexpr (isList<T>) {
+      words().all.push_back(value.size());
+      for (const auto &entry : value)
+        add(entry);
+    } else {
+      comparable_ = false;
+    }
+  }
+
+  FileId file_;
+  std::array<Words, 2> kinds_; ///< what decides what rules do, and what they keep aside
+  unsigned kind_ = 0;          ///< that is being written
+  bool comparable_ = true;
+  bool leftOut_ = false;
+};
+
+} // namespace ncvet

@@ -1,0 +1,315 @@
+// Configuration: reading `.ncvet.json` and profiles, with errors that name the line.
+#include "analyzer/setup/config.h"
+
+#include "formats/text/failure.h"
+#include "formats/dialect/json_reader.h"
+#include "formats/dialect/ruleset_files.h"
+
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/GlobPattern.h"
+#include "llvm/Support/MemoryBuffer.h"
+#include "llvm/Support/Path.h"
+#include <nlohmann/json.hpp>
+
+namespace ncvet {
+
+namespace {
+
+namespace path = llvm::sys::path;
+
+constexpr unsigned maxExtends = 8; ///< longer chains are loops or mistakes
+
+/// Text of the failure, so that it can be given a place in a file.
+std::string messageOf(llvm::Error wrong) { return llvm::toString(std::move(wrong)); }
+
+void readRuleNames(JsonReader &in, const Json &object, const char *key,
+                   std::vector<std::string> &target) {
+  const Json *list = in.member(object, key);
+  if (!list)
+    return;
+  target = in.texts(*list);
+  for (size_t i = 0; i < target.size(); ++i)
+    if (auto rules = rulesNamed(target[i]); !rules)
+      in.fail(list->is_array() ? (*list)[i] : *list, messageOf(rules.takeError()));
+}
+
+/// The keys that profiles and configurations share.
+void readRuleSettings(JsonReader &in, const Json &object, RuleSettings &rules) {
+  readRuleNames(in, object, "select", rules.select);
+  readRuleNames(in, object, "extendSelect", rules.extendSelect);
+  readRuleNames(in, object, "ignore", rules.ignore);
+  if (const Json *severity = in.member(object, "severity"); severity && in.isObject(*severity))
+    for (auto entry = severity->begin(); entry != severity->end(); ++entry) {
+      if (auto named = rulesNamed(entry.key()); !named)
+        in.fail(*entry, messageOf(named.takeError()));
+      const std::optional<Severity> level =
+          entry->is_string() ? parseSeverity(entry->get_ref<const std::string &>()) : std::nullopt;
+      if (level)
+        rules.severity.emplace_back(entry.key(), *level);
+      else
+        in.fail(*entry, "\"error\", \"warning\" or \"style\" is expected");
+    }
+  if (const Json *options = in.member(object, "options"); options && in.isObject(*options))
+    for (auto rule = options->begin(); rule != options->end(); ++rule)
+      if (in.isObject(*rule))
+        for (auto entry = rule->begin(); entry != rule->end(); ++entry)
+          if (const std::optional<double> value = in.number(*entry)) {
+            RuleSettings::Number number{rule.key(), entry.key(), *value};
+            if (llvm::Error wrong = checkRuleOption(number))
+              in.fail(*entry, messageOf(std::move(wrong)));
+            rules.options.push_back(std::move(number));
+          }
+}
+
+/// `name` relative to `folder`, unless it is absolute.
+std::string joined(llvm::StringRef folder, llvm::StringRef name) {
+  llvm::SmallString<256> result;
+  if (!path::is_absolute(name))
+    result = folder;
+  path::append(result, name);
+  path::remove_dots(result);
+  return path::convert_to_slash(result);
+}
+
+llvm::Expected<std::string> readText(llvm::StringRef file) {
+  auto buffer = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  if (!buffer)
+    return failure("cannot read " + file + ": " + buffer.getError().message());
+  return (*buffer)->getBuffer().str();
+}
+
+std::string unknownProfile(const std::string &name) {
+  const std::vector<std::string> names = profileNames();
+  const std::vector<llvm::StringRef> known(names.begin(), names.end());
+  return "unknown profile \"" + name + "\"" + suggest(name, known);
+}
+
+/// Paths in a list, joined with the folder.
+void readPaths(JsonReader &in, const Json &object, const char *key, llvm::StringRef folder,
+               std::vector<std::string> &target) {
+  if (const Json *list = in.member(object, key)) {
+    target.clear();
+    for (const std::string &name : in.texts(*list))
+      target.push_back(joined(folder, name));
+  }
+}
+
+class ConfigReader {
+public:
+  explicit ConfigReader(Config &config) : config_(config) {}
+
+  llvm::Error read(llvm::StringRef file, unsigned depth);
+
+private:
+  llvm::Error readExtended(JsonReader &in, const Json &json, llvm::StringRef folder,
+                           unsigned depth);
+  void readMachine(JsonReader &in, const Json &json, llvm::StringRef file, llvm::StringRef text,
+                   llvm::StringRef folder);
+  void readGlobs(JsonReader &in, const Json &json, const char *key,
+                 std::vector<std::string> &target);
+
+  Config &config_;
+};
+
+llvm::Error ConfigReader::readExtended(JsonReader &in, const Json &json, llvm::StringRef folder,
+                                       unsigned depth) {
+  const Json *extends = in.member(json, "extends");
+  if (!extends)
+    return llvm::Error::success();
+  const std::optional<std::string> name = in.text(*extends);
+  if (!name)
+    return llvm::Error::success();
+  if (!llvm::StringRef(*name).endswith(".json")) {
+    if (llvm::is_contained(profileNames(), *name))
+      config_.profile = *name;
+    else
+      in.fail(*extends, unknownProfile(*name));
+    return llvm::Error::success();
+  }
+  if (depth == maxExtends) {
+    in.fail(*extends, "configurations extend each other too deep");
+    return llvm::Error::success();
+  }
+  const std::string base = joined(folder, *name);
+  if (!llvm::sys::fs::exists(base)) {
+    in.fail(*extends, "cannot read " + base + ": no such file");
+    return llvm::Error::success();
+  }
+  return read(base, depth + 1);
+}
+
+void ConfigReader::readMachine(JsonReader &in, const Json &json, llvm::StringRef file,
+                               llvm::StringRef text, llvm::StringRef folder) {
+  const Json *machine = in.member(json, "machine");
+  if (!machine)
+    return;
+  if (machine->is_object()) {
+    const llvm::StringRef inside = findJsonMember(text, "machine").value_or(text);
+    // Empty lines in front keep the line numbers of messages right.
+    const unsigned line = lineAt(text, size_t(inside.data() - text.data()));
+    config_.machine = MachineSource{file.str(), std::string(line - 1, '\n') + inside.str()};
+  } else if (machine->is_string()) {
+    const std::string name = joined(folder, machine->get_ref<const std::string &>());
+    if (auto profile = readText(name))
+      config_.machine = MachineSource{name, std::move(*profile)};
+    else
+      in.fail(*machine, messageOf(profile.takeError()));
+  } else {
+    in.fail(*machine, "a path or a machine profile { … } is expected");
+  }
+}
+
+void ConfigReader::readGlobs(JsonReader &in, const Json &json, const char *key,
+                             std::vector<std::string> &target) {
+  const Json *list = in.member(json, key);
+  if (!list)
+    return;
+  target = in.texts(*list);
+  for (size_t i = 0; i < target.size(); ++i)
+    if (auto glob = llvm::GlobPattern::create(target[i]); !glob)
+      in.fail(list->is_array() ? (*list)[i] : *list,
+              "a glob is expected: " + messageOf(glob.takeError()));
+}
+
+llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
+  auto text = readText(file);
+  if (!text)
+    return text.takeError();
+  auto json = parseJson(file, *text);
+  if (!json)
+    return json.takeError();
+  const JsonLayer layer{file.str(), *text};
+  JsonReader in(layer, *json);
+  in.allowKeys(*json,
+               {"$schema", "extends", "dialect", "dialects", "machine", "select", "extendSelect",
+                "ignore", "severity", "options", "failOn", "searchFolders", "files", "exclude"});
+  if (llvm::Error wrong = in.takeError())
+    return wrong;
+  const std::string folder = path::parent_path(file).str();
+  if (llvm::Error wrong = readExtended(in, *json, folder, depth))
+    return wrong;
+  readRuleSettings(in, *json, config_.rules);
+  if (const Json *dialect = in.member(*json, "dialect"))
+    if (const auto name = in.text(*dialect))
+      config_.dialect = llvm::StringRef(*name).endswith(".json") ? joined(folder, *name) : *name;
+  readPaths(in, *json, "dialects", folder, config_.dialectFiles);
+  readPaths(in, *json, "searchFolders", folder, config_.searchFolders);
+  readMachine(in, *json, file, *text, folder);
+  readGlobs(in, *json, "files", config_.files);
+  readGlobs(in, *json, "exclude", config_.exclude);
+  if (const Json *failOn = in.member(*json, "failOn"))
+    if (const auto name = in.text(*failOn)) {
+      if (auto level = parseFailOn(*name))
+        config_.failOn = *level;
+      else
+        in.fail(*failOn, messageOf(level.takeError()));
+    }
+  return in.takeError();
+}
+
+} // namespace
+
+llvm::Expected<FailOn> parseFailOn(llvm::StringRef text) {
+  if (text == "never")
+    return FailOn();
+  if (const std::optional<Severity> severity = parseSeverity(text))
+    return FailOn(severity);
+  return failure("\"" + text + "\" is no level; one of error, warning, style, never");
+}
+
+llvm::Expected<Config> loadConfig(llvm::StringRef file) {
+  Config config;
+  config.file = file.str();
+  config.folder = path::parent_path(file).str();
+  if (llvm::Error wrong = ConfigReader(config).read(file, 0))
+    return wrong;
+  return config;
+}
+
+std::string findConfig(llvm::StringRef folder) {
+  llvm::SmallString<256> at = folder;
+  if (llvm::sys::fs::make_absolute(at))
+    return {};
+  path::remove_dots(at, /*remove_dot_dot=*/true);
+  const llvm::SmallString<256> start = at;
+  while (true) {
+    llvm::SmallString<256> file = at;
+    path::append(file, ".ncvet.json");
+    if (llvm::sys::fs::exists(file)) {
+      if (at != start)
+        return std::string(file);
+      // In the folder itself it is named as the user named the folder.
+      file = folder;
+      path::append(file, ".ncvet.json");
+      return std::string(file);
+    }
+    const llvm::StringRef parent = path::parent_path(at);
+    if (parent.empty() || parent.size() >= at.size())
+      return {};
+    at.resize(parent.size());
+  }
+}
+
+llvm::Expected<std::vector<RuleSettings>> loadProfile(llvm::StringRef name) {
+  std::vector<RuleSettings> layers;
+  std::string wanted = name.str();
+  for (unsigned depth = 0; !wanted.empty(); ++depth) {
+    const std::string file = "profiles/" + wanted + ".json";
+    const auto found = llvm::find_if(builtinRulesetFiles(),
+                                     [&](const RulesetFile &known) { return known.name == file; });
+    if (found == builtinRulesetFiles().end() || depth == maxExtends)
+      return failure(unknownProfile(wanted));
+    auto json = parseJson(found->name, found->text);
+    if (!json)
+      return json.takeError();
+    const JsonLayer layer{found->name.str(), found->text};
+    JsonReader in(layer, *json);
+    in.allowKeys(*json, {"$schema", "title", "extends", "select", "extendSelect", "ignore",
+                         "severity", "options"});
+    RuleSettings rules;
+    readRuleSettings(in, *json, rules);
+    wanted.clear();
+    in.read(*json, "extends", wanted);
+    if (llvm::Error wrong = in.takeError())
+      return wrong;
+    layers.insert(layers.begin(), std::move(rules));
+  }
+  return layers;
+}
+
+std::vector<std::string> profileNames() {
+  std::vector<std::string> names;
+  for (const RulesetFile &file : builtinRulesetFiles()) {
+    llvm::StringRef name = file.name;
+    if (name.consume_front("profiles/") && name.consume_back(".json"))
+      names.push_back(name.str());
+  }
+  return names;
+}
+
+bool matchesGlob(llvm::ArrayRef<std::string> globs, llvm::StringRef path) {
+  return llvm::any_of(globs, [&](llvm::StringRef glob) {
+    const bool nameOnly = !glob.contains('/');
+    const std::string folder = glob.endswith("/") ? (glob + "*").str() : std::string();
+    if (!folder.empty())
+      glob = folder;
+    const auto matches = [&](llvm::StringRef pattern) {
+      auto compiled = llvm::GlobPattern::create(pattern);
+      if (!compiled) {
+        llvm::consumeError(compiled.takeError());
+        return false;
+      }
+      return compiled->match(nameOnly ? path::filename(path) : path);
+    };
+    return matches(glob) || (glob.startswith("**/") && matches(glob.drop_front(3)));
+  });
+}
+
+llvm::Expected<MachineSource> readMachine(const std::string &file) {
+  auto text = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  if (!text)
+    return failure("cannot read " + llvm::Twine(file) + ": " + text.getError().message());
+  return MachineSource{file, (*text)->getBuffer().str()};
+}
+
+} // namespace ncvet

@@ -1,0 +1,53 @@
+// Configuration: the nearest `.ncvet.json`, and the rule selections called profiles.
+#pragma once
+
+#include "analyzer/rule/rule_settings.h"
+
+namespace ncvet {
+
+/// The least severity that makes a check fail; none: never.
+using FailOn = std::optional<Severity>;
+/// `error`, `warning`, `style` or `never`.
+llvm::Expected<FailOn> parseFailOn(llvm::StringRef text);
+
+/// A machine profile as a configuration or a command line names it.
+struct MachineSource {
+  std::string name; ///< file name for messages, and the key that tells profiles apart
+  std::string text; ///< JSON; of a profile inside a configuration with as many lines in front
+};
+
+/// Reads the file of a profile; the error names it.
+llvm::Expected<MachineSource> readMachine(const std::string &file);
+
+/// What a `.ncvet.json` says. Paths in it are relative to its own folder; here they are joined.
+struct Config {
+  std::string file;   ///< empty: there is none
+  std::string folder; ///< folder of `file`
+  std::string profile = "recommended";
+  RuleSettings rules;
+  std::string dialect;                   ///< id, or path of a table; empty: find out
+  std::vector<std::string> dialectFiles; ///< tables of one's own
+  std::optional<MachineSource> machine;
+  std::vector<std::string> searchFolders; ///< for programs that are called
+  std::vector<std::string> files;         ///< globs: further programs in folders
+  std::vector<std::string> exclude;       ///< globs: not these, when folders are checked
+  std::optional<FailOn> failOn;
+};
+
+/// Reads the configuration `file`, with those that it extends. An error names file and line, and
+/// what is expected there.
+llvm::Expected<Config> loadConfig(llvm::StringRef file);
+
+/// The configuration that counts for files in `folder`: the nearest upward. Empty: none.
+std::string findConfig(llvm::StringRef folder);
+
+/// Layers of a profile, base first.
+llvm::Expected<std::vector<RuleSettings>> loadProfile(llvm::StringRef name);
+/// Names of the built-in profiles.
+std::vector<std::string> profileNames();
+
+/// True when one of the globs matches `path` (relative to the configuration's folder, `/` as
+/// separator). A glob without `/` matches the name alone; `*` matches any text.
+bool matchesGlob(llvm::ArrayRef<std::string> globs, llvm::StringRef path);
+
+} // namespace ncvet

@@ -1,0 +1,390 @@
+// Detection of the dialect: the marks of the tables, counted over the first blocks of a program.
+#include "analyzer/setup/detect.h"
+
+#include "formats/text/failure.h"
+#include "formats/dialect/dialect_builder.h"
+
+#include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/Path.h"
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace ncvet {
+
+namespace {
+
+/// What is looked at: enough to pass the header's comments and see a tool at work, little enough
+/// for less than a millisecond.
+constexpr size_t shownLines = 200;
+
+/// An ending that one control alone has is as good as a mark, one of many says little.
+constexpr int ownEnding = 5;
+constexpr int sharedEnding = 1;
+
+std::string endingOf(llvm::StringRef fileName) {
+  return llvm::sys::path::extension(fileName).drop_while([](char c) { return c == '.'; }).lower();
+}
+
+/// The first lines in upper case, blanks at their ends dropped, empty ones left out.
+std::vector<std::string> firstLines(llvm::StringRef text) {
+  std::vector<std::string> lines;
+  text.consume_front("\xEF\xBB\xBF");
+  text = text.take_front(Detector::shownBytes);
+  for (size_t line = 0; line < shownLines && !text.empty(); ++line) {
+    const size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const llvm::StringRef shown = text.take_front(end).trim(" \t");
+    if (!shown.empty())
+      lines.push_back(shown.upper());
+    text = text.drop_front(end);
+    if (!text.consume_front("\r\n"))
+      text = text.drop_front(std::min<size_t>(1, text.size()));
+  }
+  return lines;
+}
+
+/// A bit for each character that programs are made of, 0 for all others.
+constexpr std::array<uint64_t, 256> makeCharBits() {
+  std::array<uint64_t, 256> bits{};
+  uint64_t bit = 1;
+  for (const char c : "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.,:;#%()[]=+-*/<>&'_") {
+    bits[static_cast<unsigned char>(c)] = c ? bit : 0;
+    bit <<= 1;
+  }
+  return bits;
+}
+constexpr std::array<uint64_t, 256> charBitTable = makeCharBits();
+
+uint64_t charBit(char c) { return charBitTable[static_cast<unsigned char>(c)]; }
+
+uint64_t charBits(llvm::StringRef text) {
+  uint64_t bits = 0;
+  for (const char c : text)
+    bits |= charBit(c);
+  return bits;
+}
+
+/// Characters that a line must hold for a pattern to match, one set for each alternative of the
+/// pattern: most lines need no look at most patterns. Errs on the side of too few characters.
+class RequiredChars {
+public:
+  explicit RequiredChars(llvm::StringRef pattern) : rest_(pattern) {
+    uint64_t bits = 0;
+    while (!rest_.empty()) {
+      if (rest_.consume_front("|")) {
+        alternatives_.push_back(bits);
+        bits = 0;
+        continue;
+      }
+      const uint64_t atom = readAtom();
+      if (!isOptional())
+        bits |= atom;
+    }
+    alternatives_.push_back(bits);
+  }
+  llvm::SmallVector<uint64_t, 1> take() { return std::move(alternatives_); }
+
+private:
+  /// The bit of a literal character; 0 for what may be one of several.
+  uint64_t readAtom() {
+    const char c = rest_.front();
+    rest_ = rest_.drop_front();
+    if (c == '\\' && !rest_.empty()) {
+      const uint64_t bit = charBit(rest_.front());
+      rest_ = rest_.drop_front();
+      return bit;
+    }
+    if (c == '[') {
+      const size_t end = rest_.find(']', 1); // a bracket that stands first is a member
+      const uint64_t bit = end == 1 ? charBit(rest_.front()) : 0;
+      rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
+      return bit;
+    }
+    if (c == '(') {
+      skipGroup();
+      return 0;
+    }
+    return llvm::StringRef("^$.*+?{}").contains(c) ? 0 : charBit(c);
+  }
+
+  void skipGroup() {
+    for (unsigned depth = 1; depth && !rest_.empty();) {
+      const char c = rest_.front();
+      size_t length = c == '\\' ? 2 : 1;
+      if (c == '[')
+        length = std::min(rest_.find(']', 2), rest_.size() - 1) + 1;
+      depth += c == '(' ? 1 : 0;
+      depth -= c == ')' ? 1 : 0;
+      rest_ = rest_.drop_front(std::min(length, rest_.size()));
+    }
+  }
+
+  bool isOptional() {
+    bool optional = false;
+    while (!rest_.empty() && llvm::StringRef("*+?{").contains(rest_.front())) {
+      optional |= rest_.front() != '+';
+      const size_t end = rest_.front() == '{' ? rest_.find('}') : 0;
+      rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
+    }
+    return optional;
+  }
+
+  llvm::StringRef rest_;
+  llvm::SmallVector<uint64_t, 1> alternatives_;
+};
+
+void addEndings(llvm::ArrayRef<DialectSummary> dialects, ProgramEndings &endings) {
+  for (const DialectSummary &dialect : dialects)
+    for (const std::string &ending : dialect.extensions)
+      if (!llvm::is_contained(endings.sure, ending) && !llvm::is_contained(endings.loose, ending))
+        endings.sure.push_back(ending);
+}
+
+/// Line that begins with `(`, `;` or `%`, or an empty one: says nothing either way.
+bool isRemark(llvm::StringRef line) {
+  return line.empty() || llvm::StringRef("(;%:").contains(line.front());
+}
+
+/// `N10 G01 X5.` : a letter and a number, at least once, and nothing else in front of a comment.
+bool isWords(llvm::StringRef line) {
+  line = line.take_until([](char c) { return c == '(' || c == ';'; });
+  line.consume_front("/");
+  bool any = false;
+  while (!(line = line.ltrim(" \t,")).empty()) {
+    if (!llvm::isAlpha(line.front()) && line.front() != '#')
+      return false;
+    const llvm::StringRef value = line.drop_front().ltrim(" ");
+    const llvm::StringRef rest = value.drop_while(
+        [](char c) { return llvm::isDigit(c) || llvm::StringRef("+-.#=[]*/").contains(c); });
+    if (rest.size() == value.size())
+      return false;
+    line = rest;
+    any = true;
+  }
+  return any;
+}
+
+} // namespace
+
+struct Detector::Settings {
+  std::string fallback;
+  std::vector<std::string> prefer;
+  int minimumScore = 0, sureScore = 0;
+  ProgramEndings endings;
+  UnsureReports unsure;
+  std::vector<OtherControl> others;
+
+  void read(JsonReader &in, const Json &json);
+};
+
+void Detector::Settings::read(JsonReader &in, const Json &json) {
+  in.allowKeys(json, {"$schema", "fallback", "prefer", "minimumScore", "sureScore", "extensions",
+                      "looseExtensions", "unsure", "otherControls"});
+  in.read(json, "fallback", fallback);
+  in.readWhole(json, "minimumScore", minimumScore, 0, 100);
+  in.readWhole(json, "sureScore", sureScore, 0, 100);
+  const auto list = [&](const Json &object, const char *key, std::vector<std::string> &target) {
+    if (const Json *value = in.member(object, key))
+      target = in.texts(*value);
+  };
+  list(json, "prefer", prefer);
+  list(json, "extensions", endings.sure);
+  list(json, "looseExtensions", endings.loose);
+  if (const Json *reports = in.member(json, "unsure")) {
+    in.allowKeys(*reports, {"ignore", "highestSeverity"});
+    list(*reports, "ignore", unsure.ignore);
+    std::optional<Severity> highest;
+    in.read(*reports, "highestSeverity", highest);
+    unsure.highest = highest.value_or(Severity::Error);
+  }
+  if (const Json *controls = in.member(json, "otherControls"); controls && in.isObject(*controls))
+    for (auto entry = controls->begin(); entry != controls->end(); ++entry) {
+      OtherControl other{entry.key(), {}};
+      std::vector<std::string> extensions;
+      readDetection(in, *entry, other.marks, extensions);
+      others.push_back(std::move(other));
+    }
+}
+
+llvm::Expected<Detector::Settings> Detector::readSettings() {
+  Settings settings;
+  for (const RulesetFile &file : builtinRulesetFiles()) {
+    if (file.name != "detect.json")
+      continue;
+    auto json = parseJson(file.name, file.text);
+    if (!json)
+      return json.takeError();
+    const JsonLayer layer{file.name.str(), file.text};
+    JsonReader in(layer, *json);
+    settings.read(in, *json);
+    if (llvm::Error wrong = in.takeError())
+      return wrong;
+  }
+  return settings;
+}
+
+llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
+  auto settings = readSettings();
+  if (!settings)
+    return settings.takeError();
+  Detector detector;
+  detector.fallback_ = settings->fallback;
+  detector.minimumScore_ = settings->minimumScore;
+  detector.sureScore_ = settings->sureScore;
+  detector.endings_ = settings->endings;
+  detector.unsure_ = settings->unsure;
+  detector.others_ = std::move(settings->others);
+  std::vector<DialectSummary> dialects(own.begin(), own.end());
+  for (DialectSummary &known : listDialects())
+    if (llvm::none_of(own, [&](const DialectSummary &mine) { return mine.id == known.id; }))
+      dialects.push_back(std::move(known));
+  llvm::erase_if(dialects, [](const DialectSummary &dialect) { return dialect.abstract; });
+  addEndings(dialects, detector.endings_);
+  const auto rank = [&](const DialectSummary &dialect) {
+    return llvm::find(settings->prefer, dialect.id) - settings->prefer.begin();
+  };
+  llvm::stable_sort(dialects, [&](const DialectSummary &left, const DialectSummary &right) {
+    return rank(left) < rank(right);
+  });
+  detector.dialects_ = std::move(dialects);
+  if (llvm::Error wrong = detector.addMarks())
+    return wrong;
+  return detector;
+}
+
+bool Detector::Mark::matches(llvm::StringRef line, uint64_t chars) const {
+  return llvm::any_of(required, [&](uint64_t bits) { return (chars & bits) == bits; }) &&
+         pattern.match(line);
+}
+
+llvm::Error Detector::addMarks() {
+  for (size_t i = 0; i < dialects_.size(); ++i)
+    if (llvm::Error wrong = addMarks(dialects_[i].detect, i, "dialect " + dialects_[i].id))
+      return wrong;
+  for (size_t i = 0; i < others_.size(); ++i)
+    if (llvm::Error wrong = addMarks(others_[i].marks, dialects_.size() + i, others_[i].name))
+      return wrong;
+  return llvm::Error::success();
+}
+
+llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
+                               const llvm::Twine &owner) {
+  for (const DetectMark &mark : marks) {
+    const auto [known, isNew] = markOfPattern_.try_emplace(mark.pattern, marks_.size());
+    if (isNew) {
+      marks_.push_back({llvm::Regex(mark.pattern), RequiredChars(mark.pattern).take(), {}});
+      std::string why;
+      if (!marks_.back().pattern.isValid(why))
+        return failure(owner + ": pattern \"" + mark.pattern + "\": " + why);
+    }
+    marks_[known->second].votes.push_back({candidate, mark.score, mark.reason});
+  }
+  return llvm::Error::success();
+}
+
+/// Which marks match one of the lines.
+std::vector<bool> Detector::matching(llvm::ArrayRef<std::string> lines) const {
+  std::vector<uint64_t> chars;
+  for (const std::string &line : lines)
+    chars.push_back(charBits(line));
+  std::vector<bool> found(marks_.size());
+  for (size_t mark = 0; mark < marks_.size(); ++mark)
+    for (size_t i = 0; i < lines.size() && !found[mark]; ++i)
+      found[mark] = marks_[mark].matches(lines[i], chars[i]);
+  return found;
+}
+
+/// The same, with a look at those lines only that are not known.
+std::vector<bool> Detector::matching(llvm::ArrayRef<std::string> lines, LineMarks &known) const {
+  constexpr size_t mostLines = 4 * shownLines;
+  if (known.size() > mostLines)
+    known.clear();
+  std::vector<bool> found(marks_.size());
+  for (const std::string &line : lines) {
+    const auto [entry, isNew] = known.try_emplace(line);
+    if (isNew) {
+      const uint64_t chars = charBits(line);
+      for (size_t mark = 0; mark < marks_.size(); ++mark)
+        if (marks_[mark].matches(line, chars))
+          entry->second.push_back(mark);
+    }
+    for (const size_t mark : entry->second)
+      found[mark] = true;
+  }
+  return found;
+}
+
+std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName, llvm::StringRef text,
+                                              LineMarks *known) const {
+  const std::vector<std::string> lines = firstLines(text);
+  const std::vector<bool> found = known ? matching(lines, *known) : matching(lines);
+  std::vector<Score> scores(dialects_.size() + others_.size());
+  for (size_t mark = 0; mark < marks_.size(); ++mark)
+    if (found[mark])
+      for (const Mark::Vote &vote : marks_[mark].votes) {
+        scores[vote.candidate].value += vote.score;
+        if (vote.score > 0)
+          scores[vote.candidate].votes.push_back(&vote);
+      }
+  const std::string ending = endingOf(fileName);
+  std::vector<size_t> claim;
+  for (size_t index = 0; index < dialects_.size(); ++index)
+    if (!ending.empty() && llvm::is_contained(dialects_[index].extensions, ending))
+      claim.push_back(index);
+  for (const size_t index : claim) {
+    scores[index].value += claim.size() == 1 ? ownEnding : sharedEnding;
+    scores[index].ending = ending;
+  }
+  return scores;
+}
+
+std::string Detector::Score::reason() const {
+  auto strongest = votes;
+  llvm::stable_sort(strongest, [](const Mark::Vote *left, const Mark::Vote *right) {
+    return left->score > right->score;
+  });
+  std::string text;
+  for (const Mark::Vote *vote : llvm::makeArrayRef(strongest).take_front(3))
+    text += (text.empty() ? "" : "; ") + vote->reason;
+  if (!ending.empty())
+    text += (text.empty() ? "" : "; ") + ("ending ." + ending);
+  return text;
+}
+
+Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text, LineMarks *known) const {
+  const std::vector<Score> all = scores(fileName, text, known);
+  const auto less = [](const Score &a, const Score &b) { return a.value < b.value; };
+  // The first of equals: dialects that are preferred stand first.
+  const auto firstOther = all.begin() + ptrdiff_t(dialects_.size());
+  const auto best = std::max_element(all.begin(), firstOther, less);
+  const auto other = std::max_element(firstOther, all.end(), less);
+  Detection found{fallback_, "nothing in it speaks for a control; read as the usual one"};
+  if (best != firstOther && best->value >= minimumScore_)
+    found = {dialects_[size_t(best - all.begin())].id, best->reason(), best->value >= sureScore_};
+  if (other == all.end() || other->value < sureScore_ ||
+      (best != firstOther && other->value < best->value))
+    return found;
+  found.sure = false;
+  found.other = others_[size_t(other - firstOther)].name + ": " + other->reason();
+  found.reason =
+      "written for a control without a table (" + found.other + "); read as " + found.dialect;
+  return found;
+}
+
+llvm::Expected<ProgramEndings> Detector::builtinEndings() {
+  auto settings = readSettings();
+  if (!settings)
+    return settings.takeError();
+  addEndings(listDialects(), settings->endings);
+  return settings->endings;
+}
+
+bool looksLikeProgram(llvm::StringRef text) {
+  unsigned words = 0, others = 0;
+  for (const llvm::StringRef line : firstLines(text))
+    if (!isRemark(line))
+      ++(isWords(line) ? words : others);
+  return words >= 2 && words >= 4 * others;
+}
+
+} // namespace ncvet

@@ -1,0 +1,126 @@
+// A session: everything that must be known before a file is checked, found once and shared.
+#pragma once
+
+#include "analyzer/check/analyze.h"
+#include "analyzer/setup/config.h"
+#include "analyzer/setup/detect.h"
+#include "formats/text/failure.h"
+#include "analyzer/program/project.h"
+
+#include <mutex>
+
+namespace ncvet {
+
+/// What the command line says; it goes before every configuration.
+struct SessionOptions {
+  std::string dialect = "auto";         ///< id, path of a table (`….json`), or `auto`
+  std::string usualDialect;             ///< where nobody names one; empty: it is found out
+  std::optional<MachineSource> machine; ///< profile for all files
+  std::string configFile;               ///< instead of the nearest one; empty: the nearest
+  std::string profile;                  ///< empty: as configured
+  RuleSettings rules;
+  AnalysisLimits limits;
+  bool contours = false; ///< compensated contours are to be told
+  bool edited = false;   ///< texts come again and again, each time a little changed
+};
+
+/// All that the check of one file needs.
+struct FileSetup {
+  std::shared_ptr<const Config> config;
+  std::shared_ptr<const Dialect> dialect;
+  std::shared_ptr<const MachineProfile> machine;
+  std::shared_ptr<const RuleSelection> rules;
+  std::shared_ptr<ProgramFolders> folders; ///< for programs that it calls
+  AnalysisLimits limits;
+  std::string reason;    ///< why this dialect
+  bool detected = false; ///< the dialect was found out from the file, nobody named it
+};
+
+/// Finds and keeps configurations, dialects and machine profiles. Safe for several threads.
+class Session {
+public:
+  explicit Session(SessionOptions options) : options_(std::move(options)) {}
+
+  /// Configuration for the files of `folder`.
+  llvm::Expected<std::shared_ptr<const Config>> config(llvm::StringRef folder);
+  /// Setup for the file of this name and text. Errors are those of configurations and tables.
+  llvm::Expected<FileSetup> setup(llvm::StringRef fileName, llvm::StringRef text);
+  const SessionOptions &options() const { return options_; }
+  /// Files were made, removed or written: folders are read again for later setups.
+  void forgetFolders();
+  /// Where programs are looked up; another object when they were forgotten.
+  std::shared_ptr<ProgramFolders> folders();
+  /// The control without a table that the text is for, with what speaks for it; empty: none.
+  std::string otherControl(const Config &config, llvm::StringRef fileName, llvm::StringRef text);
+
+private:
+  struct Language {
+    std::shared_ptr<const Dialect> dialect;
+    std::shared_ptr<const MachineProfile> machine;
+  };
+  /// A result or the error's text: a file that cannot be read is tried once.
+  template <typename T>
+  struct Kept {
+    T value;
+    std::string error;
+    llvm::Expected<T> get() const {
+      if (error.empty())
+        return value;
+      return failure(error);
+    }
+  };
+  template <typename T>
+  static llvm::Expected<T> keep(std::map<std::string, Kept<T>> &cache, const std::string &key,
+                                llvm::function_ref<llvm::Expected<T>()> make);
+
+  /// What a detector said of a file.
+  struct Looked {
+    std::mutex mutex;
+    std::optional<Detection> detection;
+    uint64_t head = 0; ///< hash of the text that it looked at
+    Detector::LineMarks lines;
+  };
+
+  llvm::Expected<std::shared_ptr<const Detector>> detector(const Config &config);
+  /// What the detector says; the same head of the same file is looked at once.
+  Detection detect(const Detector &detector, llvm::StringRef fileName, llvm::StringRef text);
+  llvm::Expected<Language> language(llvm::StringRef dialect, const Config &config,
+                                    const MachineSource *machine);
+  /// `unsure`: how the reports are narrowed because the dialect is a guess; null when it is not.
+  llvm::Expected<std::shared_ptr<const RuleSelection>>
+  selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
+            const UnsureReports *unsure);
+
+  SessionOptions options_;
+  std::shared_ptr<ProgramFolders> folders_ = std::make_shared<ProgramFolders>();
+  std::mutex mutex_;
+  std::map<std::string, std::string> configOfFolder_;
+  std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file
+  std::map<std::string, Kept<std::shared_ptr<const Detector>>> detectors_;
+  std::map<std::string, Kept<Language>> languages_;
+  std::map<std::pair<const Detector *, std::string>, std::shared_ptr<Looked>> looked_; ///< by file
+  std::map<std::string, Kept<std::shared_ptr<const RuleSelection>>> selections_;
+};
+
+/// Tables of one's own in front of the built-in ones. `extends` also finds the file `<id>.json`
+/// beside one of them.
+class OwnDialects {
+public:
+  /// Reads `file`; an error when it cannot be read. Returns the table's id.
+  llvm::Expected<std::string> add(llvm::StringRef file);
+  llvm::ArrayRef<DialectSummary> summaries() const { return summaries_; }
+  /// Valid as long as this object.
+  DialectSource source();
+
+private:
+  std::optional<std::pair<std::string, llvm::StringRef>> find(llvm::StringRef id);
+
+  struct Table {
+    std::string id, file;
+    std::unique_ptr<llvm::MemoryBuffer> text;
+  };
+  std::vector<Table> tables_;
+  std::vector<DialectSummary> summaries_;
+};
+
+} // namespace ncvet

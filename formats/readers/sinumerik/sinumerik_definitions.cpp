@@ -1,0 +1,176 @@
+// Definitions in Sinumerik blocks: variables, parameters, macros.
+#include "formats/readers/sinumerik/sinumerik_scanner.h"
+
+#include "llvm/ADT/StringSwitch.h"
+
+namespace ncvet {
+
+namespace {
+VariableType typeOf(llvm::StringRef name) {
+  return llvm::StringSwitch<VariableType>(name.upper())
+      .Case("INT", VariableType::Integer)
+      .Case("REAL", VariableType::Real)
+      .Case("BOOL", VariableType::Boolean)
+      .Case("CHAR", VariableType::Character)
+      .Case("STRING", VariableType::String)
+      .Case("AXIS", VariableType::Axis)
+      .Case("FRAME", VariableType::Frame)
+      .Default(VariableType::None);
+}
+
+} // namespace
+
+/// `DEF INT A=0, B[3]`
+void SinumerikScanner::scanDefinitions() {
+  skipBlanks();
+  const char *const begin = at_;
+  VariableType type = VariableType::None;
+  // Modifiers (NCK, CHAN, SYNR, PHU 3, …) may stand in front of the type.
+  while (!atBlockEnd() && type == VariableType::None) {
+    const llvm::StringRef word = identifier();
+    if (word.empty())
+      break;
+    at_ = word.end();
+    type = typeOf(word);
+    if (type == VariableType::String) {
+      skipBlanks();
+      skipIndices();
+    }
+    skipBlanks();
+  }
+  if (type == VariableType::None) {
+    issue(SyntaxIssueKind::BadStatement, begin, at_);
+    return rest();
+  }
+  while (!atBlockEnd()) {
+    const llvm::StringRef name = identifier();
+    if (name.empty() || isNumberDigit(name[0])) {
+      issue(SyntaxIssueKind::BadStatement, begin, at_);
+      return rest();
+    }
+    Item item = itemAt(ItemKind::Definition, at_);
+    item.type = type;
+    nameItem(item, name);
+    item.target = constant(name.begin(), name.end(), double(variableKey(name)));
+    at_ = name.end();
+    skipBlanks();
+    if (at_ < end_ && *at_ == '[') {
+      for (char separator = 0; at_ < end_ && (*at_ == '[' || *at_ == ',');) {
+        ++at_;
+        Argument size;
+        size.kind = ArgumentKind::Expression;
+        size.separator = separator;
+        size.begin = offset(at_);
+        size.expression = expression();
+        size.end = offset(at_);
+        separator = ',';
+        block_.arguments.push_back(size);
+        ++item.arguments;
+        skipBlanks();
+      }
+      if (at_ < end_ && *at_ == ']')
+        ++at_;
+      else
+        issue(SyntaxIssueKind::UnbalancedBracket, name.begin(), at_);
+      skipBlanks();
+    }
+    if (isEquals(at_)) {
+      ++at_;
+      item.value = expression();
+      skipBlanks();
+    }
+    add(item);
+    if (at_ == end_ || *at_ != ',')
+      break;
+    ++at_;
+    skipBlanks();
+  }
+  skipBlanks();
+  if (!atBlockEnd()) {
+    issue(SyntaxIssueKind::BadStatement, at_, at_ + 1);
+    rest();
+  }
+}
+
+/// `PROC NAME(REAL A, INT B=1, VAR REAL C) SAVE`, `EXTERN NAME(REAL, VAR INT)`
+void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
+  Item item = itemAt(kind, begin);
+  skipBlanks();
+  const llvm::StringRef name = identifier();
+  nameItem(item, name);
+  at_ = name.end();
+  if (name.empty()) {
+    issue(SyntaxIssueKind::BadStatement, begin, at_);
+    rest();
+    return add(item);
+  }
+  skipBlanks();
+  if (at_ < end_ && *at_ == '(') {
+    ++at_;
+    skipBlanks();
+    for (char separator = 0; !atBlockEnd() && *at_ != ')'; separator = ',') {
+      Argument parameter;
+      parameter.kind = ArgumentKind::Name;
+      parameter.separator = separator;
+      const char *const from = at_;
+      if (identifier().equals_insensitive("VAR")) {
+        parameter.byReference = true;
+        at_ = identifier().end();
+        skipBlanks();
+      }
+      parameter.type = typeOf(identifier());
+      at_ = identifier().end();
+      skipBlanks();
+      skipIndices(); // STRING[20]
+      skipBlanks();
+      const llvm::StringRef own = identifier();
+      parameter.begin = offset(own.begin());
+      parameter.end = offset(own.end());
+      at_ = own.end();
+      skipBlanks();
+      skipIndices();
+      skipBlanks();
+      if (isEquals(at_)) {
+        ++at_;
+        parameter.expression = expression();
+        skipBlanks();
+      }
+      block_.arguments.push_back(parameter);
+      ++item.arguments;
+      if (parameter.type == VariableType::None)
+        issue(SyntaxIssueKind::BadStatement, from, std::max(from + 1, at_));
+      if (at_ == from || at_ == end_ || *at_ != ',')
+        break;
+      ++at_;
+      skipBlanks();
+    }
+    if (at_ < end_ && *at_ == ')')
+      ++at_;
+    else
+      issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+  }
+  // Attributes; only SAVE matters to the caller.
+  while (!atBlockEnd()) {
+    const llvm::StringRef attribute = identifier();
+    if (attribute.empty()) {
+      ++at_;
+      continue;
+    }
+    item.restores |= attribute.equals_insensitive("SAVE");
+    at_ = attribute.end();
+  }
+  add(item);
+}
+
+/// `DEFINE NAME AS G1 G91`: what it stands for is read where it is written only.
+void SinumerikScanner::scanMacro(const char *begin) {
+  Item item = itemAt(ItemKind::Macro, begin);
+  skipBlanks();
+  const llvm::StringRef name = identifier();
+  nameItem(item, name);
+  at_ = name.end();
+  rest();
+  add(item);
+}
+
+} // namespace ncvet

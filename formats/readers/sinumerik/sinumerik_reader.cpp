@@ -1,0 +1,184 @@
+// Reader of Sinumerik programs: blocks, what stands in front of their words, archive headers.
+#include "formats/readers/sinumerik/sinumerik_reader.h"
+
+#include "formats/readers/sinumerik/sinumerik_scanner.h"
+
+namespace ncvet {
+
+/// The code that is called by this name; none when a program of the project hides it.
+CodeIndex SinumerikScanner::codeNamed(llvm::StringRef name) const {
+  const CodeIndex code = dialect_.keyword(name);
+  return code != noCode && dialect_.codes[code].isProgram && reader_.isHidden(name) ? noCode : code;
+}
+
+void SinumerikScanner::scan() {
+  block_.begin = offset(at_);
+  const char *content = at_;
+  skipBlanks();
+  if (at_ < end_ && *at_ == '%') {
+    scanHeader();
+    content = at_;
+  } else {
+    scanSkip();
+    while (at_ < end_ && !isLineEnd(*at_)) {
+      if (isSinumerikBlank(*at_)) {
+        ++at_;
+        continue;
+      }
+      scanItem();
+      content = at_;
+    }
+  }
+  block_.end = offset(std::max(content, base_ + block_.begin));
+  takeLineEnd();
+  if (block_.kind == BlockKind::Normal && block_.isEmpty() && block_.issues.empty() &&
+      block_.number < 0 && block_.skip < 0 && !block_.hasLabel())
+    block_.kind = BlockKind::Empty;
+}
+
+/// `/`, `/3`: in front of everything else.
+void SinumerikScanner::scanSkip() {
+  if (at_ == end_ || *at_ != '/')
+    return;
+  ++at_;
+  block_.skip = 0;
+  if (at_ < end_ && isNumberDigit(*at_)) {
+    int level = 0;
+    while (at_ < end_ && isNumberDigit(*at_))
+      level = std::min(127, level * 10 + (*at_++ - '0'));
+    block_.skip = int8_t(level);
+  }
+}
+
+void SinumerikScanner::scanItem() {
+  const char c = *at_;
+  if (isLetter(c))
+    return scanLetter();
+  if (c == ';')
+    return scanComment();
+  if (c == '_')
+    return scanName();
+  scanOther();
+}
+
+void SinumerikScanner::scanComment() {
+  const char *const begin = at_;
+  at_ = lineEnd();
+  block_.comments.push_back({offset(begin), offset(at_)});
+}
+
+/// `%_N_SHAFT_MPF`, `%SHAFT_SPF`: the file as the control stores it. Any other `%` is none.
+void SinumerikScanner::scanHeader() {
+  const char *const begin = at_++;
+  llvm::StringRef name = identifier();
+  at_ = name.end();
+  if (name.startswith_insensitive("_N_"))
+    name = name.drop_front(3);
+  if (name.endswith_insensitive("_MPF") || name.endswith_insensitive("_SPF")) {
+    block_.kind = BlockKind::ProgramHeader;
+    block_.headerBegin = offset(begin);
+    block_.headerEnd = offset(at_);
+    name = name.drop_back(4);
+    block_.nameBegin = offset(name.begin());
+    block_.nameEnd = offset(name.end());
+  } else {
+    block_.kind = BlockKind::Tape;
+  }
+  rest();
+  if (!atLineEnd())
+    scanComment();
+}
+
+/// `NAME:` in front of everything but the number.
+bool SinumerikScanner::scanLabel() {
+  if (!startsBlock() || block_.hasLabel())
+    return false;
+  const llvm::StringRef name = identifier();
+  if (name.end() == end_ || *name.end() != ':')
+    return false;
+  block_.labelBegin = offset(name.begin());
+  block_.labelEnd = offset(name.end());
+  at_ = name.end() + 1;
+  return true;
+}
+
+void SinumerikScanner::scanNumberOfBlock(const char *begin) {
+  setNumber(begin, takeWhole());
+  if (at_ < end_ && *at_ == '.') {
+    while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '.'))
+      ++at_;
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+  }
+}
+
+void SinumerikScanner::scanOther() {
+  const char *const begin = at_;
+  switch (*at_) {
+  case ':':
+    if (startsBlock() && at_ + 1 < end_ && isNumberDigit(at_[1])) {
+      ++at_;
+      block_.mainBlock = true;
+      return scanNumberOfBlock(begin);
+    }
+    break;
+  case '"':
+    if (startsBlock()) {
+      Item item = itemAt(ItemKind::Call, begin);
+      if (const auto name = scanString())
+        scanCall(*name, item);
+      return;
+    }
+    break;
+  case '$':
+    return scanAssignment(begin);
+  case '(': {
+    // A comment of another control: what it holds is not code.
+    while (!atLineEnd() && *at_ != ')')
+      ++at_;
+    if (at_ < end_ && *at_ == ')')
+      ++at_;
+    return issue(SyntaxIssueKind::ForeignComment, begin, at_);
+  }
+  case ')':
+  case ']':
+  case '[':
+    ++at_;
+    return issue(*begin == ')' ? SyntaxIssueKind::StrayParenthesis
+                               : SyntaxIssueKind::UnbalancedBracket,
+                 begin, at_);
+  case '#': {
+    ++at_;
+    while (at_ < end_ && (isNumberDigit(*at_) || *at_ == '=' || *at_ == '.' || *at_ == '-'))
+      ++at_;
+    return issue(SyntaxIssueKind::SymbolAsAddress, begin, at_);
+  }
+  case '/':
+    ++at_;
+    while (at_ < end_ && isNumberDigit(*at_))
+      ++at_;
+    return issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+  default:
+    break;
+  }
+  if (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+') {
+    skipNumberCharacters();
+    return issue(SyntaxIssueKind::MissingAddress, begin, at_);
+  }
+  ++at_;
+  while (at_ < end_ && (uint8_t(*at_) >= 128 || *at_ == *begin))
+    ++at_;
+  issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+}
+
+SinumerikReader::SinumerikReader(const Dialect &dialect, llvm::StringRef text)
+    : Reader(text), dialect_(dialect) {
+  for (size_t i = 0; i < dialect.addressNames.size(); ++i)
+    addresses_[llvm::StringRef(dialect.addressNames[i]).upper()] = AddressId(firstNamed + i);
+}
+
+void SinumerikReader::read(uint32_t offset, Block &block) const {
+  block.clear();
+  SinumerikScanner(*this, dialect_, addresses_, offset, block).scan();
+}
+
+} // namespace ncvet

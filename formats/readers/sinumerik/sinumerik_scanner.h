@@ -1,0 +1,110 @@
+// The state of reading one Sinumerik block, and the grammar of its parts.
+#pragma once
+
+#include "formats/dialect/dialect.h"
+#include "formats/readers/block_scanner.h"
+#include "formats/readers/reader.h"
+#include "formats/readers/sinumerik/sinumerik_expression.h"
+#include "formats/readers/sinumerik/sinumerik_keyword.h"
+
+#include <optional>
+
+namespace ncvet {
+
+/// Other characters that do not print count as blanks; `&` does too.
+inline bool isSinumerikBlank(char c) { return isLineBlank(c) || c == '&'; }
+
+/// Reads one block. Each part of the grammar has a file of its own.
+class SinumerikScanner : BlockScanner<isSinumerikBlank> {
+public:
+  SinumerikScanner(const Reader &reader, const Dialect &dialect,
+                   const llvm::StringMap<AddressId> &addresses, uint32_t offset, Block &block)
+      : BlockScanner(reader.text(), offset, block), reader_(reader), dialect_(dialect),
+        addresses_(addresses) {}
+
+  void scan();
+
+private:
+  using Keyword = SinumerikKeyword;
+
+  static bool isNameLetter(char c) { return isLetter(c) || c == '_'; }
+  static bool isNameCharacter(char c) { return isNameLetter(c) || isNumberDigit(c); }
+
+  /// Nothing but a comment is left of the block.
+  bool atBlockEnd() const { return atLineEnd() || *at_ == ';'; }
+  bool startsBlock() const { return block_.words.empty() && block_.items.empty(); }
+  /// A single `=`, not the `==` of a comparison.
+  bool isEquals(const char *p) const {
+    return p < end_ && *p == '=' && (p + 1 == end_ || p[1] != '=');
+  }
+  llvm::StringRef identifier() const {
+    const char *p = at_;
+    while (p < end_ && isNameCharacter(*p))
+      ++p;
+    return {at_, size_t(p - at_)};
+  }
+  void rest() {
+    while (!atBlockEnd())
+      ++at_;
+  }
+  /// Steps over the brackets at hand, whatever they hold.
+  void skipIndices() {
+    if (at_ < end_ && *at_ == '[')
+      while (!atBlockEnd() && *at_++ != ']')
+        ;
+  }
+  uint16_t expression() { return parsed(&SinumerikExpression::parse); }
+  uint16_t condition() { return parsed(&SinumerikExpression::parseCondition); }
+
+  // sinumerik_reader.cpp
+  CodeIndex codeNamed(llvm::StringRef name) const;
+  void scanSkip();
+  void scanItem();
+  void scanComment();
+  void scanHeader();
+  bool scanLabel();
+  void scanNumberOfBlock(const char *begin);
+  void scanOther();
+
+  // sinumerik_words.cpp
+  void addExpression(AddressId address, const char *begin, uint16_t expression,
+                     WordReading reading = WordReading::Modal);
+  void scanLetter();
+  void scanExtended(char letter, const char *begin);
+  void scanValue(AddressId address, const char *begin);
+  void scanIndexed(const char *begin, AddressId address);
+  bool scanNumber(Word &word, const char *begin);
+  void scanName();
+  void scanAssignment(const char *begin);
+
+  // sinumerik_calls.cpp
+  std::optional<llvm::StringRef> scanString();
+  void scanCode(CodeIndex code, llvm::StringRef name);
+  void scanCall(llvm::StringRef name, Item &item);
+  void scanArguments(Item &item, bool words);
+  void scanArgument(Item &item, char separator, bool words);
+  void scanModalCall(const char *begin, llvm::StringRef name);
+  void scanIndirectCall(Keyword keyword, const char *begin);
+  void scanSection(Item item);
+
+  // sinumerik_flow.cpp
+  void structure(Structure structure, const char *begin, uint16_t condition = noExpression);
+  void scanStatement(Keyword keyword, const char *begin);
+  void scanIf(const char *begin);
+  void scanJump(Keyword keyword, const char *begin);
+  void scanTarget(Item &item);
+  void scanCase(const char *begin);
+  void scanFor(const char *begin);
+  void scanRepeat(bool single, const char *begin);
+
+  // sinumerik_definitions.cpp
+  void scanDefinitions();
+  void scanParameters(ItemKind kind, const char *begin);
+  void scanMacro(const char *begin);
+
+  const Reader &reader_;
+  const Dialect &dialect_;
+  const llvm::StringMap<AddressId> &addresses_;
+};
+
+} // namespace ncvet

@@ -1,0 +1,299 @@
+// Words of Sinumerik blocks: addresses with their values, names, assignments.
+#include "formats/readers/sinumerik/sinumerik_scanner.h"
+
+#include "llvm/ADT/STLExtras.h"
+
+namespace ncvet {
+
+void SinumerikScanner::addExpression(AddressId address, const char *begin, uint16_t expression,
+                                     WordReading reading) {
+  Word word;
+  word.address = address;
+  word.flags = wordExpression;
+  word.decimals = uint8_t(reading);
+  word.mantissa = expression;
+  addWord(word, begin);
+}
+
+/// A letter and its number, or what else begins with a letter.
+void SinumerikScanner::scanLetter() {
+  const char *const begin = at_;
+  const char letter = char(*at_ & ~32);
+  const char *const next = at_ + 1;
+  if (next < end_ && isNameLetter(*next))
+    return scanName();
+  if (next < end_ && isNumberDigit(*next) && startsBlock()) {
+    // `N10` in front, `L10` a program's name, `R1=` a variable; all of them may be a label.
+    if (letter == 'N' && block_.number < 0) {
+      ++at_;
+      return scanNumberOfBlock(begin);
+    }
+    if (scanLabel())
+      return;
+    if (letter == 'L') {
+      Item item = itemAt(ItemKind::Call, begin);
+      const llvm::StringRef name = identifier();
+      if (llvm::all_of(name.drop_front(), isNumberDigit) && !isEquals(behindBlanks(name.end()))) {
+        at_ = name.end();
+        return scanCall(name, item);
+      }
+    }
+  }
+  if (letter == 'R' && next < end_ && (isNumberDigit(*next) || *next == '['))
+    return scanAssignment(begin);
+  ++at_;
+  const AddressId address = letterAddress(letter);
+  if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
+    Word word;
+    word.address = address;
+    if (const char *const behind = readPlainNumber(at_, end_, word)) {
+      if (behind < end_ && *behind == '=' && isEquals(behind) && word.isWhole() &&
+          !word.has(wordMinus)) {
+        at_ = begin;
+        return scanExtended(letter, begin);
+      }
+      // An exponent is part of the number.
+      if (!(behind + 1 < end_ && (behind[0] | 32) == 'e' && (behind[1] | 32) == 'x')) {
+        at_ = behind;
+        return addWord(word, begin);
+      }
+    }
+  }
+  const char *const value = behindBlanks(at_);
+  if (isEquals(value)) {
+    at_ = value + 1;
+    return scanValue(address, begin);
+  }
+  if (value < end_ && *value == '[')
+    return scanIndexed(begin, address);
+  if (value < end_ && *value == '(' && value == at_) {
+    issue(SyntaxIssueKind::MissingEquals, begin, at_);
+    return scanValue(address, begin);
+  }
+  if (value < end_ && (isNumberDigit(*value) || *value == '-' || *value == '+' || *value == '.' ||
+                       typographicMinus(value, end_))) {
+    at_ = value;
+    Word word;
+    word.address = address;
+    const char *const digits = at_;
+    while (at_ < end_ && isNumberDigit(*at_))
+      ++at_;
+    if (at_ > digits && isEquals(at_)) {
+      at_ = begin;
+      return scanExtended(letter, begin);
+    }
+    at_ = value;
+    if (!scanNumber(word, begin))
+      word.flags |= wordNoValue | wordMalformed;
+    return addWord(word, begin);
+  }
+  Word word;
+  word.address = address;
+  word.flags = wordNoValue;
+  issue(SyntaxIssueKind::MissingValue, begin, at_);
+  addWord(word, begin);
+}
+
+/// `X1=10`, `S2=500`, `M2=3`, `I1=5`: the number belongs to the address.
+void SinumerikScanner::scanExtended(char letter, const char *begin) {
+  ++at_;
+  const llvm::StringRef digits = llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNumberDigit);
+  at_ = digits.end() + 1; // behind the `=`
+  const auto named = addresses_.find(llvm::StringRef(begin, digits.size() + 1).upper());
+  if (named != addresses_.end())
+    return scanValue(named->second, begin);
+  // The first spindle is the one that words without a number speak of.
+  if ((letter == 'S' || letter == 'M' || letter == 'T') && digits == "1")
+    return scanValue(letterAddress(letter), begin);
+  if (letter == 'S' || letter == 'M' || letter == 'T' || letter == 'H') {
+    // Another spindle, or a function of the machine builder's: nothing of the tool that cuts.
+    Item item = itemAt(ItemKind::Output, begin);
+    item.value = expression();
+    return add(item);
+  }
+  if (letter == 'D' || letter == 'L') {
+    Item item = itemAt(ItemKind::Assignment, begin);
+    item.nameBegin = item.begin;
+    item.nameEnd = offset(digits.end());
+    item.target = constant(begin, digits.end(), double(variableKey({begin, digits.size() + 1})));
+    item.value = expression();
+    return add(item);
+  }
+  // An axis of the machine: where it goes says nothing of the workpiece's axes.
+  const uint16_t value = expression();
+  if (value < block_.expressions.size() && !block_.expressions[value].bad) {
+    block_.operations.push_back({Op::Opaque, offset(begin), 1});
+    ++block_.expressions[value].count;
+  }
+  addExpression(letterAddress(letter), begin, value);
+}
+
+/// What stands behind `=`: most often a plain number.
+void SinumerikScanner::scanValue(AddressId address, const char *begin) {
+  skipBlanks();
+  if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
+    Word word;
+    word.address = address;
+    if (const char *const behind = readPlainNumber(at_, end_, word)) {
+      const char *const next = behindBlanks(behind);
+      const bool ends = next == end_ || isLineEnd(*next) || *next == ';' ||
+                        (isNameLetter(*next) && next > behind) ||
+                        (isLetter(*next) && next + 1 < end_ && !isNameLetter(next[1]));
+      const llvm::StringRef word2 =
+          llvm::StringRef(next, size_t(end_ - next)).take_while(isNameCharacter);
+      if (ends && !word2.equals_insensitive("DIV") && !word2.equals_insensitive("MOD") &&
+          !word2.startswith_insensitive("B_")) {
+        at_ = behind;
+        return addWord(word, begin);
+      }
+    }
+  }
+  if (atBlockEnd()) {
+    Word word;
+    word.address = address;
+    word.flags = wordNoValue;
+    issue(SyntaxIssueKind::MissingValue, begin, at_);
+    return addWord(word, begin);
+  }
+  WordReading reading;
+  const uint16_t index = parsed(&SinumerikExpression::parseValue, reading);
+  addExpression(address, begin, index, reading);
+}
+
+/// `M[R1]=3`, `AX[_OSA]=5`, `FL[X]=100`, `POS[Y]=20`.
+void SinumerikScanner::scanIndexed(const char *begin, AddressId address) {
+  const char *p = behindBlanks(at_);
+  int depth = 0;
+  for (; p < end_ && !isLineEnd(*p) && *p != ';'; ++p) {
+    depth += *p == '[';
+    depth -= *p == ']';
+    if (depth == 0)
+      break;
+  }
+  if (p == end_ || *p != ']') {
+    issue(SyntaxIssueKind::UnbalancedBracket, begin, p);
+    at_ = p;
+    return;
+  }
+  at_ = behindBlanks(p + 1);
+  if (!isEquals(at_)) {
+    issue(SyntaxIssueKind::MissingEquals, begin, p + 1);
+    return;
+  }
+  if (address == noAddress) {
+    at_ = begin;
+    return scanAssignment(begin);
+  }
+  ++at_;
+  const uint16_t value = expression();
+  addExpression(address, begin, opaque(begin, base_ + block_.expressions[value].end));
+}
+
+/// A number that is not as usual; false, with an issue, when there is no digit in it.
+bool SinumerikScanner::scanNumber(Word &word, const char *begin) {
+  const bool negative = takeSign(word, begin);
+  const char *const first = at_;
+  if (!takeDigits(word, begin, negative, /*leadingComma=*/false))
+    return false;
+  if (*first == '0' && first + 1 < end_ && isNumberDigit(first[1]))
+    word.flags |= wordLeadingZero;
+  const bool excess = takeExcess(word, begin);
+  if (!excess && at_ + 1 < end_ && (at_[0] | 32) == 'e' && (at_[1] | 32) == 'x') {
+    // With an exponent the value is an expression of one number.
+    at_ = first;
+    const uint16_t index = expression();
+    if (negative) {
+      block_.operations.push_back({Op::Negate, offset(first), 0});
+      ++block_.expressions[index].count;
+    }
+    word.flags = wordExpression;
+    word.decimals = 0;
+    word.mantissa = index;
+  }
+  return true;
+}
+
+/// Two letters and more: a keyword, an address with `=`, a variable, a code, a call.
+void SinumerikScanner::scanName() {
+  const char *const begin = at_;
+  if (scanLabel())
+    return;
+  const llvm::StringRef name = identifier();
+  if (const Keyword keyword = sinumerikKeyword(name); keyword != Keyword::None) {
+    at_ = name.end();
+    return scanStatement(keyword, begin);
+  }
+  const char *const behind = behindBlanks(name.end());
+  const auto address = addresses_.find(name.upper());
+  if (address != addresses_.end()) {
+    at_ = name.end();
+    if (isEquals(behind)) {
+      at_ = behind + 1;
+      return scanValue(address->second, begin);
+    }
+    if (behind < end_ && *behind == '[')
+      return scanIndexed(begin, address->second);
+    issue(SyntaxIssueKind::MissingEquals, begin, at_);
+    at_ = behind;
+    if (!atBlockEnd() && (isNumberDigit(*at_) || *at_ == '-' || *at_ == '(' || *at_ == '.'))
+      return scanValue(address->second, begin);
+    return;
+  }
+  if (isEquals(behind))
+    return scanAssignment(begin);
+  if (behind < end_ && *behind == '[') {
+    at_ = name.end();
+    return scanIndexed(begin, noAddress);
+  }
+  if (const CodeIndex code = codeNamed(name); code != noCode)
+    return scanCode(code, name);
+  // `CR20`: an address of several letters and its number, without the `=`.
+  const llvm::StringRef letters = name.take_while([](char c) { return !isNumberDigit(c); });
+  const auto glued = addresses_.find(letters.upper());
+  if (letters.size() < name.size() && glued != addresses_.end() &&
+      llvm::all_of(name.drop_front(letters.size()), isNumberDigit)) {
+    at_ = letters.end();
+    Word word;
+    word.address = glued->second;
+    scanNumber(word, begin);
+    issue(SyntaxIssueKind::MissingEquals, begin, at_);
+    return addWord(word, begin);
+  }
+  // `XR1`: a variable behind its address, without the `=`.
+  if (name.size() > 2 && (name[1] | 32) == 'r' && isLetter(name[0]) &&
+      llvm::all_of(name.drop_front(2), isNumberDigit)) {
+    issue(SyntaxIssueKind::MissingEquals, begin, name.end());
+    at_ = begin + 1;
+    return scanValue(letterAddress(char(*begin & ~32)), begin);
+  }
+  Item item = itemAt(ItemKind::Call, begin);
+  at_ = name.end();
+  scanCall(name, item);
+}
+
+/// `R1=..`, `NAME=..`, `FIELD[1]=..`, `$TC_DP6[1,1]=..`
+void SinumerikScanner::scanAssignment(const char *begin) {
+  Item item = itemAt(ItemKind::Assignment, begin);
+  item.nameBegin = item.begin;
+  item.target = parsed(&SinumerikExpression::parseTarget);
+  item.nameEnd = offset(at_);
+  skipBlanks();
+  if (!isEquals(at_)) {
+    if (at_ == begin)
+      ++at_;
+    issue(SyntaxIssueKind::MissingEquals, begin, base_ + item.nameEnd);
+    if (!atBlockEnd() && isNumberDigit(*at_)) // the value all the same
+      expression();
+    return;
+  }
+  ++at_;
+  skipBlanks();
+  if (atBlockEnd()) {
+    issue(SyntaxIssueKind::MissingValue, begin, at_);
+    return;
+  }
+  item.value = expression();
+  add(item);
+}
+
+} // namespace ncvet

@@ -1,0 +1,198 @@
+// Tests the conditions of a dialect's table against a block and the state before it.
+#include "interp/evaluate/condition.h"
+
+#include "interp/evaluate/expression.h"
+#include "interp/evaluate/formula.h"
+#include "interp/evaluate/tool_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncvet {
+
+CodeIndex codeOf(const Dialect &dialect, const Word &word) {
+  if (word.address == keywordAddress)
+    return CodeIndex(word.mantissa);
+  if ((word.address != letterAddress('G') && word.address != letterAddress('M')) ||
+      !word.isNumber())
+    return noCode;
+  return dialect.find(char('A' + word.address), word.codeNumber());
+}
+
+const Word *assignmentOf(const Block &block, uint64_t variable) {
+  if (!block.has(variableAddress))
+    return nullptr;
+  const Word *last = nullptr; // the last one counts
+  for (const Item &item : block.items)
+    if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == variable)
+      for (const Word &word : block.words)
+        if (word.address == variableAddress && word.offset == item.begin)
+          last = &word;
+  return last;
+}
+
+const Word *wordFor(const Block &block, const WordSpec &spec) {
+  if (spec.position) {
+    const Word *word = block.argument(spec.position);
+    return word && !word->has(wordNoValue) ? word : nullptr;
+  }
+  if (spec.variable)
+    return assignmentOf(block, spec.variable);
+  return block.findAny(spec.any);
+}
+
+uint64_t givenVariable(const WordSpec &spec, const MachineState &state) {
+  return spec.orVariable && state.commons.given(spec.variable) == Truth::No ? spec.orVariable
+                                                                            : spec.variable;
+}
+
+Truth givenBefore(const WordSpec &spec, const MachineState &state) {
+  if (!spec.variable)
+    return Truth::No;
+  const Truth first = state.commons.given(spec.variable);
+  if (first == Truth::Yes || !spec.orVariable)
+    return first;
+  const Truth other = state.commons.given(spec.orVariable);
+  return other == Truth::No ? first : other;
+}
+
+Interval wordValue(const Word &word, const Block &block, const MachineState &state) {
+  if (!word.has(wordExpression) || word.has(wordNoValue))
+    return assignedWordValue(word, block, state);
+  const Value value = evaluateInBlock(block, uint16_t(word.mantissa), state);
+  return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
+}
+
+bool breaks(const ValueTest &test, const Word &word, const ConditionContext &context) {
+  if (word.has(wordNoValue))
+    return false;
+  if (word.isNumber()) {
+    if (test.point == PointRule::Required && !word.has(wordPoint))
+      return true;
+    if (test.point == PointRule::Forbidden && word.has(wordPoint))
+      return true;
+  }
+  const Interval value = wordValue(word, context.block, context.before);
+  if (value.isUnknown())
+    return false;
+  if (test.minExclusive ? value.hi <= test.min : value.hi < test.min)
+    return true;
+  if (test.maxExclusive ? value.lo >= test.max : value.lo > test.max)
+    return true;
+  if (!value.isConstant())
+    return false;
+  if (test.integer && value.value() != std::floor(value.value()))
+    return true;
+  return !test.oneOf.empty() &&
+         std::find(test.oneOf.begin(), test.oneOf.end(), value.value()) == test.oneOf.end();
+}
+
+namespace {
+
+bool blockHasMember(const ConditionContext &context, GroupIndex group, uint64_t members) {
+  for (const CodeUse &use : context.codes) {
+    // A variant is its code, whatever group it has itself.
+    const CodeInfo &info = context.dialect.codes[context.dialect.codes[use.code].base];
+    if (info.group == group && members >> info.bit & 1)
+      return true;
+  }
+  return false;
+}
+
+bool blockHasCode(const ConditionContext &context, CodeIndex wanted) {
+  // A variant is its code.
+  const CodeIndex base = context.dialect.codes[wanted].base;
+  return llvm::any_of(context.codes, [&](const CodeUse &use) {
+    return context.dialect.codes[use.code].base == base;
+  });
+}
+
+/// Whether words stand in front of the code, or behind it, as the condition wants.
+bool standsAround(const Condition &condition, const CodeInfo *code,
+                  const ConditionContext &context) {
+  for (const CodeUse &use : context.codes) {
+    if (!code || !use.word || context.dialect.codes[use.code].base != code->base)
+      continue;
+    bool before = !condition.before, behind = !condition.behind;
+    for (const Word &word : context.block.words) {
+      before |= word.offset < use.word->offset && (condition.before & maskOf(word.address));
+      behind |= word.offset > use.word->offset && (condition.behind & maskOf(word.address));
+    }
+    return before && behind;
+  }
+  return false;
+}
+
+bool optionHolds(const std::pair<std::string, std::vector<std::string>> &option,
+                 const ConditionContext &context) {
+  std::optional<llvm::StringRef> value = context.machine.option(option.first);
+  if (!value) {
+    const auto found = context.dialect.options.find(option.first);
+    if (found != context.dialect.options.end() && !found->second.empty())
+      value = llvm::StringRef(found->second);
+  }
+  // `null` in the table: nothing is known of the option.
+  return llvm::is_contained(option.second, value ? value->str() : std::string());
+}
+
+} // namespace
+
+bool holds(const Condition &condition, const CodeInfo *code, const ConditionContext &context) {
+  const AddressMask present = context.block.addresses;
+  if ((condition.has & ~present) || (condition.lacks & present) ||
+      (condition.any && !(condition.any & present)))
+    return false;
+  for (const auto &[group, members] : condition.active)
+    if (context.before.group(group) & ~members)
+      return false;
+  for (const auto &[group, members] : condition.with)
+    if (!blockHasMember(context, group, members))
+      return false;
+  for (const auto &[group, members] : condition.without)
+    if (blockHasMember(context, group, members))
+      return false;
+  if (!condition.withCode.empty() &&
+      llvm::none_of(condition.withCode, [&](CodeIndex c) { return blockHasCode(context, c); }))
+    return false;
+  if (llvm::any_of(condition.withoutCode, [&](CodeIndex c) { return blockHasCode(context, c); }))
+    return false;
+  if (condition.first && code && code->group != noGroup &&
+      (context.before.group(code->group) >> code->bit & 1))
+    return false;
+  if (condition.pending &&
+      (context.before.pendingCycle == noCode ||
+       context.dialect.codes[context.before.pendingCycle].cycle != *condition.pending))
+    return false;
+  for (const auto &option : condition.options)
+    if (!optionHolds(option, context))
+      return false;
+  for (const ValueTest &test : condition.broken) {
+    bool broken = false;
+    for (const Word &word : context.block.words)
+      broken |= word.address == test.address && breaks(test, word, context);
+    if (!broken)
+      return false;
+  }
+  const MachineState &before = context.before;
+  if ((condition.on & ~before.switches.areOn(condition.on)) ||
+      before.switches.mayBeOn(condition.off))
+    return false;
+  if ((condition.before || condition.behind) && !standsAround(condition, code, context))
+    return false;
+  constexpr uint8_t turning = spindleCw | spindleCcw;
+  if (condition.spindleTurns &&
+      (*condition.spindleTurns ? (before.spindle & ~turning) || !before.spindle
+                               : before.spindle != spindleOff))
+    return false;
+  if (!condition.toolKind.empty() || !condition.otherToolKind.empty()) {
+    const ToolData *tool = toolInUse(context.machine, before);
+    if (!tool || tool->kind.empty() ||
+        (!condition.toolKind.empty() && !llvm::is_contained(condition.toolKind, tool->kind)) ||
+        llvm::is_contained(condition.otherToolKind, tool->kind))
+      return false;
+  }
+  return condition.formula.empty() ||
+         (code && truthOf(condition.formula, *code, context) == Truth::Yes);
+}
+
+} // namespace ncvet

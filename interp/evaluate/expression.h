@@ -1,0 +1,34 @@
+// Evaluates expressions of the program on abstract values.
+#pragma once
+
+#include "interp/state/event.h"
+
+namespace ncvet {
+
+/// Value of expression `index` of `block`. Domain errors and reads of vacant variables in
+/// arithmetic are emitted into `outcome`, which may be null.
+Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome);
+
+/// The same on the state before the block: its own assignments that stand in front of the
+/// expression act first.
+Value evaluateInBlock(const Block &block, uint16_t index, const MachineState &before);
+/// Value of a word as written, on a state in which the block's own assignments have acted already.
+/// `wordValue` is for the state before the block.
+Interval assignedWordValue(const Word &word, const Block &block, const MachineState &state);
+
+/// The operations of an expression of `block`, in the order in which they are computed.
+inline llvm::ArrayRef<ExpressionOp> operationsOf(const Block &block, const Expression &expression) {
+  return llvm::makeArrayRef(block.operations).slice(expression.first, expression.count);
+}
+
+/// Truth of a value as a condition: comparisons give 1 or 0.
+Truth truthOf(const Value &value);
+
+/// Value of variable `number`: local, common, or unknown for the control's own.
+Value readVariable(const MachineState &state, int64_t number);
+/// Whether the program has certainly given a named variable no value yet; numbered ones keep theirs
+/// from one program to the next.
+bool isUnset(const MachineState &state, double number);
+void writeVariable(MachineState &state, int64_t number, const Value &value);
+
+} // namespace ncvet

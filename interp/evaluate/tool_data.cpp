@@ -1,0 +1,118 @@
+// Which tool compensation works with, how large it is, and on which side of the path it runs.
+#include "interp/evaluate/tool_data.h"
+
+#include "formats/dialect/variable_key.h"
+#include "interp/execute/execute.h"
+
+namespace ncvet {
+
+namespace {
+
+/// "$TC_DP6[{tool},{edge}]" with the numbers of `state`; empty when one is not known.
+std::string radiusVariable(llvm::StringRef source, const Dialect &dialect,
+                           const MachineState &state) {
+  std::string name;
+  for (llvm::StringRef rest = source; !rest.empty();) {
+    const auto [before, from] = rest.split('{');
+    name += before;
+    const auto [field, behind] = from.split('}');
+    rest = behind;
+    if (field.empty())
+      continue;
+    const int32_t offset = radiusOffsetNumber(dialect, state);
+    const bool given = offset != notSet;
+    const int32_t number = field == "tool" || (field == "offsetOrTool" && !given) ? state.tool.get()
+                           : field == "edge" && !given ? 1 // a tool's first one
+                                                       : offset;
+    if (number < 0)
+      return {};
+    name += std::to_string(number);
+  }
+  return name;
+}
+
+/// What a program has set a radius to.
+struct SetRadius {
+  bool set = false;
+  std::optional<double> radius; ///< mm; none: not known
+};
+
+/// The radius in the variable of `source`.
+SetRadius radiusIn(llvm::StringRef source, const Dialect &dialect, const MachineState &state) {
+  const bool ofList = source.contains('[');
+  if (ofList && state.commons.given(variableKey(source.split('[').first)) != Truth::No)
+    return {true, std::nullopt}; // some of them was set, it is not known which one
+  const std::string name = radiusVariable(source, dialect, state);
+  const uint64_t key = variableKey(name);
+  if (name.empty() || state.commons.given(key) == Truth::No)
+    return {};
+  const Value value = state.commons.get(key);
+  const bool inch = state.activeAction(dialect, StandardGroup::Units) == Action::Inch;
+  if (!value.isConstant() || (inch && ofList)) // in which unit it was set is not kept
+    return {true, std::nullopt};
+  constexpr double millimetresPerInch = 25.4;
+  return {true, value.number.value() * (inch ? millimetresPerInch : 1)};
+}
+
+} // namespace
+
+bool cutterOfBlock(const Dialect &dialect) {
+  const auto option = dialect.options.find("compensationTool");
+  return option != dialect.options.end() && option->second == "of-block";
+}
+
+const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
+                                 const MachineState &state) {
+  int32_t number = radiusOffsetNumber(dialect, state);
+  if (cutterOfBlock(dialect)) {
+    number = number == notSet ? state.tool.get() : number;
+  } else if (dialect.offsetsOfTool) {
+    // The list knows a tool's first edge.
+    if (number != notSet && number != 1)
+      return nullptr;
+    number = state.tool;
+  }
+  const auto found = machine.tools.find(number);
+  return found == machine.tools.end() ? nullptr : &found->second;
+}
+
+const ToolData *toolInUse(const MachineProfile &machine, const MachineState &state) {
+  const auto found = machine.tools.find(state.tool);
+  return found == machine.tools.end() ? nullptr : &found->second;
+}
+
+std::optional<double> compensationRadius(const Dialect &dialect, const MachineProfile &machine,
+                                         const MachineState &state) {
+  const ToolRadiusSource &source = dialect.toolRadius;
+  if (source.unknownWhile != 0xFF && state.switchMayBeOn(source.unknownWhile))
+    return std::nullopt;
+  if (!source.variable.empty() && !state.commons.empty()) {
+    llvm::SmallVector<llvm::StringRef, 2> variables;
+    llvm::StringRef(source.variable).split(variables, '|');
+    for (const llvm::StringRef variable : variables)
+      if (const SetRadius found = radiusIn(variable, dialect, state); found.set)
+        return found.radius;
+  }
+  const ToolData *tool = compensatingTool(dialect, machine, state);
+  return tool ? tool->radius : std::nullopt;
+}
+
+int8_t compensatedSide(const Dialect &dialect, const MachineState &state) {
+  const Action action = state.activeAction(dialect, StandardGroup::Compensation);
+  int8_t side = action == Action::CompensationLeft    ? 1
+                : action == Action::CompensationRight ? -1
+                                                      : 0;
+  if (!side || state.frames.empty())
+    return side;
+  const auto total = state.frames.total();
+  if (!total)
+    return 0;
+  // A mirrored contour is cut on its other side.
+  const std::array<Axis, 2> plane = planeOrder(dialect, state);
+  const auto a = size_t(plane[0]), b = size_t(plane[1]);
+  const auto &turn = total->turn;
+  const bool mirrored = turn[a][a] * turn[b][b] - turn[a][b] * turn[b][a] < 0;
+  return mirrored ? int8_t(-side) : side;
+}
+
+} // namespace ncvet

@@ -1,0 +1,196 @@
+// The work of executing one block, shared by the files that each do a part of it.
+#pragma once
+
+#include "interp/execute/execute.h"
+#include "interp/evaluate/expression.h"
+
+namespace ncvet {
+
+/// Least increment of a metric control, in millimetres.
+constexpr double leastIncrement = 0.001;
+
+struct Zero;
+
+/// One block on its way through the interpreter. Private to interp/.
+class Execution {
+public:
+  Execution(const Dialect &dialect, const MachineProfile &machine, const ModeMasks &masks,
+            FileId file, const Block &block, const MachineState &before, MachineState &state,
+            Outcome &outcome)
+      : dialect_(dialect), machine_(machine), masks_(masks), file_(file), block_(block),
+        before_(before), state_(state),
+        outcome_(outcome), context_{dialect, machine, block, {}, before} {}
+
+  void run(bool guardHolds);
+
+private:
+  // execute.cpp: the order of things
+  bool inForeignLanguage() const;
+  bool runPlainMove();
+  bool countIdle(uint16_t axes);
+  void wordIssues();
+  void wordDomains();
+  bool runsEmpty() const;
+  void resolveCodes();
+  void technologyWords();
+  void settingWords();
+  void unsetReads();
+  void finish();
+
+  // statements.cpp: Macro B
+  bool runItems(bool guardHolds);
+  void go(FlowKind kind, size_t index);
+  void structure(size_t index);
+  void assign(const Item &item);
+  void giveBack(const Item &item);
+  void define(const Item &item);
+
+  // codes.cpp: the effect of single codes
+  void applyModal(const CodeUse &use);
+  void applyEarly(const CodeUse &use);
+  void applyLate(const CodeUse &use);
+  void applySwitch(const CodeInfo &info, const CodeUse &use);
+  void applyStores(const CodeInfo &info);
+  void activate(const CodeInfo &info, const Word *word);
+  bool startsSpindle() const;
+  void setSpindle(uint8_t direction, const CodeUse &use);
+  void changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by);
+  void toolWord(const Word &word);
+  void reset(const Word &word);
+
+  // flow.cpp: calls, returns, ends
+  void applyFlow(const CodeUse &use);
+  void callProgram(const CodeUse &use, bool macro);
+  void callModally(const CodeUse &use);
+  void callModally(const Item &item);
+  Truth firesModalCall() const;
+  bool motionCodeAlone() const;
+
+  // foreign.cpp: text in the language of another control
+  void foreignBlock();
+
+  // motion.cpp: axis words
+  void moveAxes();
+  void moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes);
+  void afterMove(bool rapid, uint16_t axes);
+  void angleWords();
+  bool hasAngleWord() const;
+  void alongAngle(uint16_t written);
+  void contourFacts(MotionKind kind, uint16_t axes);
+  void machineMove(uint16_t axes);
+  void referenceReturn(uint16_t axes, const CodeUse &use);
+  void shiftCoordinates(const CodeUse &use);
+  void changeFrame(const CodeUse &use);
+  void workOffset(const CodeUse &use);
+  Interval coordinate(const Word &word) const;
+  /// The same of a word that is never a diameter.
+  Interval lengthOfWord(const Word &word) const;
+  void storeTarget(const Word &word, bool machineCoordinates);
+  void storeTargets();
+  void storePolarEnd(const CodeInfo &code);
+  void trackDepth(bool rapid);
+  void compensationStep(MotionKind kind, uint16_t axes);
+
+  // zero_codes.cpp: the zero point, where variables hold it
+  void applyZeros();
+  void applyLength(const CodeUse &use);
+  std::array<Interval, axisCount> lengthOfTool() const;
+  void setToolLength();
+  void setSystem(const CodeUse &use);
+  void setPreset(bool local);
+  void switchPreset(Action action);
+  void systemMoved(const Zero &before);
+  void fromMachine();
+  std::array<Interval, axisCount> known() const;
+  void moveTo(const std::array<Interval, axisCount> &place);
+
+  // polar.cpp: end points by angle and radius
+  std::array<Interval, 2> inPlane() const;
+  void setInPlane(const std::array<Interval, 2> &place);
+  Truth countsFromBefore(const Word &word) const;
+  void polarInput(const std::array<Interval, 2> &from);
+  void polarTarget();
+  void setPole(Action reference);
+
+  // frames.cpp: shift, rotation, scale, mirror
+  /// What the axis words of a block give for X, Y and Z.
+  struct FrameWords {
+    std::array<bool, 3> given{};
+    std::array<bool, 3> adds{}; ///< the value counts from what the axis had
+    std::array<double, 3> value{};
+  };
+  void applyFrame(const CodeUse &use);
+  void rebase(const FrameStack &frames);
+  std::optional<FrameWords> frameWords(FrameKind kind, bool lengths) const;
+  std::optional<Frame> frameOf(const CodeInfo &code) const;
+  std::optional<Frame> frameOfSteps(const CodeInfo &code) const;
+  Frame frameOfStep(const FrameStep &step, std::array<double, 12> numbers, double unit) const;
+  std::optional<Frame> frameByAxis(const CodeInfo &code, const std::optional<Frame> &old) const;
+  void endMirror(const CodeInfo &code, FrameStack &frames) const;
+  std::array<double, 3> centreOf(const FrameWords &words, unsigned axes) const;
+  std::optional<Frame> rotationAbout(const FrameWords &words, std::optional<double> degrees) const;
+  Frame rotationOf(const FrameWords &words, std::optional<double> degrees) const;
+  static bool isTransformation(const CodeInfo &code);
+
+  // cycles.cpp
+  void startCycle(const CodeUse &use);
+  void runCycle(CodeIndex code, uint16_t axes);
+  void cancelCycle(CodeIndex by, const Word *word);
+  void storeCycleWords(bool fresh);
+  void runCompound(const CodeUse &use);
+  void endOfCall(const CodeInfo &code);
+  void endDownHere(const CodeInfo &code);
+  bool patternPlaces(const CodeInfo &code);
+  void contourProgram(const CodeUse &use, const WordSpec &spec);
+  Interval noLowerThanApproach(const Interval &level) const;
+  std::optional<Interval> heightOfVariable(const CodeInfo &code) const;
+  CodeIndex activeCycle() const;
+
+  Origin originOf(const Word &word) const { return {file_, word.offset, block_.endOf(word)}; }
+  Origin originOfBlock() const {
+    return {file_, block_.begin, std::max(block_.end, block_.begin + 1)};
+  }
+  // The groups of these are noted once a block, see `run`.
+
+  /// Millimetres per unit of a programmed length; none when it is not known which unit is in force.
+  Interval lengthFactor() const;
+  Truth incremental() const; ///< distance mode
+  bool polarMayBeOn() const {
+    return masks_.polar != noGroup && (state_.groups[masks_.polar] & masks_.polarOn);
+  }
+  bool diameterMayBeOn() const {
+    const uint64_t on = masks_.diameterOn | masks_.diameterAbsolute;
+    return on && (state_.groups[masks_.diameter] & on);
+  }
+  Truth polarOn() const {
+    return state_.groups[masks_.polar] & ~masks_.polarOn & ~groupUnset ? Truth::Unknown
+                                                                       : Truth::Yes;
+  }
+  Interval value(const Word &word) const { return assignedWordValue(word, block_, state_); }
+  const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }
+  /// Whether a code stays in force behind its block.
+  bool isModal(const CodeInfo &code) const {
+    return code.group != noGroup && !dialect_.groups[code.group].oneShot;
+  }
+
+  const Dialect &dialect_;
+  const MachineProfile &machine_;
+  const ModeMasks &masks_;
+  const FileId file_;
+  const Block &block_;
+  const MachineState &before_;
+  MachineState &state_;
+  Outcome &outcome_;
+  ConditionContext context_;
+
+  /// Assignments that take effect behind the block's words: the variable and its value.
+  llvm::SmallVector<std::pair<int64_t, Value>, 2> pending_;
+
+  CodeUse motionCode_; ///< motion or modal cycle code of the block
+  CodeUse actionCode_; ///< one-shot code that takes the block's axis words
+  bool machineMove_ = false;
+  bool cancelled_ = false;    ///< the block ends the active cycle
+  bool callsModally_ = false; ///< the block makes a program run behind every later move
+};
+
+} // namespace ncvet

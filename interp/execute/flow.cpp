@@ -1,0 +1,222 @@
+// Calls, returns and ends: what a block's codes say about where control goes.
+#include "interp/execute/execution.h"
+#include "interp/value/macro_argument.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+namespace {
+
+Value valueOf(const Interval &interval) { return Value::of(interval); }
+
+} // namespace
+
+void Execution::callProgram(const CodeUse &use, bool macro) {
+  Flow &flow = outcome_.flow;
+  flow.kind = FlowKind::Call;
+  flow.code = use.code;
+  flow.word = use.word;
+  flow.macro = macro;
+  flow.begin = use.word->offset;
+  flow.end = block_.endOf(*use.word);
+  flow.target = Value::vacant();
+  if (const Word *p = block_.find('P')) {
+    flow.word = p;
+    flow.begin = p->offset;
+    flow.end = block_.endOf(*p);
+    const Interval number = value(*p);
+    flow.target = valueOf(number);
+    // Four-digit controls pack the count in front of the number: P51000 runs O1000 five times.
+    if (!macro && number.isConstant() && number.value() > 9999 && !block_.has(letterAddress('L')) &&
+        dialect_.limits.programDigitsMax == 4) {
+      const auto packed = int64_t(number.value());
+      flow.target = Value::of(double(packed % 10000));
+      flow.repeat = Value::of(double(packed / 10000));
+    }
+  }
+  if (const Word *l = block_.find('L')) {
+    flow.repeat = valueOf(value(*l));
+    // RS274/NGC takes the count as it is.
+    if (dialect_.lexical.arithmetic == Arithmetic::Ngc && flow.repeat.isConstant() &&
+        flow.repeat.number.value() == 0)
+      flow.kind = FlowKind::Next;
+  }
+  if (!macro) {
+    if (const Word *q = block_.find('Q'))
+      flow.startAt = valueOf(value(*q));
+    return;
+  }
+  // Repeated I, J, K sets count on: I4 J5 K6 I7 J8 K9 …
+  unsigned sets[3] = {0, 0, 0};
+  bool second = false;
+  for (const Word &word : block_.words)
+    if (word.address >= letterAddress('I') && word.address <= letterAddress('K'))
+      second |= ++sets[word.address - letterAddress('I')] > 1;
+  sets[0] = sets[1] = sets[2] = 0;
+  for (const Word &word : block_.words) {
+    if (word.address >= 26 || &word == use.word || word.offset < use.word->offset)
+      continue;
+    const char letter = char('A' + word.address);
+    if (letter == 'P' || letter == 'L' || letter == 'G' || letter == 'N' || letter == 'O')
+      continue;
+    uint32_t variable = macroArgument(letter);
+    if (second && letter >= 'I' && letter <= 'K')
+      variable = 4 + 3 * sets[letter - 'I']++ + uint32_t(letter - 'I');
+    if (variable && variable <= 33)
+      flow.arguments.set(variable, valueOf(value(word)));
+  }
+}
+
+/// G66 P: the call that was in force before runs behind the moves of this one's program.
+void Execution::callModally(const CodeUse &use) {
+  callProgram(use, true);
+  Flow &flow = outcome_.flow;
+  const Value number = flow.target;
+  flow.kind = number.isVacant() ? FlowKind::Next : FlowKind::CallModal;
+  const bool deep = state_.modalCalls && state_.modalCalls->depth() >= maxModalCalls;
+  if (!number.isConstant() || !(number.number.value() >= 0 && number.number.value() < 1e9) ||
+      deep || (state_.modalCalls && !state_.modalCalls->known)) {
+    state_.modalCalls = unknownModalCall();
+    return;
+  }
+  auto *call = new ModalCall;
+  call->code = use.code;
+  call->file = file_;
+  call->at = block_.begin;
+  call->program = int64_t(number.number.value());
+  call->repeat = flow.repeat;
+  call->arguments = flow.arguments;
+  call->outer = state_.modalCalls;
+  state_.modalCalls = call;
+}
+
+/// `MCALL NAME(..)`: takes the place of the one before.
+void Execution::callModally(const Item &item) {
+  callsModally_ = true;
+  auto *call = new ModalCall;
+  for (const Word &word : block_.words)
+    if (word.address == keywordAddress && dialect_.codes[CodeIndex(word.mantissa)].cancelsCalls)
+      call->code = CodeIndex(word.mantissa);
+  call->file = file_;
+  call->at = block_.begin;
+  if (item.count != noExpression)
+    call->repeat = evaluate(block_, item.count, state_, &outcome_);
+  const llvm::ArrayRef<Argument> given = block_.argumentsOf(item);
+  for (size_t i = 0; i < given.size(); ++i)
+    if (given[i].kind != ArgumentKind::Empty)
+      call->arguments.set(i + 1, given[i].expression == noExpression
+                                     ? Value::unknown()
+                                     : evaluate(block_, given[i].expression, state_, &outcome_));
+  state_.modalCalls = call;
+}
+
+/// `G0`, alone or with other codes of its kind.
+bool Execution::motionCodeAlone() const {
+  bool motion = false;
+  for (const Word &word : block_.words) {
+    if (word.address != letterAddress('G') && word.address != keywordAddress)
+      return false;
+    motion |= llvm::any_of(outcome_.codes, [&](const CodeUse &use) {
+      return use.word == &word &&
+             (info(use).action == Action::Rapid || info(use).action == Action::Linear);
+    });
+  }
+  return motion;
+}
+
+/// Whether the modal call in force runs behind this block.
+Truth Execution::firesModalCall() const {
+  const ModalCall &call = *state_.modalCalls;
+  if (callsModally_ || before_.modalCalls != state_.modalCalls) // the block that makes it
+    return Truth::No;
+  const CodeInfo *code = call.known && call.code != noCode ? &dialect_.codes[call.code] : nullptr;
+  if (code && code->firesOnEveryBlock) // the words are arguments of a call
+    return block_.words.empty() ? Truth::No : Truth::Unknown;
+  Truth moves = Truth::No;
+  for (const Event &event : outcome_.events)
+    if (event.kind == EventKind::Motion || (event.kind == EventKind::CycleRun && call.known)) {
+      const bool known = code && event.certain && event.kind == EventKind::Motion &&
+                         (event.motion != MotionKind::Reference || !code->fires);
+      moves = known && moves != Truth::Unknown ? Truth::Yes : Truth::Unknown;
+    }
+  if (moves != Truth::No || !code || outcome_.flow.kind != FlowKind::Next)
+    return moves;
+  if (code->firesByMotionCode && motionCodeAlone())
+    return Truth::Yes;
+  if (!block_.hasAny(code->fires))
+    return Truth::No;
+  return state_.isActive(dialect_, StandardGroup::Motion, {Action::Rapid, Action::Linear});
+}
+
+void Execution::applyFlow(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  Flow &flow = outcome_.flow;
+  const auto here = [&](FlowKind kind) {
+    flow.kind = kind;
+    flow.code = use.code;
+    flow.word = use.word;
+    flow.begin = use.word->offset;
+    flow.end = block_.endOf(*use.word);
+  };
+  switch (code.action) {
+  case Action::CallProgram:
+    callProgram(use, false);
+    outcome_.emit(EventKind::Call).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  case Action::MacroCall:
+    callProgram(use, true);
+    outcome_.emit(EventKind::Call).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  case Action::MacroModal:
+    callModally(use);
+    break;
+  case Action::CallLocal: {
+    here(FlowKind::CallLocal);
+    flow.target = Value::vacant();
+    // The target is a P word; an N word behind the code is taken as one too.
+    const Word *target = block_.find('P');
+    if (!target)
+      target = block_.find('N');
+    if (target) {
+      flow.word = target;
+      flow.begin = target->offset;
+      flow.end = block_.endOf(*target);
+      flow.target = valueOf(value(*target));
+    }
+    if (const Word *l = block_.find('L'))
+      flow.repeat = valueOf(value(*l));
+    outcome_.emit(EventKind::Call).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  }
+  case Action::Return: {
+    here(FlowKind::Return);
+    flow.target = Value::vacant();
+    if (const Word *p = block_.find('P'))
+      flow.target = valueOf(value(*p));
+    outcome_.emit(EventKind::Return).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  }
+  case Action::ConditionalJump:
+    here(FlowKind::Jump);
+    flow.condition = Truth::Unknown;
+    flow.target = Value::vacant();
+    if (const Word *p = block_.find('P'))
+      flow.target = valueOf(value(*p));
+    break;
+  case Action::ProgramEnd:
+  case Action::ProgramEndRewind:
+    here(FlowKind::End);
+    outcome_.emit(EventKind::ProgramEnd).code = use.code;
+    outcome_.events.back().word = use.word;
+    break;
+  default:
+    break;
+  }
+}
+
+} // namespace ncvet

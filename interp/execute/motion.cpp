@@ -1,0 +1,678 @@
+// Axis words: where the block's motion leads, and what it does to compensation.
+#include "interp/execute/execution.h"
+#include "interp/evaluate/formula.h"
+#include "interp/state/zero_point.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ncvet {
+
+namespace {
+/// What any move of an axis makes true.
+constexpr uint64_t movedFacts =
+    bitOf(Fact::Moved) | bitOf(Fact::MovedSinceTool) | bitOf(Fact::MovedSincePreset);
+constexpr uint16_t bit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
+constexpr double millimetresPerInch = 25.4;
+/// Keys under which the last point of a curve waits for its end: no program's.
+constexpr int32_t curvePoint = 0x7FFFFF00;
+} // namespace
+
+Interval Execution::lengthFactor() const {
+  if (masks_.units == noGroup)
+    return Interval::exactly(1);
+  const uint64_t set = state_.groups[masks_.units];
+  // Not stated: the program's own unit, whatever it is.
+  if (set == groupUnset || !(set & ~masks_.metric))
+    return Interval::exactly(1);
+  if (!(set & ~masks_.inch))
+    return Interval::exactly(millimetresPerInch);
+  return Interval::unknown();
+}
+
+Truth Execution::incremental() const {
+  if (masks_.distance == noGroup)
+    return Truth::No;
+  const uint64_t set = state_.groups[masks_.distance];
+  if (!(set & masks_.incremental)) // not stated counts as absolute
+    return Truth::No;
+  return set & ~masks_.incremental ? Truth::Unknown : Truth::Yes;
+}
+
+Interval shareOfDiameter(const Dialect &dialect, const MachineState &state, Axis axis,
+                         Truth increment) {
+  if (axis != Axis::X || dialect.group(StandardGroup::Diameter) == noGroup)
+    return Interval::exactly(1);
+  // Where the program has stated nothing, words are what they are on a mill.
+  bool half = false, whole = state.active(dialect, StandardGroup::Diameter) & groupUnset;
+  for (const CodeInfo *code : state.candidates(dialect, StandardGroup::Diameter)) {
+    const bool absolute = code->action == Action::DiameterAbsolute;
+    half |= code->action == Action::DiameterOn || (absolute && increment != Truth::Yes);
+    whole |= absolute ? increment != Truth::No : code->action != Action::DiameterOn;
+  }
+  return half && whole ? Interval::unknown() : Interval::exactly(half ? 0.5 : 1);
+}
+
+Interval Execution::coordinate(const Word &word) const {
+  const Interval given = lengthOfWord(word);
+  const AddressInfo &address = dialect_.addresses[word.address];
+  if (address.axis != Axis::X || address.unit != AddressUnit::Length || !diameterMayBeOn())
+    return given;
+  const Interval share = shareOfDiameter(dialect_, state_, address.axis, countsFromBefore(word));
+  return share.isConstant() ? given * share.value() : Interval::unknown();
+}
+
+Interval Execution::lengthOfWord(const Word &word) const {
+  Interval result = value(word);
+  if (result.isUnknown())
+    return result;
+  const AddressInfo &address = dialect_.addresses[word.address];
+  if (address.unit != AddressUnit::Length)
+    return result;
+  const Interval factor = lengthFactor();
+  if (!factor.isConstant())
+    return Interval::unknown();
+  if (word.isNumber() && !word.has(wordPoint) && masks_.pointlessIsIncrement)
+    result = result * leastIncrement;
+  return factor.value() == 1 ? result : result * factor.value();
+}
+
+Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
+                  const MachineProfile &machine, const MachineState &state) {
+  const Interval result = assignedWordValue(word, block, state);
+  if (result.isUnknown() || dialect.addresses[word.address].unit != AddressUnit::Length)
+    return result;
+  double factor = 1;
+  const GroupIndex units = dialect.group(StandardGroup::Units);
+  if (units != noGroup && state.group(units) != groupUnset) {
+    const Action unit = state.activeAction(dialect, StandardGroup::Units);
+    if (unit == Action::None)
+      return Interval::unknown();
+    factor = unit == Action::Inch ? millimetresPerInch : 1;
+  }
+  if (word.isNumber() && !word.has(wordPoint))
+    if (const auto reading = machine.option("decimalPoint"); reading && *reading == "increment")
+      factor *= leastIncrement;
+  return result * factor;
+}
+
+/// Stores the end point that an axis word gives.
+void Execution::storeTarget(const Word &word, bool machineCoordinates) {
+  const AddressInfo &address = dialect_.addresses[word.address];
+  Interval &position = state_.at(address.axis);
+  const Interval target = coordinate(word);
+  const uint32_t axis = bit(address.axis);
+  if (machineCoordinates) {
+    state_.machineAxes |= axis;
+    position = address.kind == AddressKind::Increment ? Interval::unknown() : target;
+    return;
+  }
+  const Truth relative = countsFromBefore(word);
+  if (relative == Truth::Yes) {
+    position = position + target; // stays in the coordinates in which it was known
+    return;
+  }
+  state_.machineAxes &= ~axis;
+  position = relative == Truth::No ? target : Interval::unknown();
+}
+
+/// Stores the end points that the axis words of the block give.
+void Execution::storeTargets() {
+  // A word may read where the tool is: all are read before it moves.
+  const bool readsPlace = dialect_.variableRanges.place && !block_.expressions.empty();
+  const auto start = state_.position;
+  auto end = start;
+  for (const Word &word : block_.words)
+    if (dialect_.axisWords & maskOf(word.address)) {
+      const auto axis = size_t(dialect_.addresses[word.address].axis);
+      if (word.has(wordNoValue))
+        state_.position[axis] = Interval::unknown();
+      else
+        storeTarget(word, false);
+      if (readsPlace) {
+        end[axis] = state_.position[axis];
+        state_.position = start;
+      }
+    }
+  if (readsPlace)
+    state_.position = end;
+}
+
+/// Where a motion leads whose words are a pole, an angle and a radius: the table says how. A word
+/// of the tool axis is a coordinate as everywhere.
+void Execution::storePolarEnd(const CodeInfo &code) {
+  const Axis tool = toolAxis(dialect_, state_);
+  bool inPlane = false;
+  for (const Word &word : block_.words) {
+    if (!(dialect_.axisWords & maskOf(word.address)))
+      continue;
+    if (dialect_.addresses[word.address].axis == tool && !word.has(wordNoValue))
+      storeTarget(word, false);
+    else
+      inPlane = true;
+  }
+  if (!inPlane)
+    return;
+  const Interval unit = lengthFactor();
+  std::array<Interval, 2> place;
+  for (size_t i = 0; i < 2; ++i)
+    if (unit.isConstant() && incremental() == Truth::No)
+      place[i] = levelOf(code.places[i], code, context_) * unit.value();
+  setInPlane(place);
+}
+
+void Execution::compensationStep(MotionKind kind, uint16_t axes) {
+  if (state_.compensation == phaseOff || state_.compensation == phaseOn ||
+      !(axes & planeAxes(dialect_, state_)))
+    return;
+  const GroupIndex group = dialect_.group(StandardGroup::Compensation);
+  const bool starting = state_.compensation & phaseStarting;
+  const bool ending = state_.compensation & phaseEnding;
+  if (!starting && !ending)
+    return;
+  Event &event = outcome_.emit(EventKind::CompensationMove);
+  event.axes = axes;
+  event.certain = state_.compensation == phaseStarting || state_.compensation == phaseEnding;
+  if (group != noGroup && std::has_single_bit(state_.group(group)) &&
+      state_.group(group) != groupUnset)
+    event.code = dialect_.groups[group].members[size_t(std::countr_zero(state_.group(group)))];
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  if (motion && isArc(motion->action) == (kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw))
+    event.by = CodeIndex(motion - dialect_.codes.data());
+  uint8_t phase = state_.compensation;
+  if (starting)
+    phase = uint8_t((phase & ~phaseStarting) | phaseOn);
+  if (ending)
+    phase = uint8_t((phase & ~phaseEnding) | phaseOff);
+  state_.compensation = phase;
+  outcome_.setupChanged = true;
+}
+
+bool Execution::hasAngleWord() const {
+  return block_.has(commaA) || llvm::any_of(block_.words, [&](const Word &word) {
+           const AddressInfo &address = dialect_.addresses[word.address];
+           return address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle &&
+                  !(maskOf(word.address) & dialect_.orientWords); // the spindle's, no line's
+         });
+}
+
+/// `,A` (or A on lathes) gives the direction of a line: the coordinate that is not written comes
+/// from it, or from the next block.
+void Execution::angleWords() {
+  if (!hasAngleWord())
+    return;
+  const uint16_t plane = planeAxes(dialect_, state_);
+  uint16_t written = uint16_t(axesOf(dialect_, block_) & plane);
+  // Under compensation a line by angle and end point may be one of two whose intersection counts.
+  if (written == plane && state_.compensation != phaseOff)
+    written = 0;
+  outcome_.via = state_.position;
+  for (unsigned i = 0; i < axisCount; ++i)
+    if ((plane & ~written) >> i & 1)
+      state_.position[i] = Interval::unknown();
+  if (state_.compensation == phaseOff)
+    alongAngle(uint16_t(written & plane));
+}
+
+/// The coordinate of a line's end that its angle and the other one in the plane give.
+void Execution::alongAngle(uint16_t written) {
+  const Word *word = block_.find(commaA);
+  for (const Word &other : block_.words) {
+    const AddressInfo &address = dialect_.addresses[other.address];
+    if (address.kind == AddressKind::Parameter && address.unit == AddressUnit::Angle)
+      word = &other;
+  }
+  const auto [first, second] = planeOrder(dialect_, state_);
+  if (!word || (written != bit(first) && written != bit(second)))
+    return;
+  const Interval angle = value(*word);
+  for (const Axis axis : {first, second})
+    if (!before_.at(axis).isConstant() || before_.inMachineCoordinates(axis))
+      return;
+  const Axis given = written == bit(first) ? first : second;
+  const Axis wanted = given == first ? second : first;
+  if (!angle.isConstant() || !state_.at(given).isConstant())
+    return;
+  const double degrees = angle.value() * std::numbers::pi / 180;
+  const double ratio = wanted == first ? std::cos(degrees) / std::sin(degrees)
+                                       : std::sin(degrees) / std::cos(degrees);
+  constexpr double steepest = 1e6;
+  if (!(std::fabs(ratio) < steepest))
+    return;
+  const double way =
+      (state_.at(given).value() - before_.at(given).value()) / dialect_.lengthsPerUnit(given);
+  state_.at(wanted) =
+      Interval::exactly(before_.at(wanted).value() + way * ratio * dialect_.lengthsPerUnit(wanted));
+}
+
+/// What the contour under compensation looks like so far.
+void Execution::contourFacts(MotionKind kind, uint16_t axes) {
+  const uint16_t plane = planeAxes(dialect_, state_);
+  const bool engages = llvm::any_of(outcome_.events, [](const Event &event) {
+    return event.kind == EventKind::CompensationMove;
+  });
+  if ((state_.compensation == phaseOff && !engages) || !(axes & plane))
+    return;
+  const auto change = [&](Axis axis) {
+    if (!(axes & bit(axis)))
+      return Interval::exactly(0);
+    if (before_.inMachineCoordinates(axis) || state_.inMachineCoordinates(axis))
+      return Interval::unknown();
+    return state_.at(axis) - before_.at(axis);
+  };
+  if (engages) {
+    for (const Fact fact : {Fact::CompensatedCut, Fact::ContourCompensated, Fact::EnteredInward,
+                            Fact::EnteredOutward})
+      state_.clear(fact);
+    const Interval x = change(Axis::X);
+    if (x.hi < 0)
+      state_.set(Fact::EnteredInward);
+    else if (x.lo > 0)
+      state_.set(Fact::EnteredOutward);
+    return;
+  }
+  state_.set(Fact::CompensatedCut);
+  if (kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw ||
+      block_.hasAny(lettersMask("IJKRA") | maskOf(commaA) | maskOf(commaC) | maskOf(commaR))) {
+    state_.set(Fact::ContourCompensated);
+    return;
+  }
+  bool slanted = true, maySlant = true;
+  for (unsigned i = 0; i < axisCount; ++i)
+    if (plane >> i & 1) {
+      const Interval d = change(Axis(i));
+      slanted &= d.lo > 0 || d.hi < 0;
+      maySlant &= !(d.lo == 0 && d.hi == 0);
+    }
+  if (slanted)
+    state_.set(Fact::ContourCompensated);
+  else if (maySlant)
+    state_.allow(bitOf(Fact::ContourCompensated));
+}
+
+void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes) {
+  compensationStep(kind, axes);
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.code = code ? index : noCode;
+  event.motion = kind;
+  event.axes = axes;
+  event.certain = code != nullptr;
+  const Truth polar = polarMayBeOn() ? polarOn() : Truth::No;
+  std::array<Interval, 2> from;
+  if (polar == Truth::Yes)
+    from = inPlane();
+  if (code && !code->places[0].empty())
+    storePolarEnd(*code);
+  else
+    storeTargets();
+  if (block_.hasAny(dialect_.polarWords))
+    polarTarget();
+  if (polar == Truth::Yes)
+    polarInput(from);
+  else if (polar == Truth::Unknown)
+    setInPlane({});
+  if (code && code->action == Action::CurvePoint) { // the tool goes to the last one at the end
+    storePlace(state_, curvePoint, state_.position);
+    state_.position = before_.position;
+    return;
+  }
+  if (!code) {
+    state_.fedFrom.forget();
+    state_.put(movedFacts, 0);
+    state_.allow(bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
+    state_.clear(Fact::AtMachinePosition);
+    return;
+  }
+  if (code->returns) {
+    outcome_.via = state_.position;
+    state_.position = before_.position;
+  }
+  if (code->action == Action::Linear)
+    angleWords();
+  // An arc by its centre and opening angle ends where that leads.
+  if (isArc(code->action) && dialect_.arcAngle != noAddress && block_.has(dialect_.arcAngle) &&
+      block_.hasAny(lettersMask("IJK")))
+    setInPlane({});
+  contourFacts(kind, axes);
+  afterMove(kind == MotionKind::Rapid, axes);
+}
+
+/// The facts that a move leaves behind.
+void Execution::afterMove(bool rapid, uint16_t axes) {
+  constexpr uint64_t asked =
+      bitOf(Fact::InContour) | bitOf(Fact::PolarRadiusSet) | bitOf(Fact::PlungedUncompensated);
+  stateUse.facts |= asked;
+  const uint64_t on =
+      movedFacts | (state_.factsMust & bitOf(Fact::InContour) ? bitOf(Fact::ContourBegun) : 0) |
+      (rapid ? bitOf(Fact::AwayFromPart) : bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
+  const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
+  state_.put(on, off);
+  // The word of the first plane axis is the radius, from the block on that begins polar input.
+  if (masks_.polar != noGroup && !(state_.factsMust & bitOf(Fact::PolarRadiusSet)) &&
+      axes & bit(planeOrder(dialect_, state_)[0]) && polarMayBeOn())
+    state_.set(Fact::PolarRadiusSet);
+  if (!dialect_.isLathe())
+    trackDepth(rapid);
+  if (rapid) {
+    state_.clear(Fact::PlungedUncompensated);
+    return;
+  }
+  const uint16_t tool = bit(toolAxis(dialect_, state_));
+  if (axes == tool && state_.compensation == phaseOff)
+    state_.set(Fact::PlungedUncompensated);
+  else if (axes & ~tool)
+    state_.clear(Fact::PlungedUncompensated);
+}
+
+/// Keeps the level from which a mill's tool was fed in, and the area in which it has cut. The tool
+/// stands along Z whatever the plane: arcs in G18 and G19 lead in and out.
+void Execution::trackDepth(bool rapid) {
+  constexpr Axis tool = Axis::Z;
+  const Interval &from = before_.at(tool), &to = state_.at(tool);
+  if (before_.inMachineCoordinates(tool) == state_.inMachineCoordinates(tool))
+    state_.fedFrom.move(from, to, rapid);
+  else
+    state_.fedFrom.forget();
+  if (rapid)
+    return;
+  for (unsigned i = 0; i < 2; ++i)
+    state_.cutArea.add(i, state_.position[i]);
+}
+
+/// G53: this block counts in machine coordinates.
+void Execution::machineMove(uint16_t axes) {
+  compensationStep(MotionKind::Rapid, axes);
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.axes = axes;
+  event.motion = motion && motion->action == Action::Linear ? MotionKind::Feed : MotionKind::Rapid;
+  event.code = motion ? CodeIndex(motion - dialect_.codes.data()) : noCode;
+  event.number = 1; // in machine coordinates
+  state_.fedFrom.forget();
+  for (const Word &word : block_.words)
+    if (dialect_.axisWords & maskOf(word.address))
+      storeTarget(word, true);
+  fromMachine();
+  state_.set(Fact::Moved);
+  state_.set(Fact::MovedSinceTool);
+  state_.set(Fact::MovedSincePreset);
+  state_.set(Fact::AwayFromPart);
+  state_.set(Fact::AtMachinePosition);
+}
+
+void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
+  compensationStep(MotionKind::Reference, axes);
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.motion = MotionKind::Reference;
+  event.axes = axes;
+  event.code = use.code;
+  state_.fedFrom.forget();
+  for (const Word &word : block_.words)
+    if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
+      storeTarget(word, false);
+  outcome_.via = state_.position;
+  for (unsigned i = 0; i < axisCount; ++i)
+    if (axes == 0 || (axes >> i & 1)) {
+      const int32_t stored = info(use).storedAt;
+      state_.position[i] = stored ? storedPlace(state_, stored)[i] : Interval::unknown();
+      state_.machineAxes |= 1u << i;
+    }
+  fromMachine();
+  state_.set(Fact::Moved);
+  state_.set(Fact::MovedSinceTool);
+  state_.set(Fact::ReferenceReturned);
+  state_.set(Fact::MovedSincePreset);
+  state_.set(Fact::AwayFromPart);
+  state_.set(Fact::AtMachinePosition);
+}
+
+/// G52, G92 and their like: the place stays, its coordinates change.
+void Execution::shiftCoordinates(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  outcome_.setupChanged = true;
+  state_.fedFrom.forget();
+  Event &event = outcome_.emit(EventKind::CoordinateChange);
+  event.code = use.code;
+  event.word = use.word;
+  event.axes = axesOf(dialect_, block_);
+  if (code.action == Action::PresetPosition && event.axes) {
+    state_.clear(Fact::MovedSincePreset);
+    state_.origin.set(StatePart::Preset, originOf(*use.word));
+  }
+  if (dialect_.zeros.systems)
+    return setPreset(code.action == Action::LocalShift);
+  for (const Word &word : block_.words) {
+    if (!(dialect_.axisWords & maskOf(word.address)))
+      continue;
+    const AddressInfo &address = dialect_.addresses[word.address];
+    const Axis axis = address.axis;
+    const Interval v = coordinate(word);
+    if (code.action == Action::PresetPosition) {
+      // The present place gets this coordinate; an increment shifts by so much.
+      state_.at(axis) = address.kind == AddressKind::Increment ? state_.at(axis) + v : v;
+      state_.machineAxes &= ~uint32_t(bit(axis));
+    } else if (unsigned(axis) >= 3) { // frames know no others
+      state_.at(axis) = Interval::unknown();
+    }
+  }
+  if (code.action == Action::LocalShift)
+    applyFrame(use);
+}
+
+/// TRANS, ROT, SCALE, MIRROR and their like: the place stays, its coordinates are others.
+void Execution::changeFrame(const CodeUse &use) {
+  outcome_.setupChanged = true;
+  state_.fedFrom.forget();
+  Event &event = outcome_.emit(EventKind::CoordinateChange);
+  event.code = use.code;
+  event.word = use.word;
+  event.axes = axesOf(dialect_, block_);
+  applyFrame(use);
+}
+
+void Execution::workOffset(const CodeUse &use) {
+  const CodeInfo &code = info(use);
+  Event &event = outcome_.emit(EventKind::CoordinateChange);
+  event.code = use.code;
+  event.word = use.word;
+  state_.fedFrom.forget();
+  if (dialect_.zeros.systems || code.group == noGroup ||
+      before_.group(code.group) == (uint64_t(1) << code.bit))
+    return; // the same offset as before
+  const CodeInfo *old = before_.activeCode(dialect_, StandardGroup::WorkOffset);
+  const auto from = old ? machine_.offsets.find(old->name) : machine_.offsets.end();
+  const auto to = machine_.offsets.find(code.name);
+  for (unsigned i = 0; i < axisCount; ++i) {
+    if (state_.machineAxes >> i & 1)
+      continue;
+    const bool known = from != machine_.offsets.end() && to != machine_.offsets.end() &&
+                       from->second[i] && to->second[i];
+    state_.position[i] =
+        known ? state_.position[i] + Interval::exactly(*from->second[i] - *to->second[i])
+              : Interval::unknown();
+  }
+}
+
+void Execution::moveAxes() {
+  uint16_t axes = axesOf(dialect_, block_);
+  if (block_.hasAny(dialect_.polarWords)) {
+    if (block_.hasAny(dialect_.elementWords) && llvm::any_of(outcome_.codes, [&](const CodeUse &u) {
+          return info(u).action == Action::DefineElement;
+        }))
+      return; // the element is named, not run
+    axes |= planeAxes(dialect_, state_);
+  }
+  if (actionCode_.word) {
+    const CodeInfo &action = info(actionCode_);
+    switch (action.action) {
+    case Action::Dwell: {
+      Event &event = outcome_.emit(EventKind::Dwell);
+      event.code = actionCode_.code;
+      event.word = block_.findAny(action.takes);
+      if (event.word) {
+        event.value = value(*event.word);
+        if (dialect_.dwellInMilliseconds && event.word->isNumber() && !event.word->has(wordPoint))
+          event.value = event.value * 0.001;
+      }
+      if (dialect_.dwellBesideMove)
+        break;
+      return;
+    }
+    case Action::ReferenceReturn:
+    case Action::ReferenceCheck:
+      referenceReturn(axes, actionCode_);
+      return;
+    case Action::ReferenceFrom:
+      referenceReturn(axes, actionCode_);
+      for (const Word &word : block_.words)
+        if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
+          storeTarget(word, false);
+      state_.clear(Fact::AtMachinePosition);
+      return;
+    case Action::SkipMove: {
+      compensationStep(MotionKind::Skip, axes);
+      Event &event = outcome_.emit(EventKind::Motion);
+      event.motion = MotionKind::Skip;
+      event.axes = axes;
+      event.code = actionCode_.code;
+      for (unsigned i = 0; i < axisCount; ++i)
+        if (axes >> i & 1)
+          state_.position[i] = Interval::unknown();
+      state_.set(Fact::SkipMoveDone);
+      state_.set(Fact::Moved);
+      state_.set(Fact::MovedSincePreset);
+      return;
+    }
+    case Action::LocalShift:
+    case Action::PresetPosition:
+      shiftCoordinates(actionCode_);
+      return;
+    case Action::FrameSet:
+    case Action::FrameAdd:
+    case Action::FrameClear:
+      changeFrame(actionCode_);
+      return;
+    case Action::Pole:
+    case Action::PoleFromPlace:
+    case Action::PoleFromPole:
+      setPole(action.action);
+      return;
+    case Action::PresetClear:
+    case Action::PresetSuspend:
+    case Action::PresetRestore:
+      switchPreset(action.action);
+      break;
+    case Action::ZeroSet:
+    case Action::ZeroHere:
+      setSystem(actionCode_);
+      return;
+    case Action::StorePlace:
+      storePlace(state_, action.storedAt, zeroOf(dialect_, state_).toMachine(known()));
+      break;
+    case Action::LengthSet:
+    case Action::LengthAdd:
+      return;
+    case Action::CurveEnd: {
+      Event &event = outcome_.emit(EventKind::Motion);
+      event.code = actionCode_.code;
+      event.motion = MotionKind::Feed;
+      event.axes = planeAxes(dialect_, state_);
+      moveTo(storedPlace(state_, curvePoint));
+      afterMove(false, event.axes);
+      return;
+    }
+    case Action::DataInput:
+      if (dialect_.zeros.systems) { // the tools' lengths: a later G43 takes them
+        setToolLength();
+        return;
+      }
+      // Offsets may have changed: what was known in work coordinates is no longer.
+      for (unsigned i = 0; i < axisCount; ++i)
+        if (!(state_.machineAxes >> i & 1))
+          state_.position[i] = Interval::unknown();
+      return;
+    case Action::Cycle:
+    case Action::ProfileRun:
+      runCompound(actionCode_);
+      return;
+    case Action::SpeedLimit:
+    case Action::MacroCall:
+    case Action::MacroModal:
+    case Action::RotationOn:
+    case Action::ScalingOn:
+    case Action::MirrorOn:
+    case Action::MirrorOff:
+    case Action::PolygonOn:
+    case Action::ZoneOn:
+      return;
+    default:
+      break;
+    }
+  }
+  if (machineMove_) {
+    if (axes)
+      machineMove(axes);
+    return;
+  }
+  if (motionCode_.word && info(motionCode_).action == Action::Cycle) {
+    startCycle(motionCode_);
+    return;
+  }
+  if ((!motionCode_.word || dialect_.cycleSurvivesMotion) && !cancelled_) {
+    const Truth active = state_.cycleActive(dialect_);
+    if (active != Truth::No) {
+      const CodeIndex cycle = activeCycle();
+      const CodeInfo *code = cycle == noCode ? nullptr : &dialect_.codes[cycle];
+      const bool fires = code && (code->firesOnEveryBlock || (block_.addresses & code->fires) ||
+                                  (code->firesByMotionCode && motionCodeAlone()) ||
+                                  (code->firesInPlane && (axes & planeAxes(dialect_, state_))));
+      if (fires || (!code && axes)) {
+        runCycle(cycle, axes);
+        return;
+      }
+      if (code) {
+        storeCycleWords(false);
+        // Where the holes lie in the plane, a block of the tool axis alone is a plain move.
+        if (!code->firesInPlane || !axes || (axes & planeAxes(dialect_, state_)))
+          return;
+      }
+    }
+  }
+  const GroupIndex group = dialect_.group(StandardGroup::Motion);
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  // An arc by its centre alone is a full circle: it ends where it starts.
+  if (!axes && motion && isArc(motion->action) &&
+      (block_.hasAny(lettersMask("IJK")) || (motionCode_.word && block_.has(dialect_.arcRadius))))
+    axes = planeAxes(dialect_, state_);
+  // A line by its angle alone ends where the next element begins.
+  if (!axes && motion && motion->action == Action::Linear && !block_.words.empty() &&
+      hasAngleWord())
+    axes = planeAxes(dialect_, state_);
+  if (!axes)
+    return;
+  if (motion && isMotion(motion->action) && !motion->places[0].empty()) {
+    // Angle and radius may be letters of further axes, which stand still.
+    const uint16_t tool = bit(toolAxis(dialect_, state_));
+    axes = uint16_t((axes & tool) | (axes & ~tool ? planeAxes(dialect_, state_) : 0));
+  }
+  if (!motion || !isMotion(motion->action)) {
+    moveBy(nullptr, noCode, MotionKind::Rapid, axes);
+    return;
+  }
+  const CodeIndex index =
+      dialect_.groups[group].members[size_t(std::countr_zero(state_.group(group)))];
+  const MotionKind kind = motion->action == Action::Rapid    ? MotionKind::Rapid
+                          : motion->action == Action::ArcCw  ? MotionKind::ArcCw
+                          : motion->action == Action::ArcCcw ? MotionKind::ArcCcw
+                          : motion->action == Action::Thread ? MotionKind::Thread
+                                                             : MotionKind::Feed;
+  for (const CodeUse &use : outcome_.codes) {
+    // An approach or a departure between two elements; a tap, which never goes at rapid.
+    const bool feeds = info(use).action == Action::None;
+    if (info(use).ownMove && (feeds || (isArc(motion->action) && !motionCode_.word)))
+      return moveBy(&info(use), use.code, MotionKind::Feed, axes);
+  }
+  moveBy(motion, motionCode_.word ? motionCode_.code : index, kind, axes);
+}
+
+} // namespace ncvet

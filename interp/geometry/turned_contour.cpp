@@ -1,0 +1,169 @@
+// The contour of a turned part as pieces that rise or fall steadily, and where levels cut it.
+#include "interp/geometry/turned_contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ncvet {
+
+namespace {
+constexpr double tolerance = 1e-7; ///< mm
+constexpr double quarter = std::numbers::pi / 2;
+
+/// Where the move ends; none when a coordinate is not known.
+std::optional<TurnedPoint> endOf(const Move &move, double lengthsOfX) {
+  const Interval &x = move.to[size_t(Axis::X)], &z = move.to[size_t(Axis::Z)];
+  if (!x.isConstant() || !z.isConstant())
+    return std::nullopt;
+  return TurnedPoint{z.value(), x.value() / lengthsOfX};
+}
+} // namespace
+
+TurnedPoint ContourPiece::at(size_t axis, double value) const {
+  const size_t other = 1 - axis;
+  TurnedPoint point;
+  point[axis] = value;
+  if (arc) {
+    const double off = value - centre[axis];
+    point[other] =
+        centre[other] + side[other] * std::sqrt(std::max(0.0, radius * radius - off * off));
+  } else {
+    const double way = to[axis] - from[axis];
+    point[other] = std::fabs(way) < tolerance
+                       ? to[other]
+                       : from[other] + (to[other] - from[other]) * (value - from[axis]) / way;
+  }
+  return point;
+}
+
+TurnedContour::TurnedContour(llvm::ArrayRef<Move> moves, double lengthsOfX) {
+  if (moves.empty())
+    return;
+  auto from = endOf(moves.front(), lengthsOfX);
+  for (const Move &move : moves.drop_front()) {
+    const auto to = endOf(move, lengthsOfX);
+    if (!from || !to)
+      return;
+    const size_t before = pieces_.size();
+    add(*from, move, lengthsOfX);
+    if (move.kind == MoveKind::Arc && pieces_.size() == before)
+      return; // its centre is not known
+    from = to;
+  }
+  known_ = !pieces_.empty();
+}
+
+void TurnedContour::add(const TurnedPoint &from, const Move &move, double lengthsOfX) {
+  const TurnedPoint to = *endOf(move, lengthsOfX);
+  if (move.kind == MoveKind::Arc)
+    return addArc(from, to, move, lengthsOfX);
+  ContourPiece &piece = pieces_.emplace_back();
+  piece.from = from;
+  piece.to = to;
+}
+
+void TurnedContour::addArc(const TurnedPoint &from, const TurnedPoint &to, const Move &move,
+                           double lengthsOfX) {
+  const bool swapped = move.plane[0] == Axis::X && move.plane[1] == Axis::Z;
+  const bool turned = move.plane[0] == Axis::Z && move.plane[1] == Axis::X;
+  const Interval &z = move.centre[swapped ? 1 : 0], &x = move.centre[swapped ? 0 : 1];
+  if ((!swapped && !turned) || !z.isConstant() || !x.isConstant() || !move.turns.isConstant() ||
+      move.turns.value() > 1)
+    return;
+  const TurnedPoint centre{z.value(), x.value() / lengthsOfX};
+  const double radius = std::hypot(from[0] - centre[0], from[1] - centre[1]);
+  const bool clockwise = move.clockwise != swapped;
+  const double begin = std::atan2(from[1] - centre[1], from[0] - centre[0]);
+  const double sign = clockwise ? -1 : 1;
+  const double end = begin + sign * move.turns.value() * 2 * std::numbers::pi;
+  constexpr double sameAngle = 1e-9;
+  double angle = begin;
+  TurnedPoint at = from;
+  while ((end - angle) * sign > sameAngle) {
+    const double count = std::floor(angle / quarter * sign + 1 + sameAngle);
+    double next = count * quarter * sign;
+    const bool last = (next - end) * sign > -sameAngle;
+    if (last)
+      next = end;
+    ContourPiece &piece = pieces_.emplace_back();
+    piece.from = at;
+    piece.to = last ? to
+                    : TurnedPoint{centre[0] + radius * std::cos(next),
+                                  centre[1] + radius * std::sin(next)};
+    piece.arc = true;
+    piece.centre = centre;
+    piece.radius = radius;
+    const double middle = (angle + next) / 2;
+    piece.side = {std::cos(middle) < 0 ? -1.0 : 1.0, std::sin(middle) < 0 ? -1.0 : 1.0};
+    piece.clockwise = clockwise;
+    at = piece.to;
+    angle = next;
+  }
+}
+
+bool TurnedContour::isSteady(size_t axis) const {
+  double sign = 0;
+  for (const ContourPiece &piece : pieces_) {
+    const double way = piece.to[axis] - piece.from[axis];
+    if (std::fabs(way) < tolerance)
+      continue;
+    if (sign * way < 0)
+      return false;
+    sign = way;
+  }
+  return true;
+}
+
+TurnedContour::Part TurnedContour::whole() const {
+  return {first(), last(), 0, pieces_.size() - 1, true, true};
+}
+
+llvm::SmallVector<TurnedContour::Part, 4>
+TurnedContour::beyond(size_t axis, double level, double sign, const Part *within) const {
+  const Part all = within ? *within : whole();
+  llvm::SmallVector<Part, 4> parts;
+  const auto depth = [&](const TurnedPoint &point) { return (point[axis] - level) * sign; };
+  bool open = depth(all.from) >= -tolerance;
+  if (open)
+    parts.push_back({all.from, all.from, all.firstPiece, all.firstPiece, all.fromBegin, false});
+  for (size_t i = all.firstPiece; i <= all.lastPiece; ++i) {
+    const TurnedPoint to = i == all.lastPiece ? all.to : pieces_[i].to;
+    const bool deep = depth(to) >= -tolerance;
+    if (deep != open) {
+      const TurnedPoint crossing = pieces_[i].at(axis, level);
+      if (deep)
+        parts.push_back({crossing, crossing, i, i, false, false});
+      parts.back().to = crossing;
+      parts.back().lastPiece = i;
+      open = deep;
+    }
+  }
+  if (open) {
+    parts.back().to = all.to;
+    parts.back().lastPiece = all.lastPiece;
+    parts.back().toEnd = all.toEnd;
+  }
+  return parts;
+}
+
+double TurnedContour::farthest(size_t axis, double sign, const Part &part) const {
+  double result = part.from[axis];
+  const auto take = [&](double value) {
+    if ((value - result) * sign > 0)
+      result = value;
+  };
+  for (size_t i = part.firstPiece; i < part.lastPiece; ++i)
+    take(pieces_[i].to[axis]);
+  take(part.to[axis]);
+  return result;
+}
+
+void TurnedContour::shift(const TurnedPoint &by) {
+  for (ContourPiece &piece : pieces_)
+    for (TurnedPoint *point : {&piece.from, &piece.to, &piece.centre})
+      for (size_t i = 0; i < 2; ++i)
+        (*point)[i] += by[i];
+}
+
+} // namespace ncvet

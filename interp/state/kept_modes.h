@@ -1,0 +1,18 @@
+// Modes that a program keeps, to bring them back later: M70 to M73 of LinuxCNC.
+#pragma once
+
+#include "interp/state/state.h"
+
+namespace ncvet {
+
+/// What is kept of `state` (LinuxCNC 2.9, section 11.6.19).
+SavedModes keepModes(const Dialect &dialect, const MachineState &state);
+
+/// Brings the modes back. The motion and the cycle stay what they are, and so does the tool: it
+/// gets other coordinates where the zero point becomes another one.
+void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &saved);
+
+SavedModes join(const SavedModes &a, const SavedModes &b);
+uint64_t hash(const SavedModes &saved);
+
+} // namespace ncvet

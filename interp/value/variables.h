@@ -1,0 +1,70 @@
+// The variables of a macro program: a small map that is cheap to copy.
+#pragma once
+
+#include "interp/value/value.h"
+
+#include "llvm/ADT/IntrusiveRefCntPtr.h"
+#include "llvm/ADT/STLExtras.h"
+
+#include <vector>
+
+namespace ncvet {
+
+/// Map from a variable's key (its number, or `variableKey`) to its value. Copies share their
+/// storage until one of them is written to. What is not in the map has the value that `fallback`
+/// says, and was not given one by the program, unless everything has been forgotten.
+class Variables {
+public:
+  explicit Variables(Value fallback = Value::unknown()) : fallback_(fallback) {}
+
+  Value get(uint64_t key) const;
+  /// Whether the program has given it a value: unknown where only some ways lead past an assignment
+  /// and where everything has been forgotten.
+  Truth given(uint64_t key) const;
+  void set(uint64_t key, const Value &value);
+  /// From here on the program has given it no value.
+  void erase(uint64_t key);
+  /// Forgets everything: all variables unknown, and any of them may have been given a value.
+  void forget();
+  bool empty() const;
+
+  static Variables join(const Variables &a, const Variables &b);
+  static Variables widen(const Variables &previous, const Variables &next);
+  friend bool operator==(const Variables &a, const Variables &b);
+  uint64_t hash() const;
+
+private:
+  struct Entry {
+    uint64_t number;
+    Value value;
+    Truth given = Truth::Yes;
+  };
+  struct Data {
+    std::vector<Entry> entries; ///< sorted by number
+    mutable unsigned users = 0;
+
+    Data() = default;
+    Data(const Data &other) : entries(other.entries) {}
+    void Retain() const { ++users; }
+    void Release() const {
+      if (--users == 0)
+        delete this;
+    }
+  };
+  template <typename Combine>
+  static Variables merge(const Variables &a, const Variables &b, Combine combine);
+
+  const Entry *find(uint64_t key) const;
+  /// What an entry says of a variable, or the rest does when there is none.
+  Entry entryOf(uint64_t key) const;
+  /// The entries, shared with no other map.
+  std::vector<Entry> &own();
+  void write(const Entry &entry);
+  static bool before(const Entry &entry, uint64_t key);
+
+  llvm::IntrusiveRefCntPtr<Data> data_;
+  Value fallback_;
+  Truth othersGiven_ = Truth::No; ///< of variables without an entry; No or Unknown
+};
+
+} // namespace ncvet
