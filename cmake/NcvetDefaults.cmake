@@ -15,6 +15,8 @@ if(NCVET_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_SOURCE_DIR}/cmake/cached.sh)
 endif()
 
+include(NcvetBatches)
+
 option(NCVET_SANITIZE "Build with address and undefined-behaviour sanitizer" OFF)
 option(NCVET_FUZZ "Build the libFuzzer targets (clang only)" OFF)
 
@@ -27,7 +29,9 @@ if(NCVET_FUZZ)
 endif()
 
 function(ncvet_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Werror)
+  # In a batch a local name may hide one of another file.
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
+                         $<IF:$<BOOL:${NCVET_BATCHES}>,-Wshadow=local,-Wshadow> -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 warns of its own string concatenation (GCC bug 105329), and of LLVM's formatting of
     # whole numbers, which does not use the variable in question.

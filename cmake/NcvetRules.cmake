@@ -9,7 +9,10 @@ add_custom_command(
           -P ${CMAKE_SOURCE_DIR}/cmake/RuleTable.cmake
   DEPENDS ${rule_pages} ${CMAKE_SOURCE_DIR}/cmake/RuleTable.cmake
   VERBATIM)
-add_library(ncvet_rules STATIC ${rule_sources} ${rule_table})
+ncvet_batched(rule_batches ncvet_rules 20 ${rule_sources})
+add_library(ncvet_rules STATIC ${rule_batches} ${rule_table})
 target_link_libraries(ncvet_rules PUBLIC ncvet_analyzer)
-target_precompile_headers(ncvet_rules PRIVATE ${CMAKE_SOURCE_DIR}/analyzer/rule/rule.h)
+if(NOT NCVET_BATCHES)
+  target_precompile_headers(ncvet_rules PRIVATE ${CMAKE_SOURCE_DIR}/analyzer/rule/rule.h)
+endif()
 ncvet_warnings(ncvet_rules)

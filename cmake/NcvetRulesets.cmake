@@ -12,7 +12,7 @@ add_custom_command(
 target_sources(ncvet_dialect PRIVATE ${ruleset_table})
 
 # ncvet_schema writes the schemas and the reference of the tables: ./dev schema.
-ncvet_layer(ncvet_schemas formats/schema ncvet_dialect nlohmann_json::nlohmann_json)
+ncvet_layer(ncvet_schemas formats/schema 8 ncvet_dialect nlohmann_json::nlohmann_json)
 add_executable(ncvet_schema EXCLUDE_FROM_ALL ${CMAKE_SOURCE_DIR}/formats/schema/tool/main.cpp)
 target_link_libraries(ncvet_schema PRIVATE ncvet_schemas)
 ncvet_warnings(ncvet_schema)

@@ -14,4 +14,6 @@ case $1 in
   esac
   ;;
 esac
-CCACHE_SLOPPINESS=pch_defines,time_macros exec ccache "$@"
+# Paths below the top are hashed as relative ones: clones and work trees share what they compile.
+top=$(cd "$(dirname "$0")/.." && pwd)
+CCACHE_BASEDIR=$top CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros exec ccache "$@"

@@ -1,9 +1,9 @@
 // Baseline: a JSON file of fingerprints, read and written.
 #include "analyzer/check/baseline.h"
 
-#include "formats/text/failure.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/finding/fingerprint.h"
+#include "formats/text/failure.h"
 
 #include "llvm/Support/MemoryBuffer.h"
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 // Checker: setup, analysis, suppression and naming of findings for one file.
 #include "analyzer/check/checker.h"
 
-#include "analyzer/program/block_reading.h"
 #include "analyzer/check/contour_report.h"
-#include "analyzer/check/foreign_text.h"
 #include "analyzer/check/fold_repeats.h"
+#include "analyzer/check/foreign_text.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/finding/fingerprint.h"
 
 #include <cmath>

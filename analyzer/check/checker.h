@@ -1,8 +1,8 @@
 // Checker: one file from its setup to its findings, with suppressions and what names a finding.
 #pragma once
 
-#include "analyzer/setup/session.h"
 #include "analyzer/reuse/run_cache.h"
+#include "analyzer/setup/session.h"
 
 namespace ncvet {
 

@@ -2,8 +2,8 @@
 #include "analyzer/cli/check.h"
 
 #include "analyzer/check/baseline.h"
-#include "analyzer/cli/progress.h"
 #include "analyzer/check/fix.h"
+#include "analyzer/cli/progress.h"
 #include "analyzer/setup/input_files.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report.h"

@@ -1,9 +1,9 @@
 // Options of `ncvet check`: their declaration, and what they may be.
 #include "analyzer/cli/check_options.h"
 
-#include "formats/text/failure.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/reports/report.h"
+#include "formats/text/failure.h"
 
 #include "llvm/Support/Process.h"
 

@@ -1,7 +1,7 @@
 // `ncvet dialects`: the controls that are known, and the check of a table of one's own.
 #include "analyzer/cli/explain.h"
-#include "formats/text/failure.h"
 #include "analyzer/setup/session.h"
+#include "formats/text/failure.h"
 
 #include "llvm/Support/Format.h"
 #include "llvm/Support/Regex.h"

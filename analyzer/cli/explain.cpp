@@ -1,9 +1,9 @@
 // `ncvet explain RULE`: the page of a rule.
 #include "analyzer/cli/explain.h"
 
-#include "analyzer/setup/config.h"
 #include "analyzer/rule/rule_page.h"
 #include "analyzer/rule/rule_settings.h"
+#include "analyzer/setup/config.h"
 #include "formats/dialect/loader.h"
 
 #include "llvm/Support/FileSystem.h"

@@ -1,8 +1,8 @@
 // `ncvet trace`: the motions of a program, one JSON object a line.
 #include "analyzer/cli/trace.h"
 
-#include "analyzer/setup/session.h"
 #include "analyzer/flow/trace.h"
+#include "analyzer/setup/session.h"
 
 #include "llvm/Support/raw_ostream.h"
 #include <nlohmann/json.hpp>

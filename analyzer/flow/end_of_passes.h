@@ -1,8 +1,8 @@
 // Where a cycle leaves the tool that makes passes along a turned contour.
 #pragma once
 
-#include "analyzer/flow/flow_listener.h"
 #include "analyzer/flow/cycle_contour.h"
+#include "analyzer/flow/flow_listener.h"
 
 namespace ncvet {
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "analyzer/flow/flow_listener.h"
-#include "analyzer/rule/dispatch.h"
-#include "analyzer/program/flow_shape.h"
 #include "analyzer/flow/states_at_block.h"
+#include "analyzer/program/flow_shape.h"
 #include "analyzer/reuse/run_cache.h"
+#include "analyzer/rule/dispatch.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/DenseSet.h"

@@ -1,6 +1,6 @@
 // Runs what a block calls: subprograms, macros, sections that are repeated, turning profiles.
-#include "analyzer/flow/engine.h"
 #include "analyzer/flow/end_of_passes.h"
+#include "analyzer/flow/engine.h"
 #include "formats/dialect/measure.h"
 #include "interp/evaluate/expression.h"
 #include "interp/state/kept_modes.h"

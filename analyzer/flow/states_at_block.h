@@ -1,7 +1,7 @@
 // The machine's states at one block, on all ways that lead there.
 #pragma once
 
-#include "analyzer/check/analyze.h"
+#include "analyzer/flow/analyze.h"
 
 namespace ncvet {
 

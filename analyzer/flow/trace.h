@@ -1,7 +1,7 @@
 // The motions that a program makes, from its first block to its end.
 #pragma once
 
-#include "analyzer/check/analyze.h"
+#include "analyzer/flow/analyze.h"
 #include "interp/state/move.h"
 
 namespace ncvet {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/program/file_scan.h"
-#include "analyzer/check/suppress.h"
+#include "analyzer/program/suppress.h"
 #include "formats/readers/reader.h"
 #include "formats/text/source.h"
 

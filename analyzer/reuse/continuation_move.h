@@ -1,8 +1,8 @@
 // Blocks that only go on as the block before.
 #pragma once
 
-#include "interp/state/event.h"
 #include "interp/execute/execute.h"
+#include "interp/state/event.h"
 
 namespace ncvet {
 

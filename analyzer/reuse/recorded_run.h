@@ -1,9 +1,9 @@
 // A run of plain blocks that an earlier analysis of almost the same text has followed.
 #pragma once
 
+#include "analyzer/program/span_store.h"
 #include "analyzer/reuse/continuation_move.h"
 #include "analyzer/rule/rule.h"
-#include "analyzer/program/span_store.h"
 
 namespace ncvet {
 

@@ -1,8 +1,8 @@
 // Records runs of runs, so that a long text is taken over in few steps.
 #pragma once
 
-#include "analyzer/reuse/run_recording.h"
 #include "analyzer/reuse/run_cache.h"
+#include "analyzer/reuse/run_recording.h"
 
 namespace ncvet {
 

@@ -1,9 +1,9 @@
 // Records runs of plain blocks while a program is followed, and finds those that are known already.
 #pragma once
 
+#include "analyzer/reuse/run_chains.h"
 #include "analyzer/rule/collector.h"
 #include "analyzer/rule/dispatch.h"
-#include "analyzer/reuse/run_chains.h"
 
 namespace ncvet {
 

@@ -1,6 +1,8 @@
 // Collects findings while programs run: one per rule and place, with the shortest path to it.
 #include "analyzer/rule/collector.h"
 
+#include "analyzer/rule/rule.h"
+
 #include "llvm/ADT/StringSet.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // Collects findings while programs run: one per rule and place, with the shortest path to it.
 #pragma once
 
-#include "analyzer/check/analyze.h"
+#include "analyzer/rule/selection.h"
 #include "formats/finding/finding.h"
+#include "formats/text/source_set.h"
 
 #include <deque>
 #include <unordered_map>

@@ -1,8 +1,9 @@
 // Hands the events of a block to the rules that listen for them.
 #pragma once
 
-#include "analyzer/rule/collector.h"
 #include "analyzer/program/project.h"
+#include "analyzer/rule/collector.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 

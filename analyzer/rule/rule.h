@@ -5,8 +5,8 @@
 #include "analyzer/rule/rule_memory.h"
 #include "formats/finding/finding.h"
 #include "interp/evaluate/condition.h"
-#include "interp/state/event.h"
 #include "interp/execute/execute.h"
+#include "interp/state/event.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/FormatVariadic.h"

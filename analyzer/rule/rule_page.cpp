@@ -7,9 +7,9 @@ namespace ncvet {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using PageJson = nlohmann::ordered_json;
 
-std::optional<double> numberOf(const Json &object, const char *key) {
+std::optional<double> numberOf(const PageJson &object, const char *key) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_number())
     return std::nullopt;
@@ -26,11 +26,11 @@ RulePage readRulePage(const RuleInfo &info) {
     std::tie(head, page.body) = page.body.split("\n```\n");
     page.body = page.body.ltrim("\n");
   }
-  const Json json = Json::parse(head.begin(), head.end(), nullptr, false);
+  const PageJson json = PageJson::parse(head.begin(), head.end(), nullptr, false);
   if (!json.is_object())
     return page;
   if (const auto dialects = json.find("dialects"); dialects != json.end() && dialects->is_array())
-    for (const Json &id : *dialects)
+    for (const PageJson &id : *dialects)
       if (id.is_string())
         page.dialects.push_back(id.get<std::string>());
   if (const auto repeated = json.find("repeated"); repeated != json.end())

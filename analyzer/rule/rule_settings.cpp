@@ -1,9 +1,10 @@
 // Rule settings: names of rules and categories resolved, layers applied one over the other.
 #include "analyzer/rule/rule_settings.h"
 
-#include "formats/text/failure.h"
+#include "analyzer/rule/rule.h"
 #include "analyzer/rule/rule_page.h"
 #include "formats/dialect/json_reader.h"
+#include "formats/text/failure.h"
 
 #include "llvm/ADT/StringExtras.h"
 

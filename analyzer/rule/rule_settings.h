@@ -1,7 +1,7 @@
 // Rule settings: layers of choices, from a profile to the command line, and what comes of them.
 #pragma once
 
-#include "analyzer/check/analyze.h"
+#include "analyzer/rule/selection.h"
 
 #include "llvm/Support/Error.h"
 

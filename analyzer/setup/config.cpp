@@ -1,9 +1,9 @@
 // Configuration: reading `.ncvet.json` and profiles, with errors that name the line.
 #include "analyzer/setup/config.h"
 
-#include "formats/text/failure.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/dialect/ruleset_files.h"
+#include "formats/text/failure.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/GlobPattern.h"

@@ -1,8 +1,8 @@
 // Detection of the dialect: the marks of the tables, counted over the first blocks of a program.
 #include "analyzer/setup/detect.h"
 
-#include "formats/text/failure.h"
 #include "formats/dialect/dialect_builder.h"
+#include "formats/text/failure.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Path.h"

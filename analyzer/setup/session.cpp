@@ -2,8 +2,8 @@
 // them.
 #include "analyzer/setup/session.h"
 
-#include "formats/text/failure.h"
 #include "formats/dialect/json_reader.h"
+#include "formats/text/failure.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"

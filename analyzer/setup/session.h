@@ -1,11 +1,11 @@
 // A session: everything that must be known before a file is checked, found once and shared.
 #pragma once
 
-#include "analyzer/check/analyze.h"
+#include "analyzer/flow/analyze.h"
+#include "analyzer/program/project.h"
 #include "analyzer/setup/config.h"
 #include "analyzer/setup/detect.h"
 #include "formats/text/failure.h"
-#include "analyzer/program/project.h"
 
 #include <mutex>
 

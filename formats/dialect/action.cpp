@@ -4,22 +4,22 @@
 namespace ncvet {
 
 namespace {
-constexpr llvm::StringLiteral names[] = {
+constexpr llvm::StringLiteral spellings[] = {
 #define X(name, text) text,
     NCVET_ACTIONS(X)
 #undef X
 };
 } // namespace
 
-llvm::StringRef toString(Action action) { return names[unsigned(action)]; }
+llvm::StringRef toString(Action action) { return spellings[unsigned(action)]; }
 
 std::optional<Action> parseAction(llvm::StringRef text) {
-  for (size_t index = 0; index < std::size(names); ++index)
-    if (names[index] == text)
+  for (size_t index = 0; index < std::size(spellings); ++index)
+    if (spellings[index] == text)
       return Action(index);
   return std::nullopt;
 }
 
-llvm::ArrayRef<llvm::StringLiteral> actionNames() { return names; }
+llvm::ArrayRef<llvm::StringLiteral> actionNames() { return spellings; }
 
 } // namespace ncvet

@@ -10,7 +10,7 @@ namespace ncvet {
 namespace {
 
 /// A table's formula is short; deeper nesting is a mistake.
-constexpr unsigned maxDepth = 32;
+constexpr unsigned maxNesting = 32;
 
 class FormulaParser {
 public:
@@ -70,7 +70,7 @@ private:
     return true;
   }
   bool negation(unsigned depth) {
-    if (depth > maxDepth)
+    if (depth > maxNesting)
       return fail("nests too deep");
     if (!takeWord("not"))
       return comparison(depth);
@@ -182,7 +182,7 @@ private:
     }
   }
   bool operand(unsigned depth) {
-    if (depth > maxDepth)
+    if (depth > maxNesting)
       return fail("nests too deep");
     if (take("-")) {
       if (!operand(depth + 1))

@@ -11,12 +11,12 @@ using namespace shape;
 constexpr llvm::StringLiteral yesNo[] = {"Y", "N"};
 constexpr llvm::StringLiteral centres[] = {"absolute", "incremental", "by-mode"};
 constexpr llvm::StringLiteral codeSets[] = {"A", "B", "C"};
-constexpr llvm::StringLiteral points[] = {"any", "required", "calculator", "increment"};
+constexpr llvm::StringLiteral pointChoices[] = {"any", "required", "calculator", "increment"};
 constexpr llvm::StringLiteral entries[] = {"next", "across"};
 constexpr llvm::StringLiteral compensationTools[] = {"of-block"};
 constexpr llvm::StringLiteral corners[] = {"arc", "arc-of-next", "lines"};
 constexpr llvm::StringLiteral measurings[] = {"A", "B"};
-constexpr llvm::StringLiteral units[] = {"inch", "mm"};
+constexpr llvm::StringLiteral unitChoices[] = {"inch", "mm"};
 constexpr llvm::StringLiteral controls[] = {"840D", "840D sl", "828D", "810D", "802D", "808D"};
 
 template <const auto &List>
@@ -26,14 +26,14 @@ Names namesOf() {
 template <const auto &List>
 constexpr Shape oneOf = name("value", namesOf<List>);
 
-constexpr Shape aText = text;
+constexpr Shape someText = text;
 
 constexpr Field optionFields[] = {
     elsewhere("agap", oneOf<yesNo>, "the control's AGAP setting", "\"Y\""),
     elsewhere("arcCentres", oneOf<centres>, "meaning of I, J, K", "\"incremental\""),
-    elsewhere("arcMacroPlanes", mapOf(aText), "planes of the arc macros, by name",
+    elsewhere("arcMacroPlanes", mapOf(someText), "planes of the arc macros, by name",
               R"({"ARC1": "XY"})"),
-    elsewhere("arcWords", listOf(aText), "centre words of the arc macros", R"(["I", "J"])"),
+    elsewhere("arcWords", listOf(someText), "centre words of the arc macros", R"(["I", "J"])"),
     elsewhere("automaticDoor", boolean, "the option for M85 and M86", "true"),
     elsewhere("clampedAxes", text, "axes that M10 clamps", "\"C\""),
     elsewhere("codeSet", oneOf<codeSets>,
@@ -51,7 +51,7 @@ constexpr Field optionFields[] = {
               "\"of-block\""),
     elsewhere("control", oneOf<controls>, "which control of the family", "\"802D\""),
     elsewhere("courseProfile", boolean, "the stricter rules of a school course", "true"),
-    elsewhere("decimalPoint", oneOf<points>, "how a number without a point is read",
+    elsewhere("decimalPoint", oneOf<pointChoices>, "how a number without a point is read",
               "\"calculator\""),
     elsewhere("dialogFolder", text,
               "folder of the pages of the dialogs, with the separator at its end"),
@@ -62,7 +62,7 @@ constexpr Field optionFields[] = {
               "\"Drill1.html=DRILL1\""),
     elsewhere("drillAxis", text, "letter of the axis along which cycles drill; only Z is followed",
               "\"Z\""),
-    elsewhere("drillParts", mapOf(aText), "names of drill parts with their cycle",
+    elsewhere("drillParts", mapOf(someText), "names of drill parts with their cycle",
               R"({"DRILL1": "G83"})"),
     elsewhere("gearbox", boolean, "M40 to M45 exist", "false"),
     elsewhere("highPressureCoolant", boolean, "the option for M88 and M89", "true"),
@@ -103,7 +103,7 @@ constexpr Field optionFields[] = {
               "100"),
     elsewhere("toolMeasuring", oneOf<measurings>, "how tools are measured", "\"A\""),
     elsewhere("twoAxisHead", boolean, "a two-axis head is fitted", "true"),
-    elsewhere("unitsG70", oneOf<units>, "meaning of G70", "\"inch\""),
+    elsewhere("unitsG70", oneOf<unitChoices>, "meaning of G70", "\"inch\""),
     elsewhere("userFunctions", boolean, "the option for M51 to M68 and M121 to M128", "true"),
     elsewhere("zeroOnSurface", boolean, "Z0 is on the part's surface", "true"),
 };

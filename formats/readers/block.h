@@ -318,6 +318,11 @@ struct Block {
   llvm::SmallVector<ExpressionOp, 16> operations;
   llvm::SmallVector<Comment, 2> comments;
   llvm::SmallVector<SyntaxIssue, 2> issues;
+  /// Whether an earlier issue of the block is of the same kind: one report is enough.
+  bool repeatsIssue(size_t index) const {
+    return llvm::any_of(llvm::makeArrayRef(issues).take_front(index),
+                        [&](const SyntaxIssue &other) { return other.kind == issues[index].kind; });
+  }
 
   void clear();
   bool has(AddressId address) const { return addresses & maskOf(address); }

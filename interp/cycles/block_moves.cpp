@@ -1,13 +1,14 @@
 // The motions that one executed block makes.
 #include "interp/cycles/block_moves.h"
 
-#include "interp/geometry/arc.h"
-#include "interp/evaluate/condition.h"
-#include "interp/geometry/contour_element.h"
 #include "interp/cycles/cycle_moves.h"
+#include "interp/evaluate/condition.h"
 #include "interp/evaluate/cycle_parameters.h"
-#include "interp/execute/execute.h"
 #include "interp/evaluate/expression.h"
+#include "interp/execute/execute.h"
+#include "interp/geometry/arc.h"
+#include "interp/geometry/contour_element.h"
+#include "interp/value/units.h"
 
 #include <cmath>
 #include <numbers>
@@ -16,7 +17,6 @@ namespace ncvet {
 
 namespace {
 
-constexpr double millimetresPerInch = 25.4;
 /// Ends of a circle that are closer than this (mm) are one point.
 constexpr double samePoint = 1e-6;
 

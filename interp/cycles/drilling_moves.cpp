@@ -1,7 +1,7 @@
 // The motions of cycles that make holes, by the shape that the table gives each.
 #include "interp/cycles/cycle_moves.h"
-#include "interp/evaluate/cycle_parameters.h"
 #include "interp/cycles/cycle_writer.h"
+#include "interp/evaluate/cycle_parameters.h"
 #include "interp/evaluate/formula.h"
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // apart.
 #pragma once
 
-#include "interp/evaluate/cycle_parameters.h"
 #include "interp/cycles/cycle_writer.h"
+#include "interp/evaluate/cycle_parameters.h"
 #include "interp/evaluate/tool_data.h"
 
 namespace ncvet {

@@ -1,8 +1,8 @@
 // The motions of a cycle that threads from place to place: at each depth once along all of them.
 #include "interp/cycles/cycle_moves.h"
 #include "interp/cycles/cycle_writer.h"
-#include "interp/evaluate/formula.h"
 #include "interp/cycles/thread_depths.h"
+#include "interp/evaluate/formula.h"
 
 namespace ncvet {
 

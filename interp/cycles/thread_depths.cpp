@@ -6,8 +6,8 @@
 namespace ncvet {
 
 namespace {
-constexpr unsigned mostPasses = 10000; ///< more are an error that rules report
-constexpr double tolerance = 1e-9;     ///< mm
+constexpr unsigned mostThreadPasses = 10000; ///< more are an error that rules report
+constexpr double passTolerance = 1e-9;       ///< mm
 
 std::optional<double> known(const std::optional<Interval> &value) {
   return value && value->isConstant() ? std::optional(value->value()) : std::nullopt;
@@ -30,13 +30,13 @@ llvm::SmallVector<double, 32> threadDepths(const CycleParameters &parameters) {
   const double rest = last ? std::fabs(last->value()) : 0, rough = *height - rest;
   const bool constant = knownOr(parameters, Measure::ConstantDepth, 0) != 0;
   double depth = 0;
-  for (unsigned n = 1; n <= mostPasses && rough - depth > tolerance; ++n) {
+  for (unsigned n = 1; n <= mostThreadPasses && rough - depth > passTolerance; ++n) {
     const double next = constant ? n * *first : *first * std::sqrt(double(n));
     depth = std::min(rough, std::max(next, depth + (least ? std::fabs(least->value()) : 0)));
     list.push_back(depth);
   }
   const double finishing = knownOr(parameters, Measure::FinishPasses, rest > 0 ? 1 : 0);
-  for (double n = 0; n < finishing && list.size() < mostPasses; ++n)
+  for (double n = 0; n < finishing && list.size() < mostThreadPasses; ++n)
     list.push_back(*height);
   return list;
 }

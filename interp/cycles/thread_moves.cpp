@@ -1,8 +1,8 @@
 // The passes of thread cycles, one behind the other down to the depth of the thread.
 #include "interp/cycles/cycle_moves.h"
-#include "interp/evaluate/cycle_parameters.h"
 #include "interp/cycles/cycle_writer.h"
 #include "interp/cycles/thread_depths.h"
+#include "interp/evaluate/cycle_parameters.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // The motions of turning cycles: single passes, and grooves.
 #include "interp/cycles/cycle_moves.h"
-#include "interp/evaluate/cycle_parameters.h"
 #include "interp/cycles/cycle_writer.h"
+#include "interp/evaluate/cycle_parameters.h"
 
 #include <cmath>
 

@@ -3,14 +3,13 @@
 
 #include "interp/evaluate/cycle_words.h"
 #include "interp/evaluate/formula.h"
+#include "interp/value/units.h"
 
 #include <cmath>
 
 namespace ncvet {
 
-namespace {
-constexpr double millimetresPerInch = 25.4;
-} // namespace
+namespace {} // namespace
 
 CycleParameters::CycleParameters(const ExecutedBlock &executed, const CodeInfo &cycle)
     : executed_(executed), cycle_(cycle) {}

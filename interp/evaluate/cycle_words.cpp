@@ -3,15 +3,15 @@
 
 #include "formats/dialect/measure.h"
 #include "interp/evaluate/condition.h"
-#include "interp/execute/execute.h"
 #include "interp/evaluate/expression.h"
+#include "interp/execute/execute.h"
+#include "interp/value/units.h"
 
 #include <cmath>
 
 namespace ncvet {
 
 namespace {
-constexpr double millimetresPerInch = 25.4;
 
 bool isLength(Role role) {
   switch (role) {

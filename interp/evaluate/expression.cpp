@@ -1,6 +1,8 @@
 // Evaluates expressions of the program on abstract values.
 #include "interp/evaluate/expression.h"
 
+#include "interp/value/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -379,7 +381,6 @@ Value coordinateOf(const MachineState &state, size_t axis) {
   const uint64_t set = state.ranges.units == noGroup ? groupUnset : state.group(state.ranges.units);
   if (!isLength || !(set & state.ranges.inch))
     return Value::of(place.value());
-  constexpr double millimetresPerInch = 25.4;
   return set & ~state.ranges.inch ? Value::unknown()
                                   : Value::of(place.value() / millimetresPerInch);
 }

@@ -2,9 +2,9 @@
 #include "interp/evaluate/formula.h"
 
 #include "formats/dialect/variable_key.h"
-#include "interp/execute/execute.h"
 #include "interp/evaluate/expression.h"
 #include "interp/evaluate/tool_data.h"
+#include "interp/execute/execute.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 /// Numbers that the table's writer means to be equal differ by rounding at most.
 constexpr double tolerance = 1e-9;
 
-Interval fromTruth(Truth truth) {
+Interval numberOf(Truth truth) {
   return truth == Truth::Unknown ? Interval{0, 1} : Interval::exactly(truth == Truth::Yes);
 }
 
@@ -41,9 +41,9 @@ Interval absolute(const Interval &x) {
   return {0, std::max(-x.lo, x.hi)};
 }
 
-class Evaluator {
+class FormulaEvaluator {
 public:
-  Evaluator(const CodeInfo &code, const ConditionContext &context)
+  FormulaEvaluator(const CodeInfo &code, const ConditionContext &context)
       : code_(code), context_(context) {}
 
   Interval run(const Formula &formula) {
@@ -148,7 +148,7 @@ private:
     case FormulaOp::Address:
       return push(address(step.index).value_or(Interval::unknown()));
     case FormulaOp::Given:
-      return push(fromTruth(given(code_.words[step.index])));
+      return push(numberOf(given(code_.words[step.index])));
     case FormulaOp::GivenAddress:
       return push(Interval::exactly(address(step.index).has_value()));
     case FormulaOp::Variable: {
@@ -156,7 +156,7 @@ private:
       return push(value.kind == Value::Kind::Number ? value.number : Interval::unknown());
     }
     case FormulaOp::GivenVariable:
-      return push(fromTruth(given(uint64_t(step.number))));
+      return push(numberOf(given(uint64_t(step.number))));
     case FormulaOp::ToolRadius:
       return push(tool());
     case FormulaOp::Tool:
@@ -236,7 +236,7 @@ private:
     case FormulaOp::Absolute:
       return push(absolute(pop()));
     case FormulaOp::Not:
-      return push(fromTruth(negated(toTruth(pop()))));
+      return push(numberOf(negated(toTruth(pop()))));
     default:
       break;
     }
@@ -261,25 +261,25 @@ private:
     case FormulaOp::Maximum:
       return push({std::max(a.lo, b.lo), std::max(a.hi, b.hi)});
     case FormulaOp::Less:
-      return push(fromTruth(answer(a.hi < b.lo - tolerance, a.lo >= b.hi - tolerance)));
+      return push(numberOf(answer(a.hi < b.lo - tolerance, a.lo >= b.hi - tolerance)));
     case FormulaOp::LessEqual:
-      return push(fromTruth(answer(a.hi <= b.lo + tolerance, a.lo > b.hi + tolerance)));
+      return push(numberOf(answer(a.hi <= b.lo + tolerance, a.lo > b.hi + tolerance)));
     case FormulaOp::Equal:
     case FormulaOp::NotEqual: {
       const bool apart = a.hi < b.lo - tolerance || b.hi < a.lo - tolerance;
       const bool same = a.isConstant() && b.isConstant() && !apart;
       return push(
-          fromTruth(step.op == FormulaOp::Equal ? answer(same, apart) : answer(apart, same)));
+          numberOf(step.op == FormulaOp::Equal ? answer(same, apart) : answer(apart, same)));
     }
     case FormulaOp::And: {
       const Truth x = toTruth(a), y = toTruth(b);
       return push(
-          fromTruth(answer(x == Truth::Yes && y == Truth::Yes, x == Truth::No || y == Truth::No)));
+          numberOf(answer(x == Truth::Yes && y == Truth::Yes, x == Truth::No || y == Truth::No)));
     }
     case FormulaOp::Or: {
       const Truth x = toTruth(a), y = toTruth(b);
       return push(
-          fromTruth(answer(x == Truth::Yes || y == Truth::Yes, x == Truth::No && y == Truth::No)));
+          numberOf(answer(x == Truth::Yes || y == Truth::Yes, x == Truth::No && y == Truth::No)));
     }
     default:
       return push(Interval::unknown());
@@ -299,16 +299,16 @@ uint64_t elementOf(llvm::StringRef list, double place) {
 }
 
 Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
-  return toTruth(Evaluator(code, context).run(formula));
+  return toTruth(FormulaEvaluator(code, context).run(formula));
 }
 
 Interval levelOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
-  return Evaluator(code, context).run(formula);
+  return FormulaEvaluator(code, context).run(formula);
 }
 
 std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
                                 const ConditionContext &context) {
-  Evaluator evaluator(code, context);
+  FormulaEvaluator evaluator(code, context);
   if (!evaluator.complete(formula))
     return std::nullopt;
   return evaluator.run(formula);
@@ -316,7 +316,7 @@ std::optional<Interval> valueOf(const Formula &formula, const CodeInfo &code,
 
 std::optional<Interval> valueOfGiven(const Formula &formula, const CodeInfo &code,
                                      const ConditionContext &context) {
-  Evaluator evaluator(code, context);
+  FormulaEvaluator evaluator(code, context);
   const Interval value = evaluator.run(formula);
   if (value.isUnknown() && !evaluator.complete(formula))
     return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "formats/dialect/variable_key.h"
 #include "interp/execute/execute.h"
+#include "interp/value/units.h"
 
 namespace ncvet {
 
@@ -50,7 +51,6 @@ SetRadius radiusIn(llvm::StringRef source, const Dialect &dialect, const Machine
   const bool inch = state.activeAction(dialect, StandardGroup::Units) == Action::Inch;
   if (!value.isConstant() || (inch && ofList)) // in which unit it was set is not kept
     return {true, std::nullopt};
-  constexpr double millimetresPerInch = 25.4;
   return {true, value.number.value() * (inch ? millimetresPerInch : 1)};
 }
 

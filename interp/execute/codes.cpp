@@ -1,8 +1,8 @@
 // The effect of single G and M codes: modal groups, spindle, coolant, tools, switches.
-#include "interp/execute/execution.h"
 #include "interp/evaluate/formula.h"
-#include "interp/state/kept_modes.h"
 #include "interp/evaluate/tool_data.h"
+#include "interp/execute/execution.h"
+#include "interp/state/kept_modes.h"
 
 #include <cmath>
 

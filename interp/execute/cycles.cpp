@@ -1,8 +1,8 @@
 // Canned cycles: when they start, run and end, and where they leave the tool.
 #include "formats/dialect/measure.h"
 #include "interp/evaluate/cycle_words.h"
-#include "interp/execute/execution.h"
 #include "interp/evaluate/formula.h"
+#include "interp/execute/execution.h"
 
 #include <cmath>
 

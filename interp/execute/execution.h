@@ -1,8 +1,8 @@
 // The work of executing one block, shared by the files that each do a part of it.
 #pragma once
 
-#include "interp/execute/execute.h"
 #include "interp/evaluate/expression.h"
+#include "interp/execute/execute.h"
 
 namespace ncvet {
 

@@ -1,7 +1,7 @@
 // Codes that lay frames over the work offset: shift, rotation, scale, mirror.
 #include "formats/dialect/variable_key.h"
-#include "interp/execute/execution.h"
 #include "interp/evaluate/formula.h"
+#include "interp/execute/execution.h"
 
 namespace ncvet {
 

@@ -1,7 +1,8 @@
 // Axis words: where the block's motion leads, and what it does to compensation.
-#include "interp/execute/execution.h"
 #include "interp/evaluate/formula.h"
+#include "interp/execute/execution.h"
 #include "interp/state/zero_point.h"
+#include "interp/value/units.h"
 
 #include <cmath>
 #include <numbers>
@@ -13,7 +14,6 @@ namespace {
 constexpr uint64_t movedFacts =
     bitOf(Fact::Moved) | bitOf(Fact::MovedSinceTool) | bitOf(Fact::MovedSincePreset);
 constexpr uint16_t bit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
-constexpr double millimetresPerInch = 25.4;
 /// Keys under which the last point of a curve waits for its end: no program's.
 constexpr int32_t curvePoint = 0x7FFFFF00;
 } // namespace

@@ -22,7 +22,7 @@ constexpr double samePoint = 1e-6;
 constexpr double sameArcEnd = 1e-3;
 constexpr double shortest = 1e-3;
 constexpr double turnsBack = 1e-3;
-constexpr double nothing = 1e-12;
+constexpr double noLength = 1e-12;
 constexpr double atTop = 1e-9;       ///< of an arc, or at its bottom
 constexpr double widestGap = 1e-2;   ///< between two pieces that are led to their intersection
 constexpr size_t mostMoves = 200000; ///< of one cycle: no program is followed without end
@@ -39,7 +39,7 @@ struct Piece {
   Point centre{0, 0};
 
   double radius() const { return (from - centre).norm(); }
-  /// What the piece may lose before nothing is left of it.
+  /// What the piece may lose before noLength is left of it.
   double size() const {
     const double chord = (to - from).norm();
     return arc ? std::min(chord, radius()) : chord;
@@ -186,7 +186,7 @@ public:
     const Point toFirst = first() - start_, toLast = pieces_.back().from - start_;
     if (cross(toLast, toFirst) < 0)
       distance = -distance;
-    for (double done = 0; !(std::fabs(distance - done) <= nothing);) {
+    for (double done = 0; !(std::fabs(distance - done) <= noLength);) {
       if ((looks += pieces_.size()) > mostLooks)
         return false;
       double step = std::fabs(distance - done);
@@ -429,7 +429,7 @@ private:
       if (way < samePoint) {
         if (next == piece)
           continue;
-        // There is nothing to cut here.
+        // There is noLength to cut here.
         if ((at_ - pieces_[piece].to).norm() < samePoint)
           return piece + 1;
         level -= passes_.step;
@@ -443,7 +443,7 @@ private:
       level -= passes_.step;
       return piece;
     }
-    fits_ = false; // nothing stops the cut
+    fits_ = false; // noLength stops the cut
     return piece;
   }
 

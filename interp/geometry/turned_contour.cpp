@@ -8,11 +8,11 @@
 namespace ncvet {
 
 namespace {
-constexpr double tolerance = 1e-7; ///< mm
+constexpr double contourTolerance = 1e-7; ///< mm
 constexpr double quarter = std::numbers::pi / 2;
 
 /// Where the move ends; none when a coordinate is not known.
-std::optional<TurnedPoint> endOf(const Move &move, double lengthsOfX) {
+std::optional<TurnedPoint> endAsTurned(const Move &move, double lengthsOfX) {
   const Interval &x = move.to[size_t(Axis::X)], &z = move.to[size_t(Axis::Z)];
   if (!x.isConstant() || !z.isConstant())
     return std::nullopt;
@@ -30,7 +30,7 @@ TurnedPoint ContourPiece::at(size_t axis, double value) const {
         centre[other] + side[other] * std::sqrt(std::max(0.0, radius * radius - off * off));
   } else {
     const double way = to[axis] - from[axis];
-    point[other] = std::fabs(way) < tolerance
+    point[other] = std::fabs(way) < contourTolerance
                        ? to[other]
                        : from[other] + (to[other] - from[other]) * (value - from[axis]) / way;
   }
@@ -40,9 +40,9 @@ TurnedPoint ContourPiece::at(size_t axis, double value) const {
 TurnedContour::TurnedContour(llvm::ArrayRef<Move> moves, double lengthsOfX) {
   if (moves.empty())
     return;
-  auto from = endOf(moves.front(), lengthsOfX);
+  auto from = endAsTurned(moves.front(), lengthsOfX);
   for (const Move &move : moves.drop_front()) {
-    const auto to = endOf(move, lengthsOfX);
+    const auto to = endAsTurned(move, lengthsOfX);
     if (!from || !to)
       return;
     const size_t before = pieces_.size();
@@ -55,7 +55,7 @@ TurnedContour::TurnedContour(llvm::ArrayRef<Move> moves, double lengthsOfX) {
 }
 
 void TurnedContour::add(const TurnedPoint &from, const Move &move, double lengthsOfX) {
-  const TurnedPoint to = *endOf(move, lengthsOfX);
+  const TurnedPoint to = *endAsTurned(move, lengthsOfX);
   if (move.kind == MoveKind::Arc)
     return addArc(from, to, move, lengthsOfX);
   ContourPiece &piece = pieces_.emplace_back();
@@ -106,7 +106,7 @@ bool TurnedContour::isSteady(size_t axis) const {
   double sign = 0;
   for (const ContourPiece &piece : pieces_) {
     const double way = piece.to[axis] - piece.from[axis];
-    if (std::fabs(way) < tolerance)
+    if (std::fabs(way) < contourTolerance)
       continue;
     if (sign * way < 0)
       return false;
@@ -124,12 +124,12 @@ TurnedContour::beyond(size_t axis, double level, double sign, const Part *within
   const Part all = within ? *within : whole();
   llvm::SmallVector<Part, 4> parts;
   const auto depth = [&](const TurnedPoint &point) { return (point[axis] - level) * sign; };
-  bool open = depth(all.from) >= -tolerance;
+  bool open = depth(all.from) >= -contourTolerance;
   if (open)
     parts.push_back({all.from, all.from, all.firstPiece, all.firstPiece, all.fromBegin, false});
   for (size_t i = all.firstPiece; i <= all.lastPiece; ++i) {
     const TurnedPoint to = i == all.lastPiece ? all.to : pieces_[i].to;
-    const bool deep = depth(to) >= -tolerance;
+    const bool deep = depth(to) >= -contourTolerance;
     if (deep != open) {
       const TurnedPoint crossing = pieces_[i].at(axis, level);
       if (deep)

@@ -1,10 +1,10 @@
 // Puts the corners between two moves where the program asks for them.
 #include "interp/path/corner_path.h"
 
+#include "interp/evaluate/expression.h"
+#include "interp/execute/execute.h"
 #include "interp/geometry/arc.h"
 #include "interp/geometry/contour_element.h"
-#include "interp/execute/execute.h"
-#include "interp/evaluate/expression.h"
 
 #include <cmath>
 #include <numbers>

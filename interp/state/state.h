@@ -2,9 +2,9 @@
 #pragma once
 
 #include "formats/dialect/dialect.h"
-#include "interp/value/frame.h"
 #include "interp/state/modal_call.h"
 #include "interp/value/access_log.h"
+#include "interp/value/frame.h"
 #include "interp/value/variables.h"
 
 #include <array>

@@ -11,7 +11,7 @@ namespace ncvet::lsp {
 
 namespace {
 
-enum Rank : uint8_t { rankName = 1, rankStatement = 4, rankOther = 5 };
+enum NameRank : uint8_t { rankName = 1, rankStatement = 4, rankOther = 5 };
 
 constexpr size_t mostTargets = 200;        ///< nearest to the cursor
 constexpr size_t mostLooked = 100000;      ///< numbered blocks that are looked through for them

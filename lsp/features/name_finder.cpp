@@ -22,7 +22,7 @@ uint64_t labelKeyOf(const Reader &reader, llvm::StringRef label) {
 
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
+bool isSpace(char c) { return c == ' ' || c == '\t'; }
 
 /// What a code's words name.
 struct CodeNames {
@@ -455,7 +455,7 @@ void NameFinder::assignment(const Item &item) {
       target.count ? &block_.operations[target.first + target.count - 1] : nullptr;
   if (!key && last && last->op == Op::ElementKey) {
     key = uint64_t(last->value); // of the array; which element does not matter
-    name = name.take_until([](char c) { return c == '[' || isBlank(c); });
+    name = name.take_until([](char c) { return c == '[' || isSpace(c); });
   }
   if (!key)
     return untold(&UntoldNames::variable, item.nameBegin);
@@ -586,7 +586,7 @@ std::pair<uint32_t, uint32_t> NameFinder::variableAt(uint32_t offset) const {
   uint32_t begin = offset;
   if (begin < size && text_[begin] == '#')
     ++begin;
-  while (begin < size && isBlank(text_[begin]))
+  while (begin < size && isSpace(text_[begin]))
     ++begin;
   if (begin < size && text_[begin] == '<') {
     const size_t close = text_.find('>', ++begin);

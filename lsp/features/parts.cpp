@@ -1,8 +1,8 @@
 // The parts of a program text that people speak of: tool sections, operations, profiles, loops.
 #include "lsp/features/parts.h"
 
-#include "analyzer/program/flow_shape.h"
 #include "analyzer/facts/generated_block.h"
+#include "analyzer/program/flow_shape.h"
 
 #include <algorithm>
 #include <set>

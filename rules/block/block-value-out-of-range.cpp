@@ -10,7 +10,7 @@
 namespace ncvet {
 namespace {
 
-bool isMine(const CodeInfo &code, const WordSpec &spec) {
+bool isRangeOfBlock(const CodeInfo &code, const WordSpec &spec) {
   return spec.hasRange && topicOf(code, spec) == WordTopic::Block;
 }
 
@@ -26,7 +26,8 @@ public:
           {EventKind::ToolWord, EventKind::OffsetWord, EventKind::SpeedWord, EventKind::FeedWord});
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::ZoneOn || !code.excludes.empty() ||
-             llvm::any_of(code.words, [&](const WordSpec &spec) { return isMine(code, spec); }) ||
+             llvm::any_of(code.words,
+                          [&](const WordSpec &spec) { return isRangeOfBlock(code, spec); }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -45,8 +46,8 @@ public:
     const AddressMask whole = ctx.dialect().whole;
     reportWordRanges(ctx, event, [&](const CodeInfo &c, const WordSpec &spec, Breach breach) {
       // Points in whole numbers are syntax-integer-required's.
-      return isMine(c, spec) && breach != Breach::PointMissing && breach != Breach::PointWritten &&
-             !(breach == Breach::NotWhole && spec.any & whole);
+      return isRangeOfBlock(c, spec) && breach != Breach::PointMissing &&
+             breach != Breach::PointWritten && !(breach == Breach::NotWhole && spec.any & whole);
     });
     if (code.action != Action::Cycle)
       reportExcludedWords(ctx, event);

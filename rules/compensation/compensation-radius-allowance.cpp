@@ -1,6 +1,6 @@
 // Compensation with a negative radius, which swaps its sides, and a stock that is left set.
-#include "analyzer/rule/switch_left_on.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/switch_left_on.h"
 #include "interp/evaluate/tool_data.h"
 
 namespace ncvet {

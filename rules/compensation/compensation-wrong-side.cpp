@@ -1,6 +1,6 @@
 // Radius compensation on the side of the material, or on that which the tool's nose does not have.
-#include "analyzer/rule/report_once.h"
 #include "analyzer/facts/path_ahead.h"
+#include "analyzer/rule/report_once.h"
 #include "interp/evaluate/tool_data.h"
 
 #include <algorithm>

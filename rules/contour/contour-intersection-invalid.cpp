@@ -2,8 +2,8 @@
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/element_geometry.h"
-#include "interp/geometry/arc.h"
 #include "interp/cycles/contour_cycle.h"
+#include "interp/geometry/arc.h"
 
 #include <bit>
 #include <cmath>

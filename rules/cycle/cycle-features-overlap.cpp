@@ -2,8 +2,8 @@
 #include "analyzer/facts/element_geometry.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/outline.h"
-#include "interp/geometry/arc.h"
 #include "interp/evaluate/expression.h"
+#include "interp/geometry/arc.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace ncvet {
 namespace {
 
 /// What lies nearer to a circle than this lies on it, millimetres.
-constexpr double least = 0.01;
+constexpr double smallestOverlap = 0.01;
 
 class CycleFeaturesOverlap final : public Rule {
   using Point = Outline::Point;
@@ -150,7 +150,7 @@ private:
     const bool closes = circle_ && startName_ == key && current_.hasStart();
     if (!closes ||
         std::fabs(std::hypot(current_.first()[0] - circle_->x, current_.first()[1] - circle_->y) -
-                  std::fabs(circle_->size)) > least)
+                  std::fabs(circle_->size)) > smallestOverlap)
       return current_.loseTrack();
     current_.arc({circle_->x, circle_->y}, current_.first(), false);
   }

@@ -1,6 +1,6 @@
 // A cycle makes the same hole more than once.
-#include "analyzer/rule/gathered_list.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/gathered_list.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/Support/xxhash.h"

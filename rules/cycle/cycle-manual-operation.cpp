@@ -4,9 +4,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-manual-operation";
-
 class CycleManualOperation final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-manual-operation";
+
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleStart);

@@ -4,9 +4,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-missing-parameter";
-
 class CycleMissingParameter final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-missing-parameter";
+
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();

@@ -4,9 +4,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-parameter-conflict";
-
 class CycleParameterConflict final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-parameter-conflict";
+
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();

@@ -5,9 +5,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-parameter-out-of-range";
-
 class CycleParameterOutOfRange final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-parameter-out-of-range";
+
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();

@@ -5,9 +5,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-peck-invalid";
-
 class CyclePeckInvalid final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-peck-invalid";
+
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();

@@ -9,9 +9,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-plane-or-axis";
-
 class CyclePlaneOrAxis final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-plane-or-axis";
+
 public:
   void listen(Subscriptions &to) override {
     // A lathe that drills in a plane of its own; where G18 is the only plane there is no choice.

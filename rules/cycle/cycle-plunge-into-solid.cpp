@@ -1,6 +1,6 @@
 // A tool is fed down where material stands.
-#include "analyzer/rule/gathered_list.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/gathered_list.h"
 #include "formats/dialect/measure.h"
 
 #include "llvm/ADT/Hashing.h"

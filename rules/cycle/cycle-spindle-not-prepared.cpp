@@ -4,9 +4,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-spindle-not-prepared";
-
 class CycleSpindleNotPrepared final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-spindle-not-prepared";
+
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);

@@ -6,9 +6,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "cycle-wrong-mode";
-
 class CycleWrongMode final : public Rule {
+  static constexpr llvm::StringLiteral id = "cycle-wrong-mode";
+
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);

@@ -1,5 +1,6 @@
 // A feed whose size belongs to the other feed unit.
 #include "analyzer/rule/report_once.h"
+#include "interp/value/units.h"
 
 namespace ncvet {
 namespace {
@@ -24,7 +25,6 @@ public:
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     if (!mode)
       return;
-    constexpr double millimetresPerInch = 25.4;
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
     const bool unitKnown =
         inch != Truth::Unknown || state.active(ctx.dialect(), StandardGroup::Units) == groupUnset;

@@ -1,6 +1,6 @@
 // Blocks that no path reaches.
-#include "analyzer/program/block_reading.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 #include <algorithm>
 

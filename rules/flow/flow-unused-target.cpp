@@ -1,6 +1,6 @@
 // A subprogram that nothing calls.
-#include "analyzer/program/block_reading.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 #include <algorithm>
 

@@ -4,14 +4,6 @@
 namespace ncvet {
 namespace {
 
-/// True when an issue of the same kind stands in front of it in the block: one report says it.
-bool isRepeated(const Block &block, size_t index) {
-  for (size_t i = 0; i < index; ++i)
-    if (block.issues[i].kind == block.issues[index].kind)
-      return true;
-  return false;
-}
-
 class SyntaxError final : public Rule {
 public:
   void listen(Subscriptions &to) override {
@@ -24,7 +16,7 @@ public:
     if (event.kind == EventKind::Statement)
       return separators(ctx.block().items[size_t(event.number)], ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    if (isRepeated(ctx.block(), size_t(event.number)))
+    if (ctx.block().repeatsIssue(size_t(event.number)))
       return;
     const char *what = nullptr;
     switch (issue.kind) {

@@ -4,14 +4,6 @@
 namespace ncvet {
 namespace {
 
-/// True when an issue of the same kind stands in front of it in the block: one report says it.
-bool isRepeated(const Block &block, size_t index) {
-  for (size_t i = 0; i < index; ++i)
-    if (block.issues[i].kind == block.issues[index].kind)
-      return true;
-  return false;
-}
-
 class SyntaxIncompleteWord final : public Rule {
 public:
   void listen(Subscriptions &to) override {
@@ -25,7 +17,7 @@ public:
     if (issue.kind == SyntaxIssueKind::MissingAddress) {
       // A sleep code takes its time as a bare number.
       if (ctx.find({Action::Sleep}) || holdsForeignCode(ctx) ||
-          isRepeated(ctx.block(), size_t(event.number)))
+          ctx.block().repeatsIssue(size_t(event.number)))
         return;
       if (auto finding = ctx.report(range))
         finding.message("`{0}` has no address in front of it", ctx.text(range));

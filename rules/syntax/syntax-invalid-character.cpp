@@ -6,14 +6,6 @@
 namespace ncvet {
 namespace {
 
-/// True when an issue of the same kind stands in front of it in the block: one report says it.
-bool isRepeated(const Block &block, size_t index) {
-  for (size_t i = 0; i < index; ++i)
-    if (block.issues[i].kind == block.issues[index].kind)
-      return true;
-  return false;
-}
-
 class SyntaxInvalidCharacter final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
@@ -24,7 +16,7 @@ public:
     const std::string text = ctx.source().displayText(ctx.text(range));
     switch (issue.kind) {
     case SyntaxIssueKind::InvalidCharacter:
-      if (isRepeated(ctx.block(), size_t(event.number)))
+      if (ctx.block().repeatsIssue(size_t(event.number)))
         return;
       if (auto finding = ctx.report(range))
         finding.message("`{0}` cannot be read by the control outside comments", text);

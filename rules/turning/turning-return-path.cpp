@@ -4,7 +4,7 @@
 namespace ncvet {
 namespace {
 
-constexpr double tolerance = 1e-4; // mm
+constexpr double pathTolerance = 1e-4; // mm
 
 class TurningReturnPath final : public Rule {
 public:
@@ -29,7 +29,7 @@ public:
     // Whether the contour opens towards the axis or away from it; the start says nothing here.
     const double rise =
         profile.blocks[profile.lastCut - 1].toX.value() - profile.blocks.front().toX.value();
-    if (rise > -tolerance && rise < tolerance)
+    if (rise > -pathTolerance && rise < pathTolerance)
       return;
     const bool inside = rise < 0;
     const double x = end.toX.value(), z = end.toZ.value();
@@ -43,16 +43,16 @@ public:
         if (!block.moves || !block.toZ.isConstant())
           continue;
         const double cz = block.toZ.value(), cx = block.toX.value();
-        const bool onWay = cz > std::min(z, startZ.value()) + tolerance &&
-                           cz < std::max(z, startZ.value()) - tolerance;
-        crosses |= onWay && (inside ? cx < x - tolerance : cx > x + tolerance);
+        const bool onWay = cz > std::min(z, startZ.value()) + pathTolerance &&
+                           cz < std::max(z, startZ.value()) - pathTolerance;
+        crosses |= onWay && (inside ? cx < x - pathTolerance : cx > x + pathTolerance);
       }
       crosses |= !inside && standsInside(profile, startX.value(), startZ.value());
     } else {
       // Along X where the last block ends: through the wall of a bore.
       const double wall = profile.blocks[profile.lastCut - 1].toX.value();
-      const bool behindFace = z < *profile.maxZ - tolerance;
-      crosses = inside && behindFace && startX.value() > wall + tolerance;
+      const bool behindFace = z < *profile.maxZ - pathTolerance;
+      crosses = inside && behindFace && startX.value() > wall + pathTolerance;
     }
     if (!crosses)
       return;
@@ -76,8 +76,8 @@ private:
           !block.toX.isConstant() || !block.toZ.isConstant())
         continue;
       const double from = block.fromZ.value(), to = block.toZ.value();
-      if (z > std::min(from, to) + tolerance && z < std::max(from, to) - tolerance &&
-          x < std::min(block.fromX.value(), block.toX.value()) - tolerance)
+      if (z > std::min(from, to) + pathTolerance && z < std::max(from, to) - pathTolerance &&
+          x < std::min(block.fromX.value(), block.toX.value()) - pathTolerance)
         return true;
     }
     return false;

@@ -4,7 +4,7 @@
 namespace ncvet {
 namespace {
 
-constexpr double tolerance = 1e-4; // mm
+constexpr double startTolerance = 1e-4; // mm
 constexpr double overshoot = 2; // mm in diameter, by which a last facing block may pass the start
 
 class TurningStartInsideContour final : public Rule {
@@ -48,8 +48,8 @@ private:
       return;
     if (code.cycle == CycleKind::RoughFace) {
       if (startZ.isConstant() && profile.maxZ && !ctx.after().inMachineCoordinates(Axis::Z) &&
-          profile.minZ && startZ.value() < *profile.maxZ - tolerance &&
-          startZ.value() > *profile.minZ + tolerance)
+          profile.minZ && startZ.value() < *profile.maxZ - startTolerance &&
+          startZ.value() > *profile.minZ + startTolerance)
         if (auto finding = ctx.report(event, event.certain))
           finding.message(
               "`{0}` starts at Z{1}, inside of its contour, which reaches from Z{2} to Z{3}: "
@@ -73,12 +73,12 @@ private:
     const double start = startX.value();
     const double least = profile.reachesX.lo, greatest = profile.reachesX.hi;
     double over = 0;
-    if (profile.side == Side::Outside && start < greatest - tolerance)
+    if (profile.side == Side::Outside && start < greatest - startTolerance)
       over = greatest - start;
-    else if (profile.side == Side::Inside && start > least + tolerance)
+    else if (profile.side == Side::Inside && start > least + startTolerance)
       over = start - least;
-    else if (profile.side == Side::Unknown && start < greatest - tolerance &&
-             start > least + tolerance)
+    else if (profile.side == Side::Unknown && start < greatest - startTolerance &&
+             start > least + startTolerance)
       over = std::min(greatest - start, start - least);
     if (over <= 0)
       return;
@@ -88,7 +88,8 @@ private:
               "`{0}` starts at X{1}, inside of its contour, which reaches from X{2} to X{3}: the "
               "tool returns to the start at rapid",
               code.name, text(start / *unit), text(least / *unit), text(greatest / *unit))
-          .severity(over <= overshoot + tolerance ? std::optional(Severity::Warning) : std::nullopt)
+          .severity(over <= overshoot + startTolerance ? std::optional(Severity::Warning)
+                                                       : std::nullopt)
           .note(profile.blocks.front().range, "the profile begins here");
   }
 
@@ -97,9 +98,9 @@ private:
   static bool startsBehindFront(const Profile &profile, double z) {
     const ProfileBlock &head = profile.blocks.front(), &tail = profile.blocks[profile.lastCut - 1];
     return head.toZ.isConstant() && tail.toZ.isConstant() &&
-           head.toZ.value() >= *profile.maxZ - tolerance &&
-           tail.toZ.value() < head.toZ.value() - tolerance && z < *profile.maxZ - overshoot &&
-           z > *profile.minZ + tolerance;
+           head.toZ.value() >= *profile.maxZ - startTolerance &&
+           tail.toZ.value() < head.toZ.value() - startTolerance && z < *profile.maxZ - overshoot &&
+           z > *profile.minZ + startTolerance;
   }
 
   /// A single pass returns to its start: what follows tells on which side the tool works.
@@ -112,7 +113,7 @@ private:
     const Interval &start = ctx.after().cycleStart[unsigned(axis)];
     const auto end =
         ctx.before().inMachineCoordinates(axis) ? std::nullopt : endOf(ctx, axis, start);
-    if (!unit || !end || !start.isConstant() || *end <= start.value() + tolerance)
+    if (!unit || !end || !start.isConstant() || *end <= start.value() + startTolerance)
       return;
     if (!face && !leavesOutwards(ctx, *end / *unit))
       return;

@@ -4,9 +4,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "turning-thread-pitch-unit";
-
 class TurningThreadPitchUnit final : public Rule {
+  static constexpr llvm::StringLiteral id = "turning-thread-pitch-unit";
+
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::CycleRun, EventKind::Motion});

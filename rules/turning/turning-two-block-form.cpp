@@ -4,9 +4,9 @@
 namespace ncvet {
 namespace {
 
-constexpr llvm::StringLiteral id = "turning-two-block-form";
-
 class TurningTwoBlockForm final : public Rule {
+  static constexpr llvm::StringLiteral id = "turning-two-block-form";
+
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleStart);

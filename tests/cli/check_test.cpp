@@ -1,6 +1,7 @@
 // `ncvet check` as a process: exit codes, inputs, reports, rules, baseline, fixes.
 #include "tests/support/process.h"
 
+#include "gtest/gtest.h"
 #include <gmock/gmock.h>
 
 namespace ncvet::test {

@@ -1,6 +1,7 @@
 // `explain`, `rules`, `dialects`, help and version through the real binary.
 #include "tests/support/process.h"
 
+#include "gtest/gtest.h"
 #include <gmock/gmock.h>
 
 namespace ncvet::test {

@@ -1,6 +1,7 @@
 // Configuration through the real binary: which file counts, what it sets, how its errors are said.
 #include "tests/support/process.h"
 
+#include "gtest/gtest.h"
 #include <gmock/gmock.h>
 
 namespace ncvet::test {

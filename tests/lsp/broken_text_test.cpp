@@ -10,6 +10,8 @@
 #include "lsp/features/symbols.h"
 #include "tests/support/marked_text.h"
 
+#include "gtest/gtest.h"
+
 #include <random>
 
 namespace {

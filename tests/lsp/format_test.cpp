@@ -5,6 +5,8 @@
 #include "lsp/features/same_block.h"
 #include "tests/support/marked_text.h"
 
+#include "gtest/gtest.h"
+
 namespace {
 
 using namespace ncvet;

@@ -2,6 +2,8 @@
 #include "lsp/features/names.h"
 #include "tests/support/marked_text.h"
 
+#include "gtest/gtest.h"
+
 namespace {
 
 using namespace ncvet;

@@ -4,6 +4,8 @@
 #include "tests/support/marked_text.h"
 #include "tests/support/run_program.h"
 
+#include "gtest/gtest.h"
+
 #include <fstream>
 
 namespace {

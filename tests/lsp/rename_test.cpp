@@ -4,6 +4,7 @@
 #include "lsp/features/rename.h"
 #include "tests/support/marked_text.h"
 
+#include "gtest/gtest.h"
 #include "llvm/ADT/StringExtras.h"
 
 namespace {

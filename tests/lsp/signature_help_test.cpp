@@ -3,6 +3,7 @@
 #include "tests/support/marked_text.h"
 
 #include "gmock/gmock.h"
+#include "gtest/gtest.h"
 
 namespace {
 

@@ -1,6 +1,8 @@
 // A snapshot of a document: its blocks, and the block that holds a place.
 #include "tests/support/marked_text.h"
 
+#include "gtest/gtest.h"
+
 namespace {
 
 using namespace ncvet;

@@ -4,6 +4,7 @@
 #include "tests/support/marked_text.h"
 
 #include "gmock/gmock.h"
+#include "gtest/gtest.h"
 
 namespace {
 

@@ -1,6 +1,8 @@
 // Every rule has a wrong and a right program for every dialect that it claims.
 #include "tests/support/rule_pages.h"
 
+#include "gtest/gtest.h"
+
 #include <set>
 
 namespace ncvet::test {

@@ -1,6 +1,8 @@
 // Golden programs: every finding of the recommended rules is marked in the program, and no other.
 #include "tests/support/run_program.h"
 
+#include "gtest/gtest.h"
+
 namespace ncvet::test {
 namespace {
 

@@ -2,6 +2,8 @@
 // is there. Each program is listed with all of its errors and warnings: more is as wrong as less.
 #include "tests/support/process.h"
 
+#include "gtest/gtest.h"
+
 #include <set>
 
 namespace ncvet {

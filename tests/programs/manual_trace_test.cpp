@@ -3,6 +3,8 @@
 #include "tests/support/outer_program.h"
 #include "tests/support/process.h"
 
+#include "gtest/gtest.h"
+
 #include <cmath>
 
 namespace ncvet {

@@ -1,5 +1,5 @@
 // Every rule's page has the same sections in the same order, and lists the options that it has.
-#include "analyzer/rule_page.h"
+#include "analyzer/rule/rule_page.h"
 #include "tests/support/plain_words.h"
 #include "tests/support/rule_pages.h"
 

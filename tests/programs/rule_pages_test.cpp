@@ -2,6 +2,8 @@
 // not.
 #include "tests/support/rule_pages.h"
 
+#include "gtest/gtest.h"
+
 namespace ncvet::test {
 namespace {
 

@@ -2,9 +2,10 @@
 // due.
 #pragma once
 
-#include "analyzer/check/analyze.h"
+#include "analyzer/flow/analyze.h"
 #include "formats/dialect/loader.h"
 
+#include "gtest/gtest.h"
 #include <unistd.h>
 
 #include <algorithm>

@@ -329,8 +329,9 @@ TEST(Layering, AnIncludeOfARowBelowIsSeenWithItsLine) {
       std::vector<std::string>{"formats/readers/x.cpp:2: may not include formats/reports/y.h"});
   EXPECT_EQ(violations("interp/x.h", sentence + "\n  #  include <formats/finding/finding.h>\n"),
             std::vector<std::string>{"interp/x.h:3: may not include formats/finding/finding.h"});
-  EXPECT_EQ(
-      violations("formats/reports/x.h", sentence + "#include \"analyzer/check/analyze.h\"\n").size(), 1U);
+  EXPECT_EQ(violations("formats/reports/x.h", sentence + "#include \"analyzer/check/analyze.h\"\n")
+                .size(),
+            1U);
 }
 
 TEST(Layering, NobodyButTheCommandLineIncludesTheServerOrTheCommandLine) {
@@ -346,14 +347,16 @@ TEST(Layering, NobodyButTheCommandLineIncludesTheServerOrTheCommandLine) {
 TEST(Layering, ARuleThatIncludesAnotherRuleIsSeen) {
   EXPECT_EQ(violations("rules/cycle/a.cpp", sentence + "#include \"rules/cycle/b.h\"\n").size(),
             1U);
-  EXPECT_TRUE(violations("rules/cycle/a.cpp", sentence + "#include \"analyzer/rule/rule.h\"\n").empty());
+  EXPECT_TRUE(
+      violations("rules/cycle/a.cpp", sentence + "#include \"analyzer/rule/rule.h\"\n").empty());
 }
 
 TEST(Layering, ADialectNamedInCodeIsSeenAndInACommentIsNot) {
   EXPECT_EQ(violations("interp/x.cpp", sentence + "if (id == \"haas-lathe\") // \"ecs\"\n"),
             std::vector<std::string>{
                 "interp/x.cpp:2: names the dialect \"haas-lathe\"; ask its table instead"});
-  EXPECT_EQ(violations("analyzer/setup/detect.cpp", sentence + "return \"fanuc-0m\";\n").size(), 1U);
+  EXPECT_EQ(violations("analyzer/setup/detect.cpp", sentence + "return \"fanuc-0m\";\n").size(),
+            1U);
   EXPECT_EQ(violations("rules/tool/x.cpp", sentence + "c == '\"' ? \"mefi\" : \"\";\n").size(), 1U);
   EXPECT_TRUE(violations("analyzer/cli/x.cpp", sentence + "return \"haas-lathe\";\n").empty());
   EXPECT_TRUE(violations("rules/flow/x.cpp", sentence + "id == \"ecs-input-unchecked\"\n").empty());

@@ -1,6 +1,6 @@
 // Detection of the dialect, and of what is a program at all.
-#include "analyzer/setup/detect.h"
 #include "analyzer/rule/rule_settings.h"
+#include "analyzer/setup/detect.h"
 
 #include <gtest/gtest.h>
 

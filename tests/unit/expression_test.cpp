@@ -1,6 +1,6 @@
 // Values of operations that no text of the ISO family spells.
-#include "interp/state/event.h"
 #include "interp/evaluate/expression.h"
+#include "interp/state/event.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,8 @@
 #include "tests/support/language_client.h"
 #include "tests/support/process.h"
 
+#include "gtest/gtest.h"
+
 namespace ncvet {
 namespace {
 

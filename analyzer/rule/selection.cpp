@@ -1,7 +1,7 @@
-// The facade: checks one program with everything that it calls.
-#include "analyzer/check/analyze.h"
+// Which rules run on a file when nobody says more than a profile.
+#include "analyzer/rule/selection.h"
 
-#include "analyzer/flow/engine.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 
@@ -25,12 +25,6 @@ RuleSelection RuleSelection::everything() {
   selection.asked = selection.enabled;
   selection.severity.resize(selection.enabled.size());
   return selection;
-}
-
-AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
-                       const AnalysisLimits &limits, const std::atomic<bool> *cancel,
-                       StraightRuns *runs) {
-  return Engine(project, unit, rules, limits, cancel, runs).run();
 }
 
 } // namespace ncvet

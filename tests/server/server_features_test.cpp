@@ -2,6 +2,8 @@
 #include "tests/support/language_client.h"
 #include "tests/support/process.h"
 
+#include "gtest/gtest.h"
+
 namespace {
 
 using namespace ncvet;

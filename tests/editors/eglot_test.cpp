@@ -1,6 +1,8 @@
 // Programs in Emacs with Eglot as lsp/editors/ sets it up: the second opinion. Skipped where there
 // is no Emacs, or no Eglot.
-#include "tests/support/editor_journeys.h"
+#include "tests/editors/editor_journeys.h"
+
+#include "gtest/gtest.h"
 
 namespace ncvet::test {
 namespace {
@@ -17,7 +19,7 @@ bool haveEglot() {
   return have;
 }
 
-/// Runs one step of tests/lsp/eglot.el.
+/// Runs one step of tests/editors/eglot.el.
 void runEglot(EditorPlan &plan) {
   if (!haveEglot())
     GTEST_SKIP() << "Emacs or Eglot is absent: the language server is not tried with them";
@@ -26,7 +28,7 @@ void runEglot(EditorPlan &plan) {
   std::filesystem::create_directories(home);
   const int status =
       runOuter({"env", "NCVET_PLAN=" + file, "HOME=" + home, "XDG_CACHE_HOME=" + home, "emacs",
-                "--batch", "-q", "-l", NCVET_SOURCE_DIR "/tests/lsp/eglot.el"},
+                "--batch", "-q", "-l", NCVET_SOURCE_DIR "/tests/editors/eglot.el"},
                plan.log(), 300);
   plan.expectDone(status);
 }

@@ -1,10 +1,12 @@
 // Programs in Neovim with its client as lsp/editors/ sets it up. Skipped where there is no Neovim.
-#include "tests/support/editor_journeys.h"
+#include "tests/editors/editor_journeys.h"
+
+#include "gtest/gtest.h"
 
 namespace ncvet::test {
 namespace {
 
-/// Runs one step of tests/lsp/neovim.lua.
+/// Runs one step of tests/editors/neovim.lua.
 void runNeovim(EditorPlan &plan) {
   if (!llvm::sys::findProgramByName("nvim"))
     GTEST_SKIP() << "nvim is absent: the language server is not tried with Neovim";
@@ -14,7 +16,7 @@ void runNeovim(EditorPlan &plan) {
       runOuter({"env", "NCVET_PLAN=" + file, "HOME=" + home, "XDG_CONFIG_HOME=" + home,
                 "XDG_DATA_HOME=" + home, "XDG_STATE_HOME=" + home, "XDG_CACHE_HOME=" + home, "nvim",
                 "--headless", "-u", "NONE", "-i", "NONE", "-n", "-c",
-                "luafile " NCVET_SOURCE_DIR "/tests/lsp/neovim.lua"},
+                "luafile " NCVET_SOURCE_DIR "/tests/editors/neovim.lua"},
                plan.log(), 300);
   plan.expectDone(status);
 }

@@ -1,7 +1,9 @@
 // Jumps and renamings that every editor of the tests does, in programs of several controls.
 #pragma once
 
-#include "tests/support/editor_programs.h"
+#include "tests/editors/editor_programs.h"
+
+#include "gtest/gtest.h"
 
 namespace ncvet::test {
 

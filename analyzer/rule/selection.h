@@ -1,14 +1,15 @@
-// The facade: checks one program with everything that it calls.
+// Which rules run on a file, and within which budgets.
 #pragma once
 
-#include "analyzer/program/project.h"
-#include "analyzer/rule/rule.h"
+#include "formats/dialect/dialect.h"
+#include "formats/finding/finding.h"
 
-#include <atomic>
+#include "llvm/ADT/StringMap.h"
+
+#include <optional>
+#include <vector>
 
 namespace ncvet {
-
-class StraightRuns;
 
 /// Which rules run and how severe their findings are. Indexed like `allRules()`.
 struct RuleSelection {
@@ -27,13 +28,6 @@ struct RuleSelection {
   static RuleSelection everything();
 };
 
-struct AnalysisResult {
-  std::vector<Finding> findings; ///< sorted by file, position, rule; suppressions not yet applied
-  uint64_t blocks = 0;           ///< blocks with content in the file
-  bool complete = true;          ///< false: cut short by a budget
-  std::vector<std::string> cuts; ///< why, one line each
-};
-
 /// Budgets, each with its reason. The defaults suit batch use.
 struct AnalysisLimits {
   /// Blocks executed again (loops, calls), statements counted as several: one to two seconds.
@@ -43,13 +37,5 @@ struct AnalysisLimits {
   /// Findings of one rule in one file: more are noise.
   unsigned findingsPerRule = 1000;
 };
-
-/// Checks the file `unit` of `project` with all that it calls. `cancel`, when given, ends the
-/// analysis early (it is looked at every 256 blocks). `runs`, when given, holds what earlier
-/// analyses of the file have followed, moved with its text, under the same rules; the result is the
-/// same.
-AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
-                       const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr,
-                       StraightRuns *runs = nullptr);
 
 } // namespace ncvet

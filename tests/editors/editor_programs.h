@@ -6,6 +6,8 @@
 #include "tests/support/process.h"
 #include "tests/support/rule_pages.h"
 
+#include "gtest/gtest.h"
+
 namespace ncvet::test {
 
 /// What an editor is to do: programs in a folder of their own, and the plan that its script reads.

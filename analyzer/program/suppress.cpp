@@ -1,5 +1,5 @@
 // Suppression: finding the comments, what each covers, and marking findings.
-#include "analyzer/check/suppress.h"
+#include "analyzer/program/suppress.h"
 
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule_settings.h"

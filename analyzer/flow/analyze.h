@@ -1,0 +1,29 @@
+// The facade: checks one program with everything that it calls.
+#pragma once
+
+#include "analyzer/program/project.h"
+#include "analyzer/rule/rule.h"
+#include "analyzer/rule/selection.h"
+
+#include <atomic>
+
+namespace ncvet {
+
+class StraightRuns;
+
+struct AnalysisResult {
+  std::vector<Finding> findings; ///< sorted by file, position, rule; suppressions not yet applied
+  uint64_t blocks = 0;           ///< blocks with content in the file
+  bool complete = true;          ///< false: cut short by a budget
+  std::vector<std::string> cuts; ///< why, one line each
+};
+
+/// Checks the file `unit` of `project` with all that it calls. `cancel`, when given, ends the
+/// analysis early (it is looked at every 256 blocks). `runs`, when given, holds what earlier
+/// analyses of the file have followed, moved with its text, under the same rules; the result is the
+/// same.
+AnalysisResult analyze(Project &project, FileUnit &unit, const RuleSelection &rules,
+                       const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr,
+                       StraightRuns *runs = nullptr);
+
+} // namespace ncvet
