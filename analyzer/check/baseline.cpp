@@ -90,7 +90,7 @@ llvm::Error writeBaseline(llvm::ArrayRef<Finding> findings, llvm::ArrayRef<RuleI
   for (const Finding &finding : findings) {
     const auto count = counts.find(finding.fingerprint);
     if (finding.suppressed || count == counts.end())
-      continue; // an equal one stands in the file already
+      continue; // an equal one is in the file already
     const SourceFile &source = sources.get(finding.range.file);
     nlohmann::ordered_json entry = {{"fingerprint", fingerprintString(finding.fingerprint)},
                                     {"rule", rules[finding.rule].id.str()},

@@ -69,7 +69,7 @@ struct Recheck {
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
                       const std::atomic<bool> *cancel = nullptr, Recheck *again = nullptr);
 
-/// Behind the first check of `file`: finds out what else checks of later versions may ask for, so
+/// After the first check of `file`: finds out what else checks of later versions may ask for, so
 /// that the first of these that does need not look through the whole text.
 void prepareChecks(Session &session, SourceSet &sources, const SourceFile &file, Recheck &first);
 

@@ -25,7 +25,7 @@ public:
     const Place from = std::exchange(place_, workPlace(move));
     if (!move.side || (open_ && (move.side > 0) != contour_.onLeft)) {
       finish();
-    } else if (!open_) { // the way on is no part of the contour
+    } else if (!open_) { // the path on is no part of the contour
       open_ = true;
       contour_ = {traced.unit, traced.begin, move.side > 0, 0, true, std::nullopt};
     } else {

@@ -80,7 +80,7 @@ void Check::readStandardInput(Job &job) {
     job.outcome.error = "cannot read standard input: " + text.getError().message();
     return;
   }
-  // With a name, it is checked as if it stood there: configuration and subprograms are found.
+  // With a name, it is checked as if it was there: configuration and subprograms are found.
   if (!request_.stdinFilename.empty())
     job.input.display = request_.stdinFilename;
   job.source = &sources_.add(job.input.display, (*text)->getBuffer(), request_.stdinFilename);

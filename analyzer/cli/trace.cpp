@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json; // keys in the order of insertion
 
-/// Coordinates are told to a millionth of a millimetre or degree: what is behind it is rounding.
+/// Coordinates are told to a millionth of a millimetre or degree: what is after it is rounding.
 Json numberOf(const Interval &value) {
   constexpr double steps = 1e6;
   if (!value.isConstant() || !std::isfinite(value.value()))

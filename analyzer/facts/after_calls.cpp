@@ -1,4 +1,4 @@
-// What the callers of a program do behind their calls, for rules on what a return leaves in force.
+// What the callers of a program do after their calls, for rules on what a return leaves in force.
 #include "analyzer/facts/after_calls.h"
 
 #include "analyzer/facts/lookahead.h"
@@ -9,7 +9,7 @@ namespace {
 
 /// No longer file is looked through for calls, in bytes.
 constexpr uint32_t longest = 200000;
-/// Blocks behind a call: modes are ended long before that.
+/// Blocks after a call: modes are ended long before that.
 constexpr unsigned lookAhead = 60;
 
 /// Whether the block calls the program with this number; `once` tells that it does so one time.
@@ -25,7 +25,7 @@ bool calls(const Dialect &dialect, const Block &block, int64_t number, bool &onc
   auto called = int64_t(target->value());
   const Word *count = block.find('L');
   once = !count || (count->isNumber() && count->value() == 1);
-  // Four-digit controls pack the count in front of the number.
+  // Four-digit controls pack the count before the number.
   if (called > 9999 && !count && dialect.limits.programDigitsMax == 4) {
     once = called / 10000 == 1;
     called %= 10000;
@@ -33,7 +33,7 @@ bool calls(const Dialect &dialect, const Block &block, int64_t number, bool &onc
   return called == number;
 }
 
-/// Whether the blocks behind `block` end the mode before one relies on it.
+/// Whether the blocks after `block` end the mode before one relies on it.
 bool endsBehind(const FileIndex &index, Block block,
                 llvm::function_ref<Behind(const Block &)> judge) {
   for (unsigned i = 0; i < lookAhead; ++i) {

@@ -1,4 +1,4 @@
-// What the callers of a program do behind their calls, for rules on what a return leaves in force.
+// What the callers of a program do after their calls, for rules on what a return leaves in force.
 #pragma once
 
 #include "analyzer/rule/rule.h"
@@ -8,7 +8,7 @@
 
 namespace ncvet {
 
-/// What a block behind a call means for the mode that the called program has left in force.
+/// What a block after a call means for the mode that the called program has left in force.
 enum class Behind : uint8_t {
   GoesOn, ///< neither of the two: the next block decides
   Ends,   ///< it ends the mode
@@ -18,10 +18,10 @@ enum class Behind : uint8_t {
 /// Asks that once of each program: the text stays what it is while a file is checked.
 class BehindCalls {
 public:
-  /// Whether the file calls the program that holds the block at hand, and every call of it by
+  /// Whether the file calls the program that holds the current block, and every call of it by
   /// number is followed, in its own program, by a block that `judge` says to end the mode before
   /// one that relies on it. A call that repeats the program comes back to the program itself:
-  /// false. `judge` is asked of the blocks behind a call in the order of the text; `begin` says
+  /// false. `judge` is asked of the blocks after a call in the order of the text; `begin` says
   /// that a new call is looked at. Blocks that a switch leaves out end nothing. `mode` is all that
   /// the judgement depends on besides.
   bool allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,

@@ -68,7 +68,7 @@ void ContourTrail::begin(const RuleContext &ctx) {
   lastTag_ = 0;
 }
 
-/// `leaves`: the way off follows, on which the tool begins beside the last element's end.
+/// `leaves`: the move off follows, on which the tool begins beside the last element's end.
 void ContourTrail::end(bool leaves, Judge judge) {
   if (!path_)
     return;
@@ -199,7 +199,7 @@ void ContourTrail::add(uint64_t tag, const Move &move, Judge judge) {
   append(element, line->direction(line->from), line->direction(line->to), judge);
 }
 
-/// Something stands here that is no element: the way on, or a move that is not known.
+/// Something is here that is no element: the path on, or a move that is not known.
 void ContourTrail::breakOff(bool approach, Judge judge) {
   if (last_)
     judgeLast(nullptr, true, judge);
@@ -228,7 +228,7 @@ void ContourTrail::append(const Element &element, const Vector &in, const Vector
   lastOut_ = out;
 }
 
-/// `after`: the element behind it, null when there is none or it is not known.
+/// `after`: the element after it, null when there is none or it is not known.
 void ContourTrail::judgeLast(const ContourElement *after, bool unknownAfter, Judge judge) {
   if (!after)
     ends_.end = {};

@@ -8,15 +8,15 @@
 namespace ncvet {
 
 /// Follows a compensated contour block by block, through calls and loops, its corners put in. For
-/// each element it tells what stands before and behind, as soon as that is known.
+/// each element it tells what is before and after, as soon as that is known.
 class ContourTrail {
 public:
   struct Element {
     ContourElement line;  ///< or arc
     SourceRange range;    ///< the words of its block, or the one that asks for it
-    bool corner = false;  ///< a chamfer or rounding behind the block's own move
-    bool certain = false; ///< on every way that the state stands for
-    bool entry = false;   ///< the way on, where that is an element as others
+    bool corner = false;  ///< a chamfer or rounding after the block's own move
+    bool certain = false; ///< on every path that the state represents
+    bool entry = false;   ///< the path on, where that is an element as others
     double left = 0;      ///< mm from it to the tool's centre, below zero on its right
     Origin tool;          ///< where the tool was called
   };
@@ -26,7 +26,7 @@ public:
 
   ContourTrail(const Dialect &dialect, const MachineProfile &machine);
 
-  /// Takes the motion of the block at hand. A block that does not go on where the last one ended
+  /// Takes the motion of the current block. A block that does not go on where the last one ended
   /// begins a trail of its own.
   void take(const RuleContext &ctx, bool certain, Judge judge);
 
@@ -76,9 +76,9 @@ private:
     SourceRange cornerRange;
     bool approach = false; ///< compensation is built up along its move
   };
-  BlockElements block_, blockBefore_;    ///< the one at hand, and the one that its corner waits for
+  BlockElements block_, blockBefore_;    ///< the current one, and the one that its corner waits for
   uint64_t lastTag_ = 0;                 ///< of the block whose element came last
-  std::optional<ContourElement> before_; ///< of the last one; none: the way on, or not known
+  std::optional<ContourElement> before_; ///< of the last one; none: the path on, or not known
   std::optional<Element> last_;
   Vector lastOut_{0, 0}; ///< direction of travel at the last one's end
   ElementCorners ends_;  ///< of the last one, as far as they are known

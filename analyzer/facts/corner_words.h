@@ -17,7 +17,7 @@ struct CornerAddresses {
 /// The addresses that the dialect's linear move takes as corners and angles.
 CornerAddresses cornerAddresses(const Dialect &dialect);
 
-/// Whether the block at hand is a straight feed move without a code that reads `letters` otherwise.
+/// Whether the current block is a straight feed move without a code that reads `letters` otherwise.
 bool isLine(const RuleContext &ctx, const Event &motion);
 /// True when a code of the block other than a motion takes one of the letters for itself.
 bool takenByOther(const RuleContext &ctx, AddressMask letters);
@@ -26,11 +26,11 @@ bool takenByOther(const RuleContext &ctx, AddressMask letters);
 /// spindle turns, see `isCornerOfAxis`.
 bool asksForCorner(const RuleContext &ctx, const Word &word);
 
-/// Blocks without a move that may stand between the two moves of a corner written with a comma.
+/// Blocks without a move that may be between the two moves of a corner written with a comma.
 constexpr unsigned blocksBetweenMoves = 3;
 
-/// Reads the block that the corner of the block at hand has to reckon with: the next one, or, past
-/// at most `between` blocks that neither move nor run a cycle, the one behind these. False when
+/// Reads the block that the corner of the current block has to reckon with: the next one, or, past
+/// at most `between` blocks that neither move nor run a cycle, the one after these. False when
 /// none is found, or when something decides at run time what comes. `passed`: it is not the next.
 bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between, bool &passed);
 

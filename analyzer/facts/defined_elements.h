@@ -16,7 +16,7 @@ public:
     bool used = false;
   };
 
-  /// The word that the block at hand defines, or null.
+  /// The word that the current block defines, or null.
   static const Word *definedBy(const RuleContext &ctx) {
     return ctx.find({Action::DefineElement}) ? ctx.block().findAny(ctx.dialect().elementWords)
                                              : nullptr;

@@ -17,7 +17,7 @@ constexpr double tolerance = 0.01; // mm
 /// Directions are parallel when their sine is below this.
 constexpr double parallel = 1e-6;
 
-/// The number behind an address in the words of a definition, which the reader keeps as one text;
+/// The number after an address in the words of a definition, which the reader keeps as one text;
 /// none where it is missing or computed.
 std::optional<double> numberOf(llvm::StringRef text, llvm::StringRef address) {
   text = text.take_until([](char c) { return c == '\'' || c == '{' || c == '('; });

@@ -20,7 +20,7 @@ struct ElementGeometry {
   void remember(RuleMemory &memory) const { memory(kind, x, y, size, switches); }
 };
 
-/// The element that the block at hand defines: `P1 = X0 Y0`, `L1 = G1 X0 Y0 RC45`,
+/// The element that the current block defines: `P1 = X0 Y0`, `L1 = G1 X0 Y0 RC45`,
 /// `O1 = G2 I0 J0 R20`. None when its words are not known, the plane is another one, or a
 /// frame is on.
 std::optional<ElementGeometry> definedElement(const RuleContext &ctx);

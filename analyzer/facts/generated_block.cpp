@@ -20,7 +20,7 @@ llvm::StringRef innerText(const Comment &comment, llvm::StringRef text) {
   return inner.trim();
 }
 
-/// What stands between the first and the last apostrophe.
+/// What is between the first and the last apostrophe.
 llvm::StringRef quoted(llvm::StringRef text) {
   const size_t first = text.find('\''), last = text.rfind('\'');
   return first == llvm::StringRef::npos || last <= first ? llvm::StringRef()

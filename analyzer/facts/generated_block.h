@@ -45,10 +45,10 @@ struct GeneratedBlock {
 /// `block` must outlive the result.
 GeneratedBlock readGenerated(const Block &block, llvm::StringRef text);
 
-/// The block's code behind its last code line, without comments, one blank between words.
+/// The block's code after its last code line, without comments, one blank between words.
 std::string codeBehind(const GeneratedBlock &generated, const Block &block, llvm::StringRef text);
 
-/// Name in front of the `=` of an assignment, in capitals; empty when the item is none.
+/// Name before the `=` of an assignment, in capitals; empty when the item is none.
 std::string assignedName(const Item &item, llvm::StringRef text);
 
 /// Item of the block that gives `name` its value, or null.

@@ -1,4 +1,4 @@
-// Names of instructions, which take their arguments behind a colon and no value behind `=`.
+// Names of instructions, which take their arguments after a colon and no value after `=`.
 #pragma once
 
 #include "formats/dialect/dialect.h"

@@ -52,7 +52,7 @@ SourceRange wordsRange(const RuleContext &ctx, const Block &block) {
 
 namespace {
 
-/// Reads the block with content that stands in front of `at`.
+/// Reads the block with content that is before `at`.
 bool readBackFrom(const RuleContext &ctx, uint32_t at, Block &block) {
   const uint32_t first = ctx.index().programAt(ctx.block().begin).body, behind = at;
   while (at > first) {

@@ -7,21 +7,21 @@
 
 namespace ncvet {
 
-/// Reads the next block behind the one at hand that holds anything to execute, in the same program.
+/// Reads the next block after the current one that holds anything to execute, in the same program.
 /// False at the program's end. Jumps and calls are not followed.
 bool readNext(const RuleContext &ctx, Block &next);
-/// The same, behind a block that `readNext` returned; `block` is overwritten.
+/// The same, after a block that `readNext` returned; `block` is overwritten.
 bool readOn(const FileIndex &index, Block &block);
 inline bool readOn(const RuleContext &ctx, Block &block) { return readOn(ctx.index(), block); }
 
-/// Reads the block with content that stands in front of the one at hand; false at the program's
+/// Reads the block with content that is before the current one; false at the program's
 /// begin.
 bool readPrevious(const RuleContext &ctx, Block &previous);
 
-/// The same, in front of a block that `readPrevious` returned; `block` is overwritten.
+/// The same, before a block that `readPrevious` returned; `block` is overwritten.
 bool readBack(const RuleContext &ctx, Block &block);
 
-/// Where the words of a block of this file stand.
+/// Where the words of a block of this file are.
 SourceRange wordsRange(const RuleContext &ctx, const Block &block);
 
 /// Codes of a block that was read ahead, without their variants.
@@ -50,7 +50,7 @@ enum class Side : uint8_t { Unknown, Outside, Inside };
 struct Profile {
   bool known = false;              ///< false: the blocks are not there, or not a plain list
   std::deque<ProfileBlock> blocks; ///< stays where it is: the codes point into it
-  size_t lastCut = 0;              ///< index behind the last block that belongs to the contour
+  size_t lastCut = 0;              ///< index after the last block that belongs to the contour
   /// Least and greatest X and Z of the contour, from the first block's end point on; none when one
   /// end point is not known.
   std::optional<double> minX, maxX, minZ, maxZ;
@@ -59,7 +59,7 @@ struct Profile {
   Side side = Side::Unknown;
 };
 
-/// Reads the profile of the cycle that the block at hand runs (`Outcome::flow` names its blocks).
+/// Reads the profile of the cycle that the current block runs (`Outcome::flow` names its blocks).
 /// `startX`, `startZ`: where the cycle begins, for the side.
 Profile readProfile(const RuleContext &ctx);
 
@@ -72,7 +72,7 @@ AddressMask addressesOf(const CodeInfo &code, Role role);
 /// Value of a role's word as the active cycle keeps it, or of its variable; none when it is absent
 /// or not known.
 std::optional<double> kept(const MachineState &state, const CodeInfo &code, Role role);
-/// Known value of a role's word in the block at hand, as written.
+/// Known value of a role's word in the current block, as written.
 std::optional<double> valueOf(const RuleContext &ctx, const CodeInfo &code, Role role);
 /// Millimetres per unit of a length in the state; none when the unit is not known.
 std::optional<double> millimetresPer(const Dialect &dialect, const MachineState &state);
@@ -80,7 +80,7 @@ std::optional<double> millimetresPer(const Dialect &dialect, const MachineState 
 /// `start`.
 std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &start);
 
-/// Whether the tool comes from below the work, so that its planes stand the other way round: the
+/// Whether the tool comes from below the work, so that its planes are the other way round: the
 /// tables' codes say so in `_BELOW`.
 bool comesFromBelow(const MachineState &state);
 /// True for cycles that make a hole along the tool axis.

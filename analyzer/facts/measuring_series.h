@@ -1,4 +1,4 @@
-// Codes between which a series of measurements stands.
+// Codes between which a series of measurements is.
 #pragma once
 
 #include "formats/dialect/dialect.h"

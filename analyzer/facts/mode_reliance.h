@@ -15,7 +15,7 @@ struct ModeChanges {
 /// Bit mask of those standard groups that the dialect has.
 uint64_t groupMask(const Dialect &dialect, std::initializer_list<StandardGroup> groups);
 
-/// Looks through the text behind the block at hand for the first block with axis words that uses
+/// Looks through the text after the current block for the first block with axis words that uses
 /// some of `changes` before they are stated again; `user` gets its range. Gives nothing when there
 /// is none within some dozens of blocks, or where the text alone does not tell what runs next: at
 /// calls, jumps, returns, ends and codes without a table entry. Skippable blocks are passed over.

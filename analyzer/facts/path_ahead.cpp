@@ -1,4 +1,4 @@
-// The path behind the block at hand, followed in the text for rules that look at two elements.
+// The path after the current block, followed in the text for rules that look at two elements.
 #include "analyzer/facts/path_ahead.h"
 
 #include "interp/geometry/arc.h"
@@ -9,7 +9,7 @@ namespace ncvet {
 
 namespace {
 
-/// Blocks without a move that may stand between two elements.
+/// Blocks without a move that may be between two elements.
 constexpr unsigned blocksBetween = 3;
 constexpr double shortest = 1e-6; // mm
 /// Directions are parallel when their sine is below this.

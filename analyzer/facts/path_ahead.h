@@ -1,4 +1,4 @@
-// The path behind the block at hand, followed in the text for rules that look at two elements.
+// The path after the current block, followed in the text for rules that look at two elements.
 #pragma once
 
 #include "analyzer/facts/lookahead.h"
@@ -6,10 +6,10 @@
 
 namespace ncvet {
 
-/// The block at hand, as it was executed.
+/// The current block, as it was executed.
 ExecutedBlock executedBlock(const RuleContext &ctx);
 
-/// Executes the blocks behind the one at hand, one move after the other. Outlives the call in which
+/// Executes the blocks after the current one, one move after the other. Outlives the call in which
 /// it was made, not the analysis.
 class PathAhead {
 public:

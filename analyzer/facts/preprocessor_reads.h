@@ -1,11 +1,11 @@
-// Values that the control reads while it prepares blocks, before the moves in front are done.
+// Values that the control reads while it prepares blocks, before the moves that precede are done.
 #pragma once
 
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
 
-/// Whether an expression of the block at hand reads one; `ofAxis`: one of an axis (`$AA_IM[X]`),
+/// Whether an expression of the current block reads one; `ofAxis`: one of an axis (`$AA_IM[X]`),
 /// which every move changes.
 inline bool readsAhead(const Expression &value, const RuleContext &ctx, bool ofAxis) {
   const Block &block = ctx.block();
@@ -24,7 +24,7 @@ inline bool readsAhead(const Expression &value, const RuleContext &ctx, bool ofA
 }
 
 /// Calls `visit` for each expression of the block that is computed as the block is prepared, with
-/// the event at hand: `Statement` for the values and conditions of statements, `Block` for words.
+/// the current event: `Statement` for the values and conditions of statements, `Block` for words.
 template <typename Visit>
 void eachPrepared(const Event &event, const RuleContext &ctx, Visit visit) {
   const Block &block = ctx.block();

@@ -24,7 +24,7 @@ std::optional<double> lengthOf(const Block &block, char letter, double unit) {
   return word->value() * unit;
 }
 
-/// Where along `axis` an arc of the profile turns back between its ends, in the order of the way;
+/// Where along `axis` an arc of the profile turns back between its ends, in the order of the path;
 /// X as programmed.
 llvm::SmallVector<double, 2> turnsOf(const RuleContext &ctx, const ProfileBlock &block, Axis axis) {
   llvm::SmallVector<double, 2> turns;
@@ -55,7 +55,7 @@ llvm::SmallVector<double, 2> turnsOf(const RuleContext &ctx, const ProfileBlock 
   const auto angleOf = [&](const ArcGeometry::Point &point) {
     return std::atan2(point[1] - (*centre)[1], point[0] - (*centre)[0]);
   };
-  // The way from the start to an angle, in the sense of the arc.
+  // The path from the start to an angle, in the sense of the arc.
   const auto wayTo = [&](double angle) {
     const double way = clockwise ? angleOf(start) - angle : angle - angleOf(start);
     return way - std::floor(way / (2 * pi)) * 2 * pi;

@@ -1,4 +1,4 @@
-// The ways along which a turning cycle may find its profile: with the blocks that a switch leaves
+// The paths along which a turning cycle may find its profile: with the blocks that a switch leaves
 // out, and without them.
 #pragma once
 
@@ -11,9 +11,9 @@ struct ProfileWay {
   Profile profile;
   SourceRange skippable;  ///< the first block that the switch leaves out; empty: there is none
   bool leavesOut = false; ///< the switch is on
-  bool always = true;     ///< there is no such block: the profile is the same on every way
+  bool always = true;     ///< there is no such block: the profile is the same on every path
 
-  /// Says in a finding on which of the ways it holds.
+  /// Says in a finding on which of the paths it holds.
   void explain(FindingBuilder &finding) const {
     if (!always)
       finding.note(skippable, leavesOut ? "when block skip leaves this block out"
@@ -21,7 +21,7 @@ struct ProfileWay {
   }
 };
 
-/// The profile of the cycle that the block at hand runs, see `readProfile`: first with all of its
+/// The profile of the cycle that the current block runs, see `readProfile`: first with all of its
 /// blocks, then, where a switch leaves some of them out, without these. The shape is not known
 /// where several switches decide.
 llvm::SmallVector<ProfileWay, 2> profileWays(const RuleContext &ctx);

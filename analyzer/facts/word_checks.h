@@ -41,7 +41,7 @@ WordTopic topicOfMissing(const CodeInfo &code, const WordSpec &spec);
 /// How a value breaks the bounds of its word.
 enum class Breach : uint8_t {
   PointMissing, ///< written without the decimal point that it needs
-  PointWritten, ///< written with a decimal point where none may stand
+  PointWritten, ///< written with a decimal point where none may be
   TooSmall,
   TooLarge,
   NotWhole,

@@ -7,7 +7,7 @@ void readBlockAt(const SourceFile &source, const Reader &reader, uint32_t offset
   block.clear();
   block.begin = block.end = block.next = offset;
   uint32_t at = std::max(source.lines().lineBegin(offset), source.textBegin());
-  while (at < source.text().size()) { // several blocks may stand on one line
+  while (at < source.text().size()) { // several blocks may be on one line
     reader.read(at, block);
     if (block.next > offset || block.next <= at)
       break;

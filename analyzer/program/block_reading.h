@@ -6,7 +6,7 @@
 
 namespace ncvet {
 
-/// Reads the block that holds the byte `offset` into `block`. Behind the last block it is empty.
+/// Reads the block that holds the byte `offset` into `block`. After the last block it is empty.
 void readBlockAt(const SourceFile &source, const Reader &reader, uint32_t offset, Block &block);
 
 } // namespace ncvet

@@ -24,7 +24,7 @@ bool endsLinesByLineFeed(llvm::StringRef text, uint32_t begin) {
 }
 
 /// Calls `visit(lineBegin, firstContent)` for every line of [begin, end) that is not blank. The
-/// pages that lie behind are given back on the way.
+/// pages that lie after are given back on the way.
 template <typename Visit>
 void eachLine(const SourceFile &source, uint32_t begin, size_t end, bool lineFeeds, Visit visit) {
   const llvm::StringRef text = source.text();
@@ -68,10 +68,10 @@ private:
 
 class NumbersOf {
 public:
-  /// `mainBlocks`: the number of a main block stands behind `:`.
+  /// `mainBlocks`: the number of a main block comes after `:`.
   NumbersOf(llvm::StringRef text, bool mainBlocks) : text_(text), mainBlocks_(mainBlocks) {}
   std::optional<NumberedBlock> operator()(uint32_t line, uint32_t at) const {
-    // Block skip and comments in braces may stand in front of the number.
+    // Block skip and comments in braces may be before the number.
     while (at < text_.size() &&
            (text_[at] == '/' || llvm::isDigit(text_[at]) || text_[at] == ' ' || text_[at] == '{'))
       if (text_[at++] == '{') {
@@ -110,7 +110,7 @@ std::vector<Entry> linesIn(const SourceFile &source, uint32_t begin, size_t end,
   return found;
 }
 
-/// The number of a main block stands behind `:`, where that is no mark of a head.
+/// The number of a main block comes after `:`, where that is no mark of a head.
 bool hasMainBlocks(llvm::StringRef marks) { return !marks.contains(':'); }
 
 uint32_t &offsetOf(uint32_t &offset) { return offset; }
@@ -147,7 +147,7 @@ void look(TextPiece &piece, const SourceFile &source, const Reader &reader, cons
   }
 }
 
-/// Entries of [begin, end) give way to `fresh`, those behind move.
+/// Entries of [begin, end) give way to `fresh`, those after move.
 template <typename Entry>
 void replace(std::vector<Entry> &entries, uint32_t begin, uint32_t end, const TextChange &change,
              const std::vector<Entry> &fresh) {
@@ -257,7 +257,7 @@ void FileScan::edit(const TextChange &change, const SourceFile &after) {
   if (change.begin < 3 || endsLinesByLineFeed(text, first) != lineFeeds_)
     return clear(); // a byte order mark may have come or gone
   const char ending = lineFeeds_ ? '\n' : '\r';
-  const size_t front = text.rfind(ending, change.begin); // looks in front of it
+  const size_t front = text.rfind(ending, change.begin); // looks before it
   const uint32_t begin = std::max(first, front == llvm::StringRef::npos ? 0 : uint32_t(front + 1));
   const size_t back = text.find(ending, change.endAfter());
   const uint32_t end = uint32_t(back == llvm::StringRef::npos ? text.size() : back + 1);

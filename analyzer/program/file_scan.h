@@ -21,7 +21,7 @@ struct Defined {
   ItemKind kind = ItemKind::Definition; ///< Definition, Parameters, Declaration, Macro
   VariableType type = VariableType::None;
   bool array = false;
-  uint32_t begin = 0, end = 0; ///< where its name stands
+  uint32_t begin = 0, end = 0; ///< where its name is
 };
 
 /// What the blocks of a piece of the text hold.
@@ -34,7 +34,7 @@ struct TextPiece : RunPlace {
   void move(const TextChange &change);
 };
 
-/// Each question is answered by one look at the whole text; behind a change only the lines that it
+/// Each question is answered by one look at the whole text; after a change only the lines that it
 /// touches are looked at again. Belongs to one thread.
 class FileScan {
 public:

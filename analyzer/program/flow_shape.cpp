@@ -118,7 +118,7 @@ private:
     shape_.depth = std::max(shape_.depth, unsigned(open_.size()));
   }
 
-  /// Innermost open bracket of these kinds with the label at hand; `open_.size()`: none.
+  /// Innermost open bracket of these kinds with the current label; `open_.size()`: none.
   size_t find(std::initializer_list<Bracket> kinds) const {
     for (size_t i = open_.size(); i-- > 0;)
       if (llvm::is_contained(kinds, open_[i].bracket) && open_[i].label == label_)
@@ -140,7 +140,7 @@ private:
     open_.resize(i + 1);
   }
 
-  /// A further branch of an IF: the one in front of it leads to `target` when it is not taken.
+  /// A further branch of an IF: the one before it leads to `target` when it is not taken.
   void branch(uint32_t at, uint32_t target, Bracket bracket) {
     const size_t i = find({Bracket::If, Bracket::ElseIf});
     if (i == open_.size()) {
@@ -181,8 +181,8 @@ private:
 
   FlowShape shape_;
   std::vector<Open> open_;
-  uint64_t label_ = 0; ///< of the bracket at hand
-  unsigned scope_ = 0; ///< subprogram that it stands in; 0: none
+  uint64_t label_ = 0; ///< of the current bracket
+  unsigned scope_ = 0; ///< subprogram that it is in; 0: none
   unsigned subprograms_ = 0;
   std::map<std::pair<unsigned, uint64_t>, uint32_t> labels_; ///< scope and label: first bracket
 };

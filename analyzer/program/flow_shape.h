@@ -11,12 +11,12 @@ namespace ncvet {
 
 /// Offsets of blocks.
 struct FlowShape {
-  /// From a bracket to where control goes when the part behind it is not run: from a loop's head
-  /// behind its end, from IF behind its ELSE or ENDIF, from ELSE behind ENDIF.
+  /// From a bracket to where control goes when the part after it is not run: from a loop's head
+  /// after its end, from IF after its ELSE or ENDIF, from ELSE after ENDIF.
   llvm::DenseMap<uint32_t, uint32_t> past;
   /// From a loop's end to its head.
   llvm::DenseMap<uint32_t, uint32_t> back;
-  /// From a branch (ELSEIF) or a way out of a loop to where control goes on.
+  /// From a branch (ELSEIF) or an exit of a loop to where control goes on.
   llvm::DenseMap<uint32_t, uint32_t> out;
   /// From a bracket whose label an earlier one of its program carries to that one.
   llvm::DenseMap<uint32_t, uint32_t> duplicates;

@@ -1,4 +1,4 @@
-// What stands where in one file: its programs, and on demand the block numbers in them.
+// What is where in one file: its programs, and on demand the block numbers in them.
 #include "analyzer/program/program_index.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -59,12 +59,12 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
     program.number = block.program;
     program.name = text.slice(block.nameBegin, block.nameEnd).upper();
     program.begin = line;
-    // Words behind the number stand in the header's block and are executed with it.
+    // Words after the number are in the header's block and are executed with it.
     program.body = line;
     program.headerBegin = block.headerBegin;
     program.headerEnd = block.headerEnd;
     if (programs_.size() == 1 && !programs_[0].hasHeader()) {
-      // What stands in front of the first header is a leader (tape mark, comments) or a fragment.
+      // What comes before the first header is a leader (tape mark, comments) or a fragment.
       bool content_ = false;
       for (uint32_t at = programs_[0].begin; at < line;) {
         Block other;

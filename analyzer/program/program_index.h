@@ -1,4 +1,4 @@
-// What stands where in one file: its programs, and on demand the block numbers in them.
+// What is where in one file: its programs, and on demand the block numbers in them.
 #pragma once
 
 #include "analyzer/program/file_scan.h"
@@ -23,7 +23,7 @@ struct ProgramInfo {
   std::string name;    ///< in capitals; empty when the header gives none
   uint32_t begin = 0;  ///< first byte: of the header, or of the text when there is none
   uint32_t body = 0;   ///< first block to execute
-  uint32_t end = 0;    ///< behind the last byte
+  uint32_t end = 0;    ///< after the last byte
   uint32_t headerBegin = 0, headerEnd = 0; ///< equal: no header
   ProgramKind kind = ProgramKind::Unknown;
   bool hasHeader() const { return headerEnd > headerBegin; }
@@ -31,9 +31,9 @@ struct ProgramInfo {
 
 /// Where a jump looks for its target.
 enum class Search : uint8_t {
-  Anywhere, ///< behind the jump, then from the program's begin
+  Anywhere, ///< after the jump, then from the program's begin
   Forward,
-  Backward ///< the nearest in front of the jump
+  Backward ///< the nearest before the jump
 };
 
 /// Index of one file, from one light scan of its lines; block numbers are collected when the first
@@ -84,7 +84,7 @@ public:
   /// Offsets of the lines that open a subprogram between brackets (`o100 sub`), ascending.
   llvm::ArrayRef<uint32_t> subprograms() const { return subprograms_; }
   const SourceFile &source() const { return source_; }
-  /// Reads a block of the text that is not the one at hand.
+  /// Reads a block of the text that is not the current one.
   void read(uint32_t offset, Block &block) const {
     reader_.read(offset, block);
     looks_.from = std::min(looks_.from, offset);
@@ -95,7 +95,7 @@ public:
     looks_.anywhere = true;
     return reader_;
   }
-  /// What was looked at beside the blocks at hand.
+  /// What was looked at beside the current blocks.
   struct Looks {
     uint32_t from = ~0u, to = 0;
     bool anywhere = false; ///< it cannot be said where

@@ -1,4 +1,4 @@
-// The files of one analysis: the program at hand and those that it calls from elsewhere.
+// The files of one analysis: the current program and those that it calls from elsewhere.
 #include "analyzer/program/project.h"
 
 #include "llvm/ADT/StringExtras.h"

@@ -1,4 +1,4 @@
-// The files of one analysis: the program at hand and those that it calls from elsewhere.
+// The files of one analysis: the current program and those that it calls from elsewhere.
 #pragma once
 
 #include "analyzer/program/program_index.h"
@@ -56,7 +56,7 @@ public:
   /// Program `number` as seen from `from`: its unit and entry; null when there is none.
   using Found = std::pair<FileUnit *, const ProgramInfo *>;
   Found findProgram(FileUnit &from, int64_t number);
-  /// The same for program `name`. A path in front of it is not followed.
+  /// The same for program `name`. A path before it is not followed.
   Found findProgram(FileUnit &from, llvm::StringRef name);
   /// Whether a program of the project is called where `from` names this program of the control: one
   /// of the same file or folder, or one that the file declares.

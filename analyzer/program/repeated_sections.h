@@ -10,7 +10,7 @@ struct RepeatedSection {
   uint32_t at = 0;             ///< the block with the repeat
   uint32_t first = 0;          ///< first block of the section
   uint32_t last = 0;           ///< last block of it
-  uint32_t behind = 0;         ///< the block behind the last one
+  uint32_t behind = 0;         ///< the block after the last one
   uint32_t begin = 0, end = 0; ///< the repeat's own text
   bool holds(uint32_t offset) const { return first <= offset && offset < behind; }
 };
@@ -20,7 +20,7 @@ struct RepeatedSection {
 std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block,
                                    const Argument &argument, uint32_t from);
 
-/// All repeats with two bounds in front of which their section ends, in text order. Reads the file.
+/// All repeats with two bounds before which their section ends, in text order. Reads the file.
 std::vector<RepeatedSection> repeatedSections(const FileIndex &index);
 
 /// A code of the section that lays its frame by a variable which counts the passes, as the notices

@@ -14,7 +14,7 @@ namespace ncvet {
 constexpr unsigned shortestRun = 16;
 constexpr unsigned longestRun = 512;
 
-/// Where a run of blocks stands that are executed one after the other.
+/// Where a run of blocks is that are executed one after the other.
 struct RunPlace {
   uint32_t begin = 0, end = 0;         ///< [begin, end) in the text
   uint32_t lastBegin = 0, lastEnd = 0; ///< its last block with content
@@ -47,7 +47,7 @@ public:
     const auto at = from(offset);
     return at == runs_.end() || (*at)->begin != offset ? nullptr : at->get();
   }
-  /// Begin of the first run at `offset` or behind it; `~0u`: there is none.
+  /// Begin of the first run at `offset` or after it; `~0u`: there is none.
   uint32_t next(uint32_t offset) const {
     const auto at = from(offset);
     return at == runs_.end() ? ~0u : (*at)->begin;

@@ -35,7 +35,7 @@ private:
     return {source_.id(), begin, begin + uint32_t(part.size())};
   }
 
-  /// `offset`: where `ncvet:` stands, perhaps outside of any comment.
+  /// `offset`: where `ncvet:` is, perhaps outside of any comment.
   void readComment(uint32_t offset) {
     readBlockAt(source_, reader_, offset, block_);
     const Comment *const comment = llvm::find_if(
@@ -97,7 +97,7 @@ private:
     }
     switch (suppression.verb) {
     case SuppressionVerb::Allow: {
-      // A comment that stands alone speaks of the next block.
+      // A comment that is alone speaks of the next block.
       const bool found = skipEmptyBlocks();
       for (SuppressedName &name : suppression.names) {
         name.ends.assign(name.rules.size(), std::max(block_.next, name.begin + 1));

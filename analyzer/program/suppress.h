@@ -4,7 +4,7 @@
 //     (ncvet: off rule) … (ncvet: on rule)
 //     (ncvet: allow-file rule)       in the whole file
 //
-// A rule is named by its id, its category or `all`; `off` and `on` without a name mean all. Behind
+// A rule is named by its id, its category or `all`; `off` and `on` without a name mean all. After
 // ` -- ` there is room for a reason. Upper case is read as well: many controls know no other.
 #pragma once
 
@@ -20,7 +20,7 @@ struct SuppressedName {
   SourceRange range;          ///< of the name; of the word `off` or `on` where none is given
   std::vector<RuleId> rules;  ///< empty: no rule has this name
   uint32_t begin = 0;         ///< first byte that it covers
-  std::vector<uint32_t> ends; ///< per rule: behind the last byte
+  std::vector<uint32_t> ends; ///< per rule: after the last byte
   bool dead = false; ///< covers nothing, whatever is found: an `on` without `off`, no block below
   bool used = false; ///< has suppressed a finding
 };

@@ -145,7 +145,7 @@ void ConfigReader::readMachine(JsonReader &in, const Json &json, llvm::StringRef
     return;
   if (machine->is_object()) {
     const llvm::StringRef inside = findJsonMember(text, "machine").value_or(text);
-    // Empty lines in front keep the line numbers of messages right.
+    // Empty lines before it keep the line numbers of messages right.
     const unsigned line = lineAt(text, size_t(inside.data() - text.data()));
     config_.machine = MachineSource{file.str(), std::string(line - 1, '\n') + inside.str()};
   } else if (machine->is_string()) {

@@ -13,7 +13,7 @@ llvm::Expected<FailOn> parseFailOn(llvm::StringRef text);
 /// A machine profile as a configuration or a command line names it.
 struct MachineSource {
   std::string name; ///< file name for messages, and the key that tells profiles apart
-  std::string text; ///< JSON; of a profile inside a configuration with as many lines in front
+  std::string text; ///< JSON; of a profile inside a configuration with as many lines before it
 };
 
 /// Reads the file of a profile; the error names it.

@@ -95,7 +95,7 @@ private:
       return bit;
     }
     if (c == '[') {
-      const size_t end = rest_.find(']', 1); // a bracket that stands first is a member
+      const size_t end = rest_.find(']', 1); // a bracket that is first is a member
       const uint64_t bit = end == 1 ? charBit(rest_.front()) : 0;
       rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
       return bit;
@@ -145,7 +145,7 @@ bool isRemark(llvm::StringRef line) {
   return line.empty() || llvm::StringRef("(;%:").contains(line.front());
 }
 
-/// `N10 G01 X5.` : a letter and a number, at least once, and nothing else in front of a comment.
+/// `N10 G01 X5.` : a letter and a number, at least once, and nothing else before a comment.
 bool isWords(llvm::StringRef line) {
   line = line.take_until([](char c) { return c == '(' || c == ';'; });
   line.consume_front("/");
@@ -354,7 +354,7 @@ std::string Detector::Score::reason() const {
 Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text, LineMarks *known) const {
   const std::vector<Score> all = scores(fileName, text, known);
   const auto less = [](const Score &a, const Score &b) { return a.value < b.value; };
-  // The first of equals: dialects that are preferred stand first.
+  // The first of equals: dialects that are preferred are first.
   const auto firstOther = all.begin() + ptrdiff_t(dialects_.size());
   const auto best = std::max_element(all.begin(), firstOther, less);
   const auto other = std::max_element(firstOther, all.end(), less);

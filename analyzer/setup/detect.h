@@ -13,7 +13,7 @@ struct Detection {
   /// False when little speaks for the dialect, or more for a control without a table: what rests on
   /// facts of the control alone should not be reported.
   bool sure = false;
-  /// The control without a table that the text is for, with what speaks for it; empty: none.
+  /// The control without a table that the text is for, with the evidence; empty: none.
   std::string other = {};
 };
 

@@ -1,4 +1,4 @@
-// Inputs: the files that a list of paths stands for.
+// Inputs: the files that a list of paths means.
 #pragma once
 
 #include "analyzer/setup/session.h"

@@ -50,7 +50,7 @@ public:
   void forgetFolders();
   /// Where programs are looked up; another object when they were forgotten.
   std::shared_ptr<ProgramFolders> folders();
-  /// The control without a table that the text is for, with what speaks for it; empty: none.
+  /// The control without a table that the text is for, with the evidence; empty: none.
   std::string otherControl(const Config &config, llvm::StringRef fileName, llvm::StringRef text);
 
 private:
@@ -102,7 +102,7 @@ private:
   std::map<std::string, Kept<std::shared_ptr<const RuleSelection>>> selections_;
 };
 
-/// Tables of one's own in front of the built-in ones. `extends` also finds the file `<id>.json`
+/// Tables of one's own before the built-in ones. `extends` also finds the file `<id>.json`
 /// beside one of them.
 class OwnDialects {
 public:

@@ -15,7 +15,7 @@ namespace ncvet {
 using RuleId = uint16_t;
 
 enum class Severity : uint8_t { Style, Warning, Error };
-/// Definite: every way to reach the block breaks the rule. Possible: some way does.
+/// Definite: every path to the block breaks the rule. Possible: some path does.
 enum class Certainty : uint8_t { Possible, Definite };
 /// Safe: the text alone changes, the meaning cannot. Unsafe: needs a look.
 enum class FixSafety : uint8_t { Safe, Unsafe };

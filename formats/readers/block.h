@@ -20,7 +20,7 @@ enum WordFlag : uint8_t {
   wordLeadingZero = 8,  ///< an integer part of several digits that begins with 0
   wordExpression = 16,  ///< the value is an expression: `Block::expressions[mantissa]`
   wordIncremental = 32, ///< marked as incremental by itself (`XI-4`)
-  wordNoValue = 64,     ///< nothing stands behind the address
+  wordNoValue = 64,     ///< nothing comes after the address
   wordMalformed = 128   ///< the number was bad; its value is what could be read
 };
 
@@ -44,7 +44,7 @@ struct Word {
   int64_t mantissa = 0;
 
   bool has(WordFlag flag) const { return flags & flag; }
-  /// True when the value is a number that stands in the text.
+  /// True when the value is a number that is in the text.
   bool isNumber() const { return !(flags & (wordExpression | wordNoValue)); }
   /// Of a word with an expression: how its value counts.
   WordReading reading() const {
@@ -121,7 +121,7 @@ struct ExpressionOp {
 };
 static_assert(sizeof(ExpressionOp) == 16);
 
-/// A range of `Block::operations`, and where it stands.
+/// A range of `Block::operations`, and where it is.
 struct Expression {
   uint32_t first = 0;
   uint32_t count = 0;
@@ -146,7 +146,7 @@ enum class ItemKind : uint8_t {
   Parameters,  ///< what program `name` takes: each argument a name, with its default value
   Definition,  ///< variable `target`, of `type`, with its first `value`; arguments: array sizes
   Declaration, ///< program `name` exists and takes arguments of these types
-  Macro,       ///< `name` stands for words
+  Macro,       ///< `name` means words
   Abort        ///< the program stops itself: `(abort, text)`
 };
 
@@ -180,12 +180,12 @@ enum class Structure : uint8_t {
 
 /// Where a jump looks for its target, and which of its targets it takes.
 enum class JumpKind : uint8_t {
-  Anywhere, ///< behind the jump, then from the program's begin
+  Anywhere, ///< after the jump, then from the program's begin
   Forward,
   Backward,
   IfFound, ///< as `Anywhere`; without a target the next block follows
   ToStart, ///< the program's begin
-  BySign,  ///< three targets: `condition` below zero, zero, above zero; no way on behind it
+  BySign,  ///< three targets: `condition` below zero, zero, above zero; no path on after it
   ByValue  ///< arguments in pairs, a constant and its target, the last alone as default
 };
 
@@ -203,7 +203,7 @@ enum class ArgumentKind : uint8_t {
 /// An argument of an item: of a call, an instruction, a jump.
 struct Argument {
   ArgumentKind kind = ArgumentKind::Empty;
-  char separator = 0;                     ///< in front of it; 0 for the first
+  char separator = 0;                     ///< before it; 0 for the first
   VariableType type = VariableType::None; ///< of a parameter
   bool byReference = false;               ///< a parameter that gives its value back
   uint16_t expression = noExpression;
@@ -215,17 +215,17 @@ struct Argument {
 /// (`variableAddress`) begins where its word begins.
 struct Item {
   ItemKind kind = ItemKind::Assignment;
-  uint8_t loop = 0; ///< number behind DO or END
+  uint8_t loop = 0; ///< number after DO or END
   Structure structure = Structure::If;
   JumpKind jump = JumpKind::Anywhere;
   VariableType type = VariableType::None; ///< of a definition
   bool single = false;                    ///< a repeat of the one block that its argument names
-  bool modal = false;                     ///< a call that is made behind every later move, not here
+  bool modal = false;                     ///< a call that is made after every later move, not here
   bool external = false;                  ///< a call of a program that need not lie beside this one
   bool restores = false;          ///< parameters of a program that gives its caller the modes back
   bool positional = false;        ///< a call whose arguments become `#1`, `#2`, …
   uint32_t label = 0;             ///< of a bracket: hash of its name or number; 0: it has none
-  uint16_t wordsBefore = 0;       ///< words of the block in front of it
+  uint16_t wordsBefore = 0;       ///< words of the block before it
   uint16_t target = noExpression; ///< key of the variable assigned to
   uint16_t value = noExpression;  ///< value assigned, number jumped to, program called
   uint16_t condition = noExpression;         ///< of IF and WHILE, of a jump by sign or value
@@ -260,13 +260,13 @@ enum class SyntaxIssueKind : uint8_t {
   BadStatement,
   UnknownWord,      ///< letters that are neither a keyword nor an address with a number
   ForeignComment,   ///< a comment in the manner of another control
-  OutsideBlock,     ///< code in front of the first block start
+  OutsideBlock,     ///< code before the first block start
   TypographicQuote, ///< a quote that the word processor made of `'` or `"`
   UnclosedString,
   MissingArgument, ///< an argument list that ends too early
   TooManyArguments,
   NamedArgument,       ///< `RTP=50` where only the place of an argument counts
-  MisplacedLabel,      ///< a label that does not stand where labels stand
+  MisplacedLabel,      ///< a label that is not where labels are
   MissingEquals,       ///< an address of several letters, or a calculation, without its `=`
   AssignmentInTest,    ///< `=` where two values are compared
   AmbiguousExpression, ///< operators whose order is another than it looks
@@ -274,7 +274,7 @@ enum class SyntaxIssueKind : uint8_t {
   NotABlock            ///< text of which no part is code: prose, or another language
 };
 
-/// Bad text in a block; reading went on behind it.
+/// Bad text in a block; reading went on after it.
 struct SyntaxIssue {
   SyntaxIssueKind kind;
   uint32_t begin = 0;
@@ -285,7 +285,7 @@ enum class BlockKind : uint8_t {
   Normal,
   Empty,        ///< nothing but blanks and comments
   Tape,         ///< a `%` line
-  ProgramHeader ///< `O1234`, `:1234`, `%O1234`, alone or with words behind it
+  ProgramHeader ///< `O1234`, `:1234`, `%O1234`, alone or with words after it
 };
 
 /// One block. The storage is reused from block to block: reading allocates nothing once the vectors
@@ -293,11 +293,11 @@ enum class BlockKind : uint8_t {
 struct Block {
   BlockKind kind = BlockKind::Normal;
   uint32_t begin = 0; ///< first byte
-  uint32_t end = 0;   ///< behind the last byte, its line end not counted
+  uint32_t end = 0;   ///< after the last byte, its line end not counted
   uint32_t next = 0;  ///< first byte of the next block
   int8_t skip = -1;   ///< block skip: 0 for `/`, 1…9 for `/n`; -1: none
   bool lowerCase = false;
-  bool tapeInside = false; ///< a `%` stands behind other words
+  bool tapeInside = false; ///< a `%` comes after other words
   bool numberIsFirst = true;
   int64_t number = -1; ///< block number; -1: none
   uint32_t numberBegin = 0, numberEnd = 0;
@@ -305,9 +305,9 @@ struct Block {
   uint32_t headerBegin = 0, headerEnd = 0;
   uint32_t nameBegin = 0, nameEnd = 0;   ///< name in a program header; equal: none
   uint32_t labelBegin = 0, labelEnd = 0; ///< label without its marks; equal: none
-  bool mainBlock = false;                ///< the number stands behind `:` instead of N
+  bool mainBlock = false;                ///< the number comes after `:` instead of N
   AddressMask addresses = 0;             ///< of `words`
-  AddressMask repeated = 0;              ///< addresses that stand more than once
+  AddressMask repeated = 0;              ///< addresses that are more than once
   AddressMask pointed = 0;               ///< addresses of numbers with a decimal point
   AddressMask pointless = 0; ///< addresses of numbers other than 0 without a decimal point
 
@@ -342,9 +342,9 @@ struct Block {
   bool hasLabel() const { return labelEnd > labelBegin; }
   /// First word with one of these addresses, or null.
   const Word *findAny(AddressMask mask) const;
-  /// Byte offset behind the last byte of `word`.
+  /// Byte offset after the last byte of `word`.
   uint32_t endOf(const Word &word) const;
-  /// True when nothing stands in the block that a control would execute.
+  /// True when nothing is in the block that a control would execute.
   bool isEmpty() const { return words.empty() && items.empty(); }
 };
 

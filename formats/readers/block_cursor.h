@@ -1,4 +1,4 @@
-// Where in the text a block is being read, and the block: what scanners and parsers stand on.
+// Where in the text a block is being read, and the block: what scanners and parsers use.
 #pragma once
 
 #include "formats/readers/block.h"

@@ -21,7 +21,7 @@ inline bool isLetter(char c) { return uint8_t((c | 32) - 'a') < 26; }
 constexpr int64_t maxBlockNumber = 1'000'000'000'000;
 
 /// The state of reading one block. A reader's scanner derives from it and adds its grammar; `Blank`
-/// says which characters stand between words.
+/// says which characters are between words.
 template <bool (*Blank)(char) = isLineBlank>
 class BlockScanner : protected BlockCursor {
 protected:
@@ -69,7 +69,7 @@ protected:
   }
 
   /// The sign of a number that is not as usual, perhaps a dash of a word processor or with blanks
-  /// behind it; whether it is a minus. `begin` is the word's begin.
+  /// after it; whether it is a minus. `begin` is the word's begin.
   bool takeSign(Word &word, const char *begin) {
     bool negative = false;
     if (const unsigned bytes = typographicMinus(at_, end_)) {
@@ -92,7 +92,7 @@ protected:
     return negative;
   }
   /// Its digits, of which more than a mantissa holds are dropped, and its point, perhaps a comma
-  /// (`leadingComma`: also in front of all digits); false, with an issue, when there is no digit.
+  /// (`leadingComma`: also before all digits); false, with an issue, when there is no digit.
   bool takeDigits(Word &word, const char *begin, bool negative, bool leadingComma) {
     int64_t mantissa = 0;
     unsigned digits = 0, whole = 0, decimals = 0, read = 0;
@@ -125,7 +125,7 @@ protected:
     word.decimals = uint8_t(decimals);
     return true;
   }
-  /// A second point or sign behind it, and what follows of the like: an issue; whether there was
+  /// A second point or sign after it, and what follows of the like: an issue; whether there was
   /// one.
   bool takeExcess(Word &word, const char *begin) {
     if (at_ == end_ || (*at_ != '.' && *at_ != '-' && *at_ != '+'))

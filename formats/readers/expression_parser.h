@@ -23,7 +23,7 @@ protected:
   /// Brackets nest at most this deep: more is no program, and recursion must be bounded.
   static constexpr unsigned maxDepth = 64;
 
-  /// Where reading goes on behind a bad expression.
+  /// Where reading goes on after a bad expression.
   struct Rest {
     const char *begin;
     bool unbalanced; ///< the expression is bad because a bracket lacks its other half
@@ -37,13 +37,13 @@ protected:
     return p;
   }
   void skipBlanks() { at_ = behindBlanks(at_); }
-  /// Where the bracket may stand that makes a name a function.
+  /// Where the bracket may be that makes a name a function.
   const char *behindSpaces(const char *p) const {
     while (p < end_ && *p == ' ')
       ++p;
     return p;
   }
-  /// Steps over blanks, and over `c` behind them; false: it is not there.
+  /// Steps over blanks, and over `c` after them; false: it is not there.
   bool take(char c) {
     skipBlanks();
     if (at_ == end_ || *at_ != c)
@@ -51,7 +51,7 @@ protected:
     ++at_;
     return true;
   }
-  /// Steps over digits, perhaps with a point among them, where one of both is at hand; false: a
+  /// Steps over digits, perhaps with a point among them, where one of both is next; false: a
   /// point alone.
   bool takeDigits() {
     const char *const begin = at_;
@@ -67,9 +67,9 @@ protected:
     block_.operations.push_back({op, offset(at), value});
   }
 
-  /// The operators behind an operand that was read, as far as they are at least as strong as
-  /// `strength`, grouped from the left. `find` gives the operator at hand; `apply`, which gets it
-  /// and its place, reads the operand behind it and emits it.
+  /// The operators after an operand that was read, as far as they are at least as strong as
+  /// `strength`, grouped from the left. `find` gives the current operator; `apply`, which gets it
+  /// and its place, reads the operand after it and emits it.
   template <typename Find, typename Apply>
   bool operators(unsigned strength, Find find, Apply apply) {
     for (;;) {
@@ -87,7 +87,7 @@ protected:
     }
   }
 
-  /// An expression that begins here, behind blanks.
+  /// An expression that begins here, after blanks.
   Expression open() {
     skipBlanks();
     Expression expression;
@@ -95,7 +95,7 @@ protected:
     expression.begin = offset(at_);
     return expression;
   }
-  /// It could not be read: its value is unknown, and reading goes on behind it.
+  /// It could not be read: its value is unknown, and reading goes on after it.
   void fail(Expression &expression, Rest rest);
   /// It ends here. Gives its index; a block that holds more than can be counted gives its last one
   /// again.

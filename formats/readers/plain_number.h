@@ -7,13 +7,13 @@
 
 namespace ncvet {
 
-/// More digits than an int64 holds for certain: what is behind them is dropped.
+/// More digits than an int64 holds for certain: what is after them is dropped.
 constexpr unsigned maxNumberDigits = 18;
 
 inline bool isNumberDigit(char c) { return uint8_t(c - '0') < 10; }
 
 /// Optional minus, digits, perhaps a point and more digits, fewer than `maxNumberDigits` in all,
-/// and nothing behind it that could belong to a number. Fills in `word` and gives the place behind;
+/// and nothing after it that could belong to a number. Fills in `word` and gives the place after;
 /// null, with nothing changed, for every other number. At least one byte must be left. Where commas
 /// separate values a comma ends the number.
 template <bool commaEnds = false>
@@ -23,7 +23,7 @@ inline const char *readPlainNumber(const char *at, const char *end, Word &word) 
   p += negative;
   const char *const first = p;
   int64_t mantissa = 0;
-  // One test per digit suffices: too long a run is refused behind the loop, before its value
+  // One test per digit suffices: too long a run is refused after the loop, before its value
   // counts.
   const char *const limit = end - p > ptrdiff_t(maxNumberDigits) ? p + maxNumberDigits : end;
   while (p < limit && isNumberDigit(*p))

@@ -26,7 +26,7 @@ public:
   void setHidesProgram(HidesProgram hides) { hides_ = std::move(hides); }
   bool isHidden(llvm::StringRef name) const { return hides_ && hides_(name); }
   llvm::StringRef text() const { return text_; }
-  /// Offset of the first block (behind a byte order mark).
+  /// Offset of the first block (after a byte order mark).
   uint32_t first() const { return text_.startswith("\xEF\xBB\xBF") ? 3 : 0; }
 
 protected:

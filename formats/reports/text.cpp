@@ -12,7 +12,7 @@ namespace {
 
 using Color = llvm::raw_ostream::Colors;
 
-/// Bytes shown in front of and behind the begin of a range when a line is longer: a file without
+/// Bytes shown before and after the begin of a range when a line is longer: a file without
 /// line ends must not be printed once a finding.
 constexpr uint32_t shownInFront = 120;
 constexpr uint32_t shownBehind = 360;

@@ -1,5 +1,5 @@
 // The motions of cycles that mill an area or a surface, as its envelope: the approach, at each
-// depth the way along the outline that the tool's centre may reach, the withdrawal. How an area is
+// depth the path along the outline that the tool's centre may reach, the withdrawal. How an area is
 // cleared inside that outline the manuals do not say.
 #include "interp/cycles/cycle_moves.h"
 #include "interp/cycles/depth_levels.h"
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  /// Levels of a cycle that goes down from where it stands: in as many like steps as it repeats.
+  /// Levels of a cycle that goes down from where it is: in as many like steps as it repeats.
   llvm::SmallVector<Interval, 8> levelsFromHere() const {
     llvm::SmallVector<Interval, 8> list;
     const Interval &from = at_[size_t(tool_)], &to = executed_.after.at(tool_);
@@ -109,8 +109,8 @@ private:
     }
   }
 
-  /// Down to where the surface begins, along it on a way that is not known, at its end at the
-  /// bottom where the table names one. Without words for its begin the tool begins where it stands.
+  /// Down to where the surface begins, along it on a path that is not known, at its end at the
+  /// bottom where the table names one. Without words for its begin the tool begins where it is.
   bool surface() {
     const auto approach = approachLevel(parameters_);
     const auto top = parameters_.length(Measure::Top);

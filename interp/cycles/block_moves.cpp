@@ -193,7 +193,7 @@ private:
     }
   }
 
-  /// The way to the reference point leads through the point that the block names.
+  /// The path to the reference point leads through the point that the block names.
   void viaPoint(const Event &event) {
     if (!event.axes || event.code == noCode ||
         dialect_.codes[event.code].action != Action::ReferenceReturn)

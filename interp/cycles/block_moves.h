@@ -22,7 +22,7 @@ struct ExecutedBlock {
 /// Gives `move` the feed that is in force in `state`.
 void setFeed(const Dialect &dialect, const MachineState &state, Move &move);
 
-/// Appends the rapid that leads to where the block begins, for a tool that stands elsewhere.
+/// Appends the rapid that leads to where the block begins, for a tool that is elsewhere.
 void appendReturn(const ExecutedBlock &executed, llvm::SmallVectorImpl<Move> &moves);
 
 /// Appends what the block does, in the order in which the control does it: tool, spindle, dwell,

@@ -110,7 +110,7 @@ ContourCycle read(const ExecutedBlock &executed, const CodeInfo &code) {
   cycle.depth = known(words.length(Role::CutDepth));
   cycle.passes = known(words.length(Role::PassCount));
   cycle.retract = words.length(Measure::Retract, Role::Retract).value_or(Interval::unknown());
-  // The stock is divided by the number of passes, or the way between first and last is given.
+  // The stock is divided by the number of passes, or the path between first and last is given.
   const auto passes = cycle.passes;
   const auto wayOf = [&](Measure spread, Role stock) -> std::optional<double> {
     if (const auto way = words.length(spread))

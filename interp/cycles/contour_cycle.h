@@ -14,7 +14,7 @@ namespace ncvet {
 struct ContourCycle {
   CycleKind kind = CycleKind::None;
   uint32_t traits = 0; ///< as of `CodeInfo`
-  /// Where the tool stands in front of the cycle, and comes back to.
+  /// Where the tool is before the cycle, and comes back to.
   Move start;
   Move feed;                                 ///< a motion at the cycle's feed
   std::array<double, 2> lengths{1, 1};       ///< what a coordinate counts for a millimetre of way
@@ -61,7 +61,7 @@ void millContour(const ContourCycle &cycle, llvm::ArrayRef<Move> contour,
 void turnContour(const ContourCycle &cycle, llvm::ArrayRef<Move> contour,
                  llvm::function_ref<void(const Move &)> give);
 
-/// Gives the way back from the contour's last point to where the cycle began.
+/// Gives the path back from the contour's last point to where the cycle began.
 void returnToStart(const ContourCycle &cycle, const Place &from,
                    llvm::function_ref<void(const Move &)> give);
 

@@ -63,7 +63,7 @@ private:
 
   const ContourCycle &cycle_;
   const llvm::function_ref<void(const Move &)> give_;
-  Move at_; ///< where the tool stands
+  Move at_; ///< where the tool is
   size_t given_ = 0;
 };
 

@@ -15,7 +15,7 @@ protected:
       : executed_(executed), cycle_(cycle), words_(executed, cycle), at_(executed.before.position),
         machineAxes_(executed.before.machineAxes), moves_(moves), most_(moves.size() + mostMoves) {}
 
-  /// A motion, or what stands between two, with the tool at `at_`.
+  /// A motion, or what is between two, with the tool at `at_`.
   Move &go(MoveKind kind) {
     if (moves_.size() >= most_)
       return spare_ = Move();

@@ -19,7 +19,7 @@ public:
       : CycleWriter(executed, cycle, moves), parameters_(executed, cycle),
         tool_(toolAxis(executed.dialect, executed.after)) {}
 
-  /// The cycle's motions at each place to which the block takes it; where the tool stands when the
+  /// The cycle's motions at each place to which the block takes it; where the tool is when the
   /// cycle is called.
   void run() {
     const auto tool = size_t(tool_);
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  /// Level of the way to a hole, for a control that rises: the present one, or where that is not
+  /// Level of the path to a hole, for a control that rises: the present one, or where that is not
   /// above the approach the one to which it withdraws.
   Interval levelAcross(const Interval &approach) const {
     const Interval &present = at_[size_t(tool_)];
@@ -97,7 +97,7 @@ private:
     const WordSpec *spec = words_.spec(Role::Retract);
     return incremental() && !spec->variable && !spec->position ? startLevel() + *level : *level;
   }
-  /// Level at which the tool stood when the cycle became active.
+  /// Level at which the tool was when the cycle became active.
   Interval startLevel() const {
     const Interval &level = executed_.after.initialLevel;
     return level.isUnknown() ? executed_.before.at(tool_) : level;

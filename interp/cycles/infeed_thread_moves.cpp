@@ -94,7 +94,7 @@ private:
         move.feed = *lead;
   }
 
-  double inwards_ = 1;                      ///< sign of the way into the work along X
+  double inwards_ = 1;                      ///< sign of the path into the work along X
   double peak_ = 0, first_ = 0, depth_ = 0; ///< from the line, of the first pass, of the thread
   double x_ = 0, z_ = 0, end_ = 0;          ///< where the line begins, and its end in Z
   double slope_ = 0;                        ///< way along Z for each depth

@@ -1,5 +1,5 @@
 // The passes of turning cycles along a contour: parallel to an axis down to the contour, the
-// contour shifted again and again, the way back.
+// contour shifted again and again, the path back.
 #include "interp/cycles/contour_cycle.h"
 #include "interp/geometry/turned_contour.h"
 
@@ -162,7 +162,7 @@ private:
     }
   }
 
-  /// The bottom of a part that ends in front of the next level.
+  /// The bottom of a part that ends before the next level.
   void bottoms(const TurnedContour::Part &part, double above, double level) {
     const double bottom = contour_->farthest(infeed_, in_, part);
     if ((bottom - above) * in_ <= tolerance || (bottom - level) * in_ > -tolerance)
@@ -199,7 +199,7 @@ private:
     go(MoveKind::Rapid);
   }
 
-  /// Level above all that stands between the begin of the passes and the part.
+  /// Level above all that is between the begin of the passes and the part.
   double clearOf(const TurnedContour::Part &part, double above) const {
     TurnedContour::Part way = contour_->whole();
     way.lastPiece = part.firstPiece;
@@ -213,7 +213,7 @@ private:
     go(MoveKind::Rapid);
   }
 
-  /// Away from the work at 45 degrees, but not behind the begin of the pass.
+  /// Away from the work at 45 degrees, but not after the begin of the pass.
   void retract(const TurnedPoint &from, const TurnedPoint &to) {
     const Interval &way = cycle_.retract;
     if (way.isConstant()) {
@@ -266,7 +266,7 @@ private:
 
   const ContourCycle &cycle_;
   const llvm::ArrayRef<Move> moves_;
-  Move at_; ///< where the tool stands
+  Move at_; ///< where the tool is
   const Give give_;
   const size_t infeed_, along_;
   const TurnedContour *contour_ = nullptr; ///< moved to where roughing ends

@@ -84,7 +84,7 @@ private:
   const CycleParameters parameters_;
   llvm::SmallVector<ThreadPlace, 4> places_;
   Interval height_;     ///< of the thread
-  double inwards_ = -1; ///< sign of the way into the work along X
+  double inwards_ = -1; ///< sign of the path into the work along X
 };
 
 } // namespace

@@ -17,8 +17,8 @@ public:
                      llvm::SmallVectorImpl<Move> &moves)
       : MillingWriter(executed, cycle, moves) {}
 
-  /// In a bore the tool begins and ends in the middle; round a pin it stands somewhere beside it.
-  /// Both ways between there and the thread are arcs that lead on along the tool axis: how far is
+  /// In a bore the tool begins and ends in the middle; round a pin it is somewhere beside it.
+  /// Both paths between there and the thread are arcs that lead on along the tool axis: how far is
   /// not followed.
   void run() {
     const bool inside = parameters_.number(Measure::Inside) == Interval::exactly(1);

@@ -1,4 +1,4 @@
-// The passes of thread cycles, one behind the other down to the depth of the thread.
+// The passes of thread cycles, one after the other down to the depth of the thread.
 #include "interp/cycles/cycle_moves.h"
 #include "interp/cycles/cycle_writer.h"
 #include "interp/cycles/thread_depths.h"

@@ -107,7 +107,7 @@ bool blockHasCode(const ConditionContext &context, CodeIndex wanted) {
   });
 }
 
-/// Whether words stand in front of the code, or behind it, as the condition wants.
+/// Whether words are before the code, or after it, as the condition wants.
 bool standsAround(const Condition &condition, const CodeInfo *code,
                   const ConditionContext &context) {
   for (const CodeUse &use : context.codes) {

@@ -1,4 +1,4 @@
-// What a cycle's formulas and words give, from its block and the parameter block in front of it.
+// What a cycle's formulas and words give, from its block and the parameter block before it.
 #include "interp/evaluate/cycle_parameters.h"
 
 #include "interp/evaluate/cycle_words.h"

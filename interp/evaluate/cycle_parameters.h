@@ -1,4 +1,4 @@
-// What a cycle's formulas and words give, from its block and the parameter block in front of it.
+// What a cycle's formulas and words give, from its block and the parameter block before it.
 #pragma once
 
 #include "formats/dialect/measure.h"
@@ -14,7 +14,7 @@ public:
 
   /// Whether the cycle has such a formula.
   bool has(Measure what) const;
-  /// Value of the formula as it stands; none when the cycle has no such formula, or a word that it
+  /// Value of the formula as it is; none when the cycle has no such formula, or a word that it
   /// names is not given. `index` is the place that its `index()` means.
   std::optional<Interval> number(Measure what, double index = 0) const;
   /// The same of a length, in millimetres.

@@ -30,7 +30,7 @@ private:
   const CodeInfo &cycle_;
 };
 
-/// Whether `next` goes on with the words of the cycle that is in force: a drilling code behind
+/// Whether `next` goes on with the words of the cycle that is in force: a drilling code after
 /// another one, on a control that keeps them until none is active any more.
 bool takesOverWords(const CodeInfo &next, const Dialect &dialect, const MachineState &before);
 

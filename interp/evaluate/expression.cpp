@@ -355,7 +355,7 @@ void Evaluator::step(const ExpressionOp &op) {
   case Op::Ceiling:
     return unary([](double x) { return std::ceil(x); });
   case Op::Exists: {
-    // Given a value on some way at least; one that all programs share may have it from elsewhere.
+    // Given a value on some path at least; one that all programs share may have it from elsewhere.
     const auto key = uint64_t(op.value);
     const bool local = key >= firstNamedVariable;
     const Truth given = local ? state_.locals.given(key) : state_.commons.given(key);
@@ -412,12 +412,12 @@ Value evaluate(const Block &block, uint16_t index, const MachineState &state, Ou
 }
 
 namespace {
-/// Whether the item gives a variable a value that what stands at `offset` finds.
+/// Whether the item gives a variable a value that what is at `offset` finds.
 bool assignsBefore(const Item &item, uint32_t offset) {
   return item.kind == ItemKind::Assignment && item.begin < offset && item.value != noExpression;
 }
 
-/// Whether an expression may read a variable that the block assigns in front of it.
+/// Whether an expression may read a variable that the block assigns before it.
 bool readsAssigned(const Block &block, const Expression &expression) {
   const auto reads = [&](const Item &item) {
     const uint64_t key = block.keyOf(item.target);
@@ -442,7 +442,7 @@ bool readsAssigned(const Block &block, const Expression &expression) {
 Value evaluateInBlock(const Block &block, uint16_t index, const MachineState &before) {
   const bool conditional =
       llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::If; });
-  // Where names belong to the running program the control assigns behind the block's words.
+  // Where names belong to the running program the control assigns after the block's words.
   if (index >= block.expressions.size() || block.items.empty() || conditional ||
       before.ranges.namedLocal || !readsAssigned(block, block.expressions[index]))
     return evaluate(block, index, before, nullptr);

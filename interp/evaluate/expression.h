@@ -9,7 +9,7 @@ namespace ncvet {
 /// arithmetic are emitted into `outcome`, which may be null.
 Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome);
 
-/// The same on the state before the block: its own assignments that stand in front of the
+/// The same on the state before the block: its own assignments that are before the
 /// expression act first.
 Value evaluateInBlock(const Block &block, uint16_t index, const MachineState &before);
 /// Value of a word as written, on a state in which the block's own assignments have acted already.

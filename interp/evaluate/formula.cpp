@@ -116,7 +116,7 @@ private:
     return radius ? Interval::exactly(*radius) : Interval::unknown();
   }
 
-  /// Number of the work offset in force, when its code has it behind the point.
+  /// Number of the work offset in force, when its code has it after the point.
   Interval origin() const {
     const CodeInfo *code = context_.before.activeCode(context_.dialect, StandardGroup::WorkOffset);
     int number = 0;
@@ -289,7 +289,7 @@ private:
   const CodeInfo &code_;
   const ConditionContext &context_;
   llvm::SmallVector<Interval, 8> stack_;
-  llvm::ArrayRef<std::string> names_; ///< of the formula at hand
+  llvm::ArrayRef<std::string> names_; ///< of the current formula
 };
 
 } // namespace

@@ -23,7 +23,7 @@ struct ArcWords {
   bool hasCentre() const { return centre[0] || centre[1]; }
 };
 
-/// Sorts the words of an arc block in the plane that `state` (behind the block) has.
+/// Sorts the words of an arc block in the plane that `state` (after the block) has.
 ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block &block);
 
 /// Where an arc leads, in millimetres in its plane, diameters turned into radii. What is not known
@@ -31,7 +31,7 @@ ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block
 struct ArcGeometry {
   using Point = std::array<double, 2>;
   std::optional<Point> start, end;
-  std::optional<Point> centreWords; ///< I J K as they stand; an absent one is zero
+  std::optional<Point> centreWords; ///< I J K as they are; an absent one is zero
   bool centreAbsolute =
       false; ///< they are coordinates of the centre, not its distance from the start
   std::optional<double> radius; ///< R with its sign
@@ -40,7 +40,7 @@ struct ArcGeometry {
   std::optional<Point> centre() const;
 };
 
-/// Where the tool stands along an axis in its plane, in millimetres, a diameter turned into a
+/// Where the tool is along an axis in its plane, in millimetres, a diameter turned into a
 /// radius. None where that is not known, as on a lathe whose program does not say which of both X
 /// is.
 std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &state, Axis axis);

@@ -1,4 +1,4 @@
-// Straight lines and arcs of a contour in their plane, and where ways beside them meet.
+// Straight lines and arcs of a contour in their plane, and where paths beside them meet.
 #include "interp/geometry/contour_element.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Straight lines and arcs of a contour in their plane, and where ways beside them meet.
+// Straight lines and arcs of a contour in their plane, and where paths beside them meet.
 #pragma once
 
 #include "interp/state/move.h"
@@ -18,7 +18,7 @@ inline double cross(const Vector &a, const Vector &b) { return a.x() * b.y() - a
 std::optional<Vector> intersection(const Vector &p, const Vector &d, const Vector &q,
                                    const Vector &e);
 
-/// Angle of the way from one point to another round `centre`, in full turns: above 0, at most 1.
+/// Angle of the path from one point to another round `centre`, in full turns: above 0, at most 1.
 double turnsAround(const Vector &centre, const Vector &from, const Vector &to, bool clockwise);
 
 /// A straight line or an arc in a plane, lengths in millimetres.
@@ -41,7 +41,7 @@ struct ContourElement {
 };
 
 /// The point at the distance `left` on the left of both elements that is nearest to `corner`; none
-/// when the ways beside them do not meet.
+/// when the paths beside them do not meet.
 std::optional<Vector> meetingBeside(const ContourElement &a, const ContourElement &b, double left,
                                     const Vector &corner);
 

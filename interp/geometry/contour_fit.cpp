@@ -11,7 +11,7 @@ namespace ncvet {
 
 namespace {
 
-/// Ways whose ends are closer (mm) join: points and centres are written with three digits.
+/// Paths whose ends are closer (mm) join: points and centres are written with three digits.
 constexpr double joined = 2e-3;
 /// How much (mm) of a cut a radius that is told as a safe one may make.
 constexpr double safe = 2e-3;
@@ -23,7 +23,7 @@ Vector beside(const ContourElement &element, const Vector &at, double left) {
   return at + leftOf(element.direction(at)) * left;
 }
 
-/// Length (mm) along the way beside an arc between `at` and one of its ends; below zero when `at`
+/// Length (mm) along the path beside an arc between `at` and one of its ends; below zero when `at`
 /// lies beyond that end. `sense`: 1 from `at` on to `end`, -1 from `end` on to `at`.
 double turnTo(const ContourElement &arc, const Vector &at, const Vector &end, double left,
               int sense) {
@@ -41,13 +41,13 @@ double lengthBeside(const ContourElement &element, double left) {
                      : element.length();
 }
 
-/// A corner of which the ways beside its elements end at `a` and begin at `b`.
+/// A corner of which the paths beside its elements end at `a` and begin at `b`.
 struct Corner {
   const ContourElement &first, &second;
   Vector in, out, a, b;
 };
 
-/// The ways are cut off where they meet.
+/// The paths are cut off where they meet.
 void cutOff(CornerFit &fit, const Corner &at, double left, const std::optional<Vector> &meet) {
   fit.kind = meet ? CornerFit::Kind::Inside : CornerFit::Kind::Apart;
   if (!meet)
@@ -127,7 +127,7 @@ Misfit misfit(const ContourElement &element, const ElementCorners &corners, doub
   if (element.arc && element.radiusBeside(left) < (slack > 0 ? -joined : rounding))
     return Misfit::Arc;
   if (!hasRoom(element, left))
-    return Misfit::Fits; // as round as the tool: it stands still there
+    return Misfit::Fits; // as round as the tool: it is still there
   using Kind = CornerFit::Kind;
   const CornerFit &begin = corners.begin, &end = corners.end;
   if (end.kind == Kind::Apart)
@@ -150,7 +150,7 @@ Misfit misfit(const ContourElement &element, const ElementCorners &corners, doub
 
 namespace {
 
-/// The ways beside a contour, cut off in its inside corners, with the arcs round its outside ones.
+/// The paths beside a contour, cut off in its inside corners, with the arcs round its outside ones.
 llvm::SmallVector<std::pair<size_t, ContourElement>, 0>
 waysBeside(llvm::ArrayRef<ContourElement> contour, double left) {
   llvm::SmallVector<std::pair<size_t, ContourElement>, 0> ways;

@@ -1,4 +1,4 @@
-// Boxes that stand in the way of a tool: stock and clamps of the machine profile.
+// Boxes that are in the way of a tool: stock and clamps of the machine profile.
 #include "interp/geometry/obstacle.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@ namespace ncvet {
 
 namespace {
 
-constexpr double tolerance = 1e-6; ///< mm: a way along a face does not lead through the box
+constexpr double tolerance = 1e-6; ///< mm: a path along a face does not lead through the box
 
-/// The part of a way that lies between two bounds, from 0 at its start to 1 at its end.
+/// The part of a path that lies between two bounds, from 0 at its start to 1 at its end.
 struct Part {
   double begin = 0, end = 1;
 };

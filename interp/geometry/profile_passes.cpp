@@ -81,7 +81,7 @@ struct Piece {
       places.push_back(from.x() + (height - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
     return places;
   }
-  /// Parallel, on the left of its way for a distance above zero when it is a line.
+  /// Parallel, on the left of its path for a distance above zero when it is a line.
   void offset(double distance) {
     if (!arc) {
       const Point back = (from - to).normalized();
@@ -138,7 +138,7 @@ bool meet(Piece &a, Piece &b) {
   return true;
 }
 
-/// A contour behind the way to it, in the frame in which it leads in the direction of -1, up.
+/// A contour after the path to it, in the frame in which it leads in the direction of -1, up.
 class Profile {
 public:
   Profile(const Point &start, Pieces pieces) : start_(start), pieces_(std::move(pieces)) {}
@@ -150,7 +150,7 @@ public:
   bool isSteady() const {
     return llvm::all_of(pieces_, [](const Piece &piece) { return piece.isSteady(); });
   }
-  /// Whether the way to the contour leads in that direction too.
+  /// Whether the path to the contour leads in that direction too.
   bool beginsSteady() const { return Piece{start_, first()}.isSteady(); }
   /// By a quarter turn: levels across are levels along.
   void turn() {
@@ -352,7 +352,7 @@ private:
       return piece.to;
     return {piece.centre.x(), piece.centre.y() + piece.radius()};
   }
-  /// Goes up along a piece; false where it goes down, at once or behind its top.
+  /// Goes up along a piece; false where it goes down, at once or after its top.
   bool climbs(const Piece &piece) {
     if (!piece.arc) {
       if (piece.to.y() < piece.from.y())
@@ -392,7 +392,7 @@ private:
     at_ = to;
   }
 
-  /// Cuts what lies in front of `piece` and behind it down to where the contour climbs again, and
+  /// Cuts what lies before `piece` and after it down to where the contour climbs again, and
   /// follows it up to the next pocket, whose first piece is the answer.
   size_t pocket(size_t piece, bool around) {
     double level = top_;
@@ -451,7 +451,7 @@ private:
   Pen &pen_;
   const double top_;
   Point at_;
-  Pieces pieces_; ///< the way from the start to the contour first
+  Pieces pieces_; ///< the path from the start to the contour first
   bool fits_ = true;
   size_t looks_ = 0;
 };

@@ -51,7 +51,7 @@ void CompensatedPath::give(Tagged &tagged, const Vector &end, Take take) {
   take(tagged.tag, tagged.move);
 }
 
-/// What stood behind the waiting move happens where that one ends.
+/// What was after the waiting move happens where that one ends.
 void CompensatedPath::flush(Take take) {
   for (Tagged &tagged : behind_) {
     if (isTravel(tagged.move)) {
@@ -66,8 +66,8 @@ void CompensatedPath::flush(Take take) {
   element_.reset();
 }
 
-/// Round an outside corner along straight lines: on to where the ways beside the two elements meet,
-/// or to a point of each when that would be far away.
+/// Round an outside corner along straight lines: on to where the paths beside the two elements
+/// meet, or to a point of each when that would be far away.
 void CompensatedPath::goAlongLines(const ContourElement &next, Take take) {
   constexpr double square = std::numbers::pi / 4;
   const Vector in = element_->direction(element_->to), out = next.direction(next.from);
@@ -110,7 +110,7 @@ bool CompensatedPath::isStraight(const ContourElement &next) const {
   return std::fabs(std::atan2(cross(in, out), in.dot(out))) <= habits_.straight;
 }
 
-/// The waiting move ends where the way beside `next`, the element of `behind`, begins.
+/// The waiting move ends where the path beside `next`, the element of `after`, begins.
 void CompensatedPath::meet(const ContourElement &next, const Tagged &behind, Take take) {
   if (!element_) {
     give(*waiting_, beside(next, next.from, left_), take);
@@ -145,8 +145,8 @@ void CompensatedPath::meet(const ContourElement &next, const Tagged &behind, Tak
   flush(take);
 }
 
-/// The element to which a way on that ends square to itself belongs: an arc of which the tool's
-/// centre follows the way beside it from where it stands.
+/// The element to which a path on that ends square to itself belongs: an arc of which the tool's
+/// centre follows the path beside it from where it is.
 std::optional<ContourElement>
 CompensatedPath::entryOf(const std::optional<ContourElement> &element) const {
   if (!habits_.entryAcross || !element || !element->arc)
@@ -194,7 +194,7 @@ void CompensatedPath::add(uint64_t tag, const Move &move, Take take) {
   if (left == 0 || !to || (wasOn && !element)) {
     finish(take);
     Move plain = move;
-    for (size_t i = 0; i < 2 && left != 0; ++i) // where the way beside it ends is not known
+    for (size_t i = 0; i < 2 && left != 0; ++i) // where the path beside it ends is not known
       plain.to[size_t(move.plane[i])] = plain.centre[i] = Interval::unknown();
     centre_ = workPlace(plain);
     take(tag, plain);

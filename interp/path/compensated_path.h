@@ -12,15 +12,15 @@ namespace ncvet {
 /// How the tool goes round an outside corner.
 enum class OutsideCorner : uint8_t {
   Arc,      ///< round the corner's point
-  Lines,    ///< on to where the ways meet, or along a square's sides where the corner is sharp
-  ArcOfNext ///< as Arc, by the block of the second element: behind what stands between the two, and
+  Lines,    ///< on to where the paths meet, or along a square's sides where the corner is sharp
+  ArcOfNext ///< as Arc, by the block of the second element: after what is between the two, and
             ///< straight when that element is a rapid move
 };
 
 /// What controls do differently.
 struct CompensationHabits {
   OutsideCorner outside = OutsideCorner::Arc;
-  /// The way on ends square to itself, and the first corner lies between it and the first element;
+  /// The path on ends square to itself, and the first corner lies between it and the first element;
   /// else it ends beside where that element begins.
   bool entryAcross = false;
   double straight = 0; ///< radians: elements whose directions differ by less meet without a corner
@@ -30,7 +30,7 @@ struct CompensationHabits {
 CompensationHabits habitsOf(const Dialect &dialect, const MachineProfile &machine);
 
 /// Takes moves one after the other and gives on where the tool's centre goes. Each waits for the
-/// next one in the plane, which tells where the way beside it ends. Moves without compensation, or
+/// next one in the plane, which tells where the path beside it ends. Moves without compensation, or
 /// with a radius that is zero or not known, are given on as they are.
 class CompensatedPath {
 public:
@@ -39,7 +39,7 @@ public:
   CompensatedPath(const Dialect &dialect, const CompensationHabits &habits)
       : dialect_(dialect), habits_(habits) {}
 
-  /// `tag` comes back with the move, and with what is put in behind it.
+  /// `tag` comes back with the move, and with what is put in after it.
   void add(uint64_t tag, const Move &move, Take take);
   /// Nothing follows: what waits is given on.
   void finish(Take take);
@@ -67,7 +67,7 @@ private:
   std::optional<ContourElement> element_;
   double left_ = 0;         ///< mm, of the waiting move
   double furtherTurns_ = 0; ///< of the waiting arc, beside the one that leads to its end
-  llvm::SmallVector<Tagged, 4> behind_; ///< what stands between it and the next one
+  llvm::SmallVector<Tagged, 4> behind_; ///< what is between it and the next one
   bool on_ = false;                     ///< the last move ended beside the path
 };
 

@@ -18,7 +18,7 @@ struct CornerRequest {
   std::optional<double> angle;
   Place said;           ///< the point that the words give, which need not be the line's end
   uint16_t axes = 0;    ///< bit per axis that the block programs
-  bool shifts = false;  ///< coordinates are others behind the block
+  bool shifts = false;  ///< coordinates are others after the block
   bool farther = false; ///< of two intersections, the second one along the line
 };
 
@@ -43,10 +43,10 @@ public:
 
   explicit CornerPath(const Dialect &dialect) : dialect_(dialect), travel_(dialect, plane_) {}
 
-  /// `tag` comes back with the move, and with what is put in behind it.
+  /// `tag` comes back with the move, and with what is put in after it.
   void add(uint64_t tag, const Move &move, const CornerRequest &corner,
            const std::array<Axis, 2> &plane, Take take);
-  /// Nothing follows: what waits is given on as it stands.
+  /// Nothing follows: what waits is given on as it is.
   void finish(Take take);
   /// Straight moves to known places, with no corner at their ends, need not be added while this
   /// holds; `resume` tells where they have led.

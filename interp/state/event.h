@@ -24,7 +24,7 @@ enum class EventKind : uint8_t {
   SpindleChange,    ///< M03, M04, M05, M19 and their like; `code`
   Dwell,            ///< `value` is the time in seconds
   Call,             ///< a subprogram or macro is called; `code`
-  CallReturned,     ///< the called program came back: the state before the call, and behind it
+  CallReturned,     ///< the called program came back: the state before the call, and after it
   Return,           ///< M99 and its like
   ProgramEnd,       ///< the program ends here: M30, M02, end of file
   Statement,        ///< an item of the block, before any of it is executed; `number` is its index
@@ -45,11 +45,11 @@ constexpr uint32_t bitOf(EventKind kind) { return uint32_t(1) << unsigned(kind);
 /// What is odd about words of a block, told by their addresses alone.
 enum class WordIssue : uint8_t {
   Unknown,      ///< no address of this control
-  Repeated,     ///< the address stands more than once
+  Repeated,     ///< the address is more than once
   NoPoint,      ///< a number without a decimal point where one may be advised
   PointInWhole, ///< a decimal point in a word that takes whole numbers
   SkipLevel,    ///< a block skip of a level that the control does not have
-  NumberInside, ///< a block number behind other words
+  NumberInside, ///< a block number after other words
   Special       ///< a word that only some codes take
 };
 
@@ -67,7 +67,7 @@ enum class FlowIssue : uint8_t {
   SubprogramRunsOut,  ///< a called program reaches the end of its text without a return
   RunsIntoSubprogram, ///< plain flow reaches blocks that are called as a local subprogram
   ProfileMissing,     ///< a profile's first or last block does not exist
-  ProfileReversed,    ///< a profile's last block stands in front of its first
+  ProfileReversed,    ///< a profile's last block is before its first
   ProfileReached,     ///< plain flow runs into the blocks of a profile
   ComputedTarget,     ///< a target is computed and its value not known
   StructureMismatch,  ///< WHILE without END, END without DO
@@ -94,7 +94,7 @@ struct Event {
   uint16_t axes = 0;       ///< bit per axis that the block programs
   CodeIndex code = noCode; ///< with its variant resolved
   CodeIndex by = noCode;
-  bool certain = true; ///< false: it happens on some of the paths that the state stands for
+  bool certain = true; ///< false: it happens on some of the paths that the state represents
   const Word *word = nullptr;
   int64_t number = 0;
   Interval value;
@@ -116,7 +116,7 @@ enum class FlowKind : uint8_t {
   Structure, ///< a bracket of structured flow, `item`; `condition` as its kind asks
   Repeat,    ///< the blocks between the arguments of `item` again, `repeat` times
   CallNamed, ///< the program that `item` names, `repeat` times
-  CallModal, ///< on to the next block; from here on a program runs behind every move
+  CallModal, ///< on to the next block; from here on a program runs after every move
   CallLocal, ///< blocks from number `target` to the next return, in this program
   Return,    ///< to the caller, at its block `target` when that is known
   End,       ///< the program ends
@@ -152,12 +152,12 @@ struct Outcome {
   bool setupChanged = false; ///< something besides `MotionState` may have changed
   /// Nothing but numbers for axes, under G00 or G01: the block changes positions, and facts.
   bool plainMove = false;
-  Truth callsModally = Truth::No; ///< whether the modal call in force runs behind this block
+  Truth callsModally = Truth::No; ///< whether the modal call in force runs after this block
   bool foreign = false;           ///< the block is another control's language: nothing is known
   /// The point that the words give where the motion does not end there: on the way to the reference
   /// point, and of a line by its angle. Of no meaning in other blocks.
   std::array<Interval, axisCount> via;
-  /// Places at which a drilling cycle runs in this block, one behind the other.
+  /// Places at which a drilling cycle runs in this block, one after the other.
   llvm::SmallVector<std::array<Interval, axisCount>, 1> holes;
 
   void clear() {

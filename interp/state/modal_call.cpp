@@ -1,4 +1,4 @@
-// Programs that run behind every later move: G66, MCALL.
+// Programs that run after every later move: G66, MCALL.
 #include "interp/state/modal_call.h"
 
 #include "llvm/ADT/Hashing.h"

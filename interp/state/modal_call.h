@@ -1,4 +1,4 @@
-// Programs that run behind every later move: G66, MCALL.
+// Programs that run after every later move: G66, MCALL.
 #pragma once
 
 #include "formats/dialect/dialect.h"
@@ -11,7 +11,7 @@ struct ModalCall;
 /// The innermost modal call in force; null: none. States share it.
 using ModalCalls = llvm::IntrusiveRefCntPtr<const ModalCall>;
 
-/// A modal call. Behind a move its program runs, and behind the moves of that program the call that
+/// A modal call. After a move its program runs, and after the moves of that program the call that
 /// was in force before it (NCT 99M, section 20: calls in each other).
 struct ModalCall {
   bool known = true; ///< false: some call, or none

@@ -1,4 +1,4 @@
-// One motion of the tool, or what stands between two of them.
+// One motion of the tool, or what is between two of them.
 #pragma once
 
 #include "formats/text/source.h"

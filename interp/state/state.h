@@ -34,7 +34,7 @@ enum class Fact : uint8_t {
   MovedSinceTool,      ///< … an axis, since the last tool change
   FeedSet,             ///< an F word was executed
   FeedIsLead,          ///< the F in force was given as a thread lead
-  FeedCarried,         ///< the unit of the feed was stated behind the F in force
+  FeedCarried,         ///< the unit of the feed was stated after the F in force
   SpeedSet,            ///< an S word that sets the spindle's speed was executed
   SpeedSinceMode,      ///< … since G96 or G97 was last switched
   SpeedLimitSet,       ///< the speed clamp was programmed
@@ -46,10 +46,10 @@ enum class Fact : uint8_t {
   MovedSincePreset,    ///< an axis has moved since G92 shifted the system
   SkipMoveDone,        ///< a skip move (G31) was the last measuring move
   SpindleStated,       ///< M03, M04 or M05 was executed
-  SpindleStoppedByTap, ///< rigid tapping, or a code that is for something else, left it standing
+  SpindleStoppedByTap, ///< rigid tapping, or a code that is for something else, left it stopped
   CycleRan,            ///< the active cycle has run at least once
   InContour,           ///< in a program that a milling cycle reads as a contour
-  ContourBegun,        ///< … behind its first position
+  ContourBegun,        ///< … after its first position
   PoleSet,             ///< a pole for angle and radius was programmed
   PolarRadiusSet,      ///< the word that is the radius under polar input was programmed
   UnknownCode,         ///< a code without a table entry was executed: anything may have changed
@@ -311,7 +311,7 @@ struct SetupState {
           roughLast = notSet;          ///< P and Q of the last roughing not yet finished
   std::array<Interval, 2> roughStart;  ///< X and Z where that roughing began
   std::array<uint8_t, 4> transforms{}; ///< switches of transformations, in the order switched on
-  ModalCalls modalCalls;               ///< programs that run behind every move
+  ModalCalls modalCalls;               ///< programs that run after every move
   SavedModes saved;                    ///< of the running program
   /// An IF whose condition did not hold looks for its next branch.
   bool seeksBranch = false;
@@ -403,7 +403,7 @@ struct MachineState : KnownState {
     return must(fact) ? Truth::Yes : may(fact) ? Truth::Unknown : Truth::No;
   }
 
-  /// Whether a program runs behind every move.
+  /// Whether a program runs after every move.
   Truth callsModally() const {
     return !modalCalls ? Truth::No : modalCalls->known ? Truth::Yes : Truth::Unknown;
   }
@@ -450,7 +450,7 @@ MachineState unknownState(const Dialect &dialect);
 /// Exact equality of what the two states say.
 bool equal(const KnownState &a, const KnownState &b);
 uint64_t hash(const MachineState &state);
-/// True when every concrete machine that `b` stands for is also one of `a`.
+/// True when every concrete machine that `b` represents is also one of `a`.
 bool covers(const MachineState &a, const MachineState &b);
 /// Least state that covers both; origins are those of `a`, or of `b` where `a` has none.
 MachineState join(const MachineState &a, const MachineState &b);

@@ -10,7 +10,7 @@ namespace {
 /// Keys of a copy of the selected work offset: a program that writes to its variables changes
 /// nothing until it selects it again.
 constexpr uint64_t selectedZero = uint64_t(1) << 38;
-constexpr unsigned angle = axisCount; ///< behind the axes
+constexpr unsigned angle = axisCount; ///< after the axes
 
 Interval read(const MachineState &state, uint64_t key) { return state.commons.get(key).asNumber(); }
 

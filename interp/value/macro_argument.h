@@ -6,7 +6,7 @@
 namespace ncvet {
 
 /// Number of the local variable that argument letter `letter` of a macro call sets, in the form in
-/// which no letter stands twice; 0: none.
+/// which no letter is twice; 0: none.
 constexpr uint32_t macroArgument(char letter) {
   constexpr uint32_t variables[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
                                       0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};

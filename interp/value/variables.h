@@ -18,8 +18,8 @@ public:
   explicit Variables(Value fallback = Value::unknown()) : fallback_(fallback) {}
 
   Value get(uint64_t key) const;
-  /// Whether the program has given it a value: unknown where only some ways lead past an assignment
-  /// and where everything has been forgotten.
+  /// Whether the program has given it a value: unknown where only some paths lead past an
+  /// assignment and where everything has been forgotten.
   Truth given(uint64_t key) const;
   void set(uint64_t key, const Value &value);
   /// From here on the program has given it no value.

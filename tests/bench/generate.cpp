@@ -171,7 +171,7 @@ uint64_t writeArcs(ProgramFile &out, uint64_t blocks) {
 /// One contour with radius compensation: wavy rows of short lines, half circles between them.
 uint64_t writeContour(ProgramFile &out, uint64_t blocks) {
   toolHeader(out, "CONTOUR", 1006);
-  constexpr uint64_t tail = 5; // the way off, and the blocks of programEnd
+  constexpr uint64_t tail = 5; // the move off, and the blocks of programEnd
   constexpr int linesPerRow = 500;
   constexpr double step = 0.5, pitch = 10;
   char text[96];

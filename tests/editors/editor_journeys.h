@@ -7,7 +7,7 @@
 
 namespace ncvet::test {
 
-/// Marks the place in a program where the cursor stands; not part of the program.
+/// Marks the place in a program where the cursor is; not part of the program.
 inline constexpr const char *cursorMark = "<|>";
 
 /// Opens the program with the cursor's mark and puts line (from 1) and column (bytes, from 0) of
@@ -123,7 +123,7 @@ inline EditorPlan planOf(const Renaming &renaming) {
   return plan;
 }
 
-/// A finding behind a comment in which bytes, characters and units of UTF-16 differ.
+/// A finding after a comment in which bytes, characters and units of UTF-16 differ.
 inline EditorPlan planOfColumns() {
   EditorPlan plan("columns", "haas-mill");
   plan.add("a.nc", "O1\n(Gehäuse 𝄞) G00 G99999 X1.\nM30\n");
@@ -132,7 +132,7 @@ inline EditorPlan planOfColumns() {
   return plan;
 }
 
-/// The machine's state in front of a hole.
+/// The machine's state before a hole.
 inline EditorPlan planOfState() {
   EditorPlan plan("hoverAt", "haas-mill");
   addWithCursor(plan, "bore.nc",

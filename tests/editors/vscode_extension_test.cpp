@@ -81,7 +81,7 @@ TEST(VscodeExtension, ItsLanguagesAreTheControls) {
   EXPECT_EQ(shown, controls);
 }
 
-/// An ending of the language of one control stands in no table but this control's; all others are
+/// An ending of the language of one control is in no table but this control's; all others are
 /// `gcode`, for which the control is found out.
 TEST(VscodeExtension, ItsFileEndingsAreThoseOfTheTables) {
   std::map<std::string, std::set<std::string>> languages; // by ending
@@ -127,7 +127,7 @@ TEST(VscodeExtension, IsUnderTheLicenceOfTheProject) {
 /// Names and sizes of the files in a zip archive, from its directory.
 std::map<std::string, uint32_t> filesOfZip(const std::string &bytes) {
   std::map<std::string, uint32_t> files;
-  constexpr size_t header = 46; // of an entry, in front of the name
+  constexpr size_t header = 46; // of an entry, before the name
   const std::string mark = "PK\1\2";
   for (size_t at = bytes.find(mark); at != std::string::npos && at + header <= bytes.size();
        at = bytes.find(mark, at + header)) {

@@ -1,4 +1,4 @@
-// Completion: what may stand at the cursor, by block and control.
+// Completion: what may be at the cursor, by block and control.
 #include "lsp/features/completion.h"
 #include "tests/support/marked_text.h"
 
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Items at the mark, applied: what then stands from the place that is replaced to the cursor.
+/// Items at the mark, applied: what then is from the place that is replaced to the cursor.
 std::vector<std::string>
 insertedAt(llvm::StringRef dialect, llvm::StringRef program,
            std::string lsp::CompletionItem::*part = &lsp::CompletionItem::label) {

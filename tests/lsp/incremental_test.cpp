@@ -119,7 +119,7 @@ TEST(Incremental, SeveralEditsAtATimeGiveWhatAFreshCheckGives) {
     editInBursts("haas-mill", "/nowhere/O0001.nc", machining(700), 40, seed);
 }
 
-/// What leaves the path of the moves behind it as it is, or not.
+/// What leaves the path of the moves after it as it is, or not.
 class MovesGoOn : public ::testing::TestWithParam<const char *> {};
 
 TEST_P(MovesGoOn, BehindAnotherToolFeedOrWayHere) {
@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(Incremental, MovesGoOn,
                            return name;
                          });
 
-/// A program of many blocks of one kind, behind a proper begin.
+/// A program of many blocks of one kind, after a proper begin.
 std::string manyTimes(const std::string &begin, unsigned blocks,
                       const std::function<std::string(unsigned)> &block) {
   std::string text = "%\nO1 (PART)\nG17 G40 G80 G90 G94\nT1 M06\nG54 G00 X0. Y0. S2000 M03\n"
@@ -187,7 +187,7 @@ std::string at(unsigned i) {
          std::to_string(i / 90) + ".";
 }
 
-/// What blocks do not look at may change in front of them: they are not executed again.
+/// What blocks do not look at may change before them: they are not executed again.
 TEST(Incremental, AnEditCostsWhatItChanges) {
   constexpr unsigned blocks = 6000;
   const std::string arcs = manyTimes("G01 Z-1. F200.\n", blocks, [](unsigned i) {
@@ -198,11 +198,11 @@ TEST(Incremental, AnEditCostsWhatItChanges) {
   struct Case {
     const std::string &text;
     const char *where, *added;
-    bool taken; ///< what stands behind it is taken over
+    bool taken; ///< what comes after it is taken over
   };
   const Case cases[] = {
       {arcs, "G02 X44", "F77.\n", true},  {arcs, "G02 X44", "M08\n", true},
-      {arcs, "G02 X44", "G99\n", true}, // behind an unknown code rules only say less
+      {arcs, "G02 X44", "G99\n", true}, // after an unknown code rules only say less
       {arcs, "G02 X44", "X500.\n", true}, {arcs, "G02 X44", "(X)\n", true},
       {arcs, "G02 X44", "G91\n", false}, // other places
       {arcs, "G02 X44", "G55\n", false},  {holes, "X44", "X1.5\n", true},
@@ -258,11 +258,11 @@ TEST(Incremental, AHoleIsMissedNowhere) {
                                      [](unsigned i) { return at(i + 90) + "\n"; });
   Edited edited("haas-mill", "/nowhere/O0001.nc");
   ASSERT_EQ(edited.difference(text), "");
-  std::string twice = text; // the place of a hole that lies far behind
+  std::string twice = text; // the place of a hole that lies far after
   twice.insert(twice.find("X1.1 "), "X80.3 Y20.\n");
   EXPECT_EQ(edited.difference(twice), "");
   EXPECT_EQ(edited.difference(text), "");
-  std::string last = text; // and of one far in front
+  std::string last = text; // and of one far before it
   last.insert(last.rfind("G80"), "X1.0 Y1.\n");
   EXPECT_EQ(edited.difference(last), "");
 }

@@ -85,8 +85,8 @@ AddressMask sequenceWords(const Dialect &dialect, const Block &block) {
   return mask;
 }
 
-/// The same program with other block numbers (each 500 higher, targets too) and a blank in front of
-/// every word: nothing that a control looks at has changed, and every block stands in its line.
+/// The same program with other block numbers (each 500 higher, targets too) and a blank before
+/// every word: nothing that a control looks at has changed, and every block is in its line.
 std::string renumberedAndRespaced(const std::string &dialectId, const std::string &text) {
   const auto dialect = dialectNamed(dialectId);
   const auto source = SourceFile::fromText(0, "golden.nc", text);

@@ -10,7 +10,7 @@ namespace ncvet {
 namespace {
 
 /// What is asked of a program that is no more than a few lines is asked of those lines only: what
-/// belongs to a whole program, and the set-up in front of them, counts as done.
+/// belongs to a whole program, and the set-up before them, counts as done.
 const std::set<std::string> setUp = {"compensation-without-offset",
                                      "coordinate-work-offset-not-set",
                                      "feed-missing",

@@ -10,7 +10,7 @@
 namespace ncvet {
 namespace {
 
-/// Points of a way, in their order; between them others may lie. Two numbers are the axes of the
+/// Points of a path, in their order; between them others may lie. Two numbers are the axes of the
 /// plane (X and Y of a mill, X and Z of a lathe), a third one is Z.
 struct Way {
   const char *file;

@@ -108,7 +108,7 @@ private:
     }
   }
 
-  /// Arcs by centre and by radius, in all planes, with and without a way across.
+  /// Arcs by centre and by radius, in all planes, with and without a path across.
   void arcs() {
     static constexpr const char *codes[] = {"G17", "G18", "G19"};
     static constexpr std::array<size_t, 3> axesOf[] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
@@ -223,7 +223,7 @@ private:
       }
       line((chance(50) ? "G0 " : "G1 ") + axes());
     }
-    for (unsigned system = 1; system <= 9; ++system) // no angles for what comes behind
+    for (unsigned system = 1; system <= 9; ++system) // no angles for what comes after
       line("G10 L2 P" + std::to_string(system) + " R0");
   }
 
@@ -482,7 +482,7 @@ private:
     const unsigned elements = 3 + below(6);
     for (unsigned i = 0; i < elements; ++i) {
       if (chance(15))
-        line("G90 " + word(letters_[across], at_[across])); // no way
+        line("G90 " + word(letters_[across], at_[across])); // no path
       if (chance(60))
         heading_ += chance(10) ? std::numbers::pi + (double(below(1600)) - 800) / 10000
                                : (double(below(2500)) / 10 - 125) * degree;

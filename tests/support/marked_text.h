@@ -7,7 +7,7 @@
 
 namespace ncvet::test {
 
-/// A snapshot of a program of one control, and where its marks stood.
+/// A snapshot of a program of one control, and where its marks were.
 struct MarkedText {
   std::unique_ptr<Session> session;
   std::unique_ptr<lsp::Snapshot> snapshot;
@@ -17,7 +17,7 @@ struct MarkedText {
   lsp::Snapshot &operator*() const { return *snapshot; }
 };
 
-/// `path` says where the text would stand; other files are looked for beside it.
+/// `path` says where the text would be; other files are looked for beside it.
 inline MarkedText markedText(llvm::StringRef dialect, llvm::StringRef program,
                              llvm::StringRef path = "/nowhere/program.nc") {
   constexpr llvm::StringLiteral mark = "<|>";

@@ -19,7 +19,7 @@ class BlockReading : public testing::Test {
 protected:
   explicit BlockReading(std::string dialect) : dialect_(std::move(dialect)) {}
 
-  /// All blocks of `text`, which is kept; each begins behind the one before.
+  /// All blocks of `text`, which is kept; each begins after the one before.
   std::vector<Block> blocksOf(llvm::StringRef text) {
     text_ = text.str();
     reader_ = makeReader(*dialectNamed(dialect_), text_);

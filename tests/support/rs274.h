@@ -1,4 +1,4 @@
-// Runs LinuxCNC's stand-alone interpreter `rs274` and reads the canonical calls that it prints.
+// Runs LinuxCNC's arealone interpreter `rs274` and reads the canonical calls that it prints.
 #pragma once
 
 #include "interp/state/move.h"
@@ -30,7 +30,7 @@ struct Rs274Run {
   bool finished = false; ///< in time
   bool accepted = false;
   std::string message; ///< of what it rejects
-  std::string line;    ///< the program's line that it rejects, as it stands there
+  std::string line;    ///< the program's line that it rejects, as it is there
   std::vector<CanonicalMove> moves;
 };
 
@@ -184,7 +184,7 @@ private:
     }
   }
 
-  /// The message, and behind it the line as it stands in the program.
+  /// The message, and after it the line as it is in the program.
   static void readError(llvm::StringRef output, Rs274Run &run) {
     llvm::SmallVector<llvm::StringRef, 0> lines;
     output.split(lines, '\n', -1, false);

@@ -176,7 +176,7 @@ inline std::vector<std::string> linesOf(const std::string &text) {
 }
 
 /// Marks are comments below the block that they speak of: `(^^^ expect: rule-id definite)`, or
-/// without the rule where only one runs. The carets stand below the marked text as if the comment's
+/// without the rule where only one runs. The carets are below the marked text as if the comment's
 /// `(` were not there; a single caret gives the start only.
 inline std::vector<Seen> marksOf(const std::string &text, const std::string &onlyRule = "") {
   std::vector<Seen> marks;

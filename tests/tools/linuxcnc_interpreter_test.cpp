@@ -168,7 +168,7 @@ protected:
       verdicts.missed.push_back(title + ": " + run.message + ": " + run.line);
   }
 
-  /// The tool runs back along an element that is too short for the inside corner in front of it,
+  /// The tool runs back along an element that is too short for the inside corner before it,
   /// into what it has cut before. rs274 looks for that at the next inside corner and at an outside
   /// one of two lines; round others and straight on it lets the tool run back.
   static bool runsBack(const Finding &finding) {

@@ -58,7 +58,7 @@ std::shared_ptr<const Dialect> builtin(llvm::StringRef id) {
   return nullptr;
 }
 
-/// A small lathe table; `codes` stands on the line after this head, which is line 9.
+/// A small lathe table; `codes` is on the line after this head, which is line 9.
 std::string table(const std::string &codes, const std::string &more = "") {
   return R"({ "id": "t", "title": "test", "reader": "iso", "machine": "lathe",
   "addresses": { "X": { "kind": "axis", "axis": "X", "unit": "length" },

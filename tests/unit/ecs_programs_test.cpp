@@ -82,7 +82,7 @@ TEST(EcsPrograms, TheStopwatchIsReadBehindItsStart) {
               testing::Not(unset));
 }
 
-/// On one way only the axes are named: that they are missing is not certain.
+/// On one path only the axes are named: that they are missing is not certain.
 TEST(EcsPrograms, WhatOneWayHasSetIsNotMissing) {
   const std::string program = "%\n"
                               "N10 G16XYZ+\n"

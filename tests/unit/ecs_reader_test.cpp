@@ -207,7 +207,7 @@ TEST_F(EcsReading, SlipsAreNamedAndReadingGoesOn) {
   EXPECT_EQ(block.find('Y')->value(), 5);
 }
 
-/// Nothing is read behind the text: seen by the sanitizers.
+/// Nothing is read after the text: seen by the sanitizers.
 TEST_F(EcsReading, APlaneWithoutAxesAtTheEndIsACode) {
   for (const char *text : {"N10 G16", "N10 G16 ", "N10 G16\t\t"}) {
     const Block block = blockOf(text);

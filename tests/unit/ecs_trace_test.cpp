@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// The points of `program` behind a start at X0 Y0 Z50, with the number of its line from 1.
+/// The points of `program` after a start at X0 Y0 Z50, with the number of its line from 1.
 std::vector<std::string> pointsOf(const std::string &program) {
   std::vector<std::string> lines;
   constexpr unsigned head = 4;
@@ -58,7 +58,7 @@ TEST(EcsTrace, KeepsTheOriginWhenAnotherIsWritten) {
   EXPECT_THAT(pointsOf("N30 G59 N3 X100 Y0 Z0\nN31 X7 Y7 Z50\n"), ElementsAre("2 rapid X7 Y7 Z50"));
 }
 
-/// Manual, lines 2072 to 2112: pole, angle and radius, also in the blocks behind.
+/// Manual, lines 2072 to 2112: pole, angle and radius, also in the blocks after.
 TEST(EcsTrace, FollowsPolarMoves) {
   EXPECT_THAT(pointsOf("N40 G10 X10 Y10 A30 B50\nN41 X0 Y0 A0 B20\n"
                        "N42 G13 I0 J0 X0 Y0 A90 B20 F200\nN43 G12 I0 J0 X0 Y0 A0 B20\n"
@@ -99,7 +99,7 @@ TEST(EcsTrace, AppliesTheMatricesOfTheLibrary) {
 
 /// Manual, line 3870: a dynamic matrix transforms as a static one does. With what the head does
 /// beside a tilted plane the places are not known. On a cylinder they are those of its surface laid
-/// flat (4074 to 4099): in front of it and behind it they are others.
+/// flat (4074 to 4099): before it and after it they are others.
 TEST(EcsTrace, AppliesADynamicMatrix) {
   EXPECT_THAT(pointsOf("N60 <MAT:QUART; 0; -1; 0; 0; 1; 0; 0; 0; 0; 0; 1; 0>\n"
                        "N61 <DMX:X;Y;Z>\nN62 <DCT:ON;QUART>\nN63 X10 Y0\nN64 <DCT:OFF>\n"
@@ -134,7 +134,7 @@ TEST(EcsTrace, PecksByTheWordsOfTheCycle) {
 }
 
 /// Manual, lines 3047 to 3125 and 3286 to 3424: profiles are recorded, and cut when the start code
-/// comes; of the heights is known what the words say, of the way between them nothing.
+/// comes; of the heights is known what the words say, of the path between them nothing.
 TEST(EcsTrace, CutsRecordedProfilesAtTheirHeights) {
   const std::string square = "N20 G1 G42 X20 Y0\nN21 Y20\nN22 X-20\nN23 Y-20\nN24 X20\nN25 Y0\n"
                              "N26 G40 X0 Y0\n";

@@ -17,7 +17,7 @@ bool endsWithin(uint64_t repeatedBlocks, const char *dialect, const std::string 
   return complete;
 }
 
-/// The jump back is certain, the way out beside it is not: the variables change for ever.
+/// The jump back is certain, the exit beside it is not: the variables change for ever.
 TEST(Engine, LoopsThatSomethingUnknownEndsAreNotFollowedForEver) {
   EXPECT_TRUE(endsWithin(20'000, "fanuc-0m",
                          "O0001\n#1=0\n"
@@ -49,7 +49,7 @@ TEST(Engine, LoopsThatCountAreFollowed) {
                          "N10M30\n%\n"));
 }
 
-/// Each of many jumps on an input leads somewhere else, and each way back brings another position:
+/// Each of many jumps on an input leads somewhere else, and each path back brings another position:
 /// what was followed from a place already is not followed again to the program's end.
 TEST(Engine, ManyJumpsThatSomethingUnknownDecidesCostInProportion) {
   constexpr unsigned jumps = 1000;
@@ -107,7 +107,7 @@ TEST(Engine, ProgramsHideTheCyclesOfTheirName) {
               testing::Contains("6 cycle-missing-parameter"));
 }
 
-/// The arguments of a modal call, its missing program, and what stands behind it.
+/// The arguments of a modal call, its missing program, and what comes after it.
 TEST(Engine, ModalCallsAreChecked) {
   const std::string body = head + "N60 MCALL NOTCH(-3)\nN70 X10\nN80 MCALL\nN90 M5\nN95 M30\n";
   EXPECT_THAT(findingsOf("sinumerik", {{"PART.MPF", body}, {"OTHER.SPF", "N10 G0 X1\nN20 M17\n"}}),

@@ -26,7 +26,7 @@ bool isFree(const Condition &when) {
          !when.pending && when.options.empty() && when.broken.empty();
 }
 
-/// A code stands in the table of a control that lacks it only to say so.
+/// A code is in the table of a control that lacks it only to say so.
 bool has(const Dialect &dialect, llvm::StringRef name) {
   const CodeIndex index = dialect.find(name);
   if (index == noCode)
@@ -51,7 +51,7 @@ public:
       execute(text);
     return *this;
   }
-  /// The entry that `code` of the block stands for.
+  /// The entry that `code` of the block means.
   CodeInfo meaning(llvm::StringRef code, llvm::StringRef text) {
     execute(text);
     const CodeIndex base = dialect_->find(code);

@@ -1,5 +1,5 @@
 // How O-words, parameters and expressions of LinuxCNC run (LinuxCNC 2.9 documentation, sections
-// 11.4 and 11.7). A division by zero says which value a parameter has where it stands.
+// 11.4 and 11.7). A division by zero says which value a parameter has where it is.
 #include "tests/support/run_program.h"
 
 #include <gmock/gmock.h>
@@ -150,7 +150,7 @@ TEST(LinuxCnc, AnIfWithoutItsEndIsAnErrorWhereItsBodyIsLeftOut) {
   EXPECT_THAT(messages("o1 do\nG0 X1\nM2\n"), ElementsAre(HasSubstr("nothing repeats")));
 }
 
-/// What stands behind it does not run, and behind the IF its condition does not hold.
+/// What comes after it does not run, and after the IF its condition does not hold.
 TEST(LinuxCnc, ACommentMayStopTheProgram) {
   EXPECT_THAT(errors("#1 = [#31]\n"
                      "o1 if [#1 EQ 0]\n"

@@ -101,7 +101,7 @@ TEST(MefiPrograms, ABlockUnderACycleIsToldOnceThatItDrills) {
   EXPECT_THAT(behind("R31=-20"), Contains(HasSubstr("6 mefi-cycle-fires-on-empty-block")));
 }
 
-/// What stands in front of a piece of a program may have started the spindle.
+/// What is before a piece of a program may have started the spindle.
 TEST(MefiPrograms, AFragmentMayHaveASpindleThatTurns) {
   const auto stands = Contains(HasSubstr("spindle-off-while-cutting"));
   EXPECT_THAT(findings("N10 G0 X20\nN20 G1 X40 F120\nN30 Y40\n"), Not(stands));

@@ -1,4 +1,4 @@
-// Ways through the boxes of a machine profile.
+// Paths through the boxes of a machine profile.
 #include "interp/geometry/obstacle.h"
 
 #include <gtest/gtest.h>

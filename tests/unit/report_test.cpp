@@ -180,7 +180,7 @@ TEST(TextReportTest, OfALineAsLongAsTheFileOnlyThePartAtTheRangeIsShown) {
   EXPECT_TRUE(isValidUtf8(shown));
   const size_t lineEnd = shown.find('\n');
   const size_t caret = shown.find('^') - lineEnd - 1;
-  // The caret's cell counts code points, and what stands there is the range's text.
+  // The caret's cell counts code points, and what is there is the range's text.
   const std::string line = shown.substr(0, lineEnd);
   size_t byte = 0;
   for (size_t cell = 0; cell < caret; ++cell)

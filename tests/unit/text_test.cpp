@@ -103,7 +103,7 @@ TEST(LineIndexTest, AgreesWithSlowCountingOverManyCounterSteps) {
     text.replace(100000, 30000, 30000, 'Y'); // a line longer than several steps
     text.replace(130000, 2, "\r\n");
     const LineIndex lines(text);
-    // Behind, in front of and on the steps, where CR and LF may be parted.
+    // After, before and on the steps, where CR and LF may be parted.
     for (uint32_t offset : {200001u, 65535u, 65536u, 65537u, 110000u, 129999u, 130000u, 130001u,
                             130002u, 131072u, 0u, 299999u, 300000u}) {
       const uint32_t line = lines.lineOf(offset);
@@ -222,7 +222,7 @@ TEST(SourceFileTest, ColumnsCountCodePointsOfUtf8) {
                            "5) X1\nX2\n");
   EXPECT_EQ(file->encoding(), Encoding::Utf8);
   EXPECT_EQ(at(*file, 0), TextPlace(1, 1));
-  EXPECT_EQ(at(*file, 4), TextPlace(1, 4)); // behind the o umlaut, which is two bytes
+  EXPECT_EQ(at(*file, 4), TextPlace(1, 4)); // after the o umlaut, which is two bytes
   EXPECT_EQ(at(*file, file->text().find("X1")), TextPlace(1, 13));
   EXPECT_EQ(at(*file, file->text().find("X2")), TextPlace(2, 1));
   EXPECT_EQ(at(*file, 4), TextPlace(1, 4));

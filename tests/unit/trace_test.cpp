@@ -59,7 +59,7 @@ TEST(Trace, ModalCallsRunBehindMoves) {
                           "7 rapid X50 Y0 Z20", "8 end"));
 }
 
-/// The last call runs first; behind the motions of its program the one before it runs.
+/// The last call runs first; after the motions of its program the one before it runs.
 TEST(Trace, ModalMacrosNest) {
   EXPECT_THAT(traceOf("fanuc-0m", "%\nO0001\nG90G17G0X0Y0Z50.\n"
                                   "G66P9100Z-5.R2.\n"
@@ -195,7 +195,7 @@ TEST(Trace, RoughingCutsLevelsDownToTheContour) {
                           "2 rapid X74.3 Z3", "2 rapid X70 Z3", "11 end"));
 }
 
-/// The interpreter's motions: down to each level along the way to the contour, the pocket behind
+/// The interpreter's motions: down to each level along the path to the contour, the pocket after
 /// the first shoulder once the contour before it is cut, then its walls.
 TEST(Trace, LinuxCncRoughsAContourAndItsPocket) {
   EXPECT_THAT(
@@ -235,8 +235,8 @@ TEST(Trace, RoughingWithoutTheSettingKeepsItsLevels) {
                           "2 rapid X20 Z-5", "2 rapid X20 Z2", "6 end"));
 }
 
-/// A pocket behind a shoulder is cut level by level from above; the tool crosses the shoulder above
-/// it. The control runs the contour itself behind the cycle.
+/// A pocket after a shoulder is cut level by level from above; the tool crosses the shoulder above
+/// it. The control runs the contour itself after the cycle.
 TEST(Trace, APocketIsRoughedBehindItsShoulder) {
   EXPECT_THAT(
       traceOf("nct-104t", "%O1\nG0 X30 Z2\nG71 U5 R1\nG71 P10 Q20 U0 W0 F0.2\n"
@@ -489,7 +489,7 @@ TEST(Trace, WhatATransformationMayMeanIsNotGuessed) {
               ElementsAre("2 rapid X10 Y0 Z5", "4 rapid", "6 rapid X30 Y0 Z5", "7 end"));
 }
 
-/// Behind a line whose end only the path knows, a word that is not known stays so.
+/// After a line whose end only the path knows, a word that is not known stays so.
 TEST(Trace, AnUnknownWordIsNotCarriedOver) {
   EXPECT_THAT(traceOf("nct-104t", "%O1\nG0 G18 G90 G42 X18 Z-20\nG1 X14 ,A210 F0.1\nZ-30\n"
                                   "X#500\nM30\n%\n"),
@@ -523,7 +523,7 @@ TEST(Trace, ALevelOfBlockSkipThatDoesNotExistIsOne) {
               ElementsAre("1 rapid X0 Y0", "2 rapid X10 Y0", "3 end"));
 }
 
-/// The contour of the square's corner from inside: the ways beside its lines cross 5 mm before it.
+/// The contour of the square's corner from inside: the paths beside its lines cross 5 mm before it.
 TEST(Trace, WithAKnownRadiusTheToolsCentreIsTraced) {
   const char *tools = R"({"tools": {"1": {"kind": "endmill", "radius": 5}}})";
   const std::string program = "%O1\nG90 G17 G0 X-20 Y-10 Z5\n"
@@ -689,7 +689,7 @@ TEST(Trace, WhatIsNotClosedIsEnteredAllTheSame) {
 }
 
 /// M72 brings back the work offset, and no length where none was in force; so does the end of a
-/// subprogram behind M73.
+/// subprogram after M73.
 TEST(Trace, KeptModesComeBack) {
   EXPECT_THAT(traceOf("linuxcnc",
                       "G21 G90 G54 G0 X0 Y0 Z100\nM70\nG91 G55 G20\nG43 H1\nM72\nG0 X2\n"
@@ -710,7 +710,7 @@ TEST(Trace, KeptModesComeBack) {
                           "15 rapid X13 Y0 Z0", "16 end")); // M70 took the place of M73's
 }
 
-/// As rs274 goes on behind them: from where the last pass ends.
+/// As rs274 goes on after them: from where the last pass ends.
 TEST(Trace, BehindPassesAlongAContourTheToolIsWhereTheLastOneEnds) {
   const std::string head = "G21 G18 G7 G90 F100\nO200 sub\nG1 X20 Z-5\nG1 Z-20\nG1 X30\n"
                            "O200 endsub\nG0 X40 Z2\n";
@@ -737,7 +737,7 @@ TEST(Trace, WithoutAProfileOffsetsAreNotKnown) {
               ElementsAre("1 rapid X1 Y1 Z1", "3 rapid X2", "5 rapid X2 Y3 Z4", "6 end"));
 }
 
-/// The initial level is that of the row, also behind another cycle; below R the tool rises.
+/// The initial level is that of the row, also after another cycle; below R the tool rises.
 TEST(Trace, ARowOfCyclesHasOneInitialLevel) {
   EXPECT_THAT(traceOf("linuxcnc", "G21 G90 G17 F100 S500 M3 G0 X0 Y0 Z20\n"
                                   "G99 G81 X1 Y1 Z-3 R2\n"
@@ -793,7 +793,7 @@ TEST(Trace, DiametersDwellsPlacesAndDistances) {
                           "6 linear X16 Y17 Z0", "7 linear X5 Y-0.5 Z0", "8 end"));
 }
 
-/// Round the centre on which the tool stands, at each depth; it stays down there.
+/// Round the centre on which the tool is, at each depth; it stays down there.
 TEST(Trace, MillsACircularPocketWhereTheToolStands) {
   const std::string tool = R"({"tools": {"1": {"kind": "endmill", "radius": 5}}})";
   EXPECT_THAT(traceOf("haas-mill",
@@ -814,7 +814,7 @@ TEST(Trace, MillsACircularPocketWhereTheToolStands) {
                           "6 end"));
 }
 
-/// Of a pocket by a program of its own the depths are said, not its ways nor its end.
+/// Of a pocket by a program of its own the depths are said, not its paths nor its end.
 TEST(Trace, KnowsTheDepthsOfAPocketByAProgram) {
   std::vector<std::string> levels;
   for (const std::string &line :

@@ -17,7 +17,7 @@ llvm::StringRef EcsScanner::withoutFolder(llvm::StringRef path) {
   return slash == llvm::StringRef::npos ? path : path.drop_front(slash + 1);
 }
 
-/// `;` or `,`; 0: neither is at hand.
+/// `;` or `,`; 0: neither is next.
 char EcsScanner::scanSeparator() {
   skipBlanks();
   if (at_ < end_ && (*at_ == ';' || *at_ == ','))
@@ -117,7 +117,7 @@ Argument EcsScanner::scanArgument(char separator, bool named) {
     argument.end = offset(at_);
     return argument;
   }
-  // `ON/X`: the switch is a symbol, what stands behind it is no separator.
+  // `ON/X`: the switch is a symbol, what comes after it is no separator.
   if ((symbol.equals_insensitive("ON") || symbol.equals_insensitive("OFF")) && !ends) {
     argument.kind = ArgumentKind::Name;
     at_ = symbol.end();
@@ -152,7 +152,7 @@ llvm::StringRef EcsScanner::scanProgramName() {
   return withoutFolder({begin, size_t(at_ - begin)});
 }
 
-/// What stands behind the last argument is passed over.
+/// What comes after the last argument is passed over.
 void EcsScanner::tooManyArguments(const char *begin) {
   issue(SyntaxIssueKind::TooManyArguments, begin, at_);
   skipToAngle();

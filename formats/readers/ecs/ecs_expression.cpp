@@ -30,7 +30,7 @@ Op functionOf(llvm::StringRef upper) {
 }
 } // namespace
 
-/// Behind what belongs to a bad expression: at a separator or bracket outside of its own.
+/// After what belongs to a bad expression: at a separator or bracket outside of its own.
 ExpressionParser::Rest EcsExpression::behindBad(const char *begin) const {
   int depth = 0;
   const char *p = begin;
@@ -136,7 +136,7 @@ bool EcsExpression::product(unsigned depth) {
                               productStrength, [this] { return binaryAtHand(); }, apply);
 }
 
-/// The sign stands above the power: -2**2 is -4.
+/// The sign binds more than the power: -2**2 is -4.
 bool EcsExpression::factor(unsigned depth) {
   skipBlanks();
   if (at_ == end_ || depth > maxDepth)

@@ -27,7 +27,7 @@ private:
   bool factor(unsigned depth);
   bool atom(unsigned depth);
   bool name(unsigned depth);
-  /// Key of the variable at hand; 0: there is none.
+  /// Key of the current variable; 0: there is none.
   uint64_t variable();
 };
 

@@ -3,7 +3,7 @@
 
 namespace ncvet {
 
-/// The program in which a jump's target lies; gives the separator behind it.
+/// The program in which a jump's target lies; gives the separator after it.
 char EcsScanner::scanOtherProgram(Item &item, const char *begin) {
   nameItem(item, scanProgramName());
   const char separator = scanSeparator();
@@ -24,7 +24,7 @@ void EcsScanner::scanJump(const char *begin, bool other) {
   add(item);
 }
 
-/// Behind the expression of a choice something else than `:` stands, mostly a comparison
+/// After the expression of a choice comes something else than `:`, mostly a comparison
 /// (`<IFF<R1 > 5>:`): one report, and reading goes on at the targets.
 void EcsScanner::missingColon(const char *begin) {
   const llvm::StringRef rest(at_, size_t(end_ - at_));
@@ -79,7 +79,7 @@ void EcsScanner::scanRepeat(const char *begin) {
       const Argument count = scanArgument(second);
       if (count.expression != noExpression)
         item.count = count.expression;
-      // The count is no place of the program: the separator in front of it is kept with the first.
+      // The count is no place of the program: the separator before it is kept with the first.
       block_.arguments[item.firstArgument].separator = second;
       if (scanSeparator())
         tooManyArguments(begin);

@@ -1,4 +1,4 @@
-// What stands in angle brackets in ECS blocks: variables, instructions, calls.
+// What is in angle brackets in ECS blocks: variables, instructions, calls.
 #include "formats/readers/ecs/ecs_scanner.h"
 
 namespace ncvet {
@@ -91,7 +91,7 @@ void EcsScanner::scanVariable(const char *begin, llvm::StringRef variable) {
     issue(SyntaxIssueKind::MissingValue, begin, at_);
   } else if (symbol.size() == 3 && symbol.startswith_insensitive("CF") && behind < end_ &&
              *behind == '>') {
-    // The name of an axis stands for itself; as a number it is its key.
+    // The name of an axis is its own value; as a number it is its key.
     item.value = constant(symbol.begin(), symbol.end(), double(variableKey(symbol)));
     word.flags = wordExpression;
     word.mantissa = item.value;
@@ -155,8 +155,8 @@ void EcsScanner::scanInstruction(const char *begin, llvm::StringRef word) {
     argumentWord(argument);
 }
 
-/// An argument of an instruction as a word, so that the table can say what it takes. A name stands
-/// for itself; as a number it is its key.
+/// An argument of an instruction as a word, so that the table can say what it takes. A name means
+/// itself; as a number it is its key.
 void EcsScanner::argumentWord(const Argument &argument) {
   Word word;
   word.address = argumentAddress;
@@ -208,7 +208,7 @@ llvm::SmallVector<Argument, 8> EcsScanner::inOrder(llvm::ArrayRef<Argument> writ
 }
 
 /// `<INP: "prompt"; R0; N100; 10; 100>`: the target for ESC is the first argument of the item,
-/// behind it the prompt and the bounds.
+/// after it the prompt and the bounds.
 void EcsScanner::scanInput(const char *begin) {
   Item item = itemAt(ItemKind::Input, begin);
   Argument prompt = scanArgument(0);

@@ -1,4 +1,4 @@
-// Reader of ECS programs: blocks, what stands in front of their words, comments.
+// Reader of ECS programs: blocks, what is before their words, comments.
 #include "formats/readers/ecs/ecs_reader.h"
 
 #include "formats/readers/ecs/ecs_scanner.h"
@@ -36,7 +36,7 @@ bool EcsScanner::takesPlaces(CodeIndex code) const {
          llvm::any_of(dialect_.codes[code].words, [](const WordSpec &w) { return w.position; });
 }
 
-/// `<MAT:..> <TCT:ON;..>`: a line of instructions works them off one behind the other, each with
+/// `<MAT:..> <TCT:ON;..>`: a line of instructions runs them one after the other, each with
 /// arguments of its own. The second one is read as a block of its own.
 bool EcsScanner::beginsNextBlock() {
   if (*at_ != '<' || !block_.has(keywordAddress) ||

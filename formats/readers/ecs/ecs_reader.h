@@ -9,7 +9,7 @@ class EcsReader final : public Reader {
 public:
   EcsReader(const Dialect &dialect, llvm::StringRef text);
   void read(uint32_t offset, Block &block) const override;
-  /// What stands in front of a `:`, without blanks, eight characters of it (manual 786-801).
+  /// What is before a `:`, without blanks, eight characters of it (manual 786-801).
   std::string labelKey(llvm::StringRef label) const override;
 
 private:

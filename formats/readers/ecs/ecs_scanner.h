@@ -19,9 +19,9 @@ public:
 private:
   static bool isNameCharacter(char c) { return isLetter(c) || isNumberDigit(c); }
   /// Bytes of a typographic quotation mark in UTF-8: U+2018 to U+201E; 0: none. `comment` says
-  /// whether it stands for the one that opens a comment.
+  /// whether it means the one that opens a comment.
   static unsigned typographicQuote(const char *at, const char *end, bool &comment);
-  /// The name of a program, where its folder may stand in front and blanks behind.
+  /// The name of a program, perhaps with its folder before it and blanks after it.
   static llvm::StringRef withoutFolder(llvm::StringRef path);
 
   bool startsBlock() const { return block_.words.empty() && block_.items.empty(); }
@@ -34,7 +34,7 @@ private:
     return {at_, size_t(p - at_)};
   }
   uint16_t expression() { return parsed(&EcsExpression::parse); }
-  /// `<expr>`; the bracket is at hand.
+  /// `<expr>`; the cursor is at the bracket.
   uint16_t bracketed() {
     const char *const begin = at_++;
     const uint16_t index = expression();

@@ -27,7 +27,7 @@ void EcsScanner::scanLetter() {
     }
     const llvm::StringRef run =
         llvm::StringRef(begin, size_t(end_ - begin)).take_while([](char c) { return isLetter(c); });
-    // Bare axes (`G23 XYZ`) and K stand without values; other runs of letters mean nothing.
+    // Bare axes (`G23 XYZ`) and K are without values; other runs of letters mean nothing.
     if (run.size() > 2 &&
         run.find_first_not_of("XYZABCUVWKDxyzabcuvwkd") != llvm::StringRef::npos) {
       at_ = run.end();
@@ -97,7 +97,7 @@ void EcsScanner::scanLetter() {
   scanValue(address, begin);
 }
 
-/// `G16XYZ+`: a free plane, its axis and direction. A minus is a code of its own behind it.
+/// `G16XYZ+`: a free plane, its axis and direction. A minus after it is a separate code.
 void EcsScanner::scanPlane(const char *begin) {
   at_ = behindBlanks(begin + 3);
   const char *const axes = at_;
@@ -125,14 +125,14 @@ void EcsScanner::scanPlane(const char *begin) {
   keyword(minus, mark, at_);
 }
 
-/// The number, `= expression` or `<expression>` behind an address.
+/// The number, `= expression` or `<expression>` after an address.
 void EcsScanner::scanValue(AddressId address, const char *begin) {
   Word word;
   word.address = address;
   if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
     if (const char *const behind = readPlainNumber(at_, end_, word)) {
       at_ = behind;
-      // `G54.01`: two digits behind the point are a number of their own.
+      // `G54.01`: two digits after the point are a separate number.
       if (address == letterAddress('G') && word.decimals == 2)
         if (const CodeIndex code = dialect_.keyword({begin, size_t(at_ - begin)}); code != noCode)
           return keyword(code, begin, at_);
@@ -149,7 +149,7 @@ void EcsScanner::scanValue(AddressId address, const char *begin) {
   const char *const value = behindBlanks(at_);
   const char c = value < end_ ? *value : '\n';
   if (c == '=' || c == '<') {
-    // Behind K, and where axes are only named, a bracket is an item of its own.
+    // After K, and where axes are only named, a bracket is a separate item.
     const bool bare = c == '<' && (value > at_ || address == letterAddress('K'));
     if (!bare) {
       at_ = value;

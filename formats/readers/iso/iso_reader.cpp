@@ -244,7 +244,7 @@ bool Scanner::scanUnknownWord() {
   return true;
 }
 
-/// A variable, a bracket, or a function where it may stand without brackets around it: `XSIN[30]`.
+/// A variable, a bracket, or a function where it may be without brackets around it: `XSIN[30]`.
 bool Scanner::opensExpression(const char *p) const {
   if (p < end_ && (*p == '#' || *p == '['))
     return true;
@@ -256,13 +256,13 @@ bool Scanner::opensExpression(const char *p) const {
   return p - name > 1 && behindBlanks(p) < end_ && *behindBlanks(p) == '[';
 }
 
-/// The number or expression behind an address.
+/// The number or expression after an address.
 void Scanner::scanWord(AddressId address, const char *begin) {
   Word word;
   word.address = address;
   word.offset = offset(begin);
   const char *p = at_;
-  // By far the most words: a number stands right behind a letter that opens no header or number.
+  // By far the most words: a number is right after a letter that opens no header or number.
   if (p < end_ && (isDigit(*p) || *p == '-') && address != letterAddress('N') &&
       scanPlainNumber(word)) {
     word.length = uint8_t(std::min<ptrdiff_t>(at_ - begin, 255));
@@ -280,7 +280,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
   at_ = number;
   if (at_ < end_ &&
       (isDigit(*at_) || *at_ == '-' || *at_ == '+' || *at_ == '.' || typographicMinus(at_, end_))) {
-    // A sign in front of an expression belongs to it.
+    // A sign before an expression belongs to it.
     const bool ngc = lexical_.arithmetic == Arithmetic::Ngc;
     const char *behind = at_;
     unsigned signs = 0;
@@ -316,7 +316,7 @@ void Scanner::scanWord(AddressId address, const char *begin) {
     append(word);
     return;
   }
-  // Nothing readable behind the address.
+  // Nothing readable after the address.
   at_ = begin + (*begin == ',' ? 2 : 1);
   word.flags |= wordNoValue;
   word.length = uint8_t(at_ - begin);
@@ -332,7 +332,7 @@ bool Scanner::scanPlainNumber(Word &word) {
     return false;
   if (lexical_.freeNumbers && behind < end_ && classOf(*behind) == Blank) {
     const char *const p = behindBlanks(behind);
-    if (p < end_ && (isDigit(*p) || *p == '.')) { // it goes on behind the blanks
+    if (p < end_ && (isDigit(*p) || *p == '.')) { // it goes on after the blanks
       word = before;
       return false;
     }
@@ -341,7 +341,7 @@ bool Scanner::scanPlainNumber(Word &word) {
   return true;
 }
 
-/// Where blanks may stand inside numbers: steps over those in front of a further digit or point.
+/// Where blanks may be inside numbers: steps over those before a further digit or point.
 void Scanner::passBlanksInNumber() {
   if (!lexical_.freeNumbers || at_ >= end_ || classOf(*at_) != Blank)
     return;
@@ -423,7 +423,7 @@ bool Scanner::scanNumber(Word &word, const char *begin) {
   const bool any = whole || fraction;
   if (at_ < end_ && (*at_ == '.' || (any && (*at_ == '-' || *at_ == '+') && at_ + 1 < end_ &&
                                      (isDigit(at_[1]) || at_[1] == '.')))) {
-    // A second point, or a sign behind the number: one report up to the next address.
+    // A second point, or a sign after the number: one report up to the next address.
     while (at_ < end_ && (*at_ == '.' || isDigit(*at_) || *at_ == '-' || *at_ == '+'))
       ++at_;
     issue(SyntaxIssueKind::MalformedNumber, begin, at_);
@@ -483,7 +483,7 @@ void Scanner::scanOther() {
   }
   case '/': {
     if (lexical_.flowWords && !(block_.words.empty() && block_.items.empty()))
-      break; // only in front of everything else
+      break; // only before everything else
     ++at_;
     int8_t level = 0;
     if (at_ < end_ && *at_ >= '1' && *at_ <= '9') {
@@ -515,7 +515,7 @@ void Scanner::scanOther() {
     at_ = lineEnd();
     return;
   case '\x1A': {
-    // End-of-file mark of older systems, often with padding behind it.
+    // End-of-file mark of older systems, often with padding after it.
     const char *p = at_;
     while (p < end_ && (*p == '\x1A' || classOf(*p) == Blank || classOf(*p) == LineEnd))
       ++p;
@@ -662,7 +662,7 @@ Structure structureOf(FlowWord word) {
 
 } // namespace
 
-/// The expression in brackets that stands here; `noExpression` when there is none.
+/// The expression in brackets that is here; `noExpression` when there is none.
 uint16_t Scanner::bracketIfAny() {
   skipBlanks();
   return at_ < end_ && *at_ == '[' ? expression(MacroExpression::Form::Operand) : noExpression;
@@ -746,7 +746,7 @@ void Scanner::scanFlowWord() {
   case FlowWord::ElseIf:
   case FlowWord::While:
     if (skipBlanks(); at_ >= end_ || *at_ != '[')
-      break; // what stands here is reported below
+      break; // what is here is reported below
     item.condition = expression(MacroExpression::Form::Operand);
     break;
   case FlowWord::Repeat:
@@ -766,7 +766,7 @@ void Scanner::scanFlowWord() {
   }
   add(item);
   skipBlanks();
-  if (!atLineEnd() && *at_ != '(' && *at_ != ';') { // nothing else stands beside an O-word
+  if (!atLineEnd() && *at_ != '(' && *at_ != ';') { // nothing else is beside an O-word
     const char *rest = at_;
     while (!atLineEnd() && *at_ != '(' && *at_ != ';')
       ++at_;

@@ -99,7 +99,7 @@ BinaryOperator ngcBinaryAt(llvm::StringRef text) {
 
 } // namespace
 
-/// Behind what belongs to a bad expression: at the next blank outside brackets.
+/// After what belongs to a bad expression: at the next blank outside brackets.
 ExpressionParser::Rest MacroExpression::behindBad(const char *begin) const {
   int depth = 0;
   const char *p = begin;
@@ -298,7 +298,7 @@ bool MacroExpression::named(Op op) {
   return true;
 }
 
-/// `#<name>]` behind EXISTS and its bracket.
+/// `#<name>]` after EXISTS and its bracket.
 bool MacroExpression::exists() {
   if (!ngc_ || !take('#'))
     return false;

@@ -67,8 +67,8 @@ private:
   void finish();
 
   const Dialect &dialect_;
-  const char *content_ = nullptr; ///< behind the last byte that is no blank
-  bool leading_ = false;          ///< stands in front of the first N
+  const char *content_ = nullptr; ///< after the last byte that is no blank
+  bool leading_ = false;          ///< is before the first N
 };
 
 /// The key of the variable with this name, as an expression.
@@ -325,7 +325,7 @@ void Scanner::scanWord() {
 }
 
 /// A letter O among the digits of a number, up to whose end nothing but O, digits and a point
-/// stand.
+/// are.
 bool Scanner::readsAsZero(const char *p) const {
   if (p >= end_ || (*p != 'O' && *p != 'o') ||
       dialect_.addresses[letterAddress('O')].kind != AddressKind::Unknown)
@@ -439,7 +439,7 @@ bool Scanner::scanNumber(Word &word, const char *begin, bool commaIsPoint) {
   return true;
 }
 
-/// What is neither a comment nor letters nor a number behind its letter.
+/// What is neither a comment nor letters nor a number after its letter.
 void Scanner::scanOther() {
   for (const llvm::StringRef quote : typographicQuotes)
     if (rest().startswith(quote)) {

@@ -14,8 +14,8 @@ unsigned typographicQuote(const char *at, const char *end) {
 }
 } // namespace
 
-/// What stands between two quotes, the first of which is at hand; none, with an issue, without the
-/// second one.
+/// What is between two quotes, the first of which is the next byte; none, with an issue, without
+/// the second one.
 std::optional<llvm::StringRef> SinumerikScanner::scanString() {
   const char *const begin = at_++;
   while (!atLineEnd() && *at_ != '"')
@@ -47,7 +47,7 @@ void SinumerikScanner::scanCode(CodeIndex code, llvm::StringRef name) {
   add(item);
 }
 
-/// A call of program `name`, which stands in front: arguments and passes.
+/// A call of program `name`, which comes before: arguments and passes.
 void SinumerikScanner::scanCall(llvm::StringRef name, Item &item) {
   nameItem(item, name);
   const char *behind = behindBlanks(at_);
@@ -106,7 +106,7 @@ void SinumerikScanner::scanArgument(Item &item, char separator, bool words) {
   Word word;
   word.address = argumentAddress;
   if (const llvm::StringRef name = identifier(); !name.empty() && !isNumberDigit(name[0])) {
-    // A name in front of the value.
+    // A name before the value.
     const char *const behind = behindBlanks(name.end());
     if (isEquals(behind)) {
       issue(SyntaxIssueKind::NamedArgument, begin, behind + 1);

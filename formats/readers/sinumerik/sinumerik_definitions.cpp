@@ -25,7 +25,7 @@ void SinumerikScanner::scanDefinitions() {
   skipBlanks();
   const char *const begin = at_;
   VariableType type = VariableType::None;
-  // Modifiers (NCK, CHAN, SYNR, PHU 3, …) may stand in front of the type.
+  // Modifiers (NCK, CHAN, SYNR, PHU 3, …) may be before the type.
   while (!atBlockEnd() && type == VariableType::None) {
     const llvm::StringRef word = identifier();
     if (word.empty())
@@ -162,7 +162,7 @@ void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
   add(item);
 }
 
-/// `DEFINE NAME AS G1 G91`: what it stands for is read where it is written only.
+/// `DEFINE NAME AS G1 G91`: what it means is read where it is written only.
 void SinumerikScanner::scanMacro(const char *begin) {
   Item item = itemAt(ItemKind::Macro, begin);
   skipBlanks();

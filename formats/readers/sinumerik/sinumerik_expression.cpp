@@ -112,7 +112,7 @@ llvm::StringRef SinumerikExpression::identifier() const {
   return llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNameCharacter);
 }
 
-/// Behind what belongs to a bad expression: at the next blank outside brackets.
+/// After what belongs to a bad expression: at the next blank outside brackets.
 ExpressionParser::Rest SinumerikExpression::behindBad(const char *begin) const {
   int depth = 0;
   const char *p = begin;
@@ -155,7 +155,7 @@ uint16_t SinumerikExpression::parseCondition() {
   issue(SyntaxIssueKind::AssignmentInTest, sign, sign + 1);
   at_ = sign + 1;
   const uint16_t right = parse();
-  // Both sides lie behind each other: they become one comparison.
+  // Both sides follow each other: they become one comparison.
   Expression &whole = block_.expressions[index];
   if (right != index) {
     whole.count += block_.expressions[right].count;
@@ -220,7 +220,7 @@ uint16_t SinumerikExpression::parseTarget() {
   });
 }
 
-/// What stands in one pair of brackets.
+/// What is in one pair of brackets.
 bool SinumerikExpression::group(unsigned depth) {
   Seen seen;
   if (!level(depth, comparisonStrength, seen))

@@ -22,7 +22,7 @@ public:
   uint16_t parseTarget();
 
 private:
-  /// Which kinds of operators stand side by side in one pair of brackets.
+  /// Which kinds of operators are side by side in one pair of brackets.
   struct Seen {
     bool comparison = false;
     bool logical = false;
@@ -44,10 +44,10 @@ private:
   int indices(unsigned depth);
   /// Argument list in parentheses; -1: it could not be read.
   int arguments(unsigned depth);
-  /// Index list of the array with this key, and the operation that it stands for.
+  /// Index list of the array with this key, and the operation that it means.
   bool elements(unsigned depth, Op op, uint64_t array, const char *begin);
   bool skipIndices();
-  /// Steps over a system variable, its `$` is at hand; gives its name with the `$`, empty: it
+  /// Steps over a system variable, the cursor is at its `$`; gives its name with the `$`, empty: it
   /// cannot be read.
   llvm::StringRef system();
   llvm::StringRef identifier() const;

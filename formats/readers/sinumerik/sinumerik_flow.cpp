@@ -65,7 +65,7 @@ void SinumerikScanner::scanStatement(Keyword keyword, const char *begin) {
   }
 }
 
-/// A jump follows behind the condition, or the blocks to ENDIF.
+/// A jump follows after the condition, or the blocks to ENDIF.
 void SinumerikScanner::scanIf(const char *begin) {
   const uint16_t test = condition();
   skipBlanks();
@@ -125,7 +125,7 @@ void SinumerikScanner::scanTarget(Item &item) {
   ++item.arguments;
 }
 
-/// `CASE(R1) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C`: the last letter of each jump stands as the
+/// `CASE(R1) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C`: the last letter of each jump is used as the
 /// separator of its target.
 void SinumerikScanner::scanCase(const char *begin) {
   Item item = itemAt(ItemKind::Jump, begin);

@@ -1,4 +1,4 @@
-// Reader of Sinumerik programs: blocks, what stands in front of their words, archive headers.
+// Reader of Sinumerik programs: blocks, what is before their words, archive headers.
 #include "formats/readers/sinumerik/sinumerik_reader.h"
 
 #include "formats/readers/sinumerik/sinumerik_scanner.h"
@@ -36,7 +36,7 @@ void SinumerikScanner::scan() {
     block_.kind = BlockKind::Empty;
 }
 
-/// `/`, `/3`: in front of everything else.
+/// `/`, `/3`: before everything else.
 void SinumerikScanner::scanSkip() {
   if (at_ == end_ || *at_ != '/')
     return;
@@ -89,7 +89,7 @@ void SinumerikScanner::scanHeader() {
     scanComment();
 }
 
-/// `NAME:` in front of everything but the number.
+/// `NAME:` before everything but the number.
 bool SinumerikScanner::scanLabel() {
   if (!startsBlock() || block_.hasLabel())
     return false;

@@ -47,7 +47,7 @@ private:
     while (!atBlockEnd())
       ++at_;
   }
-  /// Steps over the brackets at hand, whatever they hold.
+  /// Steps over the current brackets, whatever they hold.
   void skipIndices() {
     if (at_ < end_ && *at_ == '[')
       while (!atBlockEnd() && *at_++ != ']')

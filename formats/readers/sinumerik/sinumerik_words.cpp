@@ -23,7 +23,7 @@ void SinumerikScanner::scanLetter() {
   if (next < end_ && isNameLetter(*next))
     return scanName();
   if (next < end_ && isNumberDigit(*next) && startsBlock()) {
-    // `N10` in front, `L10` a program's name, `R1=` a variable; all of them may be a label.
+    // `N10` before it, `L10` a program's name, `R1=` a variable; all of them may be a label.
     if (letter == 'N' && block_.number < 0) {
       ++at_;
       return scanNumberOfBlock(begin);
@@ -98,7 +98,7 @@ void SinumerikScanner::scanLetter() {
 void SinumerikScanner::scanExtended(char letter, const char *begin) {
   ++at_;
   const llvm::StringRef digits = llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNumberDigit);
-  at_ = digits.end() + 1; // behind the `=`
+  at_ = digits.end() + 1; // after the `=`
   const auto named = addresses_.find(llvm::StringRef(begin, digits.size() + 1).upper());
   if (named != addresses_.end())
     return scanValue(named->second, begin);
@@ -128,7 +128,7 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
   addExpression(letterAddress(letter), begin, value);
 }
 
-/// What stands behind `=`: most often a plain number.
+/// What comes after `=`: most often a plain number.
 void SinumerikScanner::scanValue(AddressId address, const char *begin) {
   skipBlanks();
   if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
@@ -259,7 +259,7 @@ void SinumerikScanner::scanName() {
     issue(SyntaxIssueKind::MissingEquals, begin, at_);
     return addWord(word, begin);
   }
-  // `XR1`: a variable behind its address, without the `=`.
+  // `XR1`: a variable after its address, without the `=`.
   if (name.size() > 2 && (name[1] | 32) == 'r' && isLetter(name[0]) &&
       llvm::all_of(name.drop_front(2), isNumberDigit)) {
     issue(SyntaxIssueKind::MissingEquals, begin, name.end());
