@@ -34,7 +34,15 @@ def command(binary, arguments):
     return " ".join(shlex.quote(str(word)) for word in [binary, *arguments])
 
 
-def texts(job, binary, root, unit):
+def candidates(job, unit):
+    """The programs with which the difference may be seen again, the fewest first."""
+    if job.kind != "check":
+        return [None]
+    alone = [program for program in job.programs if program.name == unit.removeprefix("run of ")]
+    return [one for one in (alone, job.programs) if one]
+
+
+def texts(job, programs, binary, root, unit):
     """What a binary prints for one unit of a job, without words; and the command that repeats it."""
     if job.kind == "trace":
         bare = runs.trace(binary, job.program, root)[1]
@@ -43,25 +51,25 @@ def texts(job, binary, root, unit):
         return job.lines(binary, root)[1], ["check", "--format=sarif", job.program.path]
     if job.kind == "edits":
         events = job.events(binary, root)
-        return [json.dumps(sessions.without_words(event)) for event in events], ["lsp"]
-    alone = [program for program in job.programs if program.name == unit]
-    units, _ = runs.check(binary, alone or job.programs, root)
+        return [json.dumps(sessions.without_words(event)) for event in events], None
+    units, _ = runs.check(binary, programs, root)
     bare = units.get(unit) or units.get("") or ([], [])
-    return bare[1], runs.check_arguments(alone or job.programs)
+    return bare[1], runs.check_arguments(programs)
 
 
 def describe(job, unit, this, other, root):
     """The lines that tell of a difference."""
-    old, _ = texts(job, other, root, unit)
-    new, arguments = texts(job, this, root, unit)
     lines = [f"same: {job.kind} of {unit} differs"]
-    if job.kind == "edits":
-        lines.append(f"  repeat: ./dev same --binary {shlex.quote(other)} --only {shlex.quote(unit)}")
-    else:
-        lines += [f"  repeat: {command(binary, arguments)}" for binary in (other, this)]
-    found = first_difference(old, new)
-    if not found:
-        lines.append("  (not seen again when run alone: it depends on the programs checked before it)")
-        return lines
-    number, a, b = found
-    return [*lines, f"  line {number}", f"  other: {shown(a, b)}", f"  this:  {shown(b, a)}"]
+    for programs in candidates(job, unit):
+        old, _ = texts(job, programs, other, root, unit)
+        new, arguments = texts(job, programs, this, root, unit)
+        found = first_difference(old, new)
+        if not found:
+            continue
+        if arguments:
+            lines += [f"  repeat: {command(binary, arguments)}" for binary in (other, this)]
+        else:
+            lines.append(f"  repeat: ./dev same --binary {shlex.quote(other)} --only {shlex.quote(unit)}")
+        number, a, b = found
+        return [*lines, f"  line {number}", f"  other: {shown(a, b)}", f"  this:  {shown(b, a)}"]
+    return [*lines, "  (not seen again: was a process too slow, or does its output change from run to run?)"]

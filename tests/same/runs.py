@@ -9,6 +9,7 @@ import meaning
 PATIENCE = 30  # seconds for a process
 LONG_PATIENCE = 120  # when the other binary was in time
 TIME_OUT = "time-out"
+SPLIT = "programs were run one by one"
 
 
 def run(command, cwd, patience=PATIENCE):
@@ -34,7 +35,7 @@ def short(data):
 def timed_out(digests):
     """Whether a process took too long for one of the programs."""
     marks = (short([TIME_OUT]), short(f"exit {TIME_OUT}\n"))
-    return any(value[1] in marks for value in digests.values())
+    return any(value and value[1] in marks for value in digests.values())
 
 
 def check_arguments(programs):
@@ -104,16 +105,20 @@ class CheckJob:
         return "check " + short(" ".join(check_arguments(self.programs) + [p.digest for p in self.programs]))
 
     def digests(self, binary, root, patience=PATIENCE):
-        units, fine = check(binary, self.programs, root, patience)
-        if not fine and len(self.programs) > 1:  # one of them is slow or breaks: which one?
-            half = len(self.programs) // 2
-            return {
-                **CheckJob(self.programs[:half]).digests(binary, root, patience),
-                **CheckJob(self.programs[half:]).digests(binary, root, patience),
-            }
+        """Also under the name of `SPLIT` when one program is so slow or bad that each is run alone."""
+        units, fine = check(binary, self.programs, root, patience * (4 if len(self.programs) > 1 else 1))
+        if not fine and len(self.programs) > 1:
+            return {**self.digests_alone(binary, root, patience), SPLIT: []}
         # What belongs to no program of the run belongs to all of it.
         rename = {"": f"run of {self.programs[0].name}" if fine else self.programs[0].name}
         return {rename.get(name, name): [short(whole), short(bare)] for name, (whole, bare) in units.items()}
+
+    def digests_alone(self, binary, root, patience=PATIENCE):
+        """Each program by a process of its own."""
+        digests = {}
+        for program in self.programs:
+            digests.update(CheckJob([program]).digests(binary, root, patience))
+        return digests
 
 
 def trace(binary, program, root, patience=PATIENCE):

@@ -47,7 +47,7 @@ def make_jobs(programs, options, root):
     """The sessions first: they are what takes longest."""
     edits = QUICK_EDITS if options.quick else EDITS
     documents = sessions.chosen(programs, root, edits // EDITS_A_DOCUMENT)
-    jobs = [sessions.Session(p, EDITS_A_DOCUMENT, seed) for seed, p in enumerate(documents)]
+    jobs = [sessions.Session(program, EDITS_A_DOCUMENT) for program in documents]
     if options.quick:
         programs = programs[::QUICK_STEP]
     jobs.append(runs.RulesJob(programs[0]))
@@ -74,6 +74,10 @@ def alone(root):
     return lock
 
 
+def meanings(digests):
+    return {unit: value[1:] for unit, value in digests.items()}
+
+
 class Comparison:
     """Runs jobs with both binaries and counts what differs."""
 
@@ -88,10 +92,17 @@ class Comparison:
         """What both print; where one alone takes too long, both are given more time."""
         new = job.digests(self.this, self.root)
         old = self.cache.get(job.key(), lambda: job.digests(self.other, self.root))
+        patience = runs.PATIENCE
         if old != new and runs.timed_out(old) != runs.timed_out(new):
             patience = runs.LONG_PATIENCE
             new = job.digests(self.this, self.root, patience)
             old = self.cache.get(f"{job.key()} long", lambda: job.digests(self.other, self.root, patience))
+        split = {runs.SPLIT} & {*old, *new}
+        if job.kind == "check" and len(job.programs) > 1 and (split or meanings(old) != meanings(new)):
+            alone = [job.digests_alone(binary, self.root, patience) for binary in (self.other, self.this)]
+            # Where all are the same alone, the difference is one of programs that are run together.
+            if split or meanings(alone[0]) != meanings(alone[1]):
+                old, new = alone
         return job, old, new
 
     def take(self, job, old, new):
