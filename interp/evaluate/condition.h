@@ -12,8 +12,8 @@ const Word *assignmentOf(const Block &block, uint64_t variable);
 /// the variable that it sets. Null when there is none; an argument left empty counts as none.
 const Word *wordFor(const Block &block, const WordSpec &spec);
 
-/// Key of the variable used in place of `spec`'s word: the one of its two that the program has given
-/// a value.
+/// Key of the variable used in place of `spec`'s word: the one of its two that the program has
+/// given a value.
 uint64_t givenVariable(const WordSpec &spec, const MachineState &state);
 /// Whether blocks before have given the variable used in place of `spec`'s word a value.
 Truth givenBefore(const WordSpec &spec, const MachineState &state);
