@@ -1,4 +1,4 @@
-// What looks at every byte of a text have found, kept from one version of the text to the next.
+// Incremental index of a text: line starts, block numbers, labels, definitions.
 #pragma once
 
 #include "analyzer/program/span_store.h"

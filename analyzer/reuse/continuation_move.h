@@ -1,4 +1,4 @@
-// Blocks that only go on as the block before.
+// Continuation moves: blocks that only go on as the block before.
 #pragma once
 
 #include "interp/execute/execute.h"
@@ -6,11 +6,11 @@
 
 namespace ncvet {
 
-/// Finds blocks that only go on as the block before: what is not told by coordinates is the same.
+/// Detects continuation moves: same addresses, modes and facts; only coordinates differ.
 struct PlainRun {
   AddressMask addresses = 0; ///< of the block before; 0: it was no plain move
   uint32_t machineAxes = 0;
-  uint64_t may = 0, must = 0; ///< facts in front of it
+  uint64_t may = 0, must = 0; ///< facts before it
 
   bool goesOn(const Block &block, const Outcome &outcome, const MachineState &before) {
     if (!outcome.plainMove) {

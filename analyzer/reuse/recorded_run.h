@@ -7,9 +7,9 @@
 
 namespace ncvet {
 
-/// A run of blocks that are executed one after the other, of which no rule had anything to say.
-/// Where it begins again in the same text and in a state that differs only in what it neither looks
-/// at nor sets, with rules that remember the same, it does the same.
+/// A run of blocks that are executed one after the other, and in which no rule reported anything.
+/// It can be applied again where the text is the same, the state is equal in everything that the run
+/// reads or sets, and the rules remember the same.
 struct StraightRun : RunPlace {
   uint32_t from = 0, to = 0; ///< the text that was looked at for it
   bool isClean = true;       ///< a reader finds nothing wrong in it
@@ -28,11 +28,11 @@ struct StraightRun : RunPlace {
               const PlainRun &plainBehind);
   /// Whether it does the same from here.
   bool begins(const MachineState &state, const PlainRun &plain, const RuleMemory &now) const;
-  /// Makes of what stands in front of it what stands behind it.
+  /// Applies the recorded run: turns its entry state into its exit state.
   void carry(MachineState &state, PlainRun &plain) const;
   /// `next` begins where it ends, and has been taken over there: the two are one.
   void join(const StraightRun &next, const MachineState &behind, const PlainRun &plainBehind);
-  /// What happens to it when text in front of it changes.
+  /// What happens to it when text before it changes.
   void move(const TextChange &change);
   /// Whether something that it looks at was set in the changed text.
   bool stemsFrom(const TextChange &change) const;

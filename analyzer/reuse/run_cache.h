@@ -19,7 +19,7 @@ inline bool isClean(const Block &block, const Dialect &dialect) {
 /// The runs of one file, from one analysis to the next. Belongs to one thread.
 class StraightRuns {
 public:
-  /// Every run that has seen the changed text is forgotten, those behind it move.
+  /// Every run that has seen the changed text is forgotten, those after it move.
   void edit(const TextChange &change);
   void clear() {
     straight.clear();
@@ -39,7 +39,7 @@ public:
   RunStore<StraightRun> straight;
   /// Of those above, or of the chains of the level below, that follow each other.
   std::array<RunStore<StraightRun>, 2> chains;
-  /// Of blocks that only go on as the one before them, whatever stands between these.
+  /// Of blocks that only go on as the one before them, whatever is between these.
   RunStore<StraightRun> stretches;
   RunStore<EndingRun> endings;
   RunStore<RunPlace> quiet; ///< text in which a reader finds nothing wrong

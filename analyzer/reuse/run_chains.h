@@ -1,4 +1,4 @@
-// Records runs of runs, so that a long text is taken over in few steps.
+// Records runs of runs, so that a long text is reused in few steps.
 #pragma once
 
 #include "analyzer/reuse/run_cache.h"
@@ -6,8 +6,8 @@
 
 namespace ncvet {
 
-/// The chains of one analysis: what follows each other while runs are taken over becomes one run,
-/// and of those again. Chains change nothing: each is what its parts are together, and these stay.
+/// The chains of one analysis. Merges adjacent reused runs into chains, in two levels. A chain does
+/// what its parts do together, and the parts stay.
 class RunChains {
 public:
   explicit RunChains(StraightRuns *runs);

@@ -11,7 +11,7 @@ constexpr unsigned step = 32;
 constexpr unsigned stretchStep = 16;
 /// So many blocks are waited for the end of a contour.
 constexpr unsigned longestWait = 2 * longestRun;
-/// In front of so many blocks rules are not asked again: where nothing can be compared, and where
+/// Before so many blocks rules are not asked again: where nothing can be compared, and where
 /// they have had something to say.
 constexpr unsigned shortPause = 3;
 constexpr unsigned longPause = 32;

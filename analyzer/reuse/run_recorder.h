@@ -15,7 +15,7 @@ public:
               const Collector &collector);
 
   bool isOn() const { return runs_; }
-  /// In front of the block at `offset`, which one state alone reaches: takes over what a known run
+  /// Before the block at `offset`, which one state alone reaches: takes over what a known run
   /// from here does, of those that `may` allows. Nothing: the block is to be executed.
   std::optional<RunPlace> takeOver(uint32_t offset, MachineState &state, PlainRun &plain,
                                    llvm::function_ref<bool(const RunPlace &)> may);
@@ -25,7 +25,7 @@ public:
       take(block, goesOn);
   }
   /// The block for which `takeOver` had nothing was executed, and is not one that only goes on;
-  /// `before` is the state in front of it, and no rule has heard of it yet.
+  /// `before` is the state before it, and no rule has heard of it yet.
   void goesOnNoMore(MachineState &before) {
     if (stretch_.isRecording())
       endStretchInFront(before);
@@ -57,7 +57,7 @@ private:
   RunTrack whole_;
   RunTrack stretch_;
   RunChains chains_;
-  /// How it was in front of a block behind which it may be found that the stretch has ended there.
+  /// How it was before a block after which it may be found that the stretch has ended there.
   struct InFront {
     uint32_t offset = 0;
     StateUse use;
@@ -68,7 +68,7 @@ private:
   RuleMemory memory_;        ///< of the moment, for all but stretches
   RuleMemory moves_;         ///< the same for stretches
   uint32_t executedEnd_ = 0; ///< up to here a run must be executed
-  unsigned pause_ = 0;       ///< blocks in front of which rules are not asked again
+  unsigned pause_ = 0;       ///< blocks before which rules are not asked again
   unsigned streak_ = 0;      ///< blocks in a row that only went on
 };
 

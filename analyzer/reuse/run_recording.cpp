@@ -5,7 +5,7 @@ namespace ncvet {
 
 namespace {
 
-/// Behind it rules only say less.
+/// After it rules only say less.
 constexpr uint64_t silencing = bitOf(Fact::UnknownCode);
 
 } // namespace
@@ -64,7 +64,7 @@ bool RunTrack::mark(uint32_t end, const MachineState &state, const PlainRun &pla
   run.from = std::min(run.from, looks_.from);
   run.to = std::max({run.to, end, looks_.to});
   run.isClean = clean_;
-  // Of what nothing is said, nothing is said either where an unknown code has gone before.
+  // An unknown code only silences rules, so a silent run stays silent after one.
   StateUse use = use_;
   if (!((run.entry.factsMay | state.factsMay) & silencing))
     use.facts &= ~silencing;

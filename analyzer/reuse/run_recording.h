@@ -31,7 +31,7 @@ public:
   bool isEmpty() const { return here_.blocks == 0; }
   bool isFull() const { return here_.blocks >= longest_; }
   uint64_t reports() const { return reports_; } ///< of the collector when it began
-  /// Begin of a known run behind it.
+  /// Begin of a known run after it.
   uint32_t nextKnown() const { return nextKnown_; }
   /// What is recorded up to the last mark is a run that is known from now on.
   void keep();
