@@ -8,8 +8,8 @@
 namespace ncvet {
 
 /// A run of blocks that are executed one after the other, and in which no rule reported anything.
-/// It can be applied again where the text is the same, the state is equal in everything that the run
-/// reads or sets, and the rules remember the same.
+/// It can be applied again where the text is the same, the state is equal in everything that the
+/// run reads or sets, and the rules remember the same.
 struct StraightRun : RunPlace {
   uint32_t from = 0, to = 0; ///< the text that was looked at for it
   bool isClean = true;       ///< a reader finds nothing wrong in it
