@@ -200,7 +200,7 @@ void reportWordRanges(RuleContext &ctx, const Event &event,
         finding.message("`{0}` ({1}) is written without a decimal point, which it needs here",
                         ctx.text(word), what);
       else if (*breach == Breach::PointWritten)
-        finding.message("`{0}` ({1}) is written with a decimal point, which may not stand here",
+        finding.message("`{0}` ({1}) is written with a decimal point, which is not allowed here",
                         ctx.text(word), what);
       else
         finding.message("`{0}` ({1}) is not {2}", ctx.text(word), what, describe(spec.range));

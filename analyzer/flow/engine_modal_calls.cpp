@@ -54,7 +54,7 @@ void Engine::callModally(Activation &activation, Live &live, uint32_t at,
   if (!callee || !mayEnter(activation, live, before, *callee)) {
     forget(live, *region.unit.dialect);
     live.state.modalCalls = call;
-    lose(blockRange(region.unit), "what runs behind this block is not known");
+    lose(blockRange(region.unit), "what runs after this block is not known");
     return add(activation, block_.next, std::move(live));
   }
   Passes passes;

@@ -17,7 +17,7 @@ std::string describe(const PathNode &node) {
   case PathNode::Kind::Call:
     return "called here";
   case PathNode::Kind::ModalCall:
-    return "behind this block the modal call runs its program";
+    return "after this block the modal call runs its program";
   case PathNode::Kind::Jump:
     return "when this jump is taken";
   case PathNode::Kind::NoJump:
