@@ -4,6 +4,7 @@
 #include "formats/dialect/json_reader.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/text/failure.h"
+#include "formats/text/json_text.h"
 
 #include "llvm/Support/MemoryBuffer.h"
 #include <nlohmann/json.hpp>
@@ -99,8 +100,7 @@ llvm::Error writeBaseline(llvm::ArrayRef<Finding> findings, llvm::ArrayRef<RuleI
                                     {"message", source.displayText(finding.message)}};
     if (count->second != 1)
       entry["count"] = count->second;
-    out << separator
-        << entry.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    out << separator << jsonText(entry);
     separator = ",\n";
     counts.erase(count);
   }

@@ -2,6 +2,7 @@
 #include "analyzer/cli/explain.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/rule_page.h"
+#include "formats/text/json_text.h"
 
 #include "llvm/Support/Format.h"
 #include "llvm/Support/raw_ostream.h"
@@ -41,7 +42,7 @@ void writeJson(llvm::raw_ostream &out) {
                  {"options", Json::array()}};
     for (const RuleOption &option : page.options)
       json["options"].push_back(describe(option));
-    out << separator << json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    out << separator << jsonText(json);
     separator = ",\n";
   }
   out << "\n]}\n";

@@ -3,6 +3,7 @@
 
 #include "analyzer/flow/trace.h"
 #include "analyzer/setup/session.h"
+#include "formats/text/json_text.h"
 
 #include "llvm/Support/raw_ostream.h"
 #include <nlohmann/json.hpp>
@@ -143,10 +144,7 @@ private:
     line["feedMode"] = feedModeOf(move.feedMode);
   }
 
-  void put(const Json &line) {
-    // `dump` without a handler throws on a byte that is not UTF-8.
-    out_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
-  }
+  void put(const Json &line) { out_ << jsonText(line) << '\n'; }
 
   llvm::raw_ostream &out_;
   uint32_t axes_ = 0; ///< bit per axis that is written

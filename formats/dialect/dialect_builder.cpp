@@ -2,6 +2,7 @@
 #include "formats/dialect/dialect_builder.h"
 
 #include "formats/dialect/vocabulary.h"
+#include "formats/text/json_text.h"
 
 #include "llvm/ADT/Twine.h"
 #include <nlohmann/json.hpp>
@@ -18,7 +19,7 @@ std::string optionText(const Json &value) {
     snprintf(text, sizeof text, "%.12g", value.get<double>());
     return text;
   }
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonText(value);
 }
 
 void DialectBuilder::build() {

@@ -1,6 +1,7 @@
 // Report as JSON, version 1: all that is known of the findings, one finding a line.
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/writers.h"
+#include "formats/text/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -8,10 +9,7 @@ namespace ncvet {
 
 using Json = nlohmann::ordered_json; // keys in the order of insertion
 
-void dumpJson(const Json &value, llvm::raw_ostream &out) {
-  // `dump` without a handler throws on a byte that is not UTF-8.
-  out << value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+void dumpJson(const Json &value, llvm::raw_ostream &out) { out << jsonText(value); }
 
 namespace {
 

@@ -1,6 +1,7 @@
 // Report as SARIF 2.1.0, written one result at a time, as a large program may have many.
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/writers.h"
+#include "formats/text/percent.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringMap.h"
@@ -66,16 +67,7 @@ std::string uriOf(llvm::StringRef path) {
   llvm::SmallString<128> clean = path;
   llvm::sys::path::remove_dots(clean, /*remove_dot_dot=*/false);
   std::string out = llvm::sys::path::is_absolute(clean) ? "file://" : "";
-  for (const char byte : clean) {
-    if (llvm::isAlnum(byte) || llvm::StringRef("-._~/").contains(byte)) {
-      out.push_back(byte);
-      continue;
-    }
-    const auto code = static_cast<unsigned char>(byte);
-    out.push_back('%');
-    out.push_back(llvm::hexdigit(code >> 4));
-    out.push_back(llvm::hexdigit(code & 15));
-  }
+  appendPercentEncoded(out, clean);
   return out;
 }
 

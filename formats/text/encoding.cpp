@@ -65,14 +65,16 @@ size_t utf8Sequence(llvm::StringRef bytes) {
   return length;
 }
 
+/// Whether there is a letter, in either code page.
+bool isLetterAt(llvm::StringRef text, size_t at) {
+  return at < text.size() &&
+         (llvm::isAlpha(text[at]) || static_cast<unsigned char>(text[at]) >= 0xC0);
+}
+
 /// What one non-ASCII byte says for Windows-1250 (above 0) or Windows-1252 (below 0).
 int pointsFor1250(llvm::StringRef text, size_t at) {
-  auto isLetter = [&](size_t i) {
-    return i < text.size() &&
-           (llvm::isAlpha(text[i]) || static_cast<unsigned char>(text[i]) >= 0xC0);
-  };
-  const bool before = at > 0 && isLetter(at - 1);
-  const bool after = isLetter(at + 1);
+  const bool before = at > 0 && isLetterAt(text, at - 1);
+  const bool after = isLetterAt(text, at + 1);
   const char next = at + 1 < text.size() ? llvm::toLower(text[at + 1]) : '\0';
   const char previous = at > 0 ? llvm::toLower(text[at - 1]) : '\0';
   switch (static_cast<unsigned char>(text[at])) {
@@ -85,7 +87,7 @@ int pointsFor1250(llvm::StringRef text, size_t at) {
   case 0x8E:
   case 0x9E: // the same in both, but of Czech and Slovak
     return 2;
-  case 0xB3: // l with stroke, or a superscript three behind a unit
+  case 0xB3: // l with stroke, or a superscript three after a unit
     return after || (before && previous != 'm') ? 3 : 0;
   case 0xA3:
   case 0xA5:
@@ -97,10 +99,10 @@ int pointsFor1250(llvm::StringRef text, size_t at) {
   case 0xB9:
   case 0xBC:
   case 0xBE:
-  case 0xBF: // signs that stand in front of or behind words
+  case 0xBF: // signs before or after words
     return before ? 3 : 0;
   case 0xD5:
-  case 0xF5: // o with tilde is Portuguese, always in front of an e
+  case 0xF5: // o with tilde is Portuguese, always before an e
     return next == 'e' ? 0 : 2;
   case 0xDB:
   case 0xFB:
@@ -159,22 +161,10 @@ Encoding guessEncoding(llvm::StringRef text) {
 }
 
 void appendUtf8(std::string &out, uint32_t codePoint) {
-  auto put = [&out](uint32_t byte) { out.push_back(static_cast<char>(byte)); };
-  if (codePoint < 0x80) {
-    put(codePoint);
-    return;
-  }
-  if (codePoint < 0x800) {
-    put(0xC0 | (codePoint >> 6));
-  } else if (codePoint < 0x10000) {
-    put(0xE0 | (codePoint >> 12));
-    put(0x80 | ((codePoint >> 6) & 0x3F));
-  } else {
-    put(0xF0 | (codePoint >> 18));
-    put(0x80 | ((codePoint >> 12) & 0x3F));
-    put(0x80 | ((codePoint >> 6) & 0x3F));
-  }
-  put(0x80 | (codePoint & 0x3F));
+  char bytes[UNI_MAX_UTF8_BYTES_PER_CODE_POINT];
+  char *end = bytes;
+  if (llvm::ConvertCodePointToUTF8(codePoint, end))
+    out.append(bytes, end);
 }
 
 void appendDecoded(std::string &out, llvm::StringRef bytes, Encoding encoding) {

@@ -22,7 +22,7 @@ bool isValidUtf8(llvm::StringRef bytes);
 ///  - for 1250: codes that 1252 leaves empty; S and Z with caron; codes that 1252 reads as signs
 ///    (superscripts, fractions, currency) amid letters; o and u with double acute; e with caron,
 ///    u with ring and n with caron inside a word;
-///  - for 1252: the diameter sign in front of a number, a with ring, a with grave, superscript
+///  - for 1252: the diameter sign before a number, a with ring, a with grave, superscript
 ///    two, one half.
 Encoding guessEncoding(llvm::StringRef text);
 

@@ -42,10 +42,6 @@ bool nestsTooDeep(llvm::StringRef text) {
 
 } // namespace
 
-std::string jsonText(const Json &value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 void appendJson(std::string &list, llvm::StringRef value) {
   if (list.size() == 2) // both brackets
     list.pop_back();
@@ -65,7 +61,7 @@ void Reply::send(llvm::StringRef member, Json value) {
   Rpc *rpc = std::exchange(rpc_, nullptr);
   if (!rpc || request_->answered.exchange(true))
     return;
-  rpc->finished(request_->id.dump());
+  rpc->finished(jsonText(request_->id));
   rpc->send({{"jsonrpc", "2.0"}, {"id", request_->id}, {member.str(), std::move(value)}});
 }
 
@@ -96,7 +92,7 @@ void Rpc::notify(llvm::StringRef method, Json params) {
 }
 
 void Rpc::notifyText(llvm::StringRef method, llvm::StringRef params) {
-  const std::string name = Json(method.str()).dump();
+  const std::string name = jsonText(Json(method.str()));
   writer_.write((R"({"jsonrpc":"2.0","method":)" + name + R"(,"params":)" + params + "}").str());
 }
 
@@ -145,7 +141,7 @@ void Rpc::take(const Json &message) {
   if (name == "$/cancelRequest") {
     const Json &which = params.is_object() ? member(params, "id") : nothing;
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto running = running_.find(which.dump());
+    const auto running = running_.find(jsonText(which));
     if (running != running_.end())
       running->second->cancelled = true;
     return;
@@ -165,7 +161,7 @@ void Rpc::takeRequest(llvm::StringRef method, const Json &id, const Json &params
   request->id = id;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    running_[id.dump()] = request;
+    running_[jsonText(id)] = request;
   }
   Reply reply(*this, request);
   if (gate_ && gate_(method, reply))

@@ -1,6 +1,7 @@
 // JSON-RPC 2.0 over a message stream: methods by name, answers, cancellation.
 #pragma once
 
+#include "formats/text/json_text.h"
 #include "lsp/transport/message_stream.h"
 
 #include "llvm/ADT/StringMap.h"
@@ -16,8 +17,6 @@ namespace ncvet::lsp {
 
 using Json = nlohmann::json;
 
-/// A value as it is sent. Bytes of programs that are no UTF-8 become replacement characters.
-std::string jsonText(const Json &value);
 /// Adds a value to a list, both as text.
 void appendJson(std::string &list, llvm::StringRef value);
 
@@ -72,7 +71,7 @@ public:
   using RequestHandler = std::function<void(const Json &params, Reply reply)>;
   using NotificationHandler = std::function<void(const Json &params)>;
   using AnswerHandler = std::function<void(const Json &result, bool failed)>;
-  /// What to do with a request in front of its handler: true when it has been dealt with.
+  /// What to do with a request before its handler: true when it has been dealt with.
   using Gate = std::function<bool(llvm::StringRef method, Reply &reply)>;
 
   explicit Rpc(MessageWriter &writer) : writer_(writer) {}
