@@ -287,24 +287,6 @@ std::vector<std::string> profileNames() {
   return names;
 }
 
-bool matchesGlob(llvm::ArrayRef<std::string> globs, llvm::StringRef path) {
-  return llvm::any_of(globs, [&](llvm::StringRef glob) {
-    const bool nameOnly = !glob.contains('/');
-    const std::string folder = glob.endswith("/") ? (glob + "*").str() : std::string();
-    if (!folder.empty())
-      glob = folder;
-    const auto matches = [&](llvm::StringRef pattern) {
-      auto compiled = llvm::GlobPattern::create(pattern);
-      if (!compiled) {
-        llvm::consumeError(compiled.takeError());
-        return false;
-      }
-      return compiled->match(nameOnly ? path::filename(path) : path);
-    };
-    return matches(glob) || (glob.startswith("**/") && matches(glob.drop_front(3)));
-  });
-}
-
 llvm::Expected<MachineSource> readMachine(const std::string &file) {
   auto text = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
   if (!text)

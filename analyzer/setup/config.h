@@ -21,8 +21,8 @@ llvm::Expected<MachineSource> readMachine(const std::string &file);
 
 /// What a `.ncvet.json` says. Paths in it are relative to its own folder; here they are joined.
 struct Config {
-  std::string file;   ///< empty: there is none
-  std::string folder; ///< folder of `file`
+  std::string file;                  ///< empty: there is none
+  std::string folder;                ///< folder of `file`
   std::string profile = "recommended";
   RuleSettings rules;
   std::string dialect;                   ///< id, or path of a table; empty: find out
@@ -45,9 +45,5 @@ std::string findConfig(llvm::StringRef folder);
 llvm::Expected<std::vector<RuleSettings>> loadProfile(llvm::StringRef name);
 /// Names of the built-in profiles.
 std::vector<std::string> profileNames();
-
-/// True when one of the globs matches `path` (relative to the configuration's folder, `/` as
-/// separator). A glob without `/` matches the name alone; `*` matches any text.
-bool matchesGlob(llvm::ArrayRef<std::string> globs, llvm::StringRef path);
 
 } // namespace ncvet

@@ -1,6 +1,8 @@
 // Inputs: walking folders for part programs.
 #include "analyzer/setup/input_files.h"
 
+#include "analyzer/setup/globs.h"
+
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
 
@@ -67,16 +69,17 @@ private:
 
   bool isExcluded(llvm::StringRef folder, llvm::StringRef file) {
     const Config *config = configOf(folder);
-    return config && matchesGlob(config->exclude, relative(*config, file));
+    return config && globsOf(*config).exclude.match(relative(*config, file));
   }
 
   bool isProgram(llvm::StringRef folder, llvm::StringRef file) {
     const Config *config = configOf(folder);
     if (config) {
       const std::string name = relative(*config, file);
-      if (matchesGlob(config->exclude, name))
+      const ConfigGlobs &globs = globsOf(*config);
+      if (globs.exclude.match(name))
         return false;
-      if (matchesGlob(config->files, name))
+      if (globs.files.match(name))
         return true;
     }
     std::string ending = path::extension(file).lower();
@@ -90,6 +93,15 @@ private:
       return true; // it is told later why it cannot be read
     const auto text = llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, lookedAt), 0);
     return !text || looksLikeProgram((*text)->getBuffer());
+  }
+
+  /// Those of a configuration that the session keeps.
+  struct ConfigGlobs {
+    explicit ConfigGlobs(const Config &config) : files(config.files), exclude(config.exclude) {}
+    Globs files, exclude;
+  };
+  const ConfigGlobs &globsOf(const Config &config) {
+    return globs_.try_emplace(&config, config).first->second;
   }
 
   /// Configuration of a folder; null when there is none or it is wrong, which is told per file.
@@ -119,6 +131,7 @@ private:
   Session &session_;
   Inputs &inputs_;
   std::optional<ProgramEndings> endings_;
+  std::map<const Config *, ConfigGlobs> globs_;
   std::set<fs::UniqueID> walked_;
 };
 

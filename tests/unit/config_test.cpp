@@ -1,5 +1,6 @@
 // Globs of the configuration.
 #include "analyzer/setup/config.h"
+#include "analyzer/setup/globs.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@ namespace ncvet {
 namespace {
 
 bool matches(const char *glob, const char *path) {
-  return matchesGlob(std::vector<std::string>{glob}, path);
+  return Globs(std::vector<std::string>{glob}).match(path);
 }
 
 TEST(Globs, WithoutASlashMatchTheName) {
