@@ -235,6 +235,20 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   return outcome;
 }
 
+StatesAt statesInCheck(Session &session, SourceSet &sources, const SourceFile &file,
+                       uint32_t offset, const std::atomic<bool> *cancel, Recheck &again) {
+  auto setup = session.setup(nameOf(file), file.text());
+  if (!setup) {
+    llvm::consumeError(setup.takeError()); // the check reports it
+    return {};
+  }
+  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
+                  setup->folders);
+  FileUnit &unit = project.unit(file, again.memory.scanFor(*setup, file, again.text));
+  return statesAt(project, unit, offset, *setup->rules, setup->limits, cancel,
+                  *again.memory.runsFor(unit.index));
+}
+
 void prepareChecks(Session &session, SourceSet &sources, const SourceFile &file, Recheck &first) {
   auto setup = session.setup(nameOf(file), file.text());
   if (!setup)

@@ -1,6 +1,7 @@
 // Checker: one file from its setup to its findings, with suppressions and what names a finding.
 #pragma once
 
+#include "analyzer/flow/states_at_block.h"
 #include "analyzer/reuse/run_cache.h"
 #include "analyzer/setup/session.h"
 
@@ -68,6 +69,12 @@ struct Recheck {
 /// `again` changes how long the check takes, never what it finds.
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
                       const std::atomic<bool> *cancel = nullptr, Recheck *again = nullptr);
+
+/// The states before and after the block of `file` that begins at `offset`, as its check follows
+/// the file: with what checks have left in `again`, and leaving there what the next check needs. No
+/// states when the file has no setup.
+StatesAt statesInCheck(Session &session, SourceSet &sources, const SourceFile &file,
+                       uint32_t offset, const std::atomic<bool> *cancel, Recheck &again);
 
 /// After the first check of `file`: finds out what else checks of later versions may ask for, so
 /// that the first of these that does need not look through the whole text.

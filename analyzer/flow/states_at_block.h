@@ -17,10 +17,14 @@ struct StatesAt {
   bool complete = true;         ///< false: the analysis was cut short
 };
 
-/// The states on entry of and behind the block of `unit` that begins at `offset`, when the file
-/// `entry` runs with all that it calls. At most eight ways are told apart.
+/// The states before and after the block of `unit` that begins at `offset`, when the file `entry`
+/// runs with all that it calls. At most eight paths are told apart.
 StatesAt statesAt(Project &project, FileUnit &entry, const FileUnit &unit, uint32_t offset,
-                  const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr,
-                  StraightRuns *runs = nullptr);
+                  const AnalysisLimits &limits = {}, const std::atomic<bool> *cancel = nullptr);
+
+/// The same for a block of `unit` itself, with what checks of it under these rules have followed.
+StatesAt statesAt(Project &project, FileUnit &unit, uint32_t offset, const RuleSelection &rules,
+                  const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                  StraightRuns &runs);
 
 } // namespace ncvet

@@ -150,6 +150,7 @@ void ConfigReader::readMachine(JsonReader &in, const Json &json, llvm::StringRef
     config_.machine = MachineSource{file.str(), std::string(line - 1, '\n') + inside.str()};
   } else if (machine->is_string()) {
     const std::string name = joined(folder, machine->get_ref<const std::string &>());
+    config_.readFrom.push_back(name);
     if (auto profile = readText(name))
       config_.machine = MachineSource{name, std::move(*profile)};
     else
@@ -172,6 +173,7 @@ void ConfigReader::readGlobs(JsonReader &in, const Json &json, const char *key,
 }
 
 llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
+  config_.readFrom.push_back(file.str());
   auto text = readText(file);
   if (!text)
     return text.takeError();
@@ -234,13 +236,13 @@ std::string findConfig(llvm::StringRef folder) {
   const llvm::SmallString<256> start = at;
   while (true) {
     llvm::SmallString<256> file = at;
-    path::append(file, ".ncvet.json");
+    path::append(file, configFileName);
     if (llvm::sys::fs::exists(file)) {
       if (at != start)
         return std::string(file);
       // In the folder itself it is named as the user named the folder.
       file = folder;
-      path::append(file, ".ncvet.json");
+      path::append(file, configFileName);
       return std::string(file);
     }
     const llvm::StringRef parent = path::parent_path(at);

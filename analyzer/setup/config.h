@@ -23,6 +23,7 @@ llvm::Expected<MachineSource> readMachine(const std::string &file);
 struct Config {
   std::string file;                  ///< empty: there is none
   std::string folder;                ///< folder of `file`
+  std::vector<std::string> readFrom; ///< all files that it comes from: extended ones, a machine's
   std::string profile = "recommended";
   RuleSettings rules;
   std::string dialect;                   ///< id, or path of a table; empty: find out
@@ -37,6 +38,9 @@ struct Config {
 /// Reads the configuration `file`, with those that it extends. An error names file and line, and
 /// what is expected there.
 llvm::Expected<Config> loadConfig(llvm::StringRef file);
+
+/// Name of configurations in the folders of programs.
+constexpr llvm::StringLiteral configFileName = ".ncvet.json";
 
 /// The configuration that counts for files in `folder`: the nearest upward. Empty: none.
 std::string findConfig(llvm::StringRef folder);

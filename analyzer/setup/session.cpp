@@ -100,8 +100,39 @@ std::optional<std::pair<std::string, llvm::StringRef>> OwnDialects::find(llvm::S
   return std::nullopt;
 }
 
+std::vector<std::string> OwnDialects::files() const {
+  std::vector<std::string> files;
+  for (const Table &table : tables_)
+    files.push_back(table.file);
+  return files;
+}
+
 DialectSource OwnDialects::source() {
   return [this](llvm::StringRef id) { return find(id); };
+}
+
+namespace {
+
+std::string absolute(llvm::StringRef file) {
+  llvm::SmallString<256> full = file;
+  if (llvm::sys::fs::make_absolute(full))
+    return file.str();
+  path::remove_dots(full, /*remove_dot_dot=*/true);
+  return std::string(full);
+}
+
+} // namespace
+
+void Session::noteRead(llvm::ArrayRef<std::string> files) {
+  for (const std::string &file : files)
+    readFiles_.insert(absolute(file));
+}
+
+bool Session::dependsOn(llvm::StringRef file) {
+  if (path::filename(file) == configFileName)
+    return true;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return readFiles_.count(absolute(file)) || (failed_ && file.endswith_insensitive(".json"));
 }
 
 template <typename T>
@@ -113,6 +144,7 @@ llvm::Expected<T> Session::keep(std::map<std::string, Kept<T>> &cache, const std
       entry->second.value = std::move(*made);
     else
       entry->second.error = llvm::toString(made.takeError());
+    failed_ |= !entry->second.error.empty();
   }
   return entry->second.get();
 }
@@ -133,6 +165,7 @@ llvm::Expected<std::shared_ptr<const Config>> Session::config(llvm::StringRef fo
         auto config = loadConfig(file);
         if (!config)
           return config.takeError();
+        noteRead(config->readFrom);
         return std::make_shared<const Config>(std::move(*config));
       });
 }
@@ -147,6 +180,7 @@ llvm::Expected<std::shared_ptr<const Detector>> Session::detector(const Config &
         for (const std::string &file : config.dialectFiles)
           if (auto id = own.add(file); !id)
             return id.takeError();
+        noteRead(own.files());
         return makeDetector(own.summaries());
       });
 }
@@ -178,6 +212,7 @@ llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, con
       return failure("dialect \"" + id +
                      "\" is only a base of others; "
                      "`ncvet dialects` lists those that can be chosen");
+    noteRead(own.files());
     auto profile = std::make_shared<MachineProfile>();
     if (machine) {
       auto parsed = parseMachineProfile(machine->name, machine->text);

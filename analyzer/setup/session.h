@@ -8,6 +8,7 @@
 #include "formats/text/failure.h"
 
 #include <mutex>
+#include <set>
 
 namespace ncvet {
 
@@ -46,6 +47,9 @@ public:
   /// Setup for the file of this name and text. Errors are those of configurations and tables.
   llvm::Expected<FileSetup> setup(llvm::StringRef fileName, llvm::StringRef text);
   const SessionOptions &options() const { return options_; }
+  /// Whether setups may change when this file is made, removed or written: a configuration, a table
+  /// or a machine profile in use; any JSON file while one of these cannot be read.
+  bool dependsOn(llvm::StringRef path);
   /// Files were made, removed or written: folders are read again for later setups.
   void forgetFolders();
   /// Where programs are looked up; another object when they were forgotten.
@@ -70,8 +74,8 @@ private:
     }
   };
   template <typename T>
-  static llvm::Expected<T> keep(std::map<std::string, Kept<T>> &cache, const std::string &key,
-                                llvm::function_ref<llvm::Expected<T>()> make);
+  llvm::Expected<T> keep(std::map<std::string, Kept<T>> &cache, const std::string &key,
+                         llvm::function_ref<llvm::Expected<T>()> make);
 
   /// What a detector said of a file.
   struct Looked {
@@ -91,9 +95,13 @@ private:
   selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
             const UnsureReports *unsure);
 
+  void noteRead(llvm::ArrayRef<std::string> files);
+
   SessionOptions options_;
   std::shared_ptr<ProgramFolders> folders_ = std::make_shared<ProgramFolders>();
   std::mutex mutex_;
+  std::set<std::string> readFiles_; ///< absolute paths of what setups come from
+  bool failed_ = false;             ///< something that setups come from cannot be read
   std::map<std::string, std::string> configOfFolder_;
   std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file
   std::map<std::string, Kept<std::shared_ptr<const Detector>>> detectors_;
@@ -109,6 +117,8 @@ public:
   /// Reads `file`; an error when it cannot be read. Returns the table's id.
   llvm::Expected<std::string> add(llvm::StringRef file);
   llvm::ArrayRef<DialectSummary> summaries() const { return summaries_; }
+  /// Those that were added, and those beside them that they extend.
+  std::vector<std::string> files() const;
   /// Valid as long as this object.
   DialectSource source();
 

@@ -168,7 +168,7 @@ private:
     toolBegins_ = blocks_;
   }
 
-  /// `next`: the block behind the tool's last one, counted from 1.
+  /// `next`: the block after the tool's last one, counted from 1.
   void endTool(size_t next) {
     if (!std::exchange(open_, false) || tools_.empty())
       return;
@@ -190,8 +190,7 @@ private:
 
 void contours(Snapshot &snapshot, std::vector<CodeLens> &lenses) {
   size_t count = 0;
-  for (const CompensatedContour &contour :
-       compensatedContours(snapshot.project(), snapshot.unit(), snapshot.setup().limits)) {
+  for (const CompensatedContour &contour : snapshot.contours()) {
     if (contour.unit != &snapshot.unit() || ++count > mostLenses)
       continue;
     Block block;

@@ -13,7 +13,7 @@ enum class LensKind : uint8_t {
 };
 
 struct CodeLens {
-  SourceRange range; ///< of what it stands over
+  SourceRange range; ///< of what it is shown above
   LensKind kind = LensKind::Callers;
   std::string title;
   std::vector<SourceRange> places; ///< the callers

@@ -1,4 +1,4 @@
-// The machine's state at a block, in words: one line per topic, sets where ways differ.
+// The machine's state at a block, in words: one line per topic, sets where paths differ.
 #include "lsp/features/machine_state.h"
 
 #include "formats/dialect/vocabulary.h"
@@ -161,10 +161,10 @@ private:
   Lines lines_;
 };
 
-std::string pathOf(const StateOnWay &way, Snapshot &snapshot) {
+std::string pathOf(const StateOnWay &way, const SourceSet &sources) {
   std::vector<std::string> steps;
   for (const PathStep &step : way.path) {
-    const SourceFile &file = snapshot.project().sources().get(step.range.file);
+    const SourceFile &file = sources.get(step.range.file);
     steps.push_back((llvm::sys::path::filename(file.display()) + ":" +
                      llvm::Twine(file.lines().lineOf(step.range.begin)) + " " + step.message)
                         .str());
@@ -174,14 +174,14 @@ std::string pathOf(const StateOnWay &way, Snapshot &snapshot) {
 
 } // namespace
 
-std::string machineState(Snapshot &snapshot, const StatesAt &states) {
+std::string machineState(const Dialect &dialect, const StatesAt &states, const SourceSet &sources) {
   if (states.ways.empty())
     return {};
   std::vector<Lines> ways;
   for (const StateOnWay &way : states.ways)
-    ways.push_back(Writer(snapshot.dialect(), way.before).lines());
+    ways.push_back(Writer(dialect, way.before).lines());
   std::string text;
-  // What all ways agree on stands once, in front.
+  // What all paths agree on is said once, first.
   const auto common = [&](const std::pair<std::string, std::string> &line) {
     return llvm::all_of(ways, [&](const Lines &other) { return llvm::is_contained(other, line); });
   };
@@ -190,14 +190,14 @@ std::string machineState(Snapshot &snapshot, const StatesAt &states) {
       text += "- " + line.first + ": " + line.second + "\n";
   if (ways.size() > 1)
     for (size_t i = 0; i < ways.size(); ++i) {
-      const std::string path = pathOf(states.ways[i], snapshot);
+      const std::string path = pathOf(states.ways[i], sources);
       text += "\n" + (path.empty() ? std::string("straight on") : path) + ":\n\n";
       for (const auto &line : ways[i])
         if (!common(line))
           text += "- " + line.first + ": " + line.second + "\n";
     }
-  else if (const std::string path = pathOf(states.ways.front(), snapshot); !path.empty())
-    text += "- way: " + path + "\n";
+  else if (const std::string path = pathOf(states.ways.front(), sources); !path.empty())
+    text += "- path: " + path + "\n";
   return text;
 }
 

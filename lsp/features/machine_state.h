@@ -2,13 +2,12 @@
 #pragma once
 
 #include "analyzer/flow/states_at_block.h"
-#include "lsp/features/snapshot.h"
 
 namespace ncvet::lsp {
 
-/// Markdown: modal codes, position, tool, offsets, feed, speed, compensation and cycle on entry of
-/// the block that the states are of, as sets where ways differ, and the calls that lead there.
-/// Empty when no way leads there.
-std::string machineState(Snapshot &snapshot, const StatesAt &states);
+/// Markdown: modal codes, position, tool, offsets, feed, speed, compensation and cycle before the
+/// block that the states are of, as sets where paths differ, and the calls that lead there. Empty
+/// when no path leads there. `sources`: the files in which the paths lie.
+std::string machineState(const Dialect &dialect, const StatesAt &states, const SourceSet &sources);
 
 } // namespace ncvet::lsp

@@ -60,17 +60,23 @@ llvm::ArrayRef<uint32_t> Snapshot::blocks() {
   return blocks_;
 }
 
+llvm::ArrayRef<CompensatedContour> Snapshot::contours() {
+  if (!contours_)
+    contours_ = compensatedContours(*project_, *unit_, setup_.limits);
+  return *contours_;
+}
+
 void Snapshot::readAt(uint32_t offset, Block &block) {
   if (!dialect().lexical.blocksSpanLines)
     return readBlockAt(source(), *unit_->reader, offset, block);
   const llvm::ArrayRef<uint32_t> all = blocks();
-  const auto behind = std::upper_bound(all.begin(), all.end(), offset);
-  if (behind == all.begin()) {
+  const auto next = std::upper_bound(all.begin(), all.end(), offset);
+  if (next == all.begin()) {
     block.clear();
     block.begin = block.end = block.next = offset;
     return;
   }
-  unit_->reader->read(*(behind - 1), block);
+  unit_->reader->read(*(next - 1), block);
 }
 
 } // namespace ncvet::lsp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/check/checker.h"
+#include "analyzer/check/contour_report.h"
 
 namespace ncvet::lsp {
 
@@ -12,7 +13,7 @@ class Names; // lsp/features/names.h
 /// what it found out: one thread at a time may use it.
 class Snapshot {
 public:
-  /// `path` says where the text would stand on disk; it is not read. `memory`, when given, is what
+  /// `path` is the place of the text on disk; it is not read. `memory`, when given, is what
   /// the snapshot of the version before has left, which is not used any more. Errors are those of
   /// configurations and tables.
   static llvm::Expected<std::unique_ptr<Snapshot>>
@@ -34,8 +35,10 @@ public:
 
   /// Begins of all blocks, ascending, empty ones included; made when first asked for.
   llvm::ArrayRef<uint32_t> blocks();
-  /// Reads the block that holds byte `offset`; an empty one behind the last.
+  /// Reads the block that holds byte `offset`; an empty one after the last.
   void readAt(uint32_t offset, Block &block);
+  /// The compensated contours of the program; it is followed when first asked for them.
+  llvm::ArrayRef<CompensatedContour> contours();
   /// All names of the text; made when first asked for.
   const Names &names() { return names(*unit_); }
   /// The same of a further file.
@@ -50,6 +53,7 @@ private:
   std::unique_ptr<Project> project_;
   FileUnit *unit_ = nullptr;
   std::vector<uint32_t> blocks_;
+  std::optional<std::vector<CompensatedContour>> contours_;
   std::map<FileId, std::unique_ptr<Names>> names_;
 };
 

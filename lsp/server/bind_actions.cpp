@@ -92,7 +92,8 @@ void suppressions(const Problem &problem, View &view, Json &actions) {
 
 /// All safe fixes of the file, as far as none makes room for a new finding.
 void fixAll(View &view, Session &session, Json &actions) {
-  const FixedText fixed = fixText(session, view.snapshot.source(), /*unsafe=*/false, view.open);
+  const FixedText fixed =
+      fixText(session, view.snapshot.source(), /*unsafe=*/false, view.job.overlay);
   if (fixed.applied == 0)
     return;
   // One edit from the first byte that differs to the last.
@@ -144,7 +145,7 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
   return actions;
 }
 
-/// Shows the page of a rule; without a way to open files its summary.
+/// Shows the page of a rule; where files cannot be opened, its summary.
 void explain(Context &context, const Json &arguments, Reply reply) {
   const std::string id = arguments.at(0);
   for (const RuleEntry &entry : allRules()) {

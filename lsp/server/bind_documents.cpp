@@ -60,9 +60,8 @@ void close(Context &context, const Json &params) {
 
 /// Checks again what depends on files that were written, made or removed.
 void filesChanged(Context &context, llvm::ArrayRef<std::string> paths) {
-  const auto isConfiguration = [](llvm::StringRef path) { return path.endswith(".json"); };
-  if (llvm::any_of(paths, isConfiguration)) // settings, machine profiles, tables
-    return context.renew(context.settings);
+  if (llvm::any_of(paths, [&](const std::string &path) { return context.setupsDependOn(path); }))
+    return context.renew(context.givenOptions);
   context.forgetFiles();
   const auto concerns = [&](const Document &document) {
     const llvm::StringRef folder = llvm::sys::path::parent_path(document.path);
@@ -76,17 +75,13 @@ void filesChanged(Context &context, llvm::ArrayRef<std::string> paths) {
       context.check(document);
 }
 
-/// Takes settings that came behind the start: what they leave out is as it was said there.
+/// Takes settings that came after the start: what they leave out is as it was said there.
 void configure(Context &context, const Json &section) {
   if (!section.is_object())
     return;
   Json all = context.initialOptions.is_object() ? context.initialOptions : Json::object();
   all.update(section, /*merge_objects=*/true);
-  std::vector<std::string> wrong;
-  Settings settings = readSettings(all, wrong);
-  for (const std::string &why : wrong)
-    context.warn(why);
-  context.renew(std::move(settings));
+  context.renew(std::move(all));
 }
 
 void fetchSettings(Context &context) {

@@ -1,4 +1,4 @@
-// Hover: what the word under the cursor is, and the machine's state in front of its block.
+// Hover: what the word under the cursor is, and the machine's state before its block.
 #include "interp/evaluate/condition.h"
 #include "lsp/features/code_lens.h"
 #include "lsp/features/machine_state.h"
@@ -34,14 +34,14 @@ void bindHover(Context &context) {
     view.snapshot.readAt(offset, block);
     if (offset < block.begin || offset > block.end || block.isEmpty())
       return nullptr;
-    const auto word = wordHelp(view.snapshot, offset, view.stateBefore(offset));
-    const std::string state =
-        view.states_ ? machineState(view.snapshot, *view.states_) : std::string();
+    const DocumentStates states = view.statesAt(offset);
+    const auto word = wordHelp(view.snapshot, offset, states.firstBefore());
+    const std::string state = machineState(view.snapshot.dialect(), states.at, *states.sources);
     std::string text;
     if (word)
       text = word->markdown;
     if (!state.empty())
-      text += (text.empty() ? "" : "\n\n---\n\n") + ("**In front of this block**\n\n" + state);
+      text += (text.empty() ? "" : "\n\n---\n\n") + ("**Before this block**\n\n" + state);
     if (const std::string contour = contourAt(view.snapshot, block); !contour.empty())
       text += (text.empty() ? "" : "\n\n") + contour;
     if (text.empty())

@@ -36,9 +36,9 @@ std::string plainText(llvm::StringRef snippet) {
   std::string text;
   while (!snippet.empty()) {
     if (snippet.consume_front("${")) {
-      const auto [head, behind] = snippet.split('}');
+      const auto [head, rest] = snippet.split('}');
       text += head.split(':').second;
-      snippet = behind;
+      snippet = rest;
     } else if (snippet.front() == '$' && snippet.size() > 1 && llvm::isDigit(snippet[1])) {
       snippet = snippet.drop_front(2);
     } else {
@@ -54,8 +54,9 @@ std::string plainText(llvm::StringRef snippet) {
 Json completed(View &view, const Json &params) {
   constexpr int snippetFormat = 2;
   const uint32_t offset = view.offset(params);
+  const DocumentStates states = view.statesAt(offset);
   const std::vector<CompletionItem> found =
-      completions(view.snapshot, offset, view.stateBefore(offset));
+      completions(view.snapshot, offset, states.firstBefore());
   const bool shared = view.client.sharesEditRange && !found.empty() &&
                       llvm::all_of(found, [&](const CompletionItem &item) {
                         return item.replace == found.front().replace;
@@ -150,7 +151,7 @@ Json lenses(View &view) {
   return list;
 }
 
-/// Semantic tokens, and those that were sent last, for answers that give only what has changed.
+/// Semantic tokens, and those that were sent last, for replies that hold only what has changed.
 class Tokens {
 public:
   Json full(View &view) {

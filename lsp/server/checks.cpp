@@ -32,11 +32,14 @@ Problem problemOf(const Finding &finding, const SourceSet &sources, DiagnosticWr
   return problem;
 }
 
-/// While nobody waits.
-void prepareNext(const CheckJob &job, CheckMemory &memory) {
+/// Once for each document, while nobody waits.
+void prepareNext(const CheckJob &job, DocumentMemory &memory) {
   SourceSet sources(job.overlay);
   const SourceFile &file = sources.add(job.document.path, job.document.text, job.document.path);
-  Recheck first{job.document.text, memory};
+  const std::lock_guard<std::mutex> lock(memory.mutex);
+  if (std::exchange(memory.prepared, true))
+    return;
+  Recheck first{job.document.text, memory.checks};
   prepareChecks(*job.session, sources, file, first);
 }
 
@@ -70,6 +73,16 @@ std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<
   }
   result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
+}
+
+DocumentStates statesOf(const CheckJob &job, uint32_t offset, const std::atomic<bool> &cancelled) {
+  DocumentStates states{std::make_unique<SourceSet>(job.overlay), {}};
+  const SourceFile &file =
+      states.sources->add(job.document.path, job.document.text, job.document.path);
+  const std::lock_guard<std::mutex> lock(job.document.memory->mutex);
+  Recheck again{job.document.text, job.document.memory->checks};
+  states.at = statesInCheck(*job.session, *states.sources, file, offset, &cancelled, again);
+  return states;
 }
 
 Checks::Checks(Done done) : done_(std::move(done)), thread_([this] { run(); }) {}
@@ -122,7 +135,6 @@ void Checks::drop(const std::string &path) {
     if (running_ == path)
       cancel_ = true;
     results_.erase(path);
-    dropped_.insert(path);
   }
   changed_.notify_all();
 }
@@ -131,9 +143,6 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
                                                 const std::atomic<bool> &cancelled) {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_ && !cancelled) {
-    const auto known = results_.find(document.path);
-    if (known != results_.end() && known->second->document.text.bytes == document.text.bytes)
-      return known->second;
     bool coming = running_ == document.path && runningText_ == document.text.bytes && !cancel_;
     for (Waiting &waiting : waiting_)
       if (waiting.job.document.path == document.path &&
@@ -142,20 +151,28 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
         coming = true;
         changed_.notify_all();
       }
-    if (!coming)
-      return nullptr;
-    changed_.wait_for(lock, patience);
+    if (coming) {
+      changed_.wait_for(lock, patience);
+      continue;
+    }
+    const auto known = results_.find(document.path);
+    if (known != results_.end() && known->second->document.text.bytes == document.text.bytes)
+      return known->second;
+    return nullptr;
   }
   return nullptr;
 }
 
+std::shared_ptr<const CheckResult> Checks::runNext(const CheckJob &job) {
+  DocumentMemory &memory = *job.document.memory;
+  const std::lock_guard<std::mutex> lock(memory.mutex);
+  return check(job, &cancel_, &memory.checks);
+}
+
 void Checks::run() {
-  std::map<std::string, CheckMemory> memories; // by path
   unsigned untrimmed = 0;
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
-    for (const std::string &path : std::exchange(dropped_, {}))
-      memories.erase(path);
     if (waiting_.empty()) {
       changed_.wait(lock);
       continue;
@@ -173,8 +190,7 @@ void Checks::run() {
     runningText_ = job.document.text.bytes;
     cancel_ = false;
     lock.unlock();
-    const auto [memory, isFirst] = memories.try_emplace(job.document.path);
-    std::shared_ptr<const CheckResult> result = check(job, &cancel_, &memory->second);
+    std::shared_ptr<const CheckResult> result = runNext(job);
     lock.lock();
     const bool stale = cancel_;
     running_.clear();
@@ -183,8 +199,7 @@ void Checks::run() {
       results_[job.document.path] = result;
       lock.unlock();
       done_(std::move(result));
-      if (isFirst)
-        prepareNext(job, memory->second);
+      prepareNext(job, *job.document.memory);
       if (++untrimmed % checksBetweenTrims == 0)
         giveBackFreeMemory();
       lock.lock();

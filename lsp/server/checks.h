@@ -8,7 +8,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <list>
-#include <set>
 #include <thread>
 
 namespace ncvet::lsp {
@@ -45,9 +44,24 @@ struct CheckJob {
 };
 
 /// Checks one version of a document, on the caller's thread; null when it was cancelled. `memory`,
-/// when given, is that of the document's earlier checks.
+/// when given, is that of the document's earlier versions.
 std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel,
                                          CheckMemory *memory = nullptr);
+
+/// States of the machine, with the files in which the paths to them lie.
+struct DocumentStates {
+  std::unique_ptr<SourceSet> sources;
+  StatesAt at;
+
+  /// The state before the block on the first path; null when none leads there.
+  const MachineState *firstBefore() const {
+    return at.ways.empty() ? nullptr : &at.ways.front().before;
+  }
+};
+
+/// The states at the block of an open document that begins at `offset`, on the caller's thread. It
+/// waits for a check of the document that is running.
+DocumentStates statesOf(const CheckJob &job, uint32_t offset, const std::atomic<bool> &cancelled);
 
 /// Checks documents when they change. A newer version of a document takes the place of the older
 /// one, whose check is ended. Checks begin at once; where a text changes faster than it can be
@@ -76,6 +90,7 @@ private:
     Clock::time_point due;
   };
   void run();
+  std::shared_ptr<const CheckResult> runNext(const CheckJob &job);
   static Clock::duration delayAfter(double seconds);
 
   Done done_;
@@ -87,8 +102,7 @@ private:
   std::atomic<bool> cancel_ = false;
   bool stopping_ = false;
   std::map<std::string, std::shared_ptr<const CheckResult>> results_; ///< the last of each path
-  std::set<std::string> dropped_; ///< documents whose memory is to be given back
-  std::thread thread_;            // last: it uses all of the above
+  std::thread thread_; // last: it uses all of the above
 };
 
 } // namespace ncvet::lsp

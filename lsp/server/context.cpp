@@ -1,5 +1,5 @@
-// What all parts of the server share: sessions, snapshots, checks, and the way of a request to
-// both.
+// What all parts of the server share: sessions, snapshots and checks, and how a request reaches
+// them.
 #include "lsp/server/context.h"
 
 #include "analyzer/setup/input_files.h"
@@ -27,12 +27,10 @@ std::vector<std::string> View::programs() const {
   return paths;
 }
 
-const MachineState *View::stateBefore(uint32_t offset) {
+DocumentStates View::statesAt(uint32_t offset) {
   Block block;
   snapshot.readAt(offset, block);
-  states_ = statesAt(snapshot.project(), snapshot.unit(), snapshot.unit(), block.begin,
-                     snapshot.setup().limits, &cancelled, runs);
-  return states_->ways.empty() ? nullptr : &states_->ways.front().before;
+  return statesOf(job, block.begin, cancelled);
 }
 
 Context::Context(MessageWriter &writer)
@@ -63,7 +61,6 @@ Context::Context(MessageWriter &writer)
 
 Context::~Context() {
   // Both threads use what is above them.
-  leaving_ = true;
   checks->stop();
   features->stop();
 }
@@ -73,7 +70,7 @@ void Context::forget(const std::string &path) {
   problems.closed(path);
   features->post([this, path] {
     kept_.remove_if([&](const Kept &old) { return old.snapshot->source().path() == path; });
-    memories_.erase(path); // behind the snapshot that looks into it
+    indexes_.erase(path); // after the snapshot that looks into it
   });
 }
 
@@ -121,8 +118,18 @@ void Context::checkAll() {
     check(document);
 }
 
-void Context::renew(Settings next) {
-  settings = std::move(next);
+bool Context::setupsDependOn(const std::string &path) const {
+  return path == settings.machineFile || llvm::any_of(sessions_, [&](const auto &session) {
+           return session.second->dependsOn(path);
+         });
+}
+
+void Context::renew(Json options) {
+  givenOptions = std::move(options);
+  std::vector<std::string> wrong;
+  settings = readSettings(givenOptions, wrong);
+  for (const std::string &why : wrong)
+    warn(why);
   sessions_.clear();
   checkAll();
 }
@@ -135,7 +142,7 @@ llvm::Expected<std::shared_ptr<Snapshot>> Context::snapshotOf(const CheckJob &jo
       return at->snapshot;
     }
   auto made = Snapshot::make(*job.session, job.overlay, job.document.path, job.document.text,
-                             &memories_[job.document.path]);
+                             &indexes_[job.document.path]);
   if (!made)
     return made.takeError();
   kept_.remove_if(
@@ -158,8 +165,6 @@ void Context::prepare(const Document &document) {
     FileUnit &unit = (*snapshot)->unit();
     for (const ProgramInfo &program : unit.index.programs())
       unit.index.definitions(program);
-    statesAt((*snapshot)->project(), unit, unit, unit.reader->first(), (*snapshot)->setup().limits,
-             &leaving_, memories_[job.document.path].runsFor(unit.index));
   });
 }
 
@@ -180,12 +185,11 @@ void Context::answerOrFail(const Document &document, Reply reply,
     auto snapshot = snapshotOf(job);
     if (!snapshot)
       return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
-    StraightRuns *runs = memories_[job.document.path].runsFor((*snapshot)->unit().index);
     Places places((*snapshot)->project().sources(), client.encoding);
-    View view{job.document, **snapshot,  places.of((*snapshot)->source().id()),
-              settings,     client,      held->cancelled(),
-              runs,         places,      *job.session,
-              folders,      job.overlay, {}};
+    View view{job.document, **snapshot,   places.of((*snapshot)->source().id()),
+              settings,     client,       held->cancelled(),
+              places,       *job.session, folders,
+              job};
     try {
       auto json = answer(view);
       if (json && json->is_discarded())

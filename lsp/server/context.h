@@ -1,7 +1,6 @@
 // What all parts of the server share, and how a request comes to the text that it is about.
 #pragma once
 
-#include "analyzer/flow/states_at_block.h"
 #include "lsp/features/snapshot.h"
 #include "lsp/protocol/places.h"
 #include "lsp/server/problem_board.h"
@@ -28,7 +27,7 @@ struct ClientSupport {
   bool refreshesTokens = false, refreshesHints = false, refreshesLenses = false;
 };
 
-/// The answer to a question about a text that is no longer there.
+/// The reply `ContentModified`.
 inline const Json outdated = Json(Json::value_t::discarded);
 
 /// A document under its setup, for the time of one request.
@@ -39,17 +38,15 @@ struct View {
   const Settings &settings;
   const ClientSupport &client;
   const std::atomic<bool> &cancelled;
-  StraightRuns *runs; ///< of states without rules, see `statesAt`
-  Places &places;     ///< of all files of the snapshot's project
+  Places &places; ///< of all files of the snapshot's project
   Session &session;
-  llvm::ArrayRef<std::string> folders;            ///< of the workspace
-  std::shared_ptr<const SourceSet::Overlay> open; ///< texts of the open documents
+  llvm::ArrayRef<std::string> folders; ///< of the workspace
+  const CheckJob &job;                 ///< what a check of the document needs
 
   /// Paths of all programs of the workspace, as the editor's settings and configurations have it.
   std::vector<std::string> programs() const;
-  /// The states in front of the block that holds `offset`; the first one, or null.
-  const MachineState *stateBefore(uint32_t offset);
-  std::optional<StatesAt> states_;
+  /// The states at the block that holds `offset`.
+  DocumentStates statesAt(uint32_t offset);
 
   uint32_t offset(const Json &params) const {
     return positions.offset(positionOf(params.at("position")));
@@ -74,14 +71,17 @@ public:
   /// The same; an error is one that the user reads.
   void answerOrFail(const Document &document, Reply reply,
                     std::function<llvm::Expected<Json>(View &)> answer);
-  /// Looks at all of a long document on the thread of features while it is checked, so that the
-  /// first question about this version need not wait for that.
+  /// Reads all of a long document on the thread of features while it is checked, so that the first
+  /// question about this version need not wait for that.
   void prepare(const Document &document);
   /// Begins the check of a document, as it is now.
   void check(const Document &document);
   void checkAll();
-  /// Settings, configurations or files have changed: everything is read again.
-  void renew(Settings settings);
+  /// Takes these settings, or the same again after a file that they come from has changed, and
+  /// checks everything anew. The user is warned of what is wrong with them.
+  void renew(Json options);
+  /// Whether setups come from the file, see `Session::dependsOn`.
+  bool setupsDependOn(const std::string &path) const;
   /// Which programs lie in which folder is looked up again.
   void forgetFiles();
   /// The session for a document: of its own when its language names a control, which counts unless
@@ -98,7 +98,8 @@ public:
   ClientSupport client;
   std::vector<std::string> folders; ///< paths of the workspace's folders
   Documents documents{PositionEncoding::Utf16};
-  Json initialOptions; ///< settings of the start; what the client says later lies over them
+  Json initialOptions; ///< settings of the start; what the client says later goes before them
+  Json givenOptions;   ///< what `settings` are read from
   Settings settings;
   ProblemBoard problems; ///< safe for several threads
   std::atomic<bool> wantsRefresh = false;
@@ -115,9 +116,9 @@ private:
   /// Of the thread of features: the snapshots that were used last.
   llvm::Expected<std::shared_ptr<Snapshot>> snapshotOf(const CheckJob &job);
   std::list<Kept> kept_;
-  std::atomic<bool> leaving_ = false;
-  std::atomic<uint64_t> prepared_ = 0;          ///< documents that were to be looked at
-  std::map<std::string, CheckMemory> memories_; ///< by path; for states only
+  std::atomic<uint64_t> prepared_ = 0; ///< documents that were to be looked at
+  /// Of the thread of features, by path: the indexes of the snapshots. No program is followed here.
+  std::map<std::string, CheckMemory> indexes_;
   std::map<std::string, std::shared_ptr<Session>> sessions_; ///< by dialect
 };
 

@@ -39,6 +39,7 @@ SharedText changed(SharedText text, const Json &changes, PositionEncoding encodi
 const Document &Documents::open(Document document) {
   overlay_.reset();
   const std::string uri = document.uri;
+  document.memory = std::make_shared<DocumentMemory>();
   return byUri_[uri] = std::move(document);
 }
 

@@ -1,6 +1,7 @@
 // The documents that the client has open.
 #pragma once
 
+#include "analyzer/checker.h"
 #include "formats/text/source_set.h"
 #include "formats/text/text_change.h"
 #include "lsp/protocol/json.h"
@@ -10,12 +11,22 @@
 
 namespace ncvet::lsp {
 
+/// What was found out about an open document, carried from each of its versions to the next. Its
+/// checks and the features share it, so that a version is followed once: whoever comes first does
+/// the work.
+struct DocumentMemory {
+  std::mutex mutex; ///< of what follows; held while the document is followed
+  CheckMemory checks;
+  bool prepared = false; ///< see `prepareChecks`
+};
+
 /// One version of an open document. Values of it are kept and handed to other threads.
 struct Document {
   std::string uri, path;
   std::string language; ///< id that the client gives it
   int64_t version = 0;
   SharedText text;
+  std::shared_ptr<DocumentMemory> memory = nullptr; ///< of all its versions; null: it is not open
 };
 
 /// The first version of a text.

@@ -178,7 +178,8 @@ private:
       context_.folders.push_back(pathOfUri(root.get<std::string>()));
     std::vector<std::string> wrong;
     context_.initialOptions = lookUp(params, {"initializationOptions"});
-    context_.settings = readSettings(context_.initialOptions, wrong);
+    context_.givenOptions = context_.initialOptions;
+    context_.settings = readSettings(context_.givenOptions, wrong);
     initialized_ = true;
     reply({{"capabilities", capabilities(context_.client)},
            {"serverInfo", {{"name", "ncvet"}, {"version", version_}}}});

@@ -118,10 +118,9 @@ Settings read(const Json &json, std::vector<std::string> &problems,
     settings.session.dialect = "auto";
   all.read("config", settings.session.configFile);
   all.read("profile", settings.session.profile);
-  std::string machine;
-  all.read("machine", machine);
-  if (!machine.empty()) {
-    if (auto source = readMachine(machine))
+  all.read("machine", settings.machineFile);
+  if (!settings.machineFile.empty()) {
+    if (auto source = readMachine(settings.machineFile))
       settings.session.machine = std::move(*source);
     else
       all.complain("machine", llvm::toString(source.takeError()));

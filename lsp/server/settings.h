@@ -22,6 +22,7 @@ struct FormatSettings {
 
 struct Settings {
   SessionOptions session;
+  std::string machineFile; ///< of the session's machine; empty: none is set
   HintSettings hints;
   FormatSettings format;
   bool workspaceDiagnostics = false; ///< all programs of the workspace are checked, open or not

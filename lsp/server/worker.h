@@ -20,7 +20,7 @@ public:
   Worker &operator=(const Worker &) = delete;
 
   void post(Task task);
-  /// Waits for the task at work; nothing is done behind it.
+  /// Waits for the running task; nothing is done after it.
   void stop();
 
 private:

@@ -289,6 +289,32 @@ TEST(Incremental, TheSecondCheckTakesOverMostOfTheFirst) {
   EXPECT_GT(memory.blocks(), 14000u);
 }
 
+/// Whoever follows a version of a document first does it for the others.
+TEST(Incremental, QuestionsAndChecksFollowAVersionOnce) {
+  SessionOptions options;
+  options.dialect = "haas-mill";
+  CheckJob job;
+  job.session = std::make_shared<Session>(std::move(options));
+  job.overlay = std::make_shared<SourceSet::Overlay>();
+  job.document.path = "/nowhere/a.nc";
+  job.document.memory = std::make_shared<lsp::DocumentMemory>();
+  CheckMemory &checks = job.document.memory->checks;
+  const std::string text = machining(4000);
+  job.document.text = std::make_shared<const std::string>(text);
+  const uint32_t last = uint32_t(text.rfind("G90 G49"));
+  const std::atomic<bool> cancelled = false;
+  const lsp::DocumentStates first = lsp::statesOf(job, last, cancelled);
+  ASSERT_NE(first.firstBefore(), nullptr);
+  checks.takeTaken();
+  const std::string found = told(*lsp::check(job, nullptr, &checks));
+  EXPECT_GT(checks.takeTaken().blocks, 14000u);
+  EXPECT_EQ(found, told(*lsp::check(job, nullptr)));
+  const lsp::DocumentStates again = lsp::statesOf(job, last, cancelled);
+  EXPECT_GT(checks.takeTaken().blocks, 14000u);
+  ASSERT_NE(again.firstBefore(), nullptr);
+  EXPECT_TRUE(equal(*first.firstBefore(), *again.firstBefore()));
+}
+
 TEST(Incremental, WhatARuleRemembersAtTheStartCanBeCompared) {
   for (const DialectSummary &summary : listDialects()) {
     if (summary.abstract)

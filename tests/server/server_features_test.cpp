@@ -101,7 +101,7 @@ TEST_F(Features, HoverTellsTheWordAndTheState) {
   const Json hover = ask("hover", {{"position", at(6, 1)}});
   const std::string text = hover["contents"]["value"];
   EXPECT_NE(text.find("G71"), std::string::npos) << text;
-  EXPECT_NE(text.find("In front of this block"), std::string::npos) << text;
+  EXPECT_NE(text.find("Before this block"), std::string::npos) << text;
   EXPECT_NE(text.find("X 60, Z 2"), std::string::npos) << text;
 }
 
