@@ -6,6 +6,7 @@
 #include "analyzer/check/foreign_text.h"
 #include "analyzer/program/block_reading.h"
 #include "formats/finding/fingerprint.h"
+#include "formats/text/crash_guard.h"
 
 #include <cmath>
 #include <set>
@@ -197,34 +198,34 @@ const std::string &nameOf(const SourceFile &file) {
 
 } // namespace
 
-FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
-                      const std::atomic<bool> *cancel, Recheck *again) {
-  FileOutcome outcome;
-  const std::string &name = nameOf(file);
-  auto setup = session.setup(name, file.text());
-  if (!setup) {
-    outcome.error = llvm::toString(setup.takeError());
-    return outcome;
-  }
-  outcome.dialect = setup->dialect->id;
-  outcome.reason = setup->reason;
-  if (setup->config->failOn)
-    outcome.failOn = *setup->config->failOn;
+/// What a crash leaves behind can be neither used nor given back.
+void CheckMemory::abandon() {
+  new CheckMemory(std::move(*this)); // on purpose without an owner
+  *this = CheckMemory();
+}
 
-  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
-                  setup->folders);
+namespace {
+
+/// One file under its setup, followed and made into findings.
+void checkUnder(const FileSetup &setup, Session &session, SourceSet &sources,
+                const SourceFile &file, const std::atomic<bool> *cancel, Recheck *again,
+                FileOutcome &outcome) {
+  Project project(sources, setup.dialect, *setup.machine, setup.config->searchFolders,
+                  setup.folders);
   FileUnit &unit =
-      project.unit(file, again ? again->memory.scanFor(*setup, file, again->text) : nullptr);
-  AnalysisResult result = analyze(project, unit, *setup->rules, setup->limits, cancel,
+      project.unit(file, again ? again->memory.scanFor(setup, file, again->text) : nullptr);
+  AnalysisResult result = analyze(project, unit, *setup.rules, setup.limits, cancel,
                                   again ? again->memory.runsFor(unit.index) : nullptr);
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);
-  const auto otherControl = [&] { return session.otherControl(*setup->config, name, file.text()); };
-  foldForeignText(project, unit, {result.blocks, setup->detected, otherControl}, result.findings);
-  SuppressionStep(project, unit, *setup->rules).run(result.findings, outcome);
+  const auto otherControl = [&] {
+    return session.otherControl(*setup.config, nameOf(file), file.text());
+  };
+  foldForeignText(project, unit, {result.blocks, setup.detected, otherControl}, result.findings);
+  SuppressionStep(project, unit, *setup.rules).run(result.findings, outcome);
   if (session.options().contours)
-    outcome.contours = contourLines(compensatedContours(project, unit, setup->limits), unit);
+    outcome.contours = contourLines(compensatedContours(project, unit, setup.limits), unit);
   foldRepeats(result.findings);
   Namer namer(project);
   outcome.findings.reserve(result.findings.size());
@@ -232,7 +233,33 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
     outcome.findings.push_back({std::move(finding), {}, {}, outcome.failOn});
     namer.name(outcome.findings.back());
   }
-  return outcome;
+}
+
+} // namespace
+
+FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
+                      const std::atomic<bool> *cancel, Recheck *again) {
+  auto outcome = std::make_unique<FileOutcome>();
+  auto setup = session.setup(nameOf(file), file.text());
+  if (!setup) {
+    outcome->error = llvm::toString(setup.takeError());
+    return std::move(*outcome);
+  }
+  outcome->dialect = setup->dialect->id;
+  outcome->reason = setup->reason;
+  if (setup->config->failOn)
+    outcome->failOn = *setup->config->failOn;
+  // Setups are shared, and made under a lock: only what belongs to this file alone may crash.
+  const auto crash =
+      runGuarded([&] { checkUnder(*setup, session, sources, file, cancel, again, *outcome); });
+  if (!crash)
+    return std::move(*outcome);
+  static_cast<void>(outcome.release());
+  if (again)
+    again->memory.abandon();
+  FileOutcome failed;
+  failed.error = file.display() + ": ncvet failed on this file, which is not checked: " + *crash;
+  return failed;
 }
 
 StatesAt statesInCheck(Session &session, SourceSet &sources, const SourceFile &file,
@@ -242,11 +269,19 @@ StatesAt statesInCheck(Session &session, SourceSet &sources, const SourceFile &f
     llvm::consumeError(setup.takeError()); // the check reports it
     return {};
   }
-  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
-                  setup->folders);
-  FileUnit &unit = project.unit(file, again.memory.scanFor(*setup, file, again.text));
-  return statesAt(project, unit, offset, *setup->rules, setup->limits, cancel,
-                  *again.memory.runsFor(unit.index));
+  auto states = std::make_unique<StatesAt>();
+  const auto crash = runGuarded([&] {
+    Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
+                    setup->folders);
+    FileUnit &unit = project.unit(file, again.memory.scanFor(*setup, file, again.text));
+    *states = statesAt(project, unit, offset, *setup->rules, setup->limits, cancel,
+                       *again.memory.runsFor(unit.index));
+  });
+  if (!crash)
+    return std::move(*states);
+  static_cast<void>(states.release());
+  again.memory.abandon(); // the check reports it
+  return {};
 }
 
 void prepareChecks(Session &session, SourceSet &sources, const SourceFile &file, Recheck &first) {

@@ -40,6 +40,8 @@ public:
   FileScan *scanFor(const FileSetup &setup, const SourceFile &file, const SharedText &text);
   /// The runs for the same text, of which this is the index.
   StraightRuns *runsFor(const FileIndex &index);
+  /// Forgets everything, after a crash.
+  void abandon();
   /// Blocks that the next check need not follow when nothing changes.
   uint64_t blocks() const { return runs_.straight.blocks(); }
   /// What was taken over since the last call.

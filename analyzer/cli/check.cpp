@@ -7,6 +7,7 @@
 #include "analyzer/setup/input_files.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report.h"
+#include "formats/text/crash_guard.h"
 #include "formats/text/diff.h"
 
 #include "llvm/ADT/StringSet.h"
@@ -346,6 +347,7 @@ int Check::run() {
 } // namespace
 
 int CheckCommand::run() {
+  enableCrashGuard();
   auto request = options_.request();
   if (!request)
     return fail(llvm::toString(request.takeError()));

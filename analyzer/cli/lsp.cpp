@@ -1,6 +1,7 @@
 // `ncvet lsp`: the language server on standard input and output.
 #include "analyzer/cli/lsp.h"
 
+#include "formats/text/crash_guard.h"
 #include "lsp/server/heap.h"
 #include "lsp/server/server.h"
 
@@ -17,6 +18,7 @@ LspCommand::LspCommand()
              cl::sub(command_), cl::cat(category_)) {}
 
 int LspCommand::run() {
+  enableCrashGuard();
   lsp::keepFreedMemory();
   return lsp::serve(STDIN_FILENO, STDOUT_FILENO, NCVET_VERSION);
 }

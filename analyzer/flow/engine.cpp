@@ -193,13 +193,13 @@ Engine::Lives Engine::takePending(Activation &activation, uint32_t &offset) {
 // ---------------------------------------------------------------------------------------------
 // Running a region
 
-Engine::Exits Engine::execute(const Region &region, Lives entry) {
+Engine::Exits Engine::execute(const Region &region, Lives lives) {
   Activation activation{region, {}, ~0u, {}, {}, 0, 0, 0, 0, 0, false};
   activation.runBegin = activation.runEnd = region.start;
   FileUnit &unit = region.unit;
   const uint32_t end = region.program.end;
   uint32_t at = region.start;
-  Lives lives = std::move(entry);
+  const CrashPlace place(unit.source, at);
   MachineState before;
   const MachineState *synced = nullptr; // the state of which `before` is a copy, set-up part too
   PlainRun plainRun;

@@ -6,6 +6,7 @@
 #include "analyzer/program/flow_shape.h"
 #include "analyzer/reuse/run_cache.h"
 #include "analyzer/rule/dispatch.h"
+#include "formats/text/crash_guard.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/DenseSet.h"
@@ -149,7 +150,7 @@ private:
     unsigned sections; ///< repeated sections around it
     bool stops;        ///< the program stops in it until the operator goes on
   };
-  Exits execute(const Region &region, Lives entry);
+  Exits execute(const Region &region, Lives lives);
   void follow(const RunPlace &run, Activation &activation);
   bool mayTakeOver(const RunPlace &run, const FileUnit &unit) const;
   void add(Activation &activation, uint32_t offset, Live live);

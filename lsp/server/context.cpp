@@ -3,6 +3,7 @@
 #include "lsp/server/context.h"
 
 #include "analyzer/setup/input_files.h"
+#include "formats/text/crash_guard.h"
 #include "lsp/protocol/uri.h"
 
 #include "llvm/Support/raw_ostream.h"
@@ -51,8 +52,9 @@ Context::Context(MessageWriter &writer)
       }) {
   features = std::make_unique<Worker>();
   checks = std::make_unique<Checks>([this](std::shared_ptr<const CheckResult> result) {
-    if (!result->error.empty())
-      log(result->document.path + ": " + result->error);
+    const llvm::StringRef error = result->error, path = result->document.path;
+    if (!error.empty())
+      log(error.startswith(path) ? error : path + ": " + error);
     problems.take(std::move(result));
     if (wantsRefresh.exchange(false) && client.refreshesDiagnostics)
       rpc.request("workspace/diagnostic/refresh", Json(), nullptr);
@@ -174,6 +176,21 @@ void Context::answerFor(const Document &document, Reply reply, std::function<Jso
   });
 }
 
+void Context::answerGuarded(Reply &reply, const std::string &path,
+                            llvm::function_ref<void()> answer) {
+  const auto crash = runGuarded(answer);
+  if (!crash)
+    return;
+  log(path + ": a request failed: " + *crash);
+  // What was being looked at can be neither used nor given back.
+  for (Kept &kept : kept_)
+    if (kept.snapshot->source().path() == path)
+      new Kept(kept); // on purpose without an owner
+  kept_.remove_if([&](const Kept &old) { return old.snapshot->source().path() == path; });
+  indexes_[path].abandon();
+  reply.fail(RpcError::InternalError, "the request failed: " + *crash);
+}
+
 void Context::answerOrFail(const Document &document, Reply reply,
                            std::function<llvm::Expected<Json>(View &)> answer) {
   // A task is copied, a reply is not.
@@ -182,25 +199,27 @@ void Context::answerOrFail(const Document &document, Reply reply,
                   folders = folders]() {
     if (held->cancelled())
       return held->fail(RpcError::RequestCancelled, "cancelled");
-    auto snapshot = snapshotOf(job);
-    if (!snapshot)
-      return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
-    Places places((*snapshot)->project().sources(), client.encoding);
-    View view{job.document, **snapshot,   places.of((*snapshot)->source().id()),
-              settings,     client,       held->cancelled(),
-              places,       *job.session, folders,
-              job};
-    try {
-      auto json = answer(view);
-      if (json && json->is_discarded())
-        held->fail(RpcError::ContentModified, "the document has changed");
-      else if (json)
-        (*held)(std::move(*json));
-      else
-        held->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));
-    } catch (const Json::exception &) {
-      held->fail(RpcError::InvalidParams, "the parameters are wrong");
-    }
+    answerGuarded(*held, job.document.path, [&] {
+      auto snapshot = snapshotOf(job);
+      if (!snapshot)
+        return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
+      Places places((*snapshot)->project().sources(), client.encoding);
+      View view{job.document, **snapshot,   places.of((*snapshot)->source().id()),
+                settings,     client,       held->cancelled(),
+                places,       *job.session, folders,
+                job};
+      try {
+        auto json = answer(view);
+        if (json && json->is_discarded())
+          held->fail(RpcError::ContentModified, "the document has changed");
+        else if (json)
+          (*held)(std::move(*json));
+        else
+          held->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));
+      } catch (const Json::exception &) {
+        held->fail(RpcError::InvalidParams, "the parameters are wrong");
+      }
+    });
   });
 }
 

@@ -113,6 +113,8 @@ private:
     std::shared_ptr<const SourceSet::Overlay> overlay;
     std::shared_ptr<Snapshot> snapshot;
   };
+  /// Runs `answer`, which replies, on the thread of features; after a crash, replies that.
+  void answerGuarded(Reply &reply, const std::string &path, llvm::function_ref<void()> answer);
   /// Of the thread of features: the snapshots that were used last.
   llvm::Expected<std::shared_ptr<Snapshot>> snapshotOf(const CheckJob &job);
   std::list<Kept> kept_;

@@ -31,6 +31,8 @@ public:
   }
 
   const std::filesystem::path &path() const { return folder_.path(); }
+  /// Another binary than ncvet itself.
+  void binary(std::string binary) { binary_ = std::move(binary); }
 
   /// `ncvet ARGUMENTS` with the folder as the present one. Not bounded by more than a minute.
   ProcessResult run(const std::vector<std::string> &arguments,
@@ -40,7 +42,7 @@ public:
     std::ofstream(in, std::ios::binary) << standardInput;
     for (const std::string &log : {out, err}) // they are opened without being cut
       std::filesystem::remove(log);
-    std::vector<llvm::StringRef> words = {"env", "-C", folderName_, NCVET_BINARY};
+    std::vector<llvm::StringRef> words = {"env", "-C", folderName_, binary_};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const llvm::Optional<llvm::StringRef> streams[] = {llvm::StringRef(in), llvm::StringRef(out),
                                                        llvm::StringRef(err)};
@@ -75,6 +77,7 @@ private:
 
   TemporaryFolder folder_, logs_;
   std::string folderName_ = folder_.path().string();
+  std::string binary_ = NCVET_BINARY;
 };
 
 /// Cuts without a feed in line 4, and nothing else that any dialect minds.
