@@ -8,13 +8,19 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <deque>
+#include <fstream>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace ncvet::test {
 
 using Json = nlohmann::json;
+
+/// Names a file to which clients add what the server sends, one message a line.
+inline constexpr const char *recordVariable = "NCVET_TEST_MESSAGES";
 
 /// Starts `ncvet lsp` and talks to it. Answers and notifications are waited for with a limit; what
 /// does not come in time is a failure of the test and reads as null.
@@ -69,8 +75,8 @@ public:
     send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
   }
   int64_t ask(const std::string &method, Json params) {
-    send(
-        {{"jsonrpc", "2.0"}, {"id", ++lastId_}, {"method", method}, {"params", std::move(params)}});
+    asked_[++lastId_] = method;
+    send({{"jsonrpc", "2.0"}, {"id", lastId_}, {"method", method}, {"params", std::move(params)}});
     return lastId_;
   }
   /// The whole answer to a request.
@@ -187,6 +193,7 @@ private:
         const size_t length = std::stoul(buffer_.substr(buffer_.find(':') + 1));
         if (buffer_.size() >= header + 4 + length) {
           message = Json::parse(buffer_.substr(header + 4, length), nullptr, false);
+          record(message);
           buffer_.erase(0, header + 4 + length);
           return true;
         }
@@ -200,9 +207,33 @@ private:
     }
   }
 
+  /// What a test of all messages looks at later.
+  void record(const Json &message) const {
+    const char *const file = std::getenv(recordVariable);
+    if (!file || !message.is_object())
+      return;
+    EXPECT_EQ(message.value("jsonrpc", ""), "2.0");
+    Json line;
+    if (message.contains("method")) {
+      line = {{"method", message["method"]}, {"part", "params"}};
+    } else if (message.contains("result") && message["id"].is_number_integer()) {
+      const auto asked = asked_.find(message["id"].get<int64_t>());
+      if (asked == asked_.end())
+        return;
+      line = {{"method", asked->second}, {"part", "result"}};
+    } else {
+      return;
+    }
+    const std::string part = line["part"];
+    if (message.contains(part))
+      std::ofstream(file, std::ios::app)
+          << Json{{"method", line["method"]}, {"part", part}, {"value", message[part]}} << "\n";
+  }
+
   pid_t server_ = 0;
   int in_ = -1, out_ = -1;
   int64_t lastId_ = 0;
+  std::map<int64_t, std::string> asked_; ///< methods of requests
   std::string buffer_;
   std::deque<Json> kept_;
 };
