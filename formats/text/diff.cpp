@@ -1,4 +1,5 @@
-// Unified diff: finds the changed stretches by looking ahead for where both texts agree again.
+// Unified diff: finds the changed stretches by looking ahead for where both texts agree again. Much
+// faster than a shortest edit script, and as short for what fixes and formatting change.
 #include "formats/text/diff.h"
 
 #include "llvm/ADT/ArrayRef.h"
@@ -86,27 +87,27 @@ public:
   /// Writes changes that are so near to each other that their context joins.
   void hunk(llvm::ArrayRef<Change> changes) {
     const Change &first = changes.front(), &last = changes.back();
-    const size_t front = std::min(context, first.oldBegin);
-    const size_t behind = std::min(context, before_.size() - last.oldEnd);
+    const size_t before = std::min(context, first.oldBegin);
+    const size_t after = std::min(context, before_.size() - last.oldEnd);
     out_ << "@@ -";
-    range(first.oldBegin - front, last.oldEnd + behind);
+    range(first.oldBegin - before, last.oldEnd + after);
     out_ << " +";
-    range(first.newBegin - front, last.newEnd + behind);
+    range(first.newBegin - before, last.newEnd + after);
     out_ << " @@\n";
-    size_t at = first.oldBegin - front;
+    size_t at = first.oldBegin - before;
     for (const Change &change : changes) {
       lines(' ', before_, at, change.oldBegin);
       lines('-', before_, change.oldBegin, change.oldEnd);
       lines('+', after_, change.newBegin, change.newEnd);
       at = change.oldEnd;
     }
-    lines(' ', before_, at, at + behind);
+    lines(' ', before_, at, at + after);
   }
 
 private:
   void range(size_t begin, size_t end) {
     const size_t count = end - begin;
-    // An empty range is given by the line in front of it.
+    // An empty range is given by the line before it.
     out_ << begin + (count ? 1 : 0);
     if (count != 1)
       out_ << ',' << count;

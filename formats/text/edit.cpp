@@ -25,7 +25,7 @@ std::string applyEdits(llvm::StringRef text, llvm::ArrayRef<TextEdit> edits) {
   sorted.reserve(edits.size());
   for (const TextEdit &edit : edits)
     sorted.push_back(&edit);
-  // An insertion goes in front of a replacement that begins at the same place.
+  // An insertion goes before a replacement that begins at the same place.
   std::stable_sort(sorted.begin(), sorted.end(), [](const TextEdit *a, const TextEdit *b) {
     return a->range.begin != b->range.begin ? a->range.begin < b->range.begin
                                             : a->range.end < b->range.end;

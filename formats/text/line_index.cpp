@@ -31,7 +31,7 @@ uint32_t LineIndex::countLineEnds(uint32_t begin, uint32_t end) const {
 LineIndex::LineIndex(llvm::StringRef text, const LineIndex &before, uint32_t begin, uint32_t end,
                      uint32_t added)
     : text_(text) {
-  // Whether a line ends in front of an offset may depend on the byte there: it must be an old one.
+  // Whether a line ends before an offset may depend on the byte there: it must be an old one.
   auto kept = std::lower_bound(before.counts_.begin(), before.counts_.end(), begin,
                                [](const Count &count, uint32_t o) { return count.offset < o; });
   kept = std::max(kept, before.counts_.begin() + 1);
@@ -65,10 +65,10 @@ void LineIndex::countUpTo(uint32_t offset) const {
 
 const LineIndex::Count &LineIndex::countBefore(uint32_t offset) const {
   countUpTo(offset);
-  const auto behind =
+  const auto next =
       std::upper_bound(counts_.begin(), counts_.end(), offset,
                        [](uint32_t o, const Count &count) { return o < count.offset; });
-  return *(behind - 1);
+  return *(next - 1);
 }
 
 uint32_t LineIndex::lineOf(uint32_t offset) const {
@@ -105,10 +105,10 @@ uint32_t LineIndex::lineEnd(uint32_t offset) const {
 uint32_t LineIndex::beginOfLine(uint32_t line) const {
   if (line <= 1)
     return 0;
-  const uint32_t ends = line - 1; // the line begins behind this many line ends
+  const uint32_t ends = line - 1; // the line begins after this many line ends
   while (counts_.back().lines < ends && size() - counts_.back().offset >= step)
     countUpTo(counts_.back().offset + step);
-  // The last counter below `ends`: the line end looked for lies behind it.
+  // The last counter below `ends`: the line end looked for is after it.
   const auto found =
       std::lower_bound(counts_.begin(), counts_.end(), ends,
                        [](const Count &count, uint32_t n) { return count.lines < n; }) -

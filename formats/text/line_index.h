@@ -10,7 +10,7 @@ namespace ncvet {
 
 /// Counts lines of a text on demand: one counter about every 4 KiB as far as was ever asked, the
 /// rest is counted when asked, so that no question takes long, not even in a text that is one long
-/// line. Line ends are LF, CR LF and a lone CR; a line end belongs to its line. Offsets behind the
+/// line. Line ends are LF, CR LF and a lone CR; a line end belongs to its line. Offsets after the
 /// text count as its end. Not for several threads at a time, unless all is counted.
 class LineIndex {
 public:
@@ -24,7 +24,7 @@ public:
   uint32_t lineOf(uint32_t offset) const;
   /// Offset of the first byte of the line that holds `offset`.
   uint32_t lineBegin(uint32_t offset) const;
-  /// Offset behind the last byte of the line that holds `offset`, its line end not counted.
+  /// Offset after the last byte of the line that holds `offset`, its line end not counted.
   uint32_t lineEnd(uint32_t offset) const;
   /// Offset of the first byte of line `line` (from 1); the text's size when there is no such line.
   uint32_t beginOfLine(uint32_t line) const;
@@ -38,17 +38,17 @@ public:
 
 private:
   static constexpr uint32_t step = 1u << 12;
-  /// Line ends in front of an offset.
+  /// Line ends before an offset.
   struct Count {
     uint32_t offset = 0, lines = 0;
   };
 
   uint32_t size() const { return static_cast<uint32_t>(text_.size()); }
-  /// True when a line ends with the byte at `offset`: LF, or CR without LF behind it.
+  /// True when a line ends with the byte at `offset`: LF, or CR without LF after it.
   bool endsLine(uint32_t offset) const;
   /// Counts on, step by step, while `offset` lies further off than one.
   void countUpTo(uint32_t offset) const;
-  /// The last counter in front of `offset` or at it, up to which lines are counted.
+  /// The last counter before `offset` or at it, up to which lines are counted.
   const Count &countBefore(uint32_t offset) const;
 
   llvm::StringRef text_;

@@ -171,7 +171,7 @@ void SourceFile::eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) c
 void SourceFile::forget(uint32_t offset) const {
   offset = std::min(offset, static_cast<uint32_t>(text_.size()));
   if (offset < forgotten_)
-    forgotten_ = 0; // reading began anew, so the pages in front are in memory again
+    forgotten_ = 0; // reading began anew, so the pages before are in memory again
   if (offset - forgotten_ < forgetStep)
     return;
   if (buffer_->getBufferKind() == llvm::MemoryBuffer::MemoryBuffer_MMap)

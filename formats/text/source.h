@@ -59,7 +59,7 @@ public:
   static llvm::Expected<std::unique_ptr<SourceFile>> open(FileId id, llvm::StringRef path,
                                                           llvm::StringRef display);
   /// Wraps text that is already in memory (standard input, an editor's buffer, a test). `path`,
-  /// when given, is where the text would stand on disk; it is not read.
+  /// when given, is its place on disk; it is not read.
   static std::unique_ptr<SourceFile> fromText(FileId id, llvm::StringRef display,
                                               llvm::StringRef text, llvm::StringRef path = {});
 
@@ -75,7 +75,7 @@ public:
   /// All bytes, a byte order mark included. No zero byte follows them.
   llvm::StringRef text() const { return text_; }
   llvm::StringRef text(uint32_t begin, uint32_t end) const { return text_.slice(begin, end); }
-  /// Offset of the first byte that is program text: 3 behind a byte order mark, else 0.
+  /// Offset of the first byte that is program text: 3 after a byte order mark, else 0.
   uint32_t textBegin() const { return byteOrderMark(text_); }
   /// Found out when first asked for, by `guessEncoding`.
   Encoding encoding() const;
@@ -87,16 +87,16 @@ public:
   /// `bytes` of this file decoded to valid UTF-8 for display.
   std::string displayText(llvm::StringRef bytes) const;
   /// Calls `visit` with the offset of every byte `c`, ascending, at the speed of memory; the pages
-  /// that lie behind are given back on the way.
+  /// that were passed are given back meanwhile.
   void eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const;
-  /// Tells the system that the pages in front of `offset` are not needed soon, so that a mapped
+  /// Tells the system that the pages before `offset` are not needed soon, so that a mapped
   /// file does not count as memory in use. Cheap; a hint only.
   void forget(uint32_t offset) const;
 
 private:
   /// Code points in [begin, end).
   uint32_t codePointsIn(uint32_t begin, uint32_t end) const;
-  /// UTF-8 bytes in front of `offset` that begin no code point.
+  /// UTF-8 bytes before `offset` that begin no code point.
   void countLines(uint32_t offset) const;
   uint32_t continuationsBefore(uint32_t offset) const;
 
@@ -112,7 +112,7 @@ private:
   LineIndex lines_;
   mutable uint32_t forgotten_ = 0;
   mutable std::optional<Encoding> encoding_;
-  /// Bytes in front of each 4 KiB step that begin no code point, as far as was ever asked: a line
+  /// Bytes before each 4 KiB step that begin no code point, as far as was ever asked: a line
   /// may be as long as the file.
   mutable std::vector<uint32_t> continuations_ = {0};
 };

@@ -14,7 +14,7 @@ namespace ncvet {
 /// one thread at a time. Ids are given out in the order of arrival: they must not reach output.
 class SourceSet {
 public:
-  /// Texts that stand in place of the files of these paths: what an editor has not saved yet.
+  /// Texts that replace the files of these paths: what an editor has not saved yet.
   using Overlay = std::map<std::string, std::shared_ptr<const std::string>>;
 
   SourceSet() = default;

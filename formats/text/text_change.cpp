@@ -19,7 +19,7 @@ void TextChanges::add(const TextChange &change) {
                                 [](const Piece &piece, uint32_t o) { return piece.end < o; });
   auto last = std::upper_bound(first, pieces_.end(), change.end,
                                [](uint32_t o, const Piece &piece) { return o < piece.begin; });
-  // How far untouched text in front of a piece has moved.
+  // How far untouched text before a piece has moved.
   const auto movedBefore = [&](auto piece) {
     return piece == pieces_.begin() ? 0 : int64_t((piece - 1)->end) - (piece - 1)->beforeEnd;
   };
@@ -33,9 +33,9 @@ void TextChanges::add(const TextChange &change) {
   joined.before = uint32_t(joined.begin - movedBefore(first));
   joined.beforeEnd = uint32_t(end - movedBefore(last));
   joined.end = change.moved(end);
-  for (auto behind = last; behind != pieces_.end(); ++behind) {
-    behind->begin = change.moved(behind->begin);
-    behind->end = change.moved(behind->end);
+  for (auto later = last; later != pieces_.end(); ++later) {
+    later->begin = change.moved(later->begin);
+    later->end = change.moved(later->end);
   }
   pieces_.insert(pieces_.erase(first, last), joined);
 }

@@ -10,9 +10,9 @@ struct TextChange {
   uint32_t begin = 0, end = 0, added = 0;
 
   uint32_t endAfter() const { return begin + added; }
-  /// Whether a range lies wholly in front of the change or behind it.
+  /// Whether a range lies wholly before the change or after it.
   bool spares(uint32_t from, uint32_t to) const { return to <= begin || from >= end; }
-  /// Where a place that is not inside the change lies behind it.
+  /// Where a place that is not inside the change is after it.
   uint32_t moved(uint32_t offset) const {
     return offset >= end ? offset - end + endAfter() : offset;
   }
@@ -25,7 +25,7 @@ public:
   TextChanges() = default;
   explicit TextChanges(const TextChange &change) { add(change); }
 
-  /// One more change, of the text as it is behind all before it.
+  /// One more change, of the text as it is after all before it.
   void add(const TextChange &change);
   /// Pieces between which no line of `after`, the text as it is now, ends become one.
   void joinInLines(llvm::StringRef after);

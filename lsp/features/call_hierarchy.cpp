@@ -97,12 +97,12 @@ const std::vector<uint32_t> &Hierarchy::returns(FileUnit &unit) {
   return known->second;
 }
 
-/// Behind the first block that returns, looked for from `begin` on.
+/// After the first block that returns, looked for from `begin` on.
 uint32_t Hierarchy::endOfLocal(FileUnit &unit, uint32_t begin) {
   const std::vector<uint32_t> &ends = returns(unit);
   const auto end = llvm::partition_point(ends, [&](uint32_t e) { return e <= begin; });
-  const uint32_t behind = unit.index.programAt(begin).end;
-  return end == ends.end() ? behind : std::min(behind, *end);
+  const uint32_t programEnd = unit.index.programAt(begin).end;
+  return end == ends.end() ? programEnd : std::min(programEnd, *end);
 }
 
 Callable Hierarchy::local(FileUnit &unit, const Occurrence &definition) {
@@ -116,10 +116,10 @@ Callable Hierarchy::around(FileUnit &unit, uint32_t offset) {
   const Names &names = snapshot_.names(unit);
   const auto programs = unit.index.programs().size();
   const llvm::ArrayRef<Scope> subprograms = names.scopes().drop_front(programs);
-  const auto behind =
+  const auto next =
       llvm::partition_point(subprograms, [&](const Scope &s) { return s.begin <= offset; });
-  if (behind != subprograms.begin() && offset < (behind - 1)->end)
-    return scope(unit, uint32_t(programs + size_t(behind - 1 - subprograms.begin())));
+  if (next != subprograms.begin() && offset < (next - 1)->end)
+    return scope(unit, uint32_t(programs + size_t(next - 1 - subprograms.begin())));
   return program(unit, unit.index.programAt(offset));
 }
 

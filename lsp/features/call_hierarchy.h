@@ -19,11 +19,11 @@ struct CallEdge {
   std::vector<SourceRange> places; ///< of the calls, in the caller's file
 };
 
-/// The item that the name at `offset` means, else the one whose blocks stand there. None only in a
+/// The item that the name at `offset` means, else the one whose blocks are there. None only in a
 /// text without a program.
 std::optional<CallItem> callItem(Snapshot &snapshot, uint32_t offset);
 
-/// Calls that the item makes whose name stands at `offset` of the file at `path`.
+/// Calls that the item makes whose name is at `offset` of the file at `path`.
 std::vector<CallEdge> outgoingCalls(Snapshot &snapshot, llvm::StringRef path, uint32_t offset);
 
 /// Calls of that item in its own file, in the document and in the files `paths`.

@@ -1,4 +1,4 @@
-// Completion: finds out by the text in front of the cursor what may follow.
+// Completion: finds out by the text before the cursor what may follow.
 #include "lsp/features/completion.h"
 
 #include "interp/evaluate/condition.h"
@@ -73,7 +73,7 @@ private:
             items_};
   }
 
-  /// `GOTO10`: how many digits are behind the word.
+  /// `GOTO10`: how many digits follow the word.
   std::optional<uint32_t> jumpDigits() const {
     const llvm::StringRef typed = context_.typed;
     const llvm::StringRef letters =
@@ -117,7 +117,7 @@ private:
     return false;
   }
 
-  /// Behind `<`: instructions and the variables that cycles read; in one: what it takes.
+  /// After `<`: instructions and the variables that cycles read; in one: what it takes.
   void inAngle(bool atBegin) const {
     if (!atBegin)
       return completeVariables(request(context_.typedBegin));

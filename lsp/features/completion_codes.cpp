@@ -10,7 +10,7 @@ namespace ncvet::lsp {
 
 namespace {
 
-/// Ranks of items: what the code at hand needs comes first.
+/// Ranks of items: what the current code needs comes first.
 enum Rank : uint8_t { rankRequired, rankOptional, rankAddress, rankCode };
 
 /// The codes of a block besides the word that is being written.
@@ -55,7 +55,7 @@ public:
 private:
   const Dialect &dialect_;
   llvm::SmallVector<const CodeInfo *, 8> codes_;
-  uint64_t groups_ = 0; ///< of which a code stands in the block
+  uint64_t groups_ = 0; ///< of which the block has a code
   AddressMask written_ = 0;
   unsigned words_ = 0, miscellaneous_ = 0, mostMiscellaneous_ = 0;
   bool exclusive_ = false;
@@ -132,7 +132,7 @@ std::string assignment(const Dialect &dialect, const std::string &name, std::str
   return dialect.reader == "ecs" ? "<" + name + "=" + value + ">" : name + "=" + value;
 }
 
-/// The first of alternatives that stands in no word yet.
+/// The first of alternatives that no word has yet.
 void addSpec(const CompletionRequest &request, const CodeInfo &code, const WordSpec &spec,
              const std::string &prefix) {
   CompletionItem item;

@@ -1,8 +1,9 @@
 // Where completions come from: each function adds the items of one kind.
 #pragma once
 
-#include "lsp/features/completion.h"
+#include "lsp/features/completion_item.h"
 #include "lsp/features/cursor_context.h"
+#include "lsp/features/snapshot.h"
 #include "lsp/features/word_use.h"
 
 namespace ncvet::lsp {
@@ -12,7 +13,7 @@ struct CompletionRequest {
   Snapshot &snapshot;
   const CursorContext &context;
   const ExecutedBlock &executed; ///< the block as far as it is written
-  SourceRange replace;           ///< what an item stands in place of
+  SourceRange replace;           ///< what an item replaces
   llvm::StringRef typed;         ///< the text there
   std::vector<CompletionItem> &items;
 
@@ -22,7 +23,7 @@ struct CompletionRequest {
 };
 
 // completion_codes.cpp
-/// Codes that may stand in the block beside those that do.
+/// Codes that the block may have beside those that it has.
 void completeCodes(const CompletionRequest &request);
 /// Words that codes of the block read, and what else the block may name.
 void completeWords(const CompletionRequest &request);

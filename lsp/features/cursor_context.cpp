@@ -1,4 +1,4 @@
-// What surrounds the cursor: told by the text in front of it, as the block is not complete yet.
+// What surrounds the cursor: told by the text before it, as the block is not complete yet.
 #include "lsp/features/cursor_context.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -77,7 +77,7 @@ CursorContext cursorContext(Snapshot &snapshot, uint32_t offset) {
   const llvm::StringRef text = snapshot.text();
   context.offset = std::min(offset, uint32_t(text.size()));
   snapshot.readAt(context.offset, context.block);
-  // Behind the last line end a new block begins.
+  // After the last line end a new block begins.
   const bool onNewLine =
       context.offset > 0 && (text[context.offset - 1] == '\n' || text[context.offset - 1] == '\r');
   if (onNewLine && context.block.next <= context.offset &&

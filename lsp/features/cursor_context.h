@@ -11,15 +11,15 @@ struct CursorContext {
   bool inComment = false, inString = false;
   uint32_t typedBegin = 0; ///< of the letters and digits that end at the cursor
   llvm::StringRef typed;   ///< these
-  llvm::StringRef before;  ///< the block in front of them, blanks at its end cut off
+  llvm::StringRef before;  ///< the block before them, blanks at its end cut off
 
   /// A bracket that is open at the cursor.
   struct Bracket {
-    uint32_t at = 0;            ///< where it stands
+    uint32_t at = 0;            ///< where it begins
     char kind = '(';            ///< `(`, `[` or `<`
-    unsigned argument = 0;      ///< separators in it in front of the cursor
-    uint32_t argumentBegin = 0; ///< behind the last of these
-    llvm::StringRef name;       ///< in front of `(` and `[`; behind `<`, up to its `:`
+    unsigned argument = 0;      ///< separators in it before the cursor
+    uint32_t argumentBegin = 0; ///< after the last of these
+    llvm::StringRef name;       ///< before `(` and `[`; after `<`, up to its `:`
   };
   std::optional<Bracket> bracket; ///< the innermost one
 

@@ -45,7 +45,7 @@ std::optional<NameTarget> blockElsewhere(Snapshot &snapshot, FileUnit &from,
                                          const Occurrence &one) {
   const Names &names = snapshot.names(from);
   const Occurrence *const first = names.all().begin();
-  constexpr ptrdiff_t near = 4; // they stand in one block
+  constexpr ptrdiff_t near = 4; // they are in one block
   for (ptrdiff_t i = std::max<ptrdiff_t>(0, &one - first - near);
        i < std::min<ptrdiff_t>(ptrdiff_t(names.all().size()), &one - first + near); ++i) {
     if (first[i].kind != NameKind::Program)

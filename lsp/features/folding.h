@@ -6,7 +6,7 @@
 namespace ncvet::lsp {
 
 struct Fold {
-  /// From the first byte, whose line stays in view, to behind the last byte of the last line that
+  /// From the first byte, whose line stays in view, to after the last byte of the last line that
   /// is hidden. More than one line.
   SourceRange range;
   PartKind kind = PartKind::Program;

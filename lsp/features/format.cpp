@@ -115,74 +115,91 @@ private:
   std::vector<TextEdit> edits_;
 };
 
-} // namespace
+/// A block that formatting changes.
+struct ChangedBlock {
+  uint32_t at;       ///< in the text
+  uint32_t in;       ///< in the formatted text
+  size_t begin, end; ///< its edits
+};
 
-std::vector<TextEdit> formatEdits(Snapshot &snapshot, uint32_t begin, uint32_t end,
-                                  const FormatOptions &options) {
-  const llvm::StringRef text = snapshot.text();
-  const llvm::ArrayRef<uint32_t> blocks = snapshot.blocks();
-  auto first = std::upper_bound(blocks.begin(), blocks.end(), begin);
-  if (first != blocks.begin())
-    --first;
-  const auto last = std::lower_bound(first, blocks.end(), std::max(end, begin + 1));
-  const Reader &reader = *snapshot.unit().reader;
-  BlockFormatter formatter(text, snapshot.source().id(), options);
-
-  // The blocks with all their edits: read again, each must be what it was, and not too long.
+/// Blocks with all their edits, before it is known which of these are kept.
+struct Formatted {
+  std::string text; ///< from the first block that changes
   std::vector<TextEdit> edits;
-  std::string formatted;
-  struct Changed {
-    uint32_t at;          ///< block in the text
-    uint32_t in;          ///< the same in `formatted`
-    size_t begin, behind; ///< its edits
-  };
-  std::vector<Changed> changed;
+  std::vector<ChangedBlock> changed;
+};
+
+/// Formats the blocks that begin at the offsets of `blocks`, which end before `end`.
+Formatted formatBlocks(Snapshot &snapshot, llvm::ArrayRef<uint32_t> blocks, uint32_t end,
+                       const FormatOptions &options) {
+  const llvm::StringRef text = snapshot.text();
+  BlockFormatter formatter(text, snapshot.source().id(), options);
+  Formatted all;
   Block block;
-  uint32_t done = first == last ? 0 : *first;
+  uint32_t done = blocks.empty() ? 0 : blocks.front();
   const auto copyUpTo = [&](uint32_t to) {
     if (to > done)
-      formatted += text.slice(done, to);
+      all.text += text.slice(done, to);
     done = std::max(done, to);
   };
-  for (auto at = first; at != last; ++at) {
-    reader.read(*at, block);
+  for (const uint32_t at : blocks) {
+    snapshot.unit().reader->read(at, block);
     const llvm::ArrayRef<TextEdit> own = formatter.format(block);
     if (own.empty())
       continue;
-    copyUpTo(*at);
-    changed.push_back({*at, uint32_t(formatted.size()), edits.size(), edits.size() + own.size()});
+    copyUpTo(at);
+    all.changed.push_back(
+        {at, uint32_t(all.text.size()), all.edits.size(), all.edits.size() + own.size()});
     for (const TextEdit &edit : own) {
       copyUpTo(edit.range.begin);
-      formatted += edit.text;
+      all.text += edit.text;
       done = edit.range.end;
     }
-    edits.insert(edits.end(), own.begin(), own.end());
+    all.edits.insert(all.edits.end(), own.begin(), own.end());
   }
-  if (changed.empty())
-    return edits;
-  copyUpTo(last == blocks.end() ? uint32_t(text.size()) : *last);
+  if (!all.changed.empty())
+    copyUpTo(end);
+  return all;
+}
 
-  const std::unique_ptr<Reader> again = makeReader(snapshot.dialect(), formatted);
+/// The edits of blocks that are the same when they are read again, and not too long.
+std::vector<TextEdit> soundEdits(Snapshot &snapshot, Formatted all) {
+  const Reader &reader = *snapshot.unit().reader;
+  const std::unique_ptr<Reader> again = makeReader(snapshot.dialect(), all.text);
   again->setHidesProgram([&](llvm::StringRef name) { return reader.isHidden(name); });
-  Block fresh;
+  Block block, fresh;
   std::vector<TextEdit> kept;
-  for (const Changed &one : changed) {
+  for (const ChangedBlock &one : all.changed) {
     reader.read(one.at, block);
     again->read(one.in, fresh);
     size_t longer = 0, shorter = 0; // bytes that its edits put in and took away
-    for (size_t i = one.begin; i < one.behind; ++i) {
-      longer += edits[i].text.size();
-      shorter += edits[i].range.end - edits[i].range.begin;
+    for (size_t i = one.begin; i < one.end; ++i) {
+      longer += all.edits[i].text.size();
+      shorter += all.edits[i].range.end - all.edits[i].range.begin;
     }
     const uint16_t limit = snapshot.dialect().limits.blockLength;
     const uint32_t length = fresh.end - fresh.begin;
     const bool tooLong = limit && length > limit && length > block.end - block.begin;
     if (!tooLong && fresh.next - one.in + shorter == block.next - one.at + longer &&
-        sameBlock(block, text, fresh, formatted))
-      for (size_t i = one.begin; i < one.behind; ++i)
-        kept.push_back(std::move(edits[i]));
+        sameBlock(block, snapshot.text(), fresh, all.text))
+      for (size_t i = one.begin; i < one.end; ++i)
+        kept.push_back(std::move(all.edits[i]));
   }
   return kept;
+}
+
+} // namespace
+
+std::vector<TextEdit> formatEdits(Snapshot &snapshot, uint32_t begin, uint32_t end,
+                                  const FormatOptions &options) {
+  const llvm::ArrayRef<uint32_t> blocks = snapshot.blocks();
+  auto first = std::upper_bound(blocks.begin(), blocks.end(), begin);
+  if (first != blocks.begin())
+    --first;
+  const auto last = std::lower_bound(first, blocks.end(), std::max(end, begin + 1));
+  const uint32_t past = last == blocks.end() ? uint32_t(snapshot.text().size()) : *last;
+  return soundEdits(snapshot,
+                    formatBlocks(snapshot, llvm::makeArrayRef(first, last), past, options));
 }
 
 } // namespace ncvet::lsp

@@ -6,7 +6,7 @@
 namespace ncvet::lsp {
 
 enum class WordSpacing : uint8_t {
-  Keep, ///< as they stand
+  Keep, ///< as they are
   One,  ///< one blank between two words
   None  ///< no blank
 };

@@ -11,7 +11,7 @@ struct Highlight {
   bool writes = false; ///< defines the name, or gives the variable a value; else it is read
 };
 
-/// In the order of the text; empty when no name stands at the byte `offset`.
+/// In the order of the text; empty when there is no name at the byte `offset`.
 std::vector<Highlight> highlights(Snapshot &snapshot, uint32_t offset);
 
 } // namespace ncvet::lsp

@@ -1,4 +1,4 @@
-// Inlay hints: gathered while the program is followed along its one certain way.
+// Inlay hints: gathered while the program is followed along its one certain path.
 #include "lsp/features/inlay_hints.h"
 
 #include "analyzer/flow/engine.h"
@@ -80,7 +80,7 @@ private:
     add(end, kind, value ? " = " + value->text : "");
   }
 
-  /// More than one number: its value does not stand in the text.
+  /// More than one number: its value is not in the text.
   static bool isComputed(const Block &block, uint16_t index) {
     if (index >= block.expressions.size() || block.expressions[index].bad)
       return false;

@@ -1,7 +1,7 @@
 // Names of a program text: what is the same name, and where it is defined.
 #include "lsp/features/names.h"
 
-#include "lsp/features/name_finder.h"
+#include "lsp/features/name_pass.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -18,7 +18,7 @@ auto sameName(const Occurrence &one) { return std::make_tuple(one.kind, one.scop
 } // namespace
 
 Names::Names(const FileUnit &unit) : unit_(unit) {
-  FoundNames found = findNames(unit);
+  FoundNames found = NamePass(unit).find();
   all_ = std::move(found.all);
   scopes_ = std::move(found.scopes);
   untold_ = std::move(found.untold);
@@ -30,30 +30,30 @@ uint32_t Names::programAt(uint32_t offset) const {
 }
 
 const Occurrence *Names::at(uint32_t offset) const {
-  auto behind = std::upper_bound(all_.begin(), all_.end(), offset,
-                                 [](uint32_t o, const Occurrence &one) { return o < one.begin; });
+  auto next = std::upper_bound(all_.begin(), all_.end(), offset,
+                               [](uint32_t o, const Occurrence &one) { return o < one.begin; });
   const Occurrence *touched = nullptr;
-  for (auto i = behind; i != all_.begin() && behind - i < 4;) {
+  for (auto i = next; i != all_.begin() && next - i < 4;) {
     --i;
     if (offset < i->end)
       return &*i;
     if (offset == i->end)
       touched = &*i;
   }
-  if (touched || behind == all_.end())
+  if (touched || next == all_.end())
     return touched;
-  // At the address letter or the mark in front of it.
+  // At the address letter or the mark before it.
   constexpr uint32_t longest = 4;
   const llvm::StringRef text = unit_.source.text();
-  if (behind->begin - offset > longest)
+  if (next->begin - offset > longest)
     return nullptr;
-  const llvm::StringRef mark = text.slice(offset, behind->begin).rtrim(" \t");
+  const llvm::StringRef mark = text.slice(offset, next->begin).rtrim(" \t");
   const bool inWord = offset > 0 && llvm::isAlnum(text[offset - 1]) && llvm::isAlnum(text[offset]);
   const bool isMark =
       !mark.empty() && mark.size() <= 2 && !inWord && llvm::all_of(mark, [](char c) {
         return llvm::isAlpha(c) || llvm::StringRef("#<[:%\"").contains(c);
       });
-  return isMark ? &*behind : nullptr;
+  return isMark ? &*next : nullptr;
 }
 
 llvm::ArrayRef<uint32_t> Names::same(const Occurrence &one) const {

@@ -8,7 +8,7 @@
 namespace ncvet::lsp {
 
 std::string numberText(double value) {
-  constexpr double most = 1e15; // larger ones have no digits behind the point
+  constexpr double most = 1e15; // larger ones have no decimal places
   std::string text;
   llvm::raw_string_ostream out(text);
   if (!(std::fabs(value) < most)) {

@@ -11,9 +11,9 @@ constexpr int64_t usualStep = 10;
 
 /// The numbers beside a line.
 struct Neighbours {
-  Block last;                    ///< the nearest block in front that is not empty
-  std::vector<int64_t> before;   ///< numbers in front, the nearest first; at most two
-  std::optional<int64_t> behind; ///< of the first numbered block behind
+  Block last;                  ///< the nearest block before that is not empty
+  std::vector<int64_t> before; ///< numbers before, the nearest first; at most two
+  std::optional<int64_t> next; ///< of the first numbered block after it
 };
 
 Neighbours neighbours(Snapshot &snapshot, uint32_t line) {
@@ -45,7 +45,7 @@ Neighbours neighbours(Snapshot &snapshot, uint32_t line) {
       break;
     snapshot.unit().reader->read(*at, block);
     if (block.number >= 0 && block.begin >= line) {
-      found.behind = block.number;
+      found.next = block.number;
       break;
     }
   }
@@ -67,7 +67,7 @@ std::optional<TextEdit> numberOfNewBlock(Snapshot &snapshot, uint32_t offset) {
       line.startswith(":") || line.startswith("%"))
     return std::nullopt;
   const Neighbours near = neighbours(snapshot, begin);
-  // The block in front must have a number, at the begin of its line.
+  // The block before must have a number, at the begin of its line.
   if (near.before.empty() || near.last.number != near.before.front() || near.last.mainBlock ||
       !near.last.numberIsFirst || near.last.numberBegin >= near.last.numberEnd)
     return std::nullopt;
@@ -78,12 +78,12 @@ std::optional<TextEdit> numberOfNewBlock(Snapshot &snapshot, uint32_t offset) {
   const int64_t step =
       near.before.size() > 1 && last > near.before[1] ? last - near.before[1] : usualStep;
   int64_t number = last + step;
-  if (near.behind && *near.behind > last && number >= *near.behind)
-    number = last + (*near.behind - last) / 2;
+  if (near.next && *near.next > last && number >= *near.next)
+    number = last + (*near.next - last) / 2;
   const FileIndex &index = snapshot.unit().index;
   if (number == last || index.block(index.programAt(begin), number, begin))
     return std::nullopt;
-  // Spelled as in front: the mark, and what stands behind the number.
+  // Spelled as before: the mark, and what follows the number.
   const char mark = text[near.last.numberBegin];
   const bool glued = near.last.numberEnd < text.size() && text[near.last.numberEnd] != ' ' &&
                      text[near.last.numberEnd] != '\t' && text[near.last.numberEnd] != '\n' &&

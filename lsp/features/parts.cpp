@@ -52,7 +52,7 @@ private:
     return part;
   }
   bool isFull() const { return parts_.size() >= mostParts; }
-  /// Behind the last byte in front of `end` that is no blank, line end or mark of a tape's end.
+  /// After the last byte before `end` that is no blank, line end or mark of a tape's end.
   uint32_t trimmed(uint32_t begin, uint32_t end) const {
     constexpr llvm::StringLiteral nothing(" \t\r\n%\x1A");
     while (end > begin && (nothing.contains(text_[end - 1]) || text_[end - 1] == '\0'))
@@ -73,17 +73,17 @@ private:
   const llvm::StringRef text_;
   std::vector<Part> parts_;
   Block block_;
-  uint32_t contentBegin_ = 0, contentEnd_ = 0; ///< of the block at hand
-  uint32_t lastEnd_ = 0;                       ///< behind the last block with code
+  uint32_t contentBegin_ = 0, contentEnd_ = 0; ///< of the current block
+  uint32_t lastEnd_ = 0;                       ///< after the last block with code
   std::vector<uint32_t> returns_;              ///< ends of the blocks that return
-  // of the program at hand
+  // of the current program
   std::vector<Part> changes_, tools_;    ///< sections by changes, and by T words where none changes
   bool sectionOpen_[2] = {false, false}; ///< the last of `changes_`, of `tools_`
   bool operationOpen_ = false;
   size_t operation_ = 0;
   int64_t station_ = -1;                   ///< tool of the last T word, where it changes the tool
   uint32_t toolBegin_ = 0, toolEnd_ = 0;   ///< the last T word
-  uint32_t aboveBegin_ = 0, aboveEnd_ = 0; ///< comment that stands alone right above the block
+  uint32_t aboveBegin_ = 0, aboveEnd_ = 0; ///< comment on a line of its own right above the block
   uint32_t runBegin_ = 0, runEnd_ = 0;     ///< lines of comments that are being read
   unsigned runLines_ = 0;
 };
@@ -184,7 +184,7 @@ void PartReader::note(Part &part) const {
   part.noteEnd = block_.comments.empty() ? aboveEnd_ : block_.comments.front().end;
 }
 
-/// Whether a T word brings another tool; on a lathe `T0100` behind `T0101` only ends its offset.
+/// Whether a T word brings another tool; on a lathe `T0100` after `T0101` only ends its offset.
 bool PartReader::isToolWord(const Word &word) {
   if (!word.isNumber())
     return !word.has(wordNoValue);
@@ -229,7 +229,7 @@ void PartReader::tool() {
     const bool named = byWord || toolEnd_ > toolBegin_;
     Part section = part(PartKind::Tool, named ? toolBegin_ : change->offset,
                         named ? toolEnd_ : block_.endOf(*change));
-    // Its T word may stand in a block before: what selects the name must lie inside.
+    // Its T word may be in an earlier block: the range of the name must lie inside.
     if (section.nameBegin < section.begin)
       section.begin = std::min(section.begin, change->offset);
     note(section);

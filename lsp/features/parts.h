@@ -19,7 +19,7 @@ enum class PartKind : uint8_t {
   Comments    ///< lines of comments, one below the other
 };
 
-/// Bytes [begin, end) from the first byte of a part's first block to behind its last one's code,
+/// Bytes [begin, end) from the first byte of a part's first block to after its last one's code,
 /// line ends not counted.
 struct Part {
   PartKind kind = PartKind::Program;

@@ -11,7 +11,7 @@ namespace ncvet::lsp {
 
 namespace {
 
-/// Edits of one name, and what the control makes of the text behind them.
+/// Edits of one name, and what the control makes of the text after them.
 class Renaming {
 public:
   Renaming(Snapshot &snapshot, const Occurrence &one, llvm::StringRef name)
@@ -46,7 +46,7 @@ std::string Renaming::spelled(const Occurrence &place) const {
   const Limits &limits = snapshot_.dialect().limits;
   std::string name = name_.str();
   if (place.kind == NameKind::Program && place.key < firstNamedVariable) {
-    // A header's number has as many digits as the control wants; so has one behind a count.
+    // A header's number has as many digits as the control wants; so has one after a count.
     const bool packed =
         place.use == NameUse::Call && place.begin > 0 && llvm::isDigit(text[place.begin - 1]);
     const size_t digits = place.use == NameUse::Definition ? limits.programDigitsMin
@@ -107,7 +107,7 @@ std::string Renaming::compare(const Names &after) const {
 /// Whether each block with an edit still holds the same words and items, and no new mistake.
 bool Renaming::readsAlike(const FileUnit &after) {
   Block before, now;
-  int64_t shift = 0; // of what stands behind the edits so far
+  int64_t shift = 0; // of what follows the edits so far
   const auto isSame = [&] {
     return before.words.size() == now.words.size() && before.items.size() == now.items.size() &&
            before.issues.size() == now.issues.size() && before.hasLabel() == now.hasLabel() &&

@@ -82,7 +82,7 @@ std::string RenameLimits::why() {
   case NameKind::Element:
     return "elements of a contour are not renamed";
   case NameKind::Macro:
-    return "words that stand for others are not renamed";
+    return "a name that is replaced by words is not renamed";
   case NameKind::Block:
   case NameKind::Label:
     return target();
@@ -263,7 +263,7 @@ bool RenameLimits::isCovered(uint32_t begin) const {
 
 /// Whether a place lies in a comment or between quotes.
 bool RenameLimits::isRemark(uint32_t offset) {
-  constexpr uint32_t longest = 1 << 16; // bytes; behind it nobody knows
+  constexpr uint32_t longest = 1 << 16; // bytes; after it nobody knows
   snapshot_.readAt(offset, block_);
   if (offset - block_.begin > longest)
     return false;
@@ -294,7 +294,7 @@ std::string RenameLimits::unseen() {
     if (marked && (at == 0 || !llvm::StringRef("#<[").contains(text_[at - 1])))
       continue;
     if (++remarks > mostRemarks || !isRemark(uint32_t(at)))
-      return line(uint32_t(at)) + " names " + quoted(name_) + " in a way that is not read closely";
+      return line(uint32_t(at)) + " names " + quoted(name_) + " in a form that is not read closely";
   }
   return {};
 }

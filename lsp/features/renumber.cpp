@@ -91,11 +91,11 @@ private:
       return true;
     const FileIndex &index = snapshot_.unit().index;
     const llvm::ArrayRef<NumberedBlock> found = index.numbersAsWritten(index.programAt(one.begin));
-    const auto behind = std::upper_bound(
+    const auto next = std::upper_bound(
         found.begin(), found.end(), one.begin,
         [](uint32_t offset, const NumberedBlock &block) { return offset < block.offset; });
-    return behind != found.begin() && uint64_t((behind - 1)->number) == one.key &&
-           numbered_.insert((behind - 1)->offset).second;
+    return next != found.begin() && uint64_t((next - 1)->number) == one.key &&
+           numbered_.insert((next - 1)->offset).second;
   }
 
   /// The control finds no number besides those that are changed.
@@ -136,7 +136,7 @@ private:
   const Names names_;
   bool areNamed_ = false;                   ///< some place names a block
   llvm::DenseSet<uint32_t> numbered_;       ///< blocks that have their new number
-  llvm::DenseMap<uint32_t, int64_t> fresh_; ///< new number by where the old one stands
+  llvm::DenseMap<uint32_t, int64_t> fresh_; ///< new number by the offset of the old one
   Renumbering result_;
 };
 

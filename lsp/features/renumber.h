@@ -12,7 +12,7 @@ struct NumberOptions {
 struct Renumbering {
   std::vector<TextEdit> edits;
   std::string refusal; ///< not empty: why nothing is changed, one sentence
-  SourceRange at;      ///< the place that is in the way; empty: none
+  SourceRange at;      ///< the place that prevents it; empty: none
 };
 
 /// Numbers the numbered blocks of every program of the text anew; jumps, calls, profiles and

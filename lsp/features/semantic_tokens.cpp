@@ -168,7 +168,7 @@ private:
     }
     const bool moves = address.kind == AddressKind::Axis ||
                        address.kind == AddressKind::Increment || address.kind == AddressKind::Polar;
-    const uint32_t value = behindAddress(begin, end);
+    const uint32_t value = endOfAddress(begin, end);
     place(begin, value, moves ? TokenType::Axis : TokenType::Parameter,
           address.kind == AddressKind::Unknown ? tokenUnknown : 0);
     if (!word.isNumber())
@@ -186,7 +186,7 @@ private:
   }
 
   /// End of the letters (and comma) with which a word begins; of `X1=` the digit belongs to them.
-  uint32_t behindAddress(uint32_t begin, uint32_t end) const {
+  uint32_t endOfAddress(uint32_t begin, uint32_t end) const {
     uint32_t p = begin;
     while (p < end && (llvm::isAlpha(text_[p]) || text_[p] == ',' || text_[p] == '_'))
       ++p;
@@ -198,7 +198,7 @@ private:
     return std::max(p, begin + 1);
   }
 
-  /// A code that is a word: its name, not what stands in brackets with it.
+  /// A code that is a word: its name, not what is in brackets with it.
   void collectKeyword(const Word &word, uint32_t end) {
     uint32_t p = word.offset;
     while (p < end && !isNameStart(text_[p]))
@@ -333,7 +333,7 @@ private:
           ++p;
         emitName(begin, p);
       } else if (c == '#') {
-        p = behindVariable(begin, to);
+        p = endOfVariable(begin, to);
         emit(begin, p, TokenType::Variable);
       } else if (c == '"') {
         while (p < to && text_[p] != '"' && text_[p] != '\n' && text_[p] != '\r')
@@ -348,7 +348,7 @@ private:
     }
   }
 
-  /// A point, or a sign that is no operator, in front of a digit.
+  /// A point, or a sign that is no operator, before a digit.
   bool beginsNumber(uint32_t at, uint32_t to) const {
     uint32_t p = at;
     if (text_[p] == '-' || text_[p] == '+') {
@@ -363,7 +363,7 @@ private:
   }
 
   /// `#100`, `#<name>`; of `#[..]` and `##1` only the first character.
-  uint32_t behindVariable(uint32_t begin, uint32_t to) const {
+  uint32_t endOfVariable(uint32_t begin, uint32_t to) const {
     uint32_t p = begin + 1;
     if (p < to && text_[p] == '<') {
       const size_t close = text_.slice(p, to).find_first_of(">\r\n");
@@ -374,7 +374,7 @@ private:
     return p;
   }
 
-  /// A name that is no operand: a keyword of the statement that it stands in.
+  /// A name that is no operand: a keyword of its statement.
   void emitName(uint32_t begin, uint32_t end) {
     while (nextIssue_ < issues_.size() && issues_[nextIssue_].begin <= begin)
       badUntil_ = std::max(badUntil_, issues_[nextIssue_++].end);
@@ -410,7 +410,7 @@ private:
   std::vector<Region> regions_, open_;
   size_t nextRegion_ = 0, nextIssue_ = 0;
   std::vector<SyntaxIssue> issues_; ///< by where they begin
-  uint32_t badUntil_ = 0;           ///< end of those that begin in front of the place at hand
+  uint32_t badUntil_ = 0;           ///< end of those that begin before the current place
   AddressMask sequences_ = 0, programs_ = 0;
 };
 

@@ -15,8 +15,8 @@ enum class TokenType : uint8_t {
   Variable,
   Function, ///< of an expression: `SIN`
   Program,  ///< name or number of a program
-  Label,    ///< name or number of a block, where it stands and where it is meant
-  Symbol,   ///< a name that stands for itself: an axis, `ON`
+  Label,    ///< name or number of a block, where it is defined and where it is used
+  Symbol,   ///< a name with a fixed meaning: an axis, `ON`
   Type,     ///< of a variable: `REAL`
   Operator, ///< `+`, `=`, `EQ`; the slash of block skip
   String,

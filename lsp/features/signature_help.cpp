@@ -11,13 +11,13 @@ namespace ncvet::lsp {
 
 namespace {
 
-/// Blocks of a program in which its parameters are looked for: they stand at its begin.
+/// Blocks of a program in which its parameters are looked for: they are at its begin.
 constexpr unsigned mostBlocksToParameters = 50;
 
 /// Writes a signature, parameter by parameter.
 class SignatureWriter {
 public:
-  /// `first`: what stands in front of the first parameter.
+  /// `first`: the text before the first parameter.
   explicit SignatureWriter(std::string head, llvm::StringRef first = {}) {
     signature_.label = std::move(head);
     signature_.label += first;
@@ -42,7 +42,7 @@ private:
   Signature signature_;
 };
 
-/// The format of a code whose arguments stand in a row.
+/// The format of a code whose arguments are a list.
 Signature ofArguments(const CodeInfo &code, llvm::StringRef open, llvm::StringRef separator,
                       llvm::StringRef close, unsigned active) {
   SignatureWriter writer(open.str());

@@ -1,4 +1,4 @@
-// Comments that silence a rule: which form the control reads as a comment, and where it may stand.
+// Comments that silence a rule: which form the control reads as a comment, and where it is allowed.
 #include "lsp/features/suppression_edit.h"
 
 namespace ncvet::lsp {
@@ -27,7 +27,7 @@ llvm::StringRef lineEndOf(llvm::StringRef text) {
   return text.substr(end, 2) == "\r\n" ? "\r\n" : "\r";
 }
 
-/// A comment as a line of its own in front of the block that begins at `block`.
+/// A comment as a line of its own before the block that begins at `block`.
 std::optional<TextEdit> lineBefore(Snapshot &snapshot, uint32_t block, llvm::StringRef comment) {
   const std::string line = asComment(snapshot.dialect(), comment);
   if (line.empty())
@@ -50,7 +50,7 @@ std::optional<TextEdit> allowHere(Snapshot &snapshot, uint32_t offset, llvm::Str
 std::optional<TextEdit> allowInFile(Snapshot &snapshot, llvm::StringRef rule) {
   const FileIndex &index = snapshot.unit().index;
   const ProgramInfo &first = index.programs().front();
-  // Behind the head: some controls want nothing in front of it.
+  // After the head: some controls allow nothing before it.
   Block block;
   snapshot.readAt(first.begin, block);
   while ((block.kind == BlockKind::Tape || block.kind == BlockKind::ProgramHeader) &&

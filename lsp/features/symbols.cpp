@@ -58,7 +58,7 @@ public:
     symbol.selection = {file, std::clamp(part.nameBegin, part.begin, end),
                         std::clamp(part.nameEnd, part.begin, end)};
     nameSymbol(symbol, part, snapshot_);
-    // Labels stand beside each other, whatever they lead to.
+    // Labels are siblings, whatever they lead to.
     if (part.kind != PartKind::Label)
       open_.push_back(&symbol);
   }

@@ -191,16 +191,16 @@ private:
     for (const ExpressionOp &op : block.operations) {
       if (op.op != Op::Variable || op.offset > offset_ + 1)
         continue;
-      const bool behindMark = op.offset && snapshot_.text()[op.offset - 1] == '#';
-      const uint32_t begin = op.offset - behindMark, end = behindName(begin);
+      const bool afterMark = op.offset && snapshot_.text()[op.offset - 1] == '#';
+      const uint32_t begin = op.offset - afterMark, end = endOfName(begin);
       if (begin <= offset_ && offset_ < end)
         return at(begin, end, variable(text(begin, end), uint64_t(op.value)));
     }
     return std::nullopt;
   }
 
-  /// Behind `#100`, `#<name>`, `R1`, `NAME`.
-  uint32_t behindName(uint32_t begin) const {
+  /// After `#100`, `#<name>`, `R1`, `NAME`.
+  uint32_t endOfName(uint32_t begin) const {
     const llvm::StringRef all = snapshot_.text();
     uint32_t p = begin;
     while (p < all.size() && (all[p] == '#' || all[p] == '$' || all[p] == '%'))

@@ -10,7 +10,7 @@ struct WordHelp {
   std::string markdown; ///< some lines
 };
 
-/// What stands at byte `offset`: a code with its words, an address or parameter with its value, a
+/// What is at byte `offset`: a code with its words, an address or parameter with its value, a
 /// variable with what is known of it. `before` is the state on entry of its block; null: nothing is
 /// known. None where nothing is to be told.
 std::optional<WordHelp> wordHelp(Snapshot &snapshot, uint32_t offset,

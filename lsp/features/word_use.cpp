@@ -40,7 +40,7 @@ struct Search {
     const WordSpec *found = nullptr;
     for (const WordSpec &spec : code.words)
       if (fits(spec))
-        found = &spec; // the last one stands over those of a base table
+        found = &spec; // the last one goes before those of a base table
     return found;
   }
 };

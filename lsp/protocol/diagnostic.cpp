@@ -39,7 +39,7 @@ std::string DiagnosticWriter::lineOf(SourceRange range) {
 Json DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) {
   std::string message = finding.message;
   if (finding.certainty == Certainty::Possible)
-    message += " (on some of the ways that lead here)";
+    message += " (on some of the paths that lead here)";
   Json related = Json::array();
   const auto further = [&](SourceRange range, const std::string &text) {
     if (support_.related)

@@ -10,7 +10,7 @@ namespace ncvet::lsp {
 
 /// What the client can show of a diagnostic.
 struct DiagnosticSupport {
-  bool related = false;  ///< `relatedInformation`; without it further places stand in the message
+  bool related = false;  ///< `relatedInformation`; without it further places are in the message
   bool tags = false;     ///< `tags`
   bool codeLink = false; ///< `codeDescription`
 };

@@ -25,7 +25,7 @@ public:
       : source_(source), encoding_(encoding) {}
 
   Position at(uint32_t offset);
-  /// Offset of a position; one behind its line's end counts as that end, one behind the text as the
+  /// Offset of a position; one after its line's end counts as that end, one after the text as the
   /// text's end, one inside a character as its begin.
   uint32_t offset(Position position);
   const SourceFile &source() const { return source_; }

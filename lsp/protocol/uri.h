@@ -1,4 +1,4 @@
-// URIs of documents, and the paths that they stand for.
+// URIs of documents, and their paths.
 #pragma once
 
 #include "llvm/ADT/StringRef.h"

@@ -23,7 +23,7 @@ Json ofDocument(Context &context, View &view, const Json &params) {
   const auto result = context.checks->wait(view.document, view.cancelled);
   if (!result)
     return outdated;
-  // The thread of checks puts results on the board behind those that wait for them.
+  // The thread of checks puts results on the board after it has woken those that wait for them.
   context.problems.take(result);
   const std::string &path = view.document.path;
   Json answer = report(context.problems.diagnostics(path), params.value("previousResultId", ""));

@@ -1,7 +1,7 @@
 // The documents that the client has open.
 #pragma once
 
-#include "analyzer/checker.h"
+#include "analyzer/check/checker.h"
 #include "formats/text/source_set.h"
 #include "formats/text/text_change.h"
 #include "lsp/protocol/json.h"

@@ -72,7 +72,7 @@ MessageReader::Result MessageReader::read(std::string &body) {
       return Result::End;
     if (line.empty()) {
       if (!any && wrong.empty())
-        continue; // blank lines in front of a header harm nobody
+        continue; // blank lines before a header do no harm
       break;
     }
     const auto [name, value] = llvm::StringRef(line).split(':');

@@ -13,7 +13,7 @@ class MessageReader {
 public:
   enum class Result : uint8_t {
     Message,
-    Bad, ///< not a message; what can be read as one behind it is read next
+    Bad, ///< not a message; what follows it and can be read as one is read next
     End
   };
 

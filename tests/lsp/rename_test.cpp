@@ -100,7 +100,7 @@ TEST(Rename, Labels) {
   EXPECT_EQ(renamed("sinumerik", "AA<|>A: G0\nBBB: G0\nCALL BLOCK AAA TO BBB\n", "CCC"),
             "CCC: G0\nBBB: G0\nCALL BLOCK CCC TO BBB\n");
   EXPECT_EQ(renamed("sinumerik", "AA<|>A: G0\nBBB: G0\nCALL BLOCK AAA TO BBB<<R1\n", "CCC"),
-            "! line 3 names `AAA` in a way that is not read closely");
+            "! line 3 names `AAA` in a form that is not read closely");
 }
 
 TEST(Rename, Variables) {
@@ -137,7 +137,7 @@ TEST(Rename, VariablesOnlyWhereTheirValueIsTheProgramsOwn) {
   EXPECT_EQ(renamed("fanuc-0m", "O1\n#<|>1=2\nG0 X#1\nM30\n", "100"),
             "! `100` would belong to other programs than before");
   EXPECT_EQ(renamed("fanuc-0m", "O1\n#<|>1=2\nDPRNT[X#1[53]]\nM30\n", "2"),
-            "! line 3 names `1` in a way that is not read closely");
+            "! line 3 names `1` in a form that is not read closely");
   EXPECT_EQ(renamed("sinumerik", "G0 X=DE<|>PTH\nM30\n", "DEEP"),
             "! nothing in this program defines `DEPTH`");
   EXPECT_EQ(renamed("sinumerik", "R1=5\nG0 X=R[R2] Y=R<|>1\nM30\n", "R7"),

@@ -1,6 +1,6 @@
 // A rule that crashes at comments that ask for it. Linked into a copy of ncvet, of which tests see
 // what becomes of the other files.
-#include "analyzer/rule.h"
+#include "analyzer/rule/rule.h"
 
 #include <cstdlib>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // A session: which files its setups come from.
-#include "analyzer/session.h"
+#include "analyzer/setup/session.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
