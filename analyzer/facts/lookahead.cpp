@@ -3,7 +3,7 @@
 
 #include "analyzer/facts/profile_ways.h"
 #include "formats/dialect/measure.h"
-#include "formats/dialect/variable_key.h"
+#include "formats/dialect/stored_names.h"
 #include "interp/evaluate/expression.h"
 
 #include <cmath>
@@ -410,8 +410,7 @@ std::optional<double> endOf(const RuleContext &ctx, Axis axis, const Interval &s
 }
 
 bool comesFromBelow(const MachineState &state) {
-  static const uint64_t key = variableKey("_BELOW");
-  return state.commons.given(key) == Truth::Yes;
+  return state.commons.given(storedKey(StoredName::Below)) == Truth::Yes;
 }
 
 bool makesHole(CycleKind kind) {

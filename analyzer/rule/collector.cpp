@@ -128,7 +128,7 @@ void Collector::settle() {
 /// reports.
 bool Collector::stopsUncalled(RuleId rule) const {
   const auto table = dialect_.rules.find(allRules()[rule].info.id);
-  return table != dialect_.rules.end() && table->second.numbers.lookup("uncalledStops") != 0;
+  return table != dialect_.rules.end() && table->second.uncalledStops;
 }
 
 std::vector<Finding> Collector::take(const SourceSet &sources) {

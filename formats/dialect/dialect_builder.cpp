@@ -24,6 +24,7 @@ std::string optionText(const Json &value) {
 
 void DialectBuilder::build() {
   dialect_.standard.fill(noGroup);
+  dialect_.facts = std::make_shared<ControlFacts>();
   readInto(*this, root_, dialectRecord, dialect_);
   summarizeAddresses();
   summarizeCodes();
@@ -147,6 +148,12 @@ void DialectBuilder::readStandsFor(const Json &value, GroupInfo &) {
     for (size_t index = 0; index < standardGroupNames().size(); ++index)
       if (standardGroupNames()[index] == other)
         dialect_.standard[index] = GroupIndex(dialect_.groups.size() - 1);
+}
+
+void DialectBuilder::readFacts(const Json &value, Dialect &dialect) {
+  auto facts = std::make_shared<ControlFacts>();
+  readInto(*this, value, factRecord, *facts);
+  dialect.facts = std::move(facts);
 }
 
 void DialectBuilder::readRules(const Json &value, Dialect &dialect) {

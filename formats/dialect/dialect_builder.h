@@ -27,6 +27,7 @@ public:
   void readUnknownWhile(const Json &value, Dialect &dialect);
   void readGroups(const Json &value, Dialect &dialect);
   void readStandsFor(const Json &value, GroupInfo &group);
+  void readFacts(const Json &value, Dialect &dialect);
   void readRules(const Json &value, Dialect &dialect);
   void readDetect(const Json &value, Dialect &dialect);
 

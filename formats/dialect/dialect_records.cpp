@@ -218,6 +218,9 @@ constexpr Field switchFields[] = {
                                  "of that report, when it differs from the rule's", "\"style\""),
     flag<&SwitchInfo::atToolChange>("atToolChange", "also reported at a tool change"),
     flag<&SwitchInfo::survivesReset>("survivesReset", "a reset code leaves it as it is"),
+    field<&SwitchInfo::mostNamed>(
+        "mostNamed", whole(0, 999),
+        "things of its kind that the control keeps by name, as matrices; 0: any number", "6"),
 };
 
 constexpr Field ruleFields[] = {
@@ -227,6 +230,9 @@ constexpr Field ruleFields[] = {
                                   "whether the rule is on unless a user says "
                                   "otherwise",
                                   "true"),
+    flag<&RuleOverride::uncalledStops>(
+        "uncalledStops",
+        "the control also stops at what the rule reports in a body that it does not run"),
 };
 
 constexpr Field markFields[] = {
@@ -342,6 +348,8 @@ constexpr Field dialectFields[] = {
                                         "the codes by their names, with at least two digits: "
                                         "`G01`, `M03`, `G84.2`; a code that is a "
                                         "word of its own by that word"),
+    special<&DialectBuilder::readFacts>("facts", object(factRecord),
+                                        "what the control does where controls differ, for rules"),
     special<&DialectBuilder::readRules>("rules", mapOf(aRule),
                                         "what holds for a rule on this control, by its id"),
     special<&DialectBuilder::readDetect>("detect", object(detectionRecord),

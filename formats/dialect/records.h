@@ -1,6 +1,7 @@
 // The records of tables and machine profiles: every key that they may have, with what it is for.
 #pragma once
 
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/machine.h"
 #include "formats/dialect/shape.h"
 
@@ -22,6 +23,9 @@ extern const RecordOf<GroupInfo> groupRecord;
 extern const RecordOf<SwitchInfo> switchRecord;
 extern const RecordOf<RuleOverride> ruleRecord;
 extern const RecordOf<ProgramMarks> detectionRecord;
+
+// fact_records.cpp
+extern const RecordOf<ControlFacts> factRecord;
 
 // code_records.cpp
 extern const RecordOf<CodeInfo> codeRecord;

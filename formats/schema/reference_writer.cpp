@@ -1,6 +1,8 @@
 // The reference of the tables: a section for each record and each vocabulary, as Markdown.
 #include "formats/schema/reference_writer.h"
 
+#include "formats/dialect/stored_names.h"
+
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/Twine.h"
@@ -33,6 +35,7 @@ public:
     out_ << "\n# Vocabularies\n";
     for (const Shape *shape : vocabularies_)
       writeVocabulary(*shape);
+    writeStoredNames();
     return std::move(out_.str());
   }
 
@@ -62,6 +65,14 @@ private:
       line += (llvm::Twine(line.empty() ? "`" : " `") + name + "`").str();
     }
     out_ << line << "\n";
+  }
+
+  void writeStoredNames() {
+    out_ << "\n## stored names\n\nVariables that codes leave by `stores` and that have a meaning "
+            "beyond "
+            "their table.\n\n| name | meaning |\n|---|---|\n";
+    for (const StoredNameInfo &info : storedNames())
+      out_ << "| `" << info.name << "` | " << info.meaning << " |\n";
   }
 
   std::string typeOf(const Shape &shape) {

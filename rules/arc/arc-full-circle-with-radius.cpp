@@ -1,5 +1,6 @@
 // An arc by radius that ends where it starts.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/geometry/arc.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ class ArcFullCircleWithRadius final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
-    withCentre_ = to.option("withCentre", 0) != 0;
+    withCentre_ = to.dialect().facts->arcs.noFullCircle;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,6 +1,7 @@
 // An arc with an axis outside of its plane, where the control does not say what becomes of it or
 // cannot compensate it.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,8 +9,8 @@ namespace {
 class ArcHelixAxis final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    wanted_ = to.option("wanted", 0) != 0;
-    compensated_ = to.option("compensated", 0) != 0;
+    wanted_ = to.dialect().facts->arcs.checksHelixAxis;
+    compensated_ = to.dialect().facts->arcs.noHelixInNewPlane;
     if (wanted_ || compensated_)
       to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
   }

@@ -1,5 +1,6 @@
 // A negative radius, or the flag in its place, where the arc over 180 degrees cannot be meant.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/geometry/arc.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ class ArcLargeArcSelection final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
-    everyNegative_ = to.option("everyNegative", 0) != 0;
+    everyNegative_ = to.dialect().facts->arcs.noNegativeRadius;
     tolerance_ = to.option("tolerance", 0.01);
   }
 

@@ -1,5 +1,6 @@
 // An arc block with a centre word of an axis that does not lie in the active plane.
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/geometry/arc.h"
 
 #include <map>
@@ -11,7 +12,7 @@ class ArcWrongCentreWord final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
-    zeroCounts_ = to.option("zeroCounts", 0) != 0;
+    zeroCounts_ = to.dialect().facts->arcs.wrongCentreOfZeroStops;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,6 +1,7 @@
 // A code or word that is used as another control reads it.
 #include "analyzer/facts/foreign_block.h"
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -11,8 +12,8 @@ public:
     to.onNotices(id);
     if (to.dialect().polarWords & maskOf(letterAddress('O')))
       to.on(EventKind::WordIssue);
-    isoSigns_ = to.option("isoSigns", 0) != 0;
-    variantNames_ = to.option("variantNames", 0) != 0;
+    isoSigns_ = to.dialect().facts->text.isoSignsForeign;
+    variantNames_ = to.dialect().facts->text.variantNames;
     if (isoSigns_)
       to.on({EventKind::WordIssue, EventKind::Syntax});
     if (variantNames_)

@@ -1,5 +1,6 @@
 // Two codes of one block that exclude each other.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -25,7 +26,7 @@ class BlockModalGroupConflict final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
-    sameTwice_ = to.option("sameTwice", 0) != 0;
+    sameTwice_ = to.dialect().facts->program.sameCodeTwiceStops;
     to.onCode([&](const CodeInfo &code) {
       return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
              code.opposite != noCode || isArc(code.action) ||

@@ -1,5 +1,6 @@
 // Corner and vector codes of compensation (G38, G39) where they cannot work.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -10,7 +11,7 @@ public:
     to.onAction({Action::CompensationKeep, Action::CompensationCorner, Action::CompensationOff,
                  Action::SoftApproach, Action::SoftRetract});
     to.onNotices(id);
-    elements_ = to.option("elements", 0) != 0;
+    elements_ = to.dialect().facts->compensation.approachByElement;
     if (elements_)
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }

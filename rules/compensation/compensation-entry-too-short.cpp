@@ -1,5 +1,6 @@
 // The move that builds up or removes compensation is shorter than the radius.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ class CompensationEntryTooShort final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CompensationMove);
-    longer_ = to.option("longer", 0) != 0;
+    longer_ = to.dialect().facts->compensation.entryLonger;
     if (longer_)
       to.on(EventKind::Motion);
   }

@@ -1,6 +1,7 @@
 // Codes that must not be used while radius compensation is on.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/preprocessor_reads.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -13,7 +14,7 @@ public:
                  Action::Inch, Action::Metric, Action::WorkOffset, Action::Thread, Action::Cycle,
                  Action::FrameSet, Action::FrameAdd, Action::FrameClear});
     to.onCode([](const CodeInfo &code) { return code.name == "STOPRE"; });
-    cycles_ = to.option("cycles", 0) != 0;
+    cycles_ = to.dialect().facts->compensation.forbidsCycles;
     if (to.dialect().readAhead.empty())
       return;
     to.on(EventKind::Statement);

@@ -1,5 +1,6 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -10,9 +11,9 @@ public:
     to.onChange({EventKind::Block});
     to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::Thread});
     allowed_ = unsigned(to.option("allowed", 1));
-    infeeds_ = unsigned(to.option("infeeds", 0));
-    inSpace_ = to.option("inSpace", 0) != 0;
-    allowedBehindApproach_ = unsigned(to.option("behindApproach", 0));
+    infeeds_ = to.dialect().facts->compensation.infeedMoves;
+    inSpace_ = to.dialect().facts->compensation.onlyInPlane;
+    allowedBehindApproach_ = to.dialect().facts->compensation.idleBlocksAfterApproach;
     severity_ = to.option("advice", 0) != 0 ? std::optional(Severity::Warning) : std::nullopt;
   }
 

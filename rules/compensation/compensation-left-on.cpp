@@ -2,6 +2,7 @@
 #include "analyzer/facts/after_calls.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <map>
 
@@ -13,7 +14,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
                  EventKind::CycleRun, EventKind::Block, EventKind::FlowIssue});
-    if (to.option("edges", 0) != 0)
+    if (to.dialect().facts->tools.cuttingEdges)
       to.on(EventKind::OffsetWord);
   }
 

@@ -1,5 +1,6 @@
 // A turned contour with slants or arcs and no compensation, or compensation around a contour cycle.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
@@ -10,7 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
       to.on({EventKind::Motion, EventKind::CycleRun});
-    ends_ = to.option("atEnds", 0) != 0;
+    ends_ = to.dialect().facts->compensation.atEndsOfProfile;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // A place of the contour into which the compensated tool does not fit.
 #include "analyzer/facts/contour_trail.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -11,10 +12,10 @@ public:
   void listen(Subscriptions &to) override {
     if (to.machine().tools.empty() && to.dialect().toolRadius.variable.empty())
       return;
-    exact_ =
-        to.machine().number("interferenceCheck").value_or(0) != 0 || to.option("exact", 0) != 0;
-    slack_ = to.option("exact", 0) != 0 ? 0 : shallowCut;
-    stopsBehind_ = to.option("stopsBehind", 0) != 0;
+    exact_ = to.machine().number("interferenceCheck").value_or(0) != 0 ||
+             to.dialect().facts->compensation.checksExactly;
+    slack_ = to.dialect().facts->compensation.checksExactly ? 0 : shallowCut;
+    stopsBehind_ = to.dialect().facts->compensation.stopsAfterMove;
     trail_.emplace(to.dialect(), to.machine());
     to.on(EventKind::Motion);
   }

@@ -1,5 +1,6 @@
 // The side of compensation changed without switching it off in between.
 #include "analyzer/facts/ending_code.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
@@ -8,7 +9,7 @@ namespace {
 class CompensationSideFlip final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    again_ = to.option("again", 0) != 0;
+    again_ = to.dialect().facts->compensation.sideCalledOnce;
     to.on(EventKind::OffsetWord);
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }

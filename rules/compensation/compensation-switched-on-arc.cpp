@@ -1,5 +1,6 @@
 // Compensation that an arc has to build up or take away.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class CompensationSwitchedOnArc final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CompensationMove);
-    entryArcs_ = to.option("entryArcs", 0) != 0;
+    entryArcs_ = to.dialect().facts->compensation.entryByArc;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // A compensation code without a move in the plane, and a subprogram that begins without one.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,9 +8,9 @@ namespace {
 class CompensationWithoutMotion final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    cancelAlone_ = to.option("cancelAlone", 0) != 0;
-    anyPlane_ = to.option("anyPlane", 0) != 0;
-    feeds_ = to.option("feeds", 0) != 0;
+    cancelAlone_ = to.dialect().facts->compensation.cancelAlone;
+    anyPlane_ = to.dialect().facts->compensation.planeOfBuilder;
+    feeds_ = to.dialect().facts->compensation.entryByFeed;
     if (feeds_)
       to.onChange({EventKind::Motion});
     to.onChange({EventKind::Block});

@@ -1,5 +1,6 @@
 // Compensation without an offset number, or with an offset that holds no radius.
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
@@ -15,7 +16,7 @@ public:
       return;
     to.on(EventKind::CompensationMove);
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
-    greatestTip_ = to.option("greatestTip", 9);
+    greatestTip_ = to.dialect().facts->compensation.greatestTip;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // A chamfer or rounding stands where the control does not take one.
 #include "analyzer/facts/corner_words.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,8 +9,8 @@ class ContourCornerNotAllowed final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
-    axisParallel_ = to.option("axisParallel", 0) != 0;
-    between_ = to.option("between", 0) != 0 ? blocksBetweenMoves : 0;
+    axisParallel_ = to.dialect().facts->corners.axisParallel;
+    between_ = to.dialect().facts->corners.idleBlocksBetween ? blocksBetweenMoves : 0;
     if (corners_.corner())
       to.onChange({EventKind::Motion});
   }

@@ -1,6 +1,7 @@
 // A chamfer or rounding that does not fit on its neighbours, or is not positive.
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -14,8 +15,8 @@ public:
     if (to.dialect().isLathe() &&
         to.dialect().addresses[letterAddress('C')].kind == AddressKind::Parameter)
       words_ |= maskOf('C');
-    signed_ = to.option("signed", 0) != 0;
-    zero_ = to.option("zero", 0) != 0;
+    signed_ = to.dialect().facts->corners.signIsTurn;
+    zero_ = to.dialect().facts->corners.zeroIsNone;
     tolerance_ = to.option("tolerance", 0.002);
     if (!words_)
       return;

@@ -1,5 +1,6 @@
 // A chamfer or rounding has no following move.
 #include "analyzer/facts/corner_words.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/path/corner_path.h"
 
 namespace ncvet {
@@ -9,8 +10,8 @@ class ContourCornerWithoutNext final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
-    plane_ = to.option("plane", 0) != 0;
-    between_ = to.option("between", 0) != 0 ? blocksBetweenMoves : 1;
+    plane_ = to.dialect().facts->corners.skipsMovesOutOfPlane;
+    between_ = to.dialect().facts->corners.idleBlocksBetween ? blocksBetweenMoves : 1;
     if (corners_.corner())
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }

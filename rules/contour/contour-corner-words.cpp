@@ -1,6 +1,7 @@
 // Chamfer and rounding stand together, have the wrong letter or the wrong sign.
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -13,9 +14,9 @@ class ContourCornerWords final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     corners_ = cornerAddresses(to.dialect());
-    senses_ = to.option("senses", 0) != 0;
-    signed_ = to.option("signed", 1) != 0;
-    nothing_ = to.option("commaOnly", 0) != 0 ? maskOf('R') : 0;
+    senses_ = to.dialect().facts->corners.senseChecked;
+    signed_ = to.dialect().facts->corners.plainRadiusSigned;
+    nothing_ = to.dialect().facts->corners.commaOnly ? maskOf('R') : 0;
     to.onNotices(id);
     if (corners_.corner() | nothing_)
       to.onChange({EventKind::Motion});

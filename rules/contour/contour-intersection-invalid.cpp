@@ -2,6 +2,7 @@
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/element_geometry.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/cycles/contour_cycle.h"
 #include "interp/geometry/arc.h"
 
@@ -30,7 +31,8 @@ public:
     if (elements_)
       to.onAction({Action::DefineElement});
     // The block behind names an over-determined element; only controls with an `I` operator do it.
-    if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) && to.option("intersects", 0) != 0)
+    if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) &&
+        to.dialect().facts->corners.intersects)
       to.onChange({EventKind::Motion, EventKind::Block});
     else
       ownOnly_ = true;

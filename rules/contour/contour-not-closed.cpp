@@ -1,6 +1,7 @@
 // The contour of a pocket or island that does not end where it begins, and a compensated contour
 // that ends just beside it.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 
 #include <cmath>
@@ -97,7 +98,7 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       wanted |= isClosed(code);
     usual_ = to.option("gap", 0);
-    round_ = to.option("round", 0) != 0;
+    round_ = to.dialect().facts->compensation.contourMeetsStart;
     if (!wanted && usual_ <= 0 && !round_)
       return;
     to.onAction({Action::ProfileBegin, Action::ProfileRun, Action::CompensationOff});

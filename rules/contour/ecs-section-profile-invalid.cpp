@@ -1,5 +1,6 @@
 // Sections of a swept surface that do not fit each other or their numbers.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -9,7 +10,7 @@ class EcsSectionProfileInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
-    most_ = unsigned(to.option("elements", 0));
+    most_ = to.dialect().facts->limits.sectionElements;
     for (const CodeInfo &code : to.dialect().codes)
       wanted_ |= isSection(code);
     if (!wanted_)

@@ -1,5 +1,6 @@
 // Incremental dimensions are still on when the program ends.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,8 @@ namespace {
 class CoordinateIncrementalLeftOn final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::Distance) != noGroup && to.option("wanted", 0) != 0)
+    if (to.dialect().group(StandardGroup::Distance) != noGroup &&
+        to.dialect().facts->program.modesOutliveEnd)
       to.on({EventKind::ProgramEnd, EventKind::FlowIssue});
     if (to.dialect().group(StandardGroup::Distance) != noGroup && to.option("early", 0) != 0)
       to.onChange({EventKind::CycleRun, EventKind::Motion});

@@ -10,7 +10,7 @@ class CoordinateMatrixInvalid final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     for (const SwitchInfo &kind : to.dialect().switches)
-      most_.push_back(size_t(to.option("most-" + kind.id, 0)));
+      most_.push_back(kind.mostNamed);
     to.handleNotices();
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Reset || naming(code) ||

@@ -1,6 +1,6 @@
 // A transformation that does not fit the machine.
 #include "analyzer/rule/rule.h"
-#include "formats/dialect/variable_key.h"
+#include "formats/dialect/stored_names.h"
 
 #include <cmath>
 #include <numbers>
@@ -40,18 +40,17 @@ public:
   void remember(RuleMemory &memory) const override { memory(greatest_, at_); }
 
 private:
-  /// The diameter round which a code of the tables wraps a rotary axis.
-  static constexpr llvm::StringLiteral cylinder{"_CYLINDER"};
+  /// Key of the diameter round which a code of the tables wraps a rotary axis.
+  static uint64_t cylinder() { return storedKey(StoredName::Cylinder); }
 
   /// A code that lays such a surface in place of the plane, or takes it off.
   static bool wraps(const CodeInfo &code) {
-    return llvm::any_of(code.stores,
-                        [](const Store &s) { return s.variable == variableKey(cylinder); });
+    return llvm::any_of(code.stores, [](const Store &s) { return s.variable == cylinder(); });
   }
 
   static std::optional<double> circumference(const MachineState &state) {
-    const Value diameter = state.commons.get(variableKey(cylinder));
-    if (state.commons.given(variableKey(cylinder)) != Truth::Yes || !diameter.isConstant() ||
+    const Value diameter = state.commons.get(cylinder());
+    if (state.commons.given(cylinder()) != Truth::Yes || !diameter.isConstant() ||
         diameter.number.value() <= 0)
       return std::nullopt;
     return std::numbers::pi * diameter.number.value();

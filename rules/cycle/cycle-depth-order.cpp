@@ -1,5 +1,6 @@
 // The levels of a drilling cycle lie in the wrong order: start, R, depth.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -12,7 +13,7 @@ public:
     to.on({EventKind::CycleStart, EventKind::CycleRun});
     to.onCode([](const CodeInfo &code) { return storesPlanes(code); });
     to.onNotices(id);
-    absolute_ = to.option("planes", 0) != 0;
+    absolute_ = to.dialect().facts->cycles.planesAbsolute;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

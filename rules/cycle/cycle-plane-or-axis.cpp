@@ -1,5 +1,6 @@
 // A drilling cycle runs in a plane in which it does not work.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,7 @@ public:
   void listen(Subscriptions &to) override {
     // A lathe that drills in a plane of its own; where G18 is the only plane there is no choice.
     const GroupIndex plane = to.dialect().group(StandardGroup::Plane);
-    if (to.dialect().isLathe() && plane != noGroup && to.option("drillsUnderG17", 0) != 0)
+    if (to.dialect().isLathe() && plane != noGroup && to.dialect().facts->cycles.drillsUnderG17)
       for (const CodeIndex member : to.dialect().groups[plane].members)
         wanted_ |= to.dialect().codes[member].action == Action::PlaneXY;
     setup_ = to.option("setup", 0) != 0;

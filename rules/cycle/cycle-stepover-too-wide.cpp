@@ -1,5 +1,6 @@
 // The side step of a grooving cycle is wider than the insert, or leaves an uneven last step.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -11,7 +12,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
     to.onNotices(id);
-    stepUnit_ = to.option("stepUnit", 1);
+    stepUnit_ = to.dialect().facts->turning.stepUnit;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,6 +1,7 @@
 // A block runs the active cycle again although it looks like a retract or a plain move.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -16,7 +17,7 @@ class CycleUnintendedExecution final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    machineMoves_ = to.option("machineMoves", 0) != 0;
+    machineMoves_ = to.dialect().facts->cycles.firesInMachineMoves;
     if (machineMoves_)
       to.onChange({EventKind::Motion});
     for (const CodeInfo &code : to.dialect().codes)

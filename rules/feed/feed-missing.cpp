@@ -1,5 +1,6 @@
 // A feed move or cutting cycle runs without a feed ever having been programmed.
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 class FeedMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    inverseEach_ = to.option("inverseTimeEach", 0) != 0;
+    inverseEach_ = to.dialect().facts->feed.inverseTimeInEachBlock;
     to.onChange({EventKind::CycleRun});
     if (inverseEach_)
       to.on(EventKind::Motion); // a block without F is like the one before in everything else

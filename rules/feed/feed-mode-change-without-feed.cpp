@@ -1,5 +1,6 @@
 // The feed's unit was changed, and the next feed move has no F of its own.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,11 +8,12 @@ namespace {
 class FeedModeChangeWithoutFeed final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::FeedMode) != noGroup && to.option("wanted", 0) != 0)
+    if (to.dialect().group(StandardGroup::FeedMode) != noGroup &&
+        to.dialect().facts->feed.newAfterModeChange)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
     const GroupIndex modes = to.dialect().group(StandardGroup::FeedMode);
     forgets_ = modes != noGroup && to.dialect().groups[modes].forgetsFeed;
-    afterTap_ = to.option("afterTap", 0) != 0;
+    afterTap_ = to.dialect().facts->cycles.tapLeavesFeed;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // The repeat count of a call is not a whole number of runs.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ public:
     to.onAction({Action::CallProgram, Action::CallLocal, Action::MacroCall});
     to.on(EventKind::Statement);
     usual_ = to.option("usual", 0);
-    greatest_ = to.option("greatest", 0);
+    greatest_ = to.dialect().facts->limits.repeats;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,6 +1,7 @@
 // A called program does not come to its return.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -9,7 +10,7 @@ class FlowReturnMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
-    endCounts_ = to.option("programEndCounts", 0) != 0;
+    endCounts_ = to.dialect().facts->program.noEndInSubprogram;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,6 +1,6 @@
 // A programmed value lies outside of the machine, or of the volume that the program keeps to.
 #include "analyzer/rule/rule.h"
-#include "formats/dialect/variable_key.h"
+#include "formats/dialect/stored_names.h"
 #include "interp/state/zero_point.h"
 
 #include <utility>
@@ -48,29 +48,30 @@ private:
     uint64_t on;
   };
   static const Corner &least() {
-    static const Corner keys{
-        {variableKey("_LEAST_X"), variableKey("_LEAST_Y"), variableKey("_LEAST_Z")},
-        variableKey("_LEAST_ON")};
+    static const Corner keys{{storedKey(StoredName::LeastX), storedKey(StoredName::LeastY),
+                              storedKey(StoredName::LeastZ)},
+                             storedKey(StoredName::LeastOn)};
     return keys;
   }
   static const Corner &greatest() {
-    static const Corner keys{
-        {variableKey("_GREATEST_X"), variableKey("_GREATEST_Y"), variableKey("_GREATEST_Z")},
-        variableKey("_GREATEST_ON")};
+    static const Corner keys{{storedKey(StoredName::GreatestX), storedKey(StoredName::GreatestY),
+                              storedKey(StoredName::GreatestZ)},
+                             storedKey(StoredName::GreatestOn)};
     return keys;
   }
 
   /// Keys of the variables in which the table's codes leave the travel to which the program keeps
   /// (X Y Z, mm in machine coordinates).
   static const std::array<uint64_t, 3> &travelFrom() {
-    static const std::array<uint64_t, 3> keys{variableKey("_TRAVEL_FROM_X"),
-                                              variableKey("_TRAVEL_FROM_Y"),
-                                              variableKey("_TRAVEL_FROM_Z")};
+    static const std::array<uint64_t, 3> keys{storedKey(StoredName::TravelFromX),
+                                              storedKey(StoredName::TravelFromY),
+                                              storedKey(StoredName::TravelFromZ)};
     return keys;
   }
   static const std::array<uint64_t, 3> &travelTo() {
-    static const std::array<uint64_t, 3> keys{
-        variableKey("_TRAVEL_TO_X"), variableKey("_TRAVEL_TO_Y"), variableKey("_TRAVEL_TO_Z")};
+    static const std::array<uint64_t, 3> keys{storedKey(StoredName::TravelToX),
+                                              storedKey(StoredName::TravelToY),
+                                              storedKey(StoredName::TravelToZ)};
     return keys;
   }
 

@@ -1,5 +1,6 @@
 // The size of a dwell time points to the wrong unit.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -10,7 +11,7 @@ public:
     if (!to.dialect().dwellInMilliseconds)
       return;
     to.on(EventKind::Dwell);
-    if (to.option("cycles", 0) != 0)
+    if (to.dialect().facts->cycles.dwellInMilliseconds)
       to.on({EventKind::CycleStart, EventKind::CycleRun});
     wholeBelow_ = to.option("wholeBelow", 10);
     pointAbove_ = to.option("pointAbove", 60);

@@ -1,6 +1,7 @@
 // A measuring cycle with values that it cannot work with.
 #include "analyzer/facts/measuring_series.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -14,7 +15,7 @@ public:
         ends_ = true;
     if (!ends_)
       return;
-    fastest_ = to.option("fastest", 0);
+    fastest_ = to.dialect().facts->limits.probeFeed;
     to.onCode([&](const CodeInfo &code) { return turnsSeries(code, to.dialect()); });
     to.onMoves({MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
     to.on({EventKind::CycleRun, EventKind::ProgramEnd});

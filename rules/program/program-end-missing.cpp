@@ -1,5 +1,6 @@
 // A path of the main program reaches the end of the text without an end code.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -9,8 +10,8 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
     to.onAction({Action::ProgramHead, Action::Reset});
-    fileIsProgram_ = to.option("fileIsProgram", 0) != 0;
-    tapeMarkEnds_ = to.option("tapeMarkEnds", 0) != 0;
+    fileIsProgram_ = to.dialect().facts->program.fileIsProgram;
+    tapeMarkEnds_ = to.dialect().facts->program.tapeMarkEnds;
     for (const CodeInfo &code : to.dialect().codes) {
       if (code.action == Action::ProgramEndRewind)
         end_ = code.name;

@@ -1,5 +1,6 @@
 // A program number or file name that breaks the control's rules.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -18,7 +19,7 @@ public:
     percent_ = to.dialect().lexical.percentHeader;
     nameLength_ = size_t(to.option("fileNameLength", 0));
     ending_ = to.option("fileEnding", 0) != 0;
-    labelLength_ = size_t(to.option("labelLength", 0));
+    labelLength_ = size_t(to.dialect().facts->limits.longestLabel);
   }
 
   void on(const Event &event, RuleContext &ctx) override {

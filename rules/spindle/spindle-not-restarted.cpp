@@ -2,6 +2,7 @@
 // standing.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -14,7 +15,7 @@ public:
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
-    afterTap_ = to.option("afterTap", 0) != 0;
+    afterTap_ = to.dialect().facts->cycles.tapLeavesDirection;
     wanted_ = to.option("codes", 0) != 0;
   }
 

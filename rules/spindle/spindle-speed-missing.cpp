@@ -1,5 +1,6 @@
 // A spindle that is started without a speed, or with none above zero.
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class SpindleSpeedMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::SpindleChange, EventKind::CycleStart, EventKind::SpeedWord});
-    if (to.option("perRevolution", 0) != 0)
+    if (to.dialect().facts->feed.perRevolutionNeedsSpeed)
       to.onChange({EventKind::Motion});
   }
 

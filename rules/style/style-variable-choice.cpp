@@ -1,5 +1,6 @@
 // A variable that the control itself uses, or loses.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 class StyleVariableChoice final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    from_ = int64_t(to.option("volatileFrom", 0));
+    from_ = int64_t(to.dialect().facts->variables.volatileFrom);
     if (from_)
       to.on({EventKind::Statement, EventKind::UnsetRead});
   }

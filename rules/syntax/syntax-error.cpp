@@ -1,5 +1,6 @@
 // A statement, expression or run of letters that does not fit the control's grammar.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class SyntaxError final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
-    if (to.option("oneSeparator", 0) != 0)
+    if (to.dialect().facts->text.oneSeparator)
       to.on(EventKind::Statement);
   }
 

@@ -1,5 +1,6 @@
 // An address without a number, or a number without an address.
 #include "analyzer/facts/foreign_block.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class SyntaxIncompleteWord final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
-    limitAxes_ = to.option("limitAxes", 0) != 0;
+    limitAxes_ = to.dialect().facts->text.bareAxesOfLimits;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // A word that takes a whole number has a fraction or a decimal point.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
 #include <cmath>
@@ -17,7 +18,7 @@ class SyntaxIntegerRequired final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::WordIssue, EventKind::Syntax, EventKind::Statement});
-    codes_ = to.option("codes", 0);
+    codes_ = to.dialect().facts->text.wholeCodes;
     if (to.option("converted", 0) != 0)
       to.on(EventKind::ToolWord);
     to.onCode([](const CodeInfo &code) {

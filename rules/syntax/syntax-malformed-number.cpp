@@ -1,5 +1,6 @@
 // A number with two points, a sign in the middle, a blank inside or no digit.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class SyntaxMalformedNumber final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
-    tight_ = to.option("tight", 0) != 0;
+    tight_ = to.dialect().facts->text.noBlanksInWords;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // A comment that is not closed in its block, is nested, or is closed without having been opened.
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class SyntaxUnclosedComment final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
-    nestedStops_ = to.option("nestedStops", 0) != 0;
+    nestedStops_ = to.dialect().facts->text.noNestedComments;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // An address letter that this control does not have.
 #include "analyzer/facts/foreign_block.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,8 +9,8 @@ class SyntaxUnknownAddress final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::Syntax, EventKind::WordIssue});
-    isoSigns_ = to.option("isoSigns", 0) != 0;
-    if (to.option("axesOfMachine", 0) == 0)
+    isoSigns_ = to.dialect().facts->text.isoSignsForeign;
+    if (!to.dialect().facts->text.axesOfMachine)
       return;
     for (unsigned i = 0; i < axisCount; ++i)
       if (to.machine().axes[i].min || to.machine().axes[i].max)

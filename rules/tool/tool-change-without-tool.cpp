@@ -1,5 +1,6 @@
 // A tool change for which no tool was selected.
 #include "analyzer/facts/unnamed_tool_change.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 class ToolChangeWithoutTool final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().toolChangeByT && to.option("wanted", 0) != 0)
+    if (!to.dialect().toolChangeByT && to.dialect().facts->tools.changeNeedsNumber)
       to.onAction({Action::ToolChange});
     eachNamed_ = to.option("each", 0) != 0;
   }

@@ -1,5 +1,6 @@
 // Work with a tool whose offset is cancelled.
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 class ToolOffsetCancelled final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    edges_ = to.option("edges", 0) != 0;
+    edges_ = to.dialect().facts->tools.cuttingEdges;
     length_ = to.dialect().lengthByTool != noGroup;
     if (to.dialect().isLathe() || edges_ || length_)
       to.onChange({EventKind::Motion, EventKind::CycleRun});

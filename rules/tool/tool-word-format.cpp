@@ -1,5 +1,6 @@
 // A tool word that does not have the digits of this control: station and offset on lathes.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -9,7 +10,7 @@ namespace {
 class ToolWordFormat final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    digits_ = unsigned(to.option("digits", 0));
+    digits_ = to.dialect().facts->limits.toolDigits;
     if (to.dialect().isLathe() || digits_ != 0)
       to.on(EventKind::ToolWord);
   }

@@ -1,5 +1,6 @@
 // The finishing allowance of a roughing cycle has the wrong sign for the side, or there is none.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class TurningAllowanceSuspicious final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    missing_ = to.option("missing", 0) != 0;
+    missing_ = to.dialect().facts->turning.missingAllowanceIsZero;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

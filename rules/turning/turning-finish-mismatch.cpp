@@ -1,5 +1,6 @@
 // The finishing cycle runs along other blocks, or starts elsewhere, than the roughing before it.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -10,7 +11,7 @@ class TurningFinishMismatch final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    sameStart_ = to.option("sameStart", 0) != 0;
+    sameStart_ = to.dialect().facts->turning.finishStartsAtRoughing;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

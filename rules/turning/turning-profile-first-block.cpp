@@ -1,6 +1,7 @@
 // The first block of a profile has the wrong motion code or axes for the roughing cycle.
 #include "analyzer/facts/profile_shape.h"
 #include "analyzer/facts/profile_ways.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -9,12 +10,12 @@ class TurningProfileFirstBlock final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    codeRequired_ = to.option("codeRequired", 0) != 0;
-    zForbidden_ = to.option("zForbidden", 0) != 0;
-    faceXForbidden_ = to.option("faceXForbidden", 0) != 0;
-    undercutNeedsZ_ = to.option("undercutNeedsZ", 0) != 0;
-    finish_ = to.option("finish", 0) != 0;
-    mustMove_ = to.option("mustMove", 0) != 0;
+    codeRequired_ = to.dialect().facts->turning.firstBlockHasCode;
+    zForbidden_ = to.dialect().facts->turning.startsInX;
+    faceXForbidden_ = to.dialect().facts->turning.faceStartsInZ;
+    undercutNeedsZ_ = to.dialect().facts->turning.pocketsNeedZ;
+    finish_ = to.dialect().facts->turning.finishNeedsLineFirst;
+    mustMove_ = to.dialect().facts->turning.firstBlockMoves;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

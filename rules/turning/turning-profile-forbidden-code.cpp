@@ -1,5 +1,6 @@
 // The profile of a turning cycle holds a code that may not stand there.
 #include "analyzer/facts/profile_ways.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class TurningProfileForbiddenCode final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    motionOnly_ = to.option("motionOnly", 0) != 0;
+    motionOnly_ = to.dialect().facts->turning.profileOfMoves;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // The blocks that a turning cycle names as its profile do not exist or stand in the wrong order.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class TurningProfileRangeUndefined final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
-    if (to.option("behind", 0) != 0)
+    if (to.dialect().facts->turning.profileAfterCycle)
       to.on(EventKind::CycleRun);
   }
 

@@ -1,5 +1,6 @@
 // Words of a profile that the roughing cycle does not obey.
 #include "analyzer/facts/profile_ways.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,9 +9,9 @@ class TurningProfileWordsIgnored final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    onlyWithoutOwn_ = to.option("onlyWithoutOwn", 0) != 0;
-    corners_ = to.option("cornersIgnored", 0) != 0;
-    finish_ = to.option("finishIgnores", 0) != 0;
+    onlyWithoutOwn_ = to.dialect().facts->turning.ownWordsCount;
+    corners_ = to.dialect().facts->turning.roughingIgnoresCorners;
+    finish_ = to.dialect().facts->turning.finishIgnoresWords;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

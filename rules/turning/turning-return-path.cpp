@@ -1,5 +1,6 @@
 // The return to the start point at the end of a cycle can cross the part.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -9,7 +10,7 @@ constexpr double pathTolerance = 1e-4; // mm
 class TurningReturnPath final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("axisByAxis", 0) != 0)
+    if (to.dialect().facts->turning.returnsByAxes)
       to.on(EventKind::CycleRun);
   }
 

@@ -1,5 +1,6 @@
 // The taper of a turning or threading pass has a doubtful sign.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class TurningTaperSign final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    facing_ = to.option("facing", 0) != 0;
+    facing_ = to.dialect().facts->turning.facesCones;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // The passes of a thread do not fit its depth, or do not go deeper.
 #include "analyzer/facts/path_ahead.h"
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 #include "interp/evaluate/cycle_parameters.h"
 
@@ -12,8 +13,9 @@ class TurningThreadCutPlan final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    firstCutSeverity_ =
-        to.option("firstCutIsError", 0) != 0 ? std::optional(Severity::Error) : std::nullopt;
+    firstCutSeverity_ = to.dialect().facts->turning.refusesDeepFirstCut
+                            ? std::optional(Severity::Error)
+                            : std::nullopt;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

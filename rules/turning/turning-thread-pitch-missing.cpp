@@ -1,6 +1,7 @@
 // A thread is cut with a feed that was not given as its pitch.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -10,7 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::CycleRun, EventKind::Motion});
     to.onCode([](const CodeInfo &code) { return addressesOf(code, Role::Lead) != 0; });
-    newThread_ = to.option("newThread", 0) != 0;
+    newThread_ = to.dialect().facts->turning.newThreadNeedsLead;
   }
 
   void on(const Event &event, RuleContext &ctx) override {

@@ -1,5 +1,6 @@
 // Pitch or depth of a thread is given in the wrong unit, in two units, or in a doubtful feed mode.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -11,7 +12,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::CycleRun, EventKind::Motion});
     to.onNotices(id);
-    inchE_ = to.option("leadInchesByE", 0) != 0;
+    inchE_ = to.dialect().facts->turning.leadInInchesByE;
     greatestInches_ = to.option("greatestInches", 0.5);
   }
 

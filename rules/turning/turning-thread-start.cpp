@@ -1,5 +1,6 @@
 // A thread starts too near in diameter or in run-in length.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -11,7 +12,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::CycleRun, EventKind::Motion});
     clearance_ = to.option("clearance", 0);
-    depthUnit_ = to.option("depthUnit", 1);
+    depthUnit_ = to.dialect().facts->turning.threadDepthUnit;
     runIn_ = to.option("runInPitches", 2);
   }
 

@@ -1,5 +1,6 @@
 // A variable or an element that the control does not have.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <set>
 
@@ -9,10 +10,10 @@ namespace {
 class VariableIndexOutOfRange final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    greatest_ = int64_t(to.option("greatest", 0));
-    reservedFrom_ = int64_t(to.option("reservedFrom", 0));
-    reservedTo_ = int64_t(to.option("reservedTo", -1));
-    numbered_ = to.option("numbered", 0) != 0;
+    greatest_ = int64_t(to.dialect().facts->variables.greatest);
+    reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
+    reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
+    numbered_ = to.dialect().facts->variables.numbered;
     to.on(EventKind::Statement);
     to.onChange({EventKind::Block});
     if (reservedFrom_) // what nobody can write is read without a value

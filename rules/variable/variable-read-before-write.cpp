@@ -1,5 +1,6 @@
 // A parameter is read that the program has not given a value.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -13,9 +14,9 @@ public:
   void listen(Subscriptions &to) override {
     if (to.option("wanted", 0) != 0)
       to.on(EventKind::UnsetRead);
-    reservedFrom_ = int64_t(to.option("reservedFrom", 0));
-    greatest_ = int64_t(to.option("greatest", 0));
-    reservedTo_ = int64_t(to.option("reservedTo", -1));
+    reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
+    greatest_ = int64_t(to.dialect().facts->variables.lastKept);
+    reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
     for (const CodeInfo &code : to.dialect().codes)
       for (const Store &store : code.stores)
         stored_.insert(store.variable);

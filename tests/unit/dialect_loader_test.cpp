@@ -1,5 +1,6 @@
 // Tables: merging, variants, conditions, errors with their lines, machine profiles, built-in files.
 #include "formats/dialect/code_name.h"
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/json_place.h"
 #include "formats/dialect/loader.h"
 
@@ -211,6 +212,25 @@ TEST(DialectLoader, ACodeNamesItsSwitchAndWhereItLeavesIt) {
   EXPECT_FALSE(coolant.on);
   EXPECT_EQ(dialect->switches[coolant.index].id, "coolant");
   EXPECT_EQ(dialect->codes[dialect->find("G00")].effect.index, 0xFF);
+}
+
+TEST(DialectLoader, FactsOfTheControlAreTypedAndInherited) {
+  const std::string facts = R"(, "facts": { "turning": { "startsInX": true },
+    "variables": { "greatest": 999 } })";
+  Files files{{"t", table(plain, facts)}, {"top", R"({ "id": "top", "title": "top", "extends": "t",
+    "facts": { "turning": { "startsInX": null, "stepUnit": 0.001 } } })"}};
+  const auto base = load(files, "t"), top = load(files, "top");
+  ASSERT_TRUE(base && top);
+  EXPECT_TRUE(base->facts->turning.startsInX);
+  EXPECT_FALSE(top->facts->turning.startsInX);
+  EXPECT_EQ(top->facts->turning.stepUnit, 0.001);
+  EXPECT_EQ(top->facts->variables.greatest, 999u);
+  EXPECT_EQ(load({{"t", table(plain)}}, "t")->facts->compensation.greatestTip, 9u);
+  const std::string misspelt = R"(, "facts": { "turning": { "startInX": true } })";
+  EXPECT_THAT(errorOf({{"t", table(plain, misspelt)}}, "t"),
+              HasSubstr("facts.turning.startInX: unknown key; did you mean \"startsInX\"?"));
+  const std::string number = R"(, "facts": { "turning": { "startsInX": 1 } })";
+  EXPECT_THAT(errorOf({{"t", table(plain, number)}}, "t"), HasSubstr("true or false is expected"));
 }
 
 TEST(DialectLoader, AnUnknownWordOfTheVocabularyNamesItsLineAndWhatIsNear) {

@@ -2,6 +2,7 @@
 // them.
 #include "formats/dialect/loader.h"
 #include "formats/dialect/records.h"
+#include "formats/dialect/stored_names.h"
 #include "formats/schema/generated_files.h"
 
 #include "llvm/Support/MemoryBuffer.h"
@@ -78,6 +79,37 @@ TEST(TableRecords, KnowEveryOptionThatADialectHas) {
   }
   for (const Field &field : machineOptionRecord.fields)
     EXPECT_TRUE(used.count(field.key.str())) << field.key.str() << " is no dialect's option";
+}
+
+/// Where the radius of compensation comes from.
+std::string radiusOf(const nlohmann::json &dialect) {
+  return dialect.contains("toolRadius") ? dialect["toolRadius"].value("variable", std::string())
+                                        : "";
+}
+
+TEST(StoredNames, EveryNameThatACodeLeavesIsReadSomewhere) {
+  std::set<std::string> declared;
+  for (const StoredNameInfo &info : storedNames())
+    declared.insert(info.name.str());
+  for (const RulesetFile &file : builtinRulesetFiles()) {
+    if (!file.name.startswith("dialects/"))
+      continue;
+    const auto json =
+        nlohmann::json::parse(file.text.begin(), file.text.end(), nullptr, /*exceptions=*/false);
+    if (!json.contains("codes"))
+      continue;
+    for (const auto &[name, code] : json["codes"].items()) {
+      if (!code.contains("stores"))
+        continue;
+      for (const auto &[stored, value] : code["stores"].items()) {
+        if (stored.front() == '_' && !declared.count(stored)) {
+          EXPECT_TRUE(file.text.contains("$" + stored) || file.text.contains("@" + stored) ||
+                      radiusOf(json).find(stored) != std::string::npos)
+              << file.name.str() << ": " << name << " leaves " << stored << ", which nothing reads";
+        }
+      }
+    }
+  }
 }
 
 /// Checks all built-in files, and the examples in the schemas themselves.

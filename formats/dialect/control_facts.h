@@ -1,0 +1,235 @@
+// What a control does where controls differ, as rules ask for it. The keys of `facts` in a table.
+#pragma once
+
+namespace ncvet {
+
+/// About arcs.
+struct ArcFacts {
+  /// A full circle is not allowed, by its centre neither.
+  bool noFullCircle = false;
+  /// No helix in a plane that was selected under compensation.
+  bool noHelixInNewPlane = false;
+  /// A helix goes along the axis that is square to the plane.
+  bool checksHelixAxis = false;
+  /// A negative R does not select the larger arc safely.
+  bool noNegativeRadius = false;
+  /// The control stops at a centre word of another plane also when its value is 0.
+  bool wrongCentreOfZeroStops = false;
+};
+
+/// About radius compensation.
+struct CompensationFacts {
+  /// Compensation starts and ends with an element of the contour.
+  bool approachByElement = false;
+  /// The entry move is longer than the radius, not only as long.
+  bool entryLonger = false;
+  /// Drilling cycles and threads are forbidden under compensation.
+  bool forbidsCycles = false;
+  /// The same after a soft approach; 0: as elsewhere.
+  unsigned idleBlocksAfterApproach = 0;
+  /// Moves that leave the plane are not compensated.
+  bool onlyInPlane = false;
+  /// Moves of the infeed axis alone that may follow each other; 0: they count as idle blocks.
+  unsigned infeedMoves = 0;
+  /// In a contour that a roughing cycle reads, compensation starts in the first block and ends in
+  /// the last.
+  bool atEndsOfProfile = false;
+  /// The control stops at the smallest damage of the contour.
+  bool checksExactly = false;
+  /// The control stops after the move that the tool does not fit into.
+  bool stopsAfterMove = false;
+  /// The same side may not be called again.
+  bool sideCalledOnce = false;
+  /// Compensation may be switched on in an arc.
+  bool entryByArc = false;
+  /// The machine's builder chooses the plane at the start.
+  bool planeOfBuilder = false;
+  /// The cancel code is in a block without a move.
+  bool cancelAlone = false;
+  /// Compensation is switched on and off in a feed move.
+  bool entryByFeed = false;
+  /// Greatest nose direction that the control has.
+  unsigned greatestTip = 9;
+  /// A compensated contour of lines that has gone round once reaches its first element.
+  bool contourMeetsStart = false;
+};
+
+/// About chamfers and roundings that a word asks for.
+struct CornerFacts {
+  /// Blocks without a move may be between the two moves of a corner by a plain letter.
+  bool idleBlocksBetween = false;
+  /// A corner by a plain letter is between two moves along one axis each.
+  bool axisParallel = false;
+  /// The sign of a rounding is the direction of its turn, and its size is checked without it.
+  bool signIsTurn = false;
+  /// The sign of a rounding is the side to which it turns, which must fit the next move.
+  bool senseChecked = false;
+  /// A size of zero leaves the corner as it is.
+  bool zeroIsNone = false;
+  /// A move out of the plane is skipped like a block without a move.
+  bool skipsMovesOutOfPlane = false;
+  /// Corners have a comma, and a plain R in the block of a line does nothing.
+  bool commaOnly = false;
+  /// A plain R is a corner whose sign is that of the next move.
+  bool plainRadiusSigned = true;
+  /// The control intersects elements given by angles.
+  bool intersects = false;
+};
+
+/// About drilling cycles.
+struct CycleFacts {
+  /// Planes that are variables are absolute in every mode, and the depth is below the start.
+  bool planesAbsolute = false;
+  /// The control drills along Z under G17 only.
+  bool drillsUnderG17 = false;
+  /// A move in machine coordinates is a place of the cycle.
+  bool firesInMachineMoves = false;
+  /// The dwell of a drilling cycle counts like that of a dwell code.
+  bool dwellInMilliseconds = false;
+  /// A tapping cycle leaves its feed per revolution in force.
+  bool tapLeavesFeed = false;
+  /// The direction of the spindle after a tapping cycle is not certain.
+  bool tapLeavesDirection = false;
+};
+
+/// About feed.
+struct FeedFacts {
+  /// Inverse time feed needs an F in each block that cuts.
+  bool inverseTimeInEachBlock = false;
+  /// A feed per revolution without a speed stops the control.
+  bool perRevolutionNeedsSpeed = false;
+  /// The control needs a new F after a change of its unit.
+  bool newAfterModeChange = false;
+};
+
+/// About how much the control takes.
+struct LimitFacts {
+  /// Repeats that the control takes at most; 0: any number.
+  unsigned repeats = 0;
+  /// Longest label that the control takes; 0: any length.
+  unsigned longestLabel = 0;
+  /// Most digits of the tool number of a mill; 0: any number.
+  unsigned toolDigits = 0;
+  /// Most elements of a section's profile; 0: any number.
+  unsigned sectionElements = 0;
+  /// Fastest feed of a measuring move, mm/min; 0: any.
+  double probeFeed = 0;
+};
+
+/// About programs and their ends.
+struct ProgramFacts {
+  /// A called program must return by its own code: a program end in it is a missing return.
+  bool noEndInSubprogram = false;
+  /// The control also stops at a code that is written twice.
+  bool sameCodeTwiceStops = false;
+  /// A text without a program number is a program all the same.
+  bool fileIsProgram = false;
+  /// A second % also ends a program.
+  bool tapeMarkEnds = false;
+  /// Modes stay active after the end of the program.
+  bool modesOutliveEnd = false;
+};
+
+/// About how text is read.
+struct TextFacts {
+  /// Axis letters alone may follow the codes of limits.
+  bool bareAxesOfLimits = false;
+  /// Codes are whole numbers; 2: codes with decimals are allowed when they exist.
+  unsigned wholeCodes = 0;
+  /// No blank may be between an address and its number.
+  bool noBlanksInWords = false;
+  /// The control stops at an opening parenthesis inside a comment.
+  bool noNestedComments = false;
+  /// Axes that the machine profile does not name are unknown.
+  bool axesOfMachine = false;
+  /// A tape mark alone, `O1000` and `#1=5` are signs of another control.
+  bool isoSignsForeign = false;
+  /// The arguments of an instruction have one kind of separator.
+  bool oneSeparator = false;
+  /// `G83/R` is a manual's name of a variant, no code.
+  bool variantNames = false;
+};
+
+/// About tools.
+struct ToolFacts {
+  /// A tool has cutting edges: another edge is another tool, and edge 0 has no offset.
+  bool cuttingEdges = false;
+  /// The code of a tool change needs a T.
+  bool changeNeedsNumber = false;
+};
+
+/// About turning cycles and their profiles.
+struct TurningFacts {
+  /// An allowance that is left out counts as zero.
+  bool missingAllowanceIsZero = false;
+  /// Finishing starts at the place where roughing did.
+  bool finishStartsAtRoughing = false;
+  /// The first block of a profile has its own motion code.
+  bool firstBlockHasCode = false;
+  /// A facing profile begins in Z only.
+  bool faceStartsInZ = false;
+  /// A finishing cycle needs a line first too.
+  bool finishNeedsLineFirst = false;
+  /// The first block of a profile must move.
+  bool firstBlockMoves = false;
+  /// A contour with pockets has Z in its first block.
+  bool pocketsNeedZ = false;
+  /// A turning profile begins in X only.
+  bool startsInX = false;
+  /// A profile holds moves, dwell and compensation only.
+  bool profileOfMoves = false;
+  /// Roughing looks for its profile only after its own block.
+  bool profileAfterCycle = false;
+  /// Roughing leaves out corners and angles.
+  bool roughingIgnoresCorners = false;
+  /// A finishing cycle ignores F, S and T of the profile as well.
+  bool finishIgnoresWords = false;
+  /// F, S and T of the cycle's block hold for the profile.
+  bool ownWordsCount = false;
+  /// The control returns one axis after the other.
+  bool returnsByAxes = false;
+  /// Facing passes can be cones.
+  bool facesCones = false;
+  /// The control refuses a first cut deeper than the thread.
+  bool refusesDeepFirstCut = false;
+  /// A thread with another end needs its own lead.
+  bool newThreadNeedsLead = false;
+  /// E is a lead in inches.
+  bool leadInInchesByE = false;
+  /// Millimetres per unit of a thread's depth written without a point.
+  double threadDepthUnit = 1;
+  /// Millimetres per unit of a step written without a point.
+  double stepUnit = 1;
+};
+
+/// About numbered variables.
+struct VariableFacts {
+  /// Greatest number of a variable; 0: not limited.
+  unsigned greatest = 0;
+  /// Last variable that keeps the value of an earlier program; 0: not known.
+  unsigned lastKept = 0;
+  /// First variable that the control keeps for itself.
+  unsigned reservedFrom = 0;
+  /// Last variable that the control keeps for itself; -1: there are none.
+  double reservedTo = -1;
+  /// Variables have numbers after `#`.
+  bool numbered = false;
+  /// Variables from this number on do not keep their values; 0: all do.
+  unsigned volatileFrom = 0;
+};
+
+struct ControlFacts {
+  ArcFacts arcs;
+  CompensationFacts compensation;
+  CornerFacts corners;
+  CycleFacts cycles;
+  FeedFacts feed;
+  LimitFacts limits;
+  ProgramFacts program;
+  TextFacts text;
+  ToolFacts tools;
+  TurningFacts turning;
+  VariableFacts variables;
+};
+
+} // namespace ncvet

@@ -1,0 +1,282 @@
+// The keys of `facts`: what a control does where controls differ, for rules.
+#include "formats/dialect/field.h"
+#include "formats/dialect/records.h"
+
+namespace ncvet {
+
+namespace {
+
+using namespace shape;
+
+constexpr Shape count = whole(0, 999999);
+
+constexpr Field arcsFields[] = {
+    flag<&ArcFacts::noFullCircle>("noFullCircle",
+                                  "a full circle is not allowed, by its centre neither"),
+    flag<&ArcFacts::noHelixInNewPlane>("noHelixInNewPlane",
+                                       "no helix in a plane that was selected under compensation"),
+    flag<&ArcFacts::checksHelixAxis>("checksHelixAxis",
+                                     "a helix goes along the axis that is square to the plane"),
+    flag<&ArcFacts::noNegativeRadius>("noNegativeRadius",
+                                      "a negative R does not select the larger arc safely"),
+    flag<&ArcFacts::wrongCentreOfZeroStops>(
+        "wrongCentreOfZeroStops",
+        "the control stops at a centre word of another plane also when its value is 0"),
+};
+constexpr RecordOf<ArcFacts> arcsRecord =
+    RecordOf<ArcFacts>{"facts of arcs", "what holds for arcs", arcsFields}.overlay();
+
+constexpr Field compensationFields[] = {
+    flag<&CompensationFacts::approachByElement>(
+        "approachByElement", "compensation starts and ends with an element of the contour"),
+    flag<&CompensationFacts::entryLonger>(
+        "entryLonger", "the entry move is longer than the radius, not only as long"),
+    flag<&CompensationFacts::forbidsCycles>(
+        "forbidsCycles", "drilling cycles and threads are forbidden under compensation"),
+    field<&CompensationFacts::idleBlocksAfterApproach>(
+        "idleBlocksAfterApproach", count, "the same after a soft approach; 0: as elsewhere", "5"),
+    flag<&CompensationFacts::onlyInPlane>("onlyInPlane",
+                                          "moves that leave the plane are not compensated"),
+    field<&CompensationFacts::infeedMoves>(
+        "infeedMoves", count,
+        "moves of the infeed axis alone that may follow each other; 0: they count as idle blocks",
+        "1"),
+    flag<&CompensationFacts::atEndsOfProfile>(
+        "atEndsOfProfile", "in a contour that a roughing cycle reads, compensation starts in the "
+                           "first block and ends in the last"),
+    flag<&CompensationFacts::checksExactly>(
+        "checksExactly", "the control stops at the smallest damage of the contour"),
+    flag<&CompensationFacts::stopsAfterMove>(
+        "stopsAfterMove", "the control stops after the move that the tool does not fit into"),
+    flag<&CompensationFacts::sideCalledOnce>("sideCalledOnce",
+                                             "the same side may not be called again"),
+    flag<&CompensationFacts::entryByArc>("entryByArc", "compensation may be switched on in an arc"),
+    flag<&CompensationFacts::planeOfBuilder>(
+        "planeOfBuilder", "the machine's builder chooses the plane at the start"),
+    flag<&CompensationFacts::cancelAlone>("cancelAlone",
+                                          "the cancel code is in a block without a move"),
+    flag<&CompensationFacts::entryByFeed>("entryByFeed",
+                                          "compensation is switched on and off in a feed move"),
+    field<&CompensationFacts::greatestTip>("greatestTip", count,
+                                           "greatest nose direction that the control has", "8"),
+    flag<&CompensationFacts::contourMeetsStart>(
+        "contourMeetsStart",
+        "a compensated contour of lines that has gone round once reaches its first element"),
+};
+constexpr RecordOf<CompensationFacts> compensationRecord =
+    RecordOf<CompensationFacts>{"facts of compensation", "what holds for radius compensation",
+                                compensationFields}
+        .overlay();
+
+constexpr Field cornersFields[] = {
+    flag<&CornerFacts::idleBlocksBetween>(
+        "idleBlocksBetween",
+        "blocks without a move may be between the two moves of a corner by a plain letter"),
+    flag<&CornerFacts::axisParallel>(
+        "axisParallel", "a corner by a plain letter is between two moves along one axis each"),
+    flag<&CornerFacts::signIsTurn>(
+        "signIsTurn",
+        "the sign of a rounding is the direction of its turn, and its size is checked without it"),
+    flag<&CornerFacts::senseChecked>(
+        "senseChecked",
+        "the sign of a rounding is the side to which it turns, which must fit the next move"),
+    flag<&CornerFacts::zeroIsNone>("zeroIsNone", "a size of zero leaves the corner as it is"),
+    flag<&CornerFacts::skipsMovesOutOfPlane>(
+        "skipsMovesOutOfPlane", "a move out of the plane is skipped like a block without a move"),
+    flag<&CornerFacts::commaOnly>(
+        "commaOnly", "corners have a comma, and a plain R in the block of a line does nothing"),
+    flag<&CornerFacts::plainRadiusSigned>(
+        "plainRadiusSigned", "a plain R is a corner whose sign is that of the next move", "false"),
+    flag<&CornerFacts::intersects>("intersects", "the control intersects elements given by angles"),
+};
+constexpr RecordOf<CornerFacts> cornersRecord =
+    RecordOf<CornerFacts>{"facts of corners",
+                          "what holds for chamfers and roundings that a word asks for",
+                          cornersFields}
+        .overlay();
+
+constexpr Field cyclesFields[] = {
+    flag<&CycleFacts::planesAbsolute>(
+        "planesAbsolute",
+        "planes that are variables are absolute in every mode, and the depth is below the start"),
+    flag<&CycleFacts::drillsUnderG17>("drillsUnderG17",
+                                      "the control drills along Z under G17 only"),
+    flag<&CycleFacts::firesInMachineMoves>("firesInMachineMoves",
+                                           "a move in machine coordinates is a place of the cycle"),
+    flag<&CycleFacts::dwellInMilliseconds>(
+        "dwellInMilliseconds", "the dwell of a drilling cycle counts like that of a dwell code"),
+    flag<&CycleFacts::tapLeavesFeed>("tapLeavesFeed",
+                                     "a tapping cycle leaves its feed per revolution in force"),
+    flag<&CycleFacts::tapLeavesDirection>(
+        "tapLeavesDirection", "the direction of the spindle after a tapping cycle is not certain"),
+};
+constexpr RecordOf<CycleFacts> cyclesRecord =
+    RecordOf<CycleFacts>{"facts of cycles", "what holds for drilling cycles", cyclesFields}
+        .overlay();
+
+constexpr Field feedFields[] = {
+    flag<&FeedFacts::inverseTimeInEachBlock>(
+        "inverseTimeInEachBlock", "inverse time feed needs an F in each block that cuts"),
+    flag<&FeedFacts::perRevolutionNeedsSpeed>(
+        "perRevolutionNeedsSpeed", "a feed per revolution without a speed stops the control"),
+    flag<&FeedFacts::newAfterModeChange>("newAfterModeChange",
+                                         "the control needs a new F after a change of its unit"),
+};
+constexpr RecordOf<FeedFacts> feedRecord =
+    RecordOf<FeedFacts>{"facts of feed", "what holds for feed", feedFields}.overlay();
+
+constexpr Field limitsFields[] = {
+    field<&LimitFacts::repeats>("repeats", count,
+                                "repeats that the control takes at most; 0: any number", "9999"),
+    field<&LimitFacts::longestLabel>("longestLabel", count,
+                                     "longest label that the control takes; 0: any length", "32"),
+    field<&LimitFacts::toolDigits>("toolDigits", count,
+                                   "most digits of the tool number of a mill; 0: any number", "4"),
+    field<&LimitFacts::sectionElements>(
+        "sectionElements", count, "most elements of a section's profile; 0: any number", "100"),
+    field<&LimitFacts::probeFeed>("probeFeed", number,
+                                  "fastest feed of a measuring move, mm/min; 0: any", "100"),
+};
+constexpr RecordOf<LimitFacts> limitsRecord =
+    RecordOf<LimitFacts>{"facts of limits", "what holds for how much the control takes",
+                         limitsFields}
+        .overlay();
+
+constexpr Field programFields[] = {
+    flag<&ProgramFacts::noEndInSubprogram>(
+        "noEndInSubprogram",
+        "a called program must return by its own code: a program end in it is a missing return"),
+    flag<&ProgramFacts::sameCodeTwiceStops>(
+        "sameCodeTwiceStops", "the control also stops at a code that is written twice"),
+    flag<&ProgramFacts::fileIsProgram>("fileIsProgram",
+                                       "a text without a program number is a program all the same"),
+    flag<&ProgramFacts::tapeMarkEnds>("tapeMarkEnds", "a second % also ends a program"),
+    flag<&ProgramFacts::modesOutliveEnd>("modesOutliveEnd",
+                                         "modes stay active after the end of the program"),
+};
+constexpr RecordOf<ProgramFacts> programRecord =
+    RecordOf<ProgramFacts>{"facts of program", "what holds for programs and their ends",
+                           programFields}
+        .overlay();
+
+constexpr Field textFields[] = {
+    flag<&TextFacts::bareAxesOfLimits>("bareAxesOfLimits",
+                                       "axis letters alone may follow the codes of limits"),
+    field<&TextFacts::wholeCodes>(
+        "wholeCodes", whole(0, 2),
+        "codes are whole numbers; 2: codes with decimals are allowed when they exist", "2"),
+    flag<&TextFacts::noBlanksInWords>("noBlanksInWords",
+                                      "no blank may be between an address and its number"),
+    flag<&TextFacts::noNestedComments>(
+        "noNestedComments", "the control stops at an opening parenthesis inside a comment"),
+    flag<&TextFacts::axesOfMachine>("axesOfMachine",
+                                    "axes that the machine profile does not name are unknown"),
+    flag<&TextFacts::isoSignsForeign>(
+        "isoSignsForeign", "a tape mark alone, `O1000` and `#1=5` are signs of another control"),
+    flag<&TextFacts::oneSeparator>("oneSeparator",
+                                   "the arguments of an instruction have one kind of separator"),
+    flag<&TextFacts::variantNames>("variantNames",
+                                   "`G83/R` is a manual's name of a variant, no code"),
+};
+constexpr RecordOf<TextFacts> textRecord =
+    RecordOf<TextFacts>{"facts of text", "what holds for how text is read", textFields}.overlay();
+
+constexpr Field toolsFields[] = {
+    flag<&ToolFacts::cuttingEdges>(
+        "cuttingEdges",
+        "a tool has cutting edges: another edge is another tool, and edge 0 has no offset"),
+    flag<&ToolFacts::changeNeedsNumber>("changeNeedsNumber", "the code of a tool change needs a T"),
+};
+constexpr RecordOf<ToolFacts> toolsRecord =
+    RecordOf<ToolFacts>{"facts of tools", "what holds for tools", toolsFields}.overlay();
+
+constexpr Field turningFields[] = {
+    flag<&TurningFacts::missingAllowanceIsZero>("missingAllowanceIsZero",
+                                                "an allowance that is left out counts as zero"),
+    flag<&TurningFacts::finishStartsAtRoughing>("finishStartsAtRoughing",
+                                                "finishing starts at the place where roughing did"),
+    flag<&TurningFacts::firstBlockHasCode>("firstBlockHasCode",
+                                           "the first block of a profile has its own motion code"),
+    flag<&TurningFacts::faceStartsInZ>("faceStartsInZ", "a facing profile begins in Z only"),
+    flag<&TurningFacts::finishNeedsLineFirst>("finishNeedsLineFirst",
+                                              "a finishing cycle needs a line first too"),
+    flag<&TurningFacts::firstBlockMoves>("firstBlockMoves",
+                                         "the first block of a profile must move"),
+    flag<&TurningFacts::pocketsNeedZ>("pocketsNeedZ",
+                                      "a contour with pockets has Z in its first block"),
+    flag<&TurningFacts::startsInX>("startsInX", "a turning profile begins in X only"),
+    flag<&TurningFacts::profileOfMoves>("profileOfMoves",
+                                        "a profile holds moves, dwell and compensation only"),
+    flag<&TurningFacts::profileAfterCycle>(
+        "profileAfterCycle", "roughing looks for its profile only after its own block"),
+    flag<&TurningFacts::roughingIgnoresCorners>("roughingIgnoresCorners",
+                                                "roughing leaves out corners and angles"),
+    flag<&TurningFacts::finishIgnoresWords>(
+        "finishIgnoresWords", "a finishing cycle ignores F, S and T of the profile as well"),
+    flag<&TurningFacts::ownWordsCount>("ownWordsCount",
+                                       "F, S and T of the cycle's block hold for the profile"),
+    flag<&TurningFacts::returnsByAxes>("returnsByAxes",
+                                       "the control returns one axis after the other"),
+    flag<&TurningFacts::facesCones>("facesCones", "facing passes can be cones"),
+    flag<&TurningFacts::refusesDeepFirstCut>(
+        "refusesDeepFirstCut", "the control refuses a first cut deeper than the thread"),
+    flag<&TurningFacts::newThreadNeedsLead>("newThreadNeedsLead",
+                                            "a thread with another end needs its own lead"),
+    flag<&TurningFacts::leadInInchesByE>("leadInInchesByE", "E is a lead in inches"),
+    field<&TurningFacts::threadDepthUnit>(
+        "threadDepthUnit", number,
+        "millimetres per unit of a thread's depth written without a point", "0.001"),
+    field<&TurningFacts::stepUnit>(
+        "stepUnit", number, "millimetres per unit of a step written without a point", "0.001"),
+};
+constexpr RecordOf<TurningFacts> turningRecord =
+    RecordOf<TurningFacts>{"facts of turning", "what holds for turning cycles and their profiles",
+                           turningFields}
+        .overlay();
+
+constexpr Field variablesFields[] = {
+    field<&VariableFacts::greatest>("greatest", count,
+                                    "greatest number of a variable; 0: not limited", "2049"),
+    field<&VariableFacts::lastKept>(
+        "lastKept", count, "last variable that keeps the value of an earlier program; 0: not known",
+        "2049"),
+    field<&VariableFacts::reservedFrom>("reservedFrom", count,
+                                        "first variable that the control keeps for itself", "1000"),
+    field<&VariableFacts::reservedTo>(
+        "reservedTo", number, "last variable that the control keeps for itself; -1: there are none",
+        "1049"),
+    flag<&VariableFacts::numbered>("numbered", "variables have numbers after `#`"),
+    field<&VariableFacts::volatileFrom>(
+        "volatileFrom", count, "variables from this number on do not keep their values; 0: all do",
+        "1050"),
+};
+constexpr RecordOf<VariableFacts> variablesRecord =
+    RecordOf<VariableFacts>{"facts of variables", "what holds for numbered variables",
+                            variablesFields}
+        .overlay();
+
+constexpr Field factFields[] = {
+    field<&ControlFacts::arcs>("arcs", object(arcsRecord), "arcs"),
+    field<&ControlFacts::compensation>("compensation", object(compensationRecord),
+                                       "radius compensation"),
+    field<&ControlFacts::corners>("corners", object(cornersRecord),
+                                  "chamfers and roundings that a word asks for"),
+    field<&ControlFacts::cycles>("cycles", object(cyclesRecord), "drilling cycles"),
+    field<&ControlFacts::feed>("feed", object(feedRecord), "feed"),
+    field<&ControlFacts::limits>("limits", object(limitsRecord), "how much the control takes"),
+    field<&ControlFacts::program>("program", object(programRecord), "programs and their ends"),
+    field<&ControlFacts::text>("text", object(textRecord), "how text is read"),
+    field<&ControlFacts::tools>("tools", object(toolsRecord), "tools"),
+    field<&ControlFacts::turning>("turning", object(turningRecord),
+                                  "turning cycles and their profiles"),
+    field<&ControlFacts::variables>("variables", object(variablesRecord), "numbered variables"),
+};
+
+} // namespace
+
+constexpr RecordOf<ControlFacts> factRecord =
+    RecordOf<ControlFacts>{"facts", "what the control does where controls differ, for rules",
+                           factFields}
+        .overlay();
+
+} // namespace ncvet
