@@ -10,7 +10,7 @@ namespace {
 
 using namespace shape;
 
-constexpr Shape amount = numberFrom(0), aNumber = number, aText = text,
+constexpr Shape amount = numberFrom(0), aNumber = number,
                 axisPlaces = mapByName(aNumber, "axis", axisNames);
 
 constexpr Field axisFields[] = {
