@@ -2,6 +2,7 @@
 #include "analyzer/facts/contour_trail.h"
 
 #include "analyzer/facts/corner_words.h"
+#include "interp/cycles/block_moves.h"
 #include "interp/evaluate/tool_data.h"
 
 namespace ncvet {

@@ -1,7 +1,7 @@
 // The path after the current block, followed in the text for rules that look at two elements.
 #include "analyzer/facts/path_ahead.h"
 
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // The contour that a cycle reads, as motions.
 #include "analyzer/flow/cycle_contour.h"
 
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <utility>
 

@@ -3,6 +3,7 @@
 
 #include "analyzer/flow/cycle_contour.h"
 #include "analyzer/flow/flow_listener.h"
+#include "interp/cycles/block_moves.h"
 
 namespace ncvet {
 

@@ -3,8 +3,9 @@
 
 #include "analyzer/flow/cycle_contour.h"
 #include "analyzer/flow/engine.h"
+#include "interp/cycles/block_moves.h"
 #include "interp/evaluate/tool_data.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 #include "interp/path/compensated_path.h"
 
 #include <utility>

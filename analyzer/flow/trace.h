@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/analyze.h"
-#include "interp/state/move.h"
+#include "interp/geometry/move.h"
 
 namespace ncvet {
 

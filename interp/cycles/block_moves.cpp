@@ -2,13 +2,13 @@
 #include "interp/cycles/block_moves.h"
 
 #include "interp/cycles/cycle_moves.h"
+#include "interp/cycles/move_feed.h"
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/cycle_parameters.h"
 #include "interp/evaluate/expression.h"
 #include "interp/execute/execute.h"
-#include "interp/geometry/arc.h"
 #include "interp/geometry/contour_element.h"
-#include "interp/value/units.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 #include <numbers>
@@ -332,14 +332,6 @@ private:
 };
 
 } // namespace
-
-void setFeed(const Dialect &dialect, const MachineState &state, Move &move) {
-  move.feedMode = state.activeAction(dialect, StandardGroup::FeedMode);
-  move.feed = state.may(Fact::FeedSet) ? state.feed.get() : Interval::unknown();
-  if (state.activeAction(dialect, StandardGroup::Units) == Action::Inch &&
-      move.feedMode != Action::FeedInverseTime)
-    move.feed = move.feed * millimetresPerInch;
-}
 
 void appendReturn(const ExecutedBlock &executed, llvm::SmallVectorImpl<Move> &moves) {
   Move &move = moves.emplace_back();

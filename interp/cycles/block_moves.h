@@ -1,26 +1,12 @@
 // The motions that one executed block makes.
 #pragma once
 
-#include "formats/dialect/machine.h"
-#include "interp/state/event.h"
-#include "interp/state/move.h"
+#include "interp/geometry/move.h"
+#include "interp/state/executed_block.h"
 
 #include "llvm/ADT/SmallVector.h"
 
 namespace ncvet {
-
-/// An executed block.
-struct ExecutedBlock {
-  const Dialect &dialect;
-  const MachineProfile &machine;
-  const Block &block;
-  const Outcome &outcome;
-  const MachineState &before;
-  const MachineState &after;
-};
-
-/// Gives `move` the feed that is in force in `state`.
-void setFeed(const Dialect &dialect, const MachineState &state, Move &move);
 
 /// Appends the rapid that leads to where the block begins, for a tool that is elsewhere.
 void appendReturn(const ExecutedBlock &executed, llvm::SmallVectorImpl<Move> &moves);

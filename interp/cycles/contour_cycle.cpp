@@ -2,6 +2,7 @@
 #include "interp/cycles/contour_cycle.h"
 
 #include "interp/cycles/depth_levels.h"
+#include "interp/cycles/move_feed.h"
 #include "interp/execute/execute.h"
 
 namespace ncvet {

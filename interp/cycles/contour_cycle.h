@@ -3,8 +3,8 @@
 #pragma once
 
 #include "formats/dialect/measure.h"
-#include "interp/cycles/block_moves.h"
 #include "interp/geometry/profile_passes.h"
+#include "interp/state/executed_block.h"
 
 #include <optional>
 

@@ -1,7 +1,10 @@
 // The motions of canned cycles, by the shape that the table gives each and the levels of its words.
 #pragma once
 
-#include "interp/cycles/block_moves.h"
+#include "interp/geometry/move.h"
+#include "interp/state/executed_block.h"
+
+#include "llvm/ADT/SmallVector.h"
 
 namespace ncvet {
 

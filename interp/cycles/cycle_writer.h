@@ -1,6 +1,7 @@
 // Writes the motions of a cycle one after the other. Private to the files that take cycles apart.
 #pragma once
 
+#include "interp/cycles/move_feed.h"
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/cycle_words.h"
 #include "interp/execute/execute.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "formats/dialect/measure.h"
-#include "interp/cycles/block_moves.h"
+#include "interp/state/executed_block.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 // variables that the cycle reads.
 #pragma once
 
-#include "interp/cycles/block_moves.h"
+#include "interp/state/executed_block.h"
 
 #include <optional>
 

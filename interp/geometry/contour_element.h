@@ -1,7 +1,7 @@
 // Straight lines and arcs of a contour in their plane, and where paths beside them meet.
 #pragma once
 
-#include "interp/state/move.h"
+#include "interp/geometry/move.h"
 
 #include <Eigen/Core>
 

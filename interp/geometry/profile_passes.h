@@ -1,7 +1,7 @@
 // Passes along a turned contour that dive into it, cut at levels, and climb along it.
 #pragma once
 
-#include "interp/state/move.h"
+#include "interp/geometry/move.h"
 
 #include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/STLFunctionalExtras.h"

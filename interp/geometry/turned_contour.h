@@ -1,7 +1,7 @@
 // The contour of a turned part as pieces that rise or fall steadily, and where levels cut it.
 #pragma once
 
-#include "interp/state/move.h"
+#include "interp/geometry/move.h"
 
 #include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/SmallVector.h"

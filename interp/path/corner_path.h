@@ -2,8 +2,8 @@
 // lines whose end only the next block tells.
 #pragma once
 
-#include "interp/cycles/block_moves.h"
 #include "interp/geometry/contour_element.h"
+#include "interp/state/executed_block.h"
 
 #include <optional>
 

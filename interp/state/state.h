@@ -5,6 +5,7 @@
 #include "interp/state/modal_call.h"
 #include "interp/value/access_log.h"
 #include "interp/value/frame.h"
+#include "interp/value/spindle.h"
 #include "interp/value/variables.h"
 
 #include <array>
@@ -68,15 +69,6 @@ enum class Fact : uint8_t {
 static_assert(unsigned(Fact::Count) <= 64);
 
 constexpr uint64_t bitOf(Fact fact) { return uint64_t(1) << unsigned(fact); }
-
-/// Set of what the main spindle may be doing.
-enum SpindleBits : uint8_t {
-  spindleOff = 1,
-  spindleCw = 2,
-  spindleCcw = 4,
-  spindleOriented = 8,
-  spindleAny = 15
-};
 
 /// Set of the phases in which radius compensation may be.
 enum CompensationPhase : uint8_t {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "formats/dialect/machine.h"
-#include "interp/state/move.h"
+#include "interp/geometry/move.h"
 #include "interp/state/state.h"
 
 namespace ncvet {

@@ -1,8 +1,8 @@
 // What a word is for: the code that reads it, its role there, and the value that counts.
 #pragma once
 
-#include "interp/cycles/block_moves.h"
 #include "interp/execute/execute.h"
+#include "interp/state/executed_block.h"
 
 #include <optional>
 #include <string>

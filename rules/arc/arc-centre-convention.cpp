@@ -1,6 +1,6 @@
 // An arc that closes only when its centre words are read another way than the control reads them.
 #include "analyzer/rule/report_once.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // An arc block that says neither where its centre is nor how large its radius is.
 #include "analyzer/rule/rule.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 namespace ncvet {
 namespace {

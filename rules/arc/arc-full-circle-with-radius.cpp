@@ -1,7 +1,7 @@
 // An arc by radius that ends where it starts.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 

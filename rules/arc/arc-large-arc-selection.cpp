@@ -1,7 +1,7 @@
 // A negative radius, or the flag in its place, where the arc over 180 degrees cannot be meant.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 

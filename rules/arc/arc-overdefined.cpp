@@ -1,6 +1,6 @@
 // An arc block with both a radius and a centre.
 #include "analyzer/rule/rule.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 namespace ncvet {
 namespace {

@@ -1,6 +1,6 @@
 // An arc whose end is not as far from its centre as its start.
 #include "analyzer/rule/rule.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // An arc whose radius is zero or does not reach from start to end.
 #include "analyzer/rule/rule.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // An arc block with a centre word of an axis that does not lie in the active plane.
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <map>
 

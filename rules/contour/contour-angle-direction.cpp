@@ -1,7 +1,7 @@
 // The end of a line does not lie in the direction of its angle.
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,7 @@
 #include "analyzer/facts/element_geometry.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/cycles/contour_cycle.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <bit>
 #include <cmath>

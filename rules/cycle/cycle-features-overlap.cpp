@@ -3,7 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/outline.h"
 #include "interp/evaluate/expression.h"
-#include "interp/geometry/arc.h"
+#include "interp/path/arc_block.h"
 
 #include <cmath>
 

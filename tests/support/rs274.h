@@ -1,7 +1,7 @@
 // Runs LinuxCNC's arealone interpreter `rs274` and reads the canonical calls that it prints.
 #pragma once
 
-#include "interp/state/move.h"
+#include "interp/geometry/move.h"
 #include "tests/support/run_program.h"
 
 #include "llvm/ADT/StringExtras.h"

@@ -1,9 +1,11 @@
 // One motion of the tool, or what is between two of them.
 #pragma once
 
-#include "formats/text/source.h"
-#include "interp/state/state.h"
+#include "formats/dialect/dialect.h"
+#include "interp/value/spindle.h"
+#include "interp/value/value.h"
 
+#include <array>
 #include <optional>
 
 namespace ncvet {
