@@ -1,6 +1,7 @@
 // The facade: checks one program with everything that it calls.
 #pragma once
 
+#include "analyzer/flow/analysis_result.h"
 #include "analyzer/program/project.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/selection.h"
@@ -10,13 +11,6 @@
 namespace ncvet {
 
 class StraightRuns;
-
-struct AnalysisResult {
-  std::vector<Finding> findings; ///< sorted by file, position, rule; suppressions not yet applied
-  uint64_t blocks = 0;           ///< blocks with content in the file
-  bool complete = true;          ///< false: cut short by a budget
-  std::vector<std::string> cuts; ///< why, one line each
-};
 
 /// Checks the file `unit` of `project` with all that it calls. `cancel`, when given, ends the
 /// analysis early (it is looked at every 256 blocks). `runs`, when given, holds what earlier

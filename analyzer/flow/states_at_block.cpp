@@ -11,13 +11,15 @@ StatesAt statesAt(Project &project, FileUnit &entry, const FileUnit &unit, uint3
   none.enabled.resize(allRules().size());
   none.asked.resize(allRules().size());
   none.severity.resize(allRules().size());
-  return Engine(project, entry, none, limits, cancel).observe(unit.source.id(), offset);
+  ObservedBlock observed(unit.source.id(), offset);
+  return Engine(project, entry, none, limits, cancel).observe(observed);
 }
 
 StatesAt statesAt(Project &project, FileUnit &unit, uint32_t offset, const RuleSelection &rules,
                   const AnalysisLimits &limits, const std::atomic<bool> *cancel,
                   StraightRuns &runs) {
-  return Engine(project, unit, rules, limits, cancel, &runs).observe(unit.source.id(), offset);
+  ObservedBlock observed(unit.source.id(), offset);
+  return Engine(project, unit, rules, limits, cancel, &runs).observe(observed);
 }
 
 } // namespace ncvet

@@ -1,21 +1,14 @@
 // The machine's states at one block, on all ways that lead there.
 #pragma once
 
-#include "analyzer/flow/analyze.h"
+#include "analyzer/flow/observed_block.h"
+#include "analyzer/rule/selection.h"
+
+#include <atomic>
 
 namespace ncvet {
 
-/// The machine on one way to a block.
-struct StateOnWay {
-  MachineState before, after;
-  std::vector<PathStep> path; ///< calls, jumps and skips that lead there; empty: straight on
-};
-
-struct StatesAt {
-  std::vector<StateOnWay> ways; ///< empty: nothing reaches the block
-  bool joined = false;          ///< the last stands for all further ones
-  bool complete = true;         ///< false: the analysis was cut short
-};
+class StraightRuns;
 
 /// The states before and after the block of `unit` that begins at `offset`, when the file `entry`
 /// runs with all that it calls. At most eight paths are told apart.

@@ -1,0 +1,67 @@
+// Runs called bodies, and remembers what each did for which state.
+#include "analyzer/flow/called_bodies.h"
+
+namespace ncvet {
+
+namespace {
+
+/// Results of one called program that are remembered.
+constexpr size_t memosPerProgram = 64;
+/// What a called body costs besides its blocks, in plain moves: states are copied and compared.
+constexpr uint64_t workOfCall = 16;
+
+} // namespace
+
+/// What the body did for the same state before.
+std::optional<Exits> CalledBodies::recall(const std::vector<Memo> &memos, uint64_t print,
+                                          unsigned sections, const Live &live) {
+  if (run_.watcher)
+    return std::nullopt;
+  for (const Memo &memo : memos)
+    if (memo.hash == print && sections <= memo.sections && equal(memo.entry, live.state)) {
+      Exits exits = memo.exits;
+      run_.stops += memo.stops;
+      for (Returned &exit : exits)
+        exit.live.path = live.path;
+      return exits;
+    }
+  return std::nullopt;
+}
+
+Exits CalledBodies::run(const Region &region, Live live) {
+  auto &memos = memos_[keyOf(region)];
+  const uint64_t print = hash(live.state);
+  // Deeper inside repeated sections than before, one more level may be one too many.
+  const unsigned sections = region.kind == RegionKind::Section ? runningSections() : 0;
+  if (auto known = recall(memos, print, sections, live))
+    return std::move(*known);
+  run_.repeated += workOfCall;
+  run_.callStack.push_back(keyOf(region));
+  const MachineState entry = live.state;
+  const PathNode *path = live.path;
+  const unsigned stops = run_.stops;
+  Lives lives;
+  lives.push_back(std::move(live));
+  Exits raw = run_.execute(region, std::move(lives));
+  run_.callStack.pop_back();
+  Exits exits;
+  std::map<int64_t, Lives> byTarget;
+  for (Returned &exit : raw) {
+    exit.live.path = path;
+    mergeInto(*region.unit.dialect, byTarget[exit.target], std::move(exit.live));
+  }
+  for (auto &[target, group] : byTarget)
+    for (Live &exit : group)
+      exits.push_back({std::move(exit), target});
+  if (!run_.stopped && !run_.watcher && memos.size() < memosPerProgram)
+    memos.push_back({print, entry, exits, sections, run_.stops != stops});
+  return exits;
+}
+
+unsigned CalledBodies::runningSections() const {
+  return unsigned(llvm::count_if(run_.callStack, [](const RunningRegion &running) {
+    return std::get<RegionKind>(running) == RegionKind::Section;
+  }));
+}
+
+} // namespace ncvet

@@ -1,0 +1,138 @@
+// Calls of programs: by number, by name, and by the modal call in force.
+#include "analyzer/flow/calls.h"
+
+#include "analyzer/flow/call_arguments.h"
+
+namespace ncvet {
+
+/// Whether the call comes back to a program that is being executed.
+bool Calls::recurs(const Region &region, const Callee &callee) const {
+  if (bodies_.isRunning(*callee.unit, callee.start, callee.kind))
+    return true;
+  if (callee.kind != RegionKind::Subprogram)
+    return false;
+  return (callee.unit == &region.unit && callee.program == &region.program) ||
+         (callee.unit == &run_.unit && callee.program == &run_.unit.index.programs().front());
+}
+
+/// After a call of which nothing is known.
+void Calls::goOnUnknown(Step &step) {
+  const Dialect &dialect = *step.unit().dialect;
+  run_.lose(step.flowRange(), "what is called here is not known");
+  const Variables locals = step.live.state.locals;
+  forget(step.live.state, dialect);
+  if (dialect.variableRanges.namedLocal) // no call changes those of its caller
+    step.live.state.locals = locals;
+  step.goOn();
+}
+
+/// Whether a call is followed into its program.
+bool Calls::mayEnter(const Step &step, const Callee &callee) {
+  const Region &region = step.region();
+  const SourceRange where = step.flowRange();
+  if (recurs(region, callee)) {
+    // Without a condition nothing ends it; with one it is followed until the control's levels end.
+    const ProgramInfo &program = *callee.program;
+    const llvm::StringRef body = callee.unit->source.text(program.begin, program.end);
+    const bool conditional = body.contains_insensitive("IF") ||
+                             body.contains_insensitive("WHILE") ||
+                             body.contains_insensitive("GOTO");
+    if (!conditional || region.depth + 1 >= run_.limits.callDepth) {
+      run_.issue(FlowIssue::Recursion, step, where,
+                 {callee.unit->source.id(), callee.start, callee.start + 1});
+      return false;
+    }
+  }
+  const unsigned allowed = region.unit.dialect->limits.callDepth;
+  if (allowed && region.depth + 1 > allowed)
+    run_.issue(FlowIssue::TooDeep, step, where);
+  return region.depth + 1 < run_.limits.callDepth;
+}
+
+void Calls::enter(Step &step, const Callee &callee, const Passes &passes) {
+  passes_.run(step,
+              {*callee.unit, *callee.program, callee.start, callee.kind, step.region().depth + 1},
+              passes);
+}
+
+void Calls::call(Step &step) {
+  const Flow &flow = step.outcome.flow;
+  MachineState &state = step.live.state;
+  const std::optional<Callee> callee = callees_.find(step);
+  if (!callee || !mayEnter(step, *callee))
+    return goOnUnknown(step);
+  Passes passes(step);
+  passes.setCount(flow.repeat);
+  step.live.path =
+      run_.lengthen(step.live.path, PathNode::Kind::Call, step.flowRange(), callee->number);
+  state.restoresModes = false;
+  state.saved = {};
+  if (flow.macro) {
+    passes.locals = state.locals;
+    state.locals = flow.arguments;
+  }
+  if (flow.kind == FlowKind::CallNamed) {
+    const MachineState caller = state;
+    passes.locals = caller.locals;
+    state.locals = Variables();
+    const Item &item = step.block.items[size_t(flow.item)];
+    if (item.positional) {
+      bindPositions(step.block, item, caller, state);
+    } else {
+      checkArguments(run_, step, *callee, item);
+      bindArguments(*callee, givenTo(step.block, item, caller), caller, state, passes);
+    }
+  }
+  enter(step, *callee, passes);
+}
+
+void Calls::beginModalCall(Step &step) {
+  const std::optional<Callee> callee = callees_.find(step);
+  const int16_t item = step.outcome.flow.item;
+  if (callee && item >= 0)
+    checkArguments(run_, step, *callee, step.block.items[size_t(item)]);
+  step.goOn();
+}
+
+void Calls::callModally(Step &step) {
+  MachineState &state = step.live.state;
+  const ModalCalls call = state.modalCalls;
+  Flow &flow = step.outcome.flow;
+  flow = Flow();
+  flow.kind = FlowKind::CallModal;
+  flow.begin = step.block.begin;
+  flow.end = step.block.end;
+  Block made;
+  const Item *item = nullptr;
+  std::optional<Callee> callee;
+  if (step.outcome.callsModally == Truth::Yes && call && call->known) {
+    const SourceFile &maker = run_.project.sources().get(call->file);
+    run_.project.unit(maker).reader->read(call->at, made);
+    callee = callees_.findModal(step.unit(), *call, made, item);
+  }
+  if (!callee || !mayEnter(step, *callee)) {
+    forget(state, *step.unit().dialect);
+    state.modalCalls = call;
+    run_.lose(step.blockRange(), "what runs after this block is not known");
+    return step.goOn();
+  }
+  Passes passes(step);
+  passes.setCount(call->repeat);
+  passes.modal = call;
+  passes.locals = state.locals;
+  step.live.path =
+      run_.lengthen(step.live.path, PathNode::Kind::ModalCall, step.blockRange(), callee->number);
+  state.restoresModes = false;
+  state.saved = {};
+  state.modalCalls = call->outer; // runs after the moves of this one's program
+  if (item) {
+    const MachineState caller = state;
+    state.locals = Variables();
+    bindArguments(*callee, givenModally(*call, made, *item), caller, state, passes);
+  } else {
+    state.locals = call->arguments;
+  }
+  enter(step, *callee, passes);
+}
+
+} // namespace ncvet

@@ -1,0 +1,117 @@
+// What all parts of the flow engine share while one file is run.
+#include "analyzer/flow/flow_run.h"
+
+#include <algorithm>
+#include <new>
+
+namespace ncvet {
+
+namespace {
+
+/// Issues after which the control stops, or goes where the text does not say.
+bool endsThePath(FlowIssue kind) {
+  switch (kind) {
+  case FlowIssue::NoTarget:
+  case FlowIssue::UnknownProgram:
+  case FlowIssue::UnknownBlock:
+  case FlowIssue::Recursion:
+  case FlowIssue::ProfileMissing:
+  case FlowIssue::ProfileReversed:
+  case FlowIssue::ComputedTarget:
+  case FlowIssue::StructureMismatch:
+  case FlowIssue::EndlessLoop:
+    return true;
+  default:
+    return false;
+  }
+}
+
+} // namespace
+
+bool Coverage::holds(uint32_t offset) const {
+  return llvm::any_of(runs_,
+                      [&](const auto &run) { return offset >= run.first && offset < run.second; });
+}
+
+std::vector<SourceRange> Coverage::ranges(FileId file) const {
+  std::vector<SourceRange> ranges;
+  for (const auto &[begin, end] : runs_)
+    ranges.push_back({file, begin, end});
+  llvm::sort(ranges, [](const SourceRange &a, const SourceRange &b) { return a.begin < b.begin; });
+  std::vector<SourceRange> joined;
+  for (const SourceRange &range : ranges) {
+    if (!joined.empty() && range.begin <= joined.back().end)
+      joined.back().end = std::max(joined.back().end, range.end);
+    else
+      joined.push_back(range);
+  }
+  return joined;
+}
+
+FlowRun::FlowRun(Project &project, FileUnit &unit, const RuleSelection &rules,
+                 const AnalysisLimits &limits)
+    : project(project), unit(unit), limits(limits), collector(rules, *unit.dialect, limits),
+      dispatcher(*unit.dialect, unit.machine, rules, collector) {}
+
+void FlowRun::cut(SourceRange where, std::string why) {
+  complete = false;
+  lose(where, why);
+  if (!llvm::is_contained(cuts, why))
+    cuts.push_back(std::move(why));
+}
+
+void FlowRun::lose(SourceRange where, llvm::StringRef why) {
+  if (!watcher || stopped)
+    return;
+  stopped = true;
+  watcher->lost(where, why);
+}
+
+void FlowRun::fork(Activation &activation, SourceRange where) {
+  ++activation.forks;
+  lose(where, "what decides here is not known");
+}
+
+const PathNode *FlowRun::lengthen(const PathNode *before, PathNode::Kind kind, SourceRange range,
+                                  int64_t number) {
+  // A path that is longer than anybody reads is not continued.
+  constexpr unsigned longestPath = 24;
+  if (before && before->length >= longestPath)
+    return before;
+  auto *node = new (paths_.Allocate<PathNode>()) PathNode{kind, range, number};
+  node->before = before;
+  node->length = before ? before->length + 1 : 1;
+  return node;
+}
+
+void FlowRun::cover(const FileUnit &of, uint32_t begin, uint32_t end) {
+  if (&of == &unit && begin < end)
+    covered.add(begin, end);
+}
+
+void FlowRun::issue(FlowIssue kind, const Step &step, const MachineState &before,
+                    const MachineState &after, SourceRange where, SourceRange related) {
+  if (watcher && endsThePath(kind))
+    lose(where, "control cannot go where the block says");
+  if (!(dispatcher.kinds() & bitOf(EventKind::FlowIssue)))
+    return;
+  dispatcher.flowIssue(kind, step.unit(), step.block, step.outcome, before, after,
+                       step.region().depth, where, related);
+}
+
+const FlowShape &FlowRun::shape(const FileUnit &of, const ProgramInfo &program) {
+  const auto [found, fresh] = shapes_.try_emplace({of.source.id(), program.begin});
+  if (fresh)
+    found->second = readShape(*of.reader, program.begin, program.end);
+  return found->second;
+}
+
+void forget(MachineState &state, const Dialect &dialect) {
+  const OriginState origin = state.origin;
+  const uint8_t profile = state.profile;
+  state = unknownState(dialect);
+  state.origin = origin;
+  state.profile = profile;
+}
+
+} // namespace ncvet

@@ -1,0 +1,101 @@
+// What all parts of the flow engine share while one file is run.
+#pragma once
+
+#include "analyzer/flow/activation.h"
+#include "analyzer/flow/flow_listener.h"
+#include "analyzer/flow/observed_block.h"
+#include "analyzer/program/flow_shape.h"
+#include "analyzer/rule/dispatch.h"
+
+#include "llvm/ADT/DenseMap.h"
+#include "llvm/Support/Allocator.h"
+
+#include <set>
+
+namespace ncvet {
+
+/// What the main file's programs have named as targets so far.
+struct UsedTargets {
+  std::set<int64_t> numbers;
+  std::set<int64_t> programs;
+  std::set<std::string> labels, names; ///< by key, in capitals
+  std::set<uint32_t> localSubprograms; ///< by their first block
+  std::set<uint32_t> profiles;         ///< that plain flow must not reach, by their first block
+  std::set<uint32_t> bracketed;        ///< subprograms between brackets, by their first block
+  /// Profiles that follow the cycle which finished along them: by their first block.
+  std::map<uint32_t, std::pair<Flow, SourceRange>> finishedAhead;
+};
+
+/// Which text of the main file was executed.
+class Coverage {
+public:
+  void add(uint32_t begin, uint32_t end) {
+    uint32_t &known = runs_[begin];
+    known = std::max(known, end);
+  }
+  bool holds(uint32_t offset) const;
+  /// In text order, without gaps between ranges that meet.
+  std::vector<SourceRange> ranges(FileId file) const;
+
+private:
+  llvm::DenseMap<uint32_t, uint32_t> runs_; ///< begin → end
+};
+
+/// One analysis of a file: what it works on, what it has spent and found out so far.
+struct FlowRun {
+  FlowRun(Project &project, FileUnit &unit, const RuleSelection &rules,
+          const AnalysisLimits &limits);
+  FlowRun(const FlowRun &) = delete;
+  virtual ~FlowRun() = default;
+
+  /// Runs a region from its start, and gives the states that leave it.
+  virtual Exits execute(const Region &region, Lives entry) = 0;
+
+  /// The analysis is no longer complete. `where`: the block that it came to.
+  void cut(SourceRange where, std::string why);
+  /// The one path that is watched ends: only the run itself decides where control goes.
+  void lose(SourceRange where, llvm::StringRef why);
+  /// The path goes on in more than one direction.
+  void fork(Activation &activation, SourceRange where);
+  /// A step of the path to a block.
+  const PathNode *lengthen(const PathNode *before, PathNode::Kind kind, SourceRange range,
+                           int64_t number = 0);
+  void cover(const FileUnit &of, uint32_t begin, uint32_t end);
+  /// Something is wrong with where control goes.
+  void issue(FlowIssue kind, const Step &step, SourceRange where, SourceRange related = {}) {
+    issue(kind, step, step.before, step.live.state, where, related);
+  }
+  /// The same, in other states than those of the step.
+  void issue(FlowIssue kind, const Step &step, const MachineState &before,
+             const MachineState &after, SourceRange where, SourceRange related = {});
+  const FlowShape &shape(const FileUnit &of, const ProgramInfo &program);
+
+  Project &project;
+  FileUnit &unit; ///< the file that is run
+  const AnalysisLimits &limits;
+  Collector collector;
+  Dispatcher dispatcher;
+  UsedTargets used;
+  Coverage covered;
+  std::vector<RunningRegion> callStack;
+  uint64_t steps = 0;         ///< blocks executed
+  unsigned stops = 0;         ///< programmed stops so far: at each one the operator decides
+  uint64_t repeated = 0;      ///< blocks executed again, by what they cost
+  uint64_t blocks = 0;        ///< blocks with content of the file's main programs
+  bool abstract = false;      ///< the budget is spent: loops are no longer run for real
+  bool callerUnknown = false; ///< subprograms that nothing in the file calls are being run
+  bool stopped = false;
+  bool complete = true;
+  std::vector<std::string> cuts;
+  BlockWatcher *watcher = nullptr;   ///< of the one path that is followed
+  ObservedBlock *observed = nullptr; ///< whose states are wanted
+
+private:
+  llvm::BumpPtrAllocator paths_;
+  std::map<std::pair<FileId, uint32_t>, FlowShape> shapes_;
+};
+
+/// Nothing is known of the machine any more, but for where things were set.
+void forget(MachineState &state, const Dialect &dialect);
+
+} // namespace ncvet

@@ -1,0 +1,92 @@
+// Where states wait for each other, and how they are joined.
+#include "analyzer/flow/pending.h"
+
+namespace ncvet {
+
+namespace {
+
+/// States kept apart at one place; beyond that the two closest are joined.
+constexpr size_t maxLives = 4;
+
+/// Levels of block skip that two paths have decided differently are not decided.
+void joinSkip(Live &to, const Live &from) {
+  for (size_t i = 0; i < from.skip.size(); ++i)
+    if (to.skip[i] != from.skip[i])
+      to.skip[i] = 0;
+}
+
+} // namespace
+
+void mergeInto(const Dialect &dialect, Lives &lives, Live live) {
+  for (Live &other : lives)
+    if (equal(other.state, live.state)) {
+      joinSkip(other, live);
+      if (live.path == nullptr || (other.path && live.path->length < other.path->length))
+        other.path = live.path;
+      return;
+    }
+  const uint64_t print = controlFingerprint(dialect, live.state);
+  for (Live &other : lives)
+    if (other.skip == live.skip && controlFingerprint(dialect, other.state) == print) {
+      other.state = join(other.state, live.state);
+      return;
+    }
+  if (lives.size() < maxLives) {
+    lives.push_back(std::move(live));
+    return;
+  }
+  // Too many: join with one in the same modes if there is any, else with the last.
+  Live *target = &lives.back();
+  for (Live &other : lives)
+    if (controlFingerprint(dialect, other.state) == print)
+      target = &other;
+  target->state = join(target->state, live.state);
+  joinSkip(*target, live);
+}
+
+/// Whether a path that comes to a block executed before brings nothing new there. With many jumps
+/// back, most rounds differ in a trifle, and each would run on to the program's end: a block that
+/// many of them come by takes their states as a loop head does.
+bool Pending::bringsNothing(uint32_t offset, MachineState &state, uint32_t executed) {
+  constexpr unsigned roundsBeforeJoining = 8, roundsBeforeWidening = 16;
+  if (!rounds_ || offset >= executed)
+    return false;
+  Meeting &meeting = meetings_[offset];
+  if (meeting.lastRound != rounds_) {
+    meeting.lastRound = rounds_;
+    ++meeting.rounds;
+  }
+  if (meeting.rounds <= roundsBeforeJoining)
+    return false;
+  if (!meeting.seen) {
+    meeting.seen = std::make_unique<MachineState>(state);
+    return false;
+  }
+  if (covers(*meeting.seen, state))
+    return true;
+  *meeting.seen = meeting.rounds <= roundsBeforeWidening ? join(*meeting.seen, state)
+                                                         : widen(*meeting.seen, state);
+  state = *meeting.seen;
+  return false;
+}
+
+void Pending::add(uint32_t offset, Live live, uint32_t executed) {
+  if (!bringsNothing(offset, live.state, executed))
+    wait(offset, std::move(live));
+}
+
+void Pending::wait(uint32_t offset, Live live) {
+  mergeInto(dialect_, waiting_[offset], std::move(live));
+  next_ = waiting_.begin()->first;
+}
+
+Lives Pending::take(uint32_t &offset) {
+  const auto first = waiting_.begin();
+  offset = first->first;
+  Lives lives = std::move(first->second);
+  waiting_.erase(first);
+  next_ = waiting_.empty() ? ~0u : waiting_.begin()->first;
+  return lives;
+}
+
+} // namespace ncvet

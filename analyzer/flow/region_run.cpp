@@ -1,0 +1,371 @@
+// Runs one region block by block.
+#include "analyzer/flow/region_run.h"
+
+#include "formats/text/crash_guard.h"
+
+#include <algorithm>
+
+namespace ncvet {
+
+namespace {
+
+/// The cancel flag is looked at once in so many blocks (a power of two).
+constexpr uint64_t cancelInterval = 256;
+
+/// What executing a block costs, in plain moves.
+uint64_t workOf(const Block &block) {
+  constexpr uint64_t statement = 4; // expressions
+  constexpr uint64_t turn = 8;      // states that wait and meet
+  const auto turns = [](const Item &item) {
+    return item.kind == ItemKind::Structure || item.kind == ItemKind::Jump ||
+           item.kind == ItemKind::End;
+  };
+  return block.items.empty() ? 1 : llvm::any_of(block.items, turns) ? turn : statement;
+}
+
+bool asksOperator(const Outcome &outcome, const Dialect &dialect) {
+  return llvm::any_of(outcome.codes, [&](const CodeUse &use) {
+    const Action action = dialect.codes[use.code].action;
+    return action == Action::ProgramStop || action == Action::OptionalStop;
+  });
+}
+
+/// A file that only defines subprograms is no main program.
+bool onlyDefines(const Block &block) {
+  return !block.items.empty() && block.items[0].kind == ItemKind::Structure &&
+         block.items[0].structure == Structure::Sub;
+}
+
+} // namespace
+
+RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry,
+                     StraightRuns *runs, const std::atomic<bool> *cancel)
+    : run_(run), flow_(flow), region_(region), unit_(region.unit), cancel_(cancel),
+      activation_(region), recorder_(runs, unit_, run.dispatcher, run.collector),
+      lives_(std::move(entry)), at_(region.start) {}
+
+Exits RegionRun::execute() {
+  const CrashPlace place(unit_.source, at_);
+  while (!run_.stopped && arrive()) {
+    if (isAtEnd() || takeOver() || !read() || passOver() || !spend())
+      continue;
+    if (block_.skip >= 0)
+      decideSkip();
+    if (lives_.empty())
+      continue;
+    if (!block_.items.empty())
+      forkAtGuards();
+    executeBlock();
+  }
+  run_.cover(unit_, activation_.runBegin, activation_.runEnd);
+  return std::move(activation_.exits);
+}
+
+/// Brings together the states that come to the next block; false: there are none left.
+bool RegionRun::arrive() {
+  Pending &pending = activation_.pending;
+  if (lives_.empty()) {
+    if (pending.isEmpty())
+      return false;
+    lives_ = pending.take(at_);
+  } else if (pending.next() > at_) {
+    return true;
+  } else if (pending.next() == at_) {
+    for (Live &live : pending.take(at_))
+      mergeInto(*unit_.dialect, lives_, std::move(live));
+  } else {
+    // A backward jump: those states go first, these wait.
+    for (Live &live : lives_)
+      pending.wait(at_, std::move(live));
+    lives_ = pending.take(at_);
+  }
+  synced_ = nullptr;
+  return true;
+}
+
+bool RegionRun::isAtEnd() {
+  if (at_ == region_.stopAt) { // a section ends here, however it was reached
+    for (Live &live : lives_)
+      activation_.exit(std::move(live));
+  } else if (at_ >= region_.program.end) {
+    runOut();
+  } else {
+    return false;
+  }
+  lives_.clear();
+  return true;
+}
+
+/// The program has no block any more, and has not ended.
+void RegionRun::runOut() {
+  const SourceRange where = activation_.lastBlock();
+  run_.collector.beginStop();
+  for (Live &live : lives_) {
+    run_.collector.beginVisit(live.path);
+    if (activation_.executedAny && !inForeignLanguage(*unit_.dialect, live.state))
+      run_.issue(region_.kind == RegionKind::Main ? FlowIssue::MainRunsOut
+                                                  : FlowIssue::SubprogramRunsOut,
+                 stepOf(live), live.state, live.state, where);
+    // Without a return the control goes on with whatever follows: nothing is known of it.
+    if (region_.kind != RegionKind::Main)
+      activation_.exit(std::move(live));
+  }
+  run_.collector.endStop();
+}
+
+/// Goes over a run of blocks of which an earlier analysis knows what it does.
+bool RegionRun::takeOver() {
+  if (!recorder_.isOn())
+    return false;
+  if (lives_.size() != 1 || !activation_.pending.isEmpty() || at_ < activation_.high) {
+    recorder_.interrupt();
+    return false;
+  }
+  // What is not in step with the state begins anew with the next block.
+  PlainRun present = synced_ ? plainRun_ : PlainRun();
+  const auto known = recorder_.takeOver(at_, lives_[0].state, present,
+                                        [&](const RunPlace &run) { return mayTakeOver(run); });
+  if (!known)
+    return false;
+  follow(*known);
+  before_ = lives_[0].state;
+  synced_ = &lives_[0].state;
+  plainRun_ = present;
+  at_ = known->end;
+  return true;
+}
+
+/// A run is executed all the same where somebody wants to see what happens in it, and where a
+/// subprogram that was called begins in it.
+bool RegionRun::mayTakeOver(const RunPlace &known) const {
+  if (run_.observed && run_.observed->isIn(unit_.source.id(), known.begin, known.end))
+    return false;
+  const auto target = run_.used.localSubprograms.lower_bound(known.begin);
+  const auto finished = run_.used.finishedAhead.lower_bound(known.begin);
+  return (target == run_.used.localSubprograms.end() || *target >= known.end) &&
+         (finished == run_.used.finishedAhead.end() || finished->first >= known.end);
+}
+
+/// Takes over what a run of an earlier analysis has done, but for the state.
+void RegionRun::follow(const RunPlace &known) {
+  if (known.begin != activation_.runEnd) {
+    run_.cover(unit_, activation_.runBegin, activation_.runEnd);
+    activation_.runBegin = known.begin;
+  }
+  activation_.runEnd = activation_.high = known.end;
+  activation_.lastBegin = known.lastBegin;
+  activation_.lastEnd = known.lastEnd;
+  activation_.executedAny = true;
+  run_.blocks += known.blocks;
+  run_.steps += known.blocks;
+  if (isCancelled()) {
+    run_.stopped = true;
+    run_.cut(blockRange(), "cancelled");
+  }
+}
+
+/// Reads the next block; false: the analysis was cancelled.
+bool RegionRun::read() {
+  unit_.reader->read(at_, block_);
+  if ((++run_.steps & (cancelInterval - 1)) == 0) {
+    if (isCancelled()) {
+      run_.stopped = true;
+      run_.cut(blockRange(), "cancelled");
+      return false;
+    }
+    if (&unit_ == &run_.unit)
+      unit_.source.forget(at_ > (1u << 16) ? at_ - (1u << 16) : 0);
+  }
+  if (at_ != activation_.runEnd) {
+    run_.cover(unit_, activation_.runBegin, activation_.runEnd);
+    activation_.runBegin = at_;
+  }
+  activation_.runEnd = block_.next;
+  firstTime_ = at_ >= activation_.high;
+  if (firstTime_)
+    activation_.high = block_.next;
+  return true;
+}
+
+/// Whether there is nothing to execute in the block.
+bool RegionRun::passOver() {
+  const bool isHead = block_.kind == BlockKind::Tape || block_.kind == BlockKind::ProgramHeader;
+  if (block_.kind != BlockKind::Empty && !(isHead && block_.isEmpty() && block_.issues.empty()))
+    return false;
+  if (block_.kind != BlockKind::Empty || !block_.issues.empty())
+    recorder_.interrupt();
+  // The closing mark of the tape: what follows it is no program.
+  const bool closes = block_.kind == BlockKind::Tape && activation_.executedAny;
+  at_ = closes ? region_.program.end : block_.next;
+  return true;
+}
+
+/// Counts the block; false: there have been too many.
+bool RegionRun::spend() {
+  const uint64_t budget = run_.limits.repeatedBlocks;
+  if (firstTime_ && region_.depth == 0 && region_.kind == RegionKind::Main) {
+    ++run_.blocks;
+  } else if ((run_.repeated += workOf(block_) * lives_.size()) > budget) {
+    if (!run_.abstract)
+      run_.cut(blockRange(), "loops and calls were too long to be run to the end");
+    run_.abstract = true;
+    if (run_.repeated > 2 * budget) {
+      run_.stopped = true;
+      return false;
+    }
+  }
+  activation_.executedAny |= !onlyDefines(block_);
+  activation_.lastBegin = block_.begin;
+  activation_.lastEnd = block_.end;
+  next_ = block_.tapeInside ? region_.program.end : block_.next;
+  return true;
+}
+
+/// Block skip: the operator's switch decides, once for all blocks of a level.
+void RegionRun::decideSkip() {
+  // A level that no control has shares the last switch.
+  constexpr size_t last = std::tuple_size_v<decltype(Live::skip)> - 1;
+  const auto level = std::min(size_t(block_.skip <= 1 ? 0 : block_.skip), last);
+  Lives executing;
+  for (Live &live : lives_) {
+    if (live.skip[level] != 1) {
+      Live skipped = live;
+      skipped.skip[level] = 2;
+      if (live.skip[level] == 0) {
+        run_.fork(activation_, blockRange());
+        skipped.path = run_.lengthen(live.path, PathNode::Kind::Skip, blockRange());
+      }
+      if (at_ == region_.lastBlock)
+        activation_.exit(std::move(skipped));
+      else
+        activation_.add(next_, std::move(skipped));
+    }
+    if (live.skip[level] != 2) {
+      live.skip[level] = 1;
+      executing.push_back(std::move(live));
+    }
+  }
+  lives_ = std::move(executing);
+  synced_ = nullptr;
+}
+
+/// Conditions before statements: on a path where one is not known, both happen.
+void RegionRun::forkAtGuards() {
+  Lives forked;
+  for (Live &live : lives_)
+    if (unit_.executor.guard(block_, live.state) == Truth::Unknown) {
+      run_.fork(activation_, blockRange());
+      Live &other = forked.emplace_back(live);
+      other.path = run_.lengthen(live.path, PathNode::Kind::NoJump,
+                                 {unit_.source.id(), block_.items[0].begin, block_.items[0].end});
+    }
+  for (Live &live : forked)
+    activation_.add(next_, std::move(live));
+}
+
+/// Executes the block for each of the states, which then leave it.
+void RegionRun::executeBlock() {
+  run_.collector.beginStop();
+  Lives onward;
+  const bool single = lives_.size() == 1;
+  bool stays = false;
+  for (Live &live : lives_) {
+    executeFor(live);
+    tellRules(live);
+    if (!goesOnWithNext(live))
+      continue;
+    if (!single) {
+      onward.push_back(std::move(live));
+      continue;
+    }
+    stays = true;
+    if (!outcome_.setupChanged)
+      synced_ = &live.state;
+  }
+  run_.collector.endStop();
+  at_ = next_;
+  if (stays)
+    return recorder_.executed(block_, goesOn_);
+  recorder_.interrupt();
+  lives_ = std::move(onward);
+  synced_ = nullptr;
+}
+
+void RegionRun::executeFor(Live &live) {
+  if (synced_ == &live.state) {
+    static_cast<MotionState &>(before_) = live.state;
+    if (!outcome_.plainMove) // what the block before did
+      static_cast<ModeState &>(before_) = live.state;
+  } else {
+    before_ = live.state;
+    plainRun_ = {};
+  }
+  synced_ = nullptr;
+  const bool guardHolds =
+      block_.items.empty() || unit_.executor.guard(block_, live.state) != Truth::No;
+  unit_.executor.execute(block_, before_, live.state, outcome_, guardHolds);
+  if (!activation_.heads.empty() || !run_.callStack.empty())
+    run_.stops += asksOperator(outcome_, *unit_.dialect);
+  // A cycle among the blocks of a contour reads none of its own.
+  if (region_.kind == RegionKind::Profile && outcome_.flow.kind == FlowKind::Profile)
+    outcome_.flow = Flow();
+  if (run_.watcher && !run_.stopped)
+    run_.watcher->executed(unit_, block_, outcome_, before_, live.state);
+  if (run_.observed && run_.observed->is(unit_.source.id(), at_))
+    run_.observed->note(before_, live);
+}
+
+void RegionRun::tellRules(Live &live) {
+  run_.collector.beginVisit(live.path);
+  if (block_.number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
+    runsInto(live);
+  goesOn_ = plainRun_.goesOn(block_, outcome_, before_);
+  if (!goesOn_)
+    recorder_.goesOnNoMore(before_);
+  Dispatcher &rules = run_.dispatcher;
+  if (goesOn_)
+    rules.dispatchMove(unit_, block_, outcome_, before_, live.state, region_.depth);
+  else if (outcome_.kinds & rules.kinds())
+    rules.dispatch(unit_, block_, outcome_, before_, live.state, region_.depth);
+}
+
+/// Plain flow comes to a numbered block: a local subprogram, or a profile along which a cycle
+/// before it has finished already.
+void RegionRun::runsInto(Live &live) {
+  if (run_.used.localSubprograms.count(at_))
+    run_.issue(FlowIssue::RunsIntoSubprogram, stepOf(live), blockRange());
+  const auto finished = run_.used.finishedAhead.find(at_);
+  if (finished == run_.used.finishedAhead.end())
+    return;
+  const Flow flow = std::exchange(outcome_.flow, finished->second.first);
+  run_.issue(FlowIssue::ProfileReached, stepOf(live), finished->second.second,
+             {unit_.source.id(), at_, at_ + 1});
+  outcome_.flow = flow;
+}
+
+/// The state leaves the block as its flow says; true: it goes on with the next block, and stays
+/// where it is.
+bool RegionRun::goesOnWithNext(Live &live) {
+  const Truth modal = outcome_.callsModally;
+  Flow &flow = outcome_.flow;
+  if (at_ == region_.lastBlock) {
+    activation_.exit(std::move(live));
+    return false;
+  }
+  if (region_.kind == RegionKind::Profile && flow.kind != FlowKind::Next &&
+      flow.kind != FlowKind::End && flow.kind != FlowKind::Return)
+    flow = Flow(); // a profile is contour data: nothing is called or jumped to from it
+  if (flow.kind == FlowKind::Next && modal == Truth::No)
+    return true;
+  Step step = stepOf(live);
+  if (flow.kind == FlowKind::Next) {
+    flow_.callModally(step);
+    return false;
+  }
+  if (modal != Truth::No) // before what the block itself calls
+    forget(live.state, *unit_.dialect);
+  flow_.leave(step);
+  return false;
+}
+
+} // namespace ncvet

@@ -1,0 +1,65 @@
+// Runs one region block by block.
+#pragma once
+
+#include "analyzer/flow/block_flow.h"
+#include "analyzer/reuse/run_recorder.h"
+
+#include <atomic>
+
+namespace ncvet {
+
+/// One run of a region. Straight-line blocks are read, executed and forgotten; states wait only
+/// where flow meets: at targets of jumps, after conditions and skipped blocks.
+///
+/// Blocks are taken in the order of their place in the text, so that all paths to a block have
+/// arrived before it is executed, save those over a backward jump.
+class RegionRun {
+public:
+  /// `runs`, when given, holds runs of blocks that need not be executed again.
+  RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry, StraightRuns *runs,
+            const std::atomic<bool> *cancel);
+
+  /// The states that leave the region.
+  Exits execute();
+
+private:
+  bool arrive();
+  bool isAtEnd();
+  void runOut();
+  bool takeOver();
+  bool mayTakeOver(const RunPlace &known) const;
+  void follow(const RunPlace &known);
+  bool isCancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+  bool read();
+  bool passOver();
+  bool spend();
+  void decideSkip();
+  void forkAtGuards();
+  void executeBlock();
+  void executeFor(Live &live);
+  void tellRules(Live &live);
+  void runsInto(Live &live);
+  bool goesOnWithNext(Live &live);
+  Step stepOf(Live &live) { return {activation_, live, at_, before_, block_, outcome_}; }
+  SourceRange blockRange() const { return {unit_.source.id(), block_.begin, block_.end}; }
+
+  FlowRun &run_;
+  BlockFlow &flow_;
+  const Region &region_;
+  FileUnit &unit_;
+  const std::atomic<bool> *cancel_;
+  Activation activation_;
+  RunRecorder recorder_;
+  Lives lives_;            ///< that come to the block at `at_`
+  uint32_t at_;            ///< the block that is executed next
+  uint32_t next_ = 0;      ///< and the one after it in the text
+  bool firstTime_ = false; ///< the block was not executed before
+  bool goesOn_ = false;    ///< the block only goes on as the one before
+  Block block_;
+  Outcome outcome_;
+  MachineState before_;                  ///< before the block
+  const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
+  PlainRun plainRun_;
+};
+
+} // namespace ncvet

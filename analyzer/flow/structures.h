@@ -1,0 +1,32 @@
+// Brackets of structured flow: branches, loops and subprograms in a program's text.
+#pragma once
+
+#include "analyzer/flow/loops.h"
+
+namespace ncvet {
+
+/// Carries out one bracket at a time: which block follows it.
+class Structures {
+public:
+  Structures(FlowRun &run, Loops &loops) : run_(run), loops_(loops) {}
+
+  void bracket(Step &step);
+  /// Whether `target` lies inside a bracket of structured flow that does not hold `from`.
+  bool isEntered(const Region &region, uint32_t from, uint32_t target);
+
+private:
+  /// Where control goes from a bracket.
+  struct Partners {
+    uint32_t past = ~0u, back = ~0u, out = ~0u; ///< `~0u`: nowhere
+  };
+  void mismatch(Step &step, const Item &item);
+  void decide(Step &step, Truth condition, uint32_t other, bool loops);
+  void whileHead(Step &step, const Item &item, const Partners &to);
+  void countedEnd(Step &step, uint32_t headAt, Truth (*count)(const Block &, MachineState &));
+  void subprogramEnd(Step &step);
+
+  FlowRun &run_;
+  Loops &loops_;
+};
+
+} // namespace ncvet
