@@ -1,9 +1,9 @@
 // Edits that the user asks for: renaming, formatting, and the number of a new block.
 #include "formats/text/failure.h"
-#include "lsp/features/format.h"
-#include "lsp/features/on_type.h"
-#include "lsp/features/rename.h"
-#include "lsp/features/renumber.h"
+#include "lsp/features/writing/format.h"
+#include "lsp/features/writing/on_type.h"
+#include "lsp/features/writing/rename.h"
+#include "lsp/features/writing/renumber.h"
 #include "lsp/server/bindings.h"
 
 namespace ncvet::lsp {

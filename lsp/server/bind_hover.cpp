@@ -1,8 +1,8 @@
 // Hover: what the word under the cursor is, and the machine's state before its block.
 #include "interp/evaluate/condition.h"
-#include "lsp/features/code_lens.h"
-#include "lsp/features/machine_state.h"
-#include "lsp/features/word_help.h"
+#include "lsp/features/showing/code_lens.h"
+#include "lsp/features/showing/machine_state.h"
+#include "lsp/features/showing/word_help.h"
 #include "lsp/server/bindings.h"
 
 namespace ncvet::lsp {

@@ -1,9 +1,9 @@
 // Writing: completion, signatures, colours, hints in the text, lenses over it.
-#include "lsp/features/code_lens.h"
-#include "lsp/features/completion.h"
-#include "lsp/features/inlay_hints.h"
-#include "lsp/features/semantic_tokens.h"
-#include "lsp/features/signature_help.h"
+#include "lsp/features/showing/code_lens.h"
+#include "lsp/features/showing/inlay_hints.h"
+#include "lsp/features/showing/semantic_tokens.h"
+#include "lsp/features/writing/completion.h"
+#include "lsp/features/writing/signature_help.h"
 #include "lsp/server/bindings.h"
 
 namespace ncvet::lsp {

@@ -1,6 +1,6 @@
 // The extension of VS Code says of languages and settings what the server does, and can be packed.
 #include "formats/dialect/loader.h"
-#include "lsp/features/semantic_tokens.h"
+#include "lsp/features/showing/semantic_tokens.h"
 #include "lsp/server/settings.h"
 #include "tests/support/outer_program.h"
 #include "tests/support/run_program.h"

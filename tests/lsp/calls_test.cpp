@@ -1,6 +1,6 @@
 // Calls: the hierarchy of programs, and links into other files.
-#include "lsp/features/call_hierarchy.h"
-#include "lsp/features/links.h"
+#include "lsp/features/navigation/call_hierarchy.h"
+#include "lsp/features/navigation/links.h"
 #include "tests/support/marked_text.h"
 #include "tests/support/run_program.h"
 

@@ -1,5 +1,5 @@
 // Code lenses over programs, contours and tools.
-#include "lsp/features/code_lens.h"
+#include "lsp/features/showing/code_lens.h"
 #include "tests/support/marked_text.h"
 
 #include "gtest/gtest.h"

@@ -1,5 +1,5 @@
 // Completion: what may be at the cursor, by block and control.
-#include "lsp/features/completion.h"
+#include "lsp/features/writing/completion.h"
 #include "tests/support/marked_text.h"
 
 #include "gmock/gmock.h"

@@ -1,5 +1,5 @@
 // Definitions: where a name leads, in the file and beyond it.
-#include "lsp/features/definition.h"
+#include "lsp/features/navigation/definition.h"
 #include "tests/support/marked_text.h"
 #include "tests/support/run_program.h"
 

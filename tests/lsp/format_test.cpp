@@ -1,8 +1,8 @@
 // Formatting and renumbering: the text changes, what the control does never.
 #include "analyzer/flow/trace.h"
-#include "lsp/features/format.h"
-#include "lsp/features/renumber.h"
 #include "lsp/features/same_block.h"
+#include "lsp/features/writing/format.h"
+#include "lsp/features/writing/renumber.h"
 #include "tests/support/marked_text.h"
 
 #include "gtest/gtest.h"

@@ -1,5 +1,5 @@
 // Inlay hints: what certain blocks do not spell out.
-#include "lsp/features/inlay_hints.h"
+#include "lsp/features/showing/inlay_hints.h"
 #include "tests/support/marked_text.h"
 
 #include "gtest/gtest.h"

@@ -1,5 +1,5 @@
 // Edits while typing: the number of a new block.
-#include "lsp/features/on_type.h"
+#include "lsp/features/writing/on_type.h"
 #include "tests/support/marked_text.h"
 
 #include "gtest/gtest.h"

@@ -1,7 +1,7 @@
 // The outline of a document: symbols, folds, growing selections.
-#include "lsp/features/folding.h"
-#include "lsp/features/selection.h"
-#include "lsp/features/symbols.h"
+#include "lsp/features/navigation/folding.h"
+#include "lsp/features/navigation/selection.h"
+#include "lsp/features/navigation/symbols.h"
 #include "tests/support/marked_text.h"
 
 #include "gtest/gtest.h"

@@ -1,6 +1,6 @@
 // References and highlights: every place of a name.
-#include "lsp/features/highlight.h"
-#include "lsp/features/references.h"
+#include "lsp/features/navigation/highlight.h"
+#include "lsp/features/navigation/references.h"
 #include "tests/support/marked_text.h"
 #include "tests/support/run_program.h"
 

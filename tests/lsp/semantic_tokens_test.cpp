@@ -1,5 +1,5 @@
 // Semantic tokens: every control's words are named, in order and never over each other.
-#include "lsp/features/semantic_tokens.h"
+#include "lsp/features/showing/semantic_tokens.h"
 #include "tests/support/marked_text.h"
 
 #include "gtest/gtest.h"

@@ -1,5 +1,5 @@
 // Signature help: the parameters of what is being written, and the active one.
-#include "lsp/features/signature_help.h"
+#include "lsp/features/writing/signature_help.h"
 #include "tests/support/marked_text.h"
 
 #include "gmock/gmock.h"

@@ -1,6 +1,6 @@
 // Help on the word at a place: codes, addresses, parameters and variables.
 #include "analyzer/flow/states_at_block.h"
-#include "lsp/features/word_help.h"
+#include "lsp/features/showing/word_help.h"
 #include "tests/support/marked_text.h"
 
 #include "gmock/gmock.h"

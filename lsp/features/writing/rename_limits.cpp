@@ -1,5 +1,5 @@
 // What may not be renamed, and why.
-#include "lsp/features/rename_limits.h"
+#include "lsp/features/writing/rename_limits.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Path.h"

@@ -1,6 +1,6 @@
 // New numbers for the blocks of a text: every place that names a block gets the number of the block
 // that the control finds from there.
-#include "lsp/features/renumber.h"
+#include "lsp/features/writing/renumber.h"
 
 #include "lsp/features/names.h"
 

@@ -1,7 +1,7 @@
 // All places that use the name at a place of a document.
-#include "lsp/features/references.h"
+#include "lsp/features/navigation/references.h"
 
-#include "lsp/features/definition.h"
+#include "lsp/features/navigation/definition.h"
 
 #include "llvm/ADT/SmallPtrSet.h"
 

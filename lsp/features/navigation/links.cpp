@@ -1,7 +1,7 @@
 // Names in a document that lead into other files.
-#include "lsp/features/links.h"
+#include "lsp/features/navigation/links.h"
 
-#include "lsp/features/definition.h"
+#include "lsp/features/navigation/definition.h"
 
 namespace ncvet::lsp {
 

@@ -1,5 +1,5 @@
 // Comments that silence a rule: which form the control reads as a comment, and where it is allowed.
-#include "lsp/features/suppression_edit.h"
+#include "lsp/features/writing/suppression_edit.h"
 
 namespace ncvet::lsp {
 

@@ -1,5 +1,5 @@
 // Inlay hints: gathered while the program is followed along its one certain path.
-#include "lsp/features/inlay_hints.h"
+#include "lsp/features/showing/inlay_hints.h"
 
 #include "analyzer/flow/engine.h"
 #include "interp/evaluate/condition.h"

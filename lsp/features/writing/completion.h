@@ -1,8 +1,8 @@
 // Completion: what may be written at the cursor.
 #pragma once
 
-#include "lsp/features/completion_item.h"
 #include "lsp/features/snapshot.h"
+#include "lsp/features/writing/completion_item.h"
 
 namespace ncvet::lsp {
 

@@ -1,7 +1,7 @@
 // Completion of codes and of the words that they read, by the table.
 #include "interp/evaluate/condition.h"
-#include "lsp/features/completion_sources.h"
-#include "lsp/features/word_help.h"
+#include "lsp/features/showing/word_help.h"
+#include "lsp/features/writing/completion_sources.h"
 
 #include "llvm/ADT/SmallSet.h"
 #include "llvm/ADT/StringExtras.h"

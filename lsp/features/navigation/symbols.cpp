@@ -1,5 +1,5 @@
 // The outline of a document: its programs, and in them tools, operations, subprograms and labels.
-#include "lsp/features/symbols.h"
+#include "lsp/features/navigation/symbols.h"
 
 #include "llvm/Support/Path.h"
 

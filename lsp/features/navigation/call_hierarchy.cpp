@@ -1,8 +1,8 @@
 // Which program calls which, by the text: every call that is written, whether it is reached or not.
-#include "lsp/features/call_hierarchy.h"
+#include "lsp/features/navigation/call_hierarchy.h"
 
 #include "analyzer/program/block_reading.h"
-#include "lsp/features/definition.h"
+#include "lsp/features/navigation/definition.h"
 
 #include "llvm/ADT/SmallPtrSet.h"
 #include "llvm/Support/Path.h"

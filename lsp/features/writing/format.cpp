@@ -1,5 +1,5 @@
 // Formatting: edits are made block by block, and each is kept only if the block reads as before.
-#include "lsp/features/format.h"
+#include "lsp/features/writing/format.h"
 
 #include "lsp/features/same_block.h"
 

@@ -1,5 +1,5 @@
 // Edits while typing: the number of a new block, by its neighbours.
-#include "lsp/features/on_type.h"
+#include "lsp/features/writing/on_type.h"
 
 namespace ncvet::lsp {
 

@@ -1,5 +1,5 @@
 // The places of a document that hold the same name as the one under the cursor.
-#include "lsp/features/highlight.h"
+#include "lsp/features/navigation/highlight.h"
 
 namespace ncvet::lsp {
 

@@ -1,5 +1,5 @@
 // The machine's state at a block, in words: one line per topic, sets where paths differ.
-#include "lsp/features/machine_state.h"
+#include "lsp/features/showing/machine_state.h"
 
 #include "formats/dialect/vocabulary.h"
 

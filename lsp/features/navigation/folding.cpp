@@ -1,5 +1,5 @@
 // The parts of a document that an editor can fold.
-#include "lsp/features/folding.h"
+#include "lsp/features/navigation/folding.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // Completion: finds out by the text before the cursor what may follow.
-#include "lsp/features/completion.h"
+#include "lsp/features/writing/completion.h"
 
 #include "interp/evaluate/condition.h"
-#include "lsp/features/completion_sources.h"
-#include "lsp/features/word_help.h"
+#include "lsp/features/showing/word_help.h"
+#include "lsp/features/writing/completion_sources.h"
 
 #include "llvm/ADT/StringExtras.h"
 

@@ -1,10 +1,10 @@
 // Signature help: formats of the table, and parameters of programs.
-#include "lsp/features/signature_help.h"
+#include "lsp/features/writing/signature_help.h"
 
 #include "interp/evaluate/condition.h"
 #include "interp/value/macro_argument.h"
 #include "lsp/features/cursor_context.h"
-#include "lsp/features/word_help.h"
+#include "lsp/features/showing/word_help.h"
 #include "lsp/features/word_use.h"
 
 namespace ncvet::lsp {

@@ -1,5 +1,5 @@
 // Help on the word at a place, from the dialect's tables.
-#include "lsp/features/word_help.h"
+#include "lsp/features/showing/word_help.h"
 
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/expression.h"

@@ -1,10 +1,10 @@
 // Where completions come from: each function adds the items of one kind.
 #pragma once
 
-#include "lsp/features/completion_item.h"
 #include "lsp/features/cursor_context.h"
 #include "lsp/features/snapshot.h"
 #include "lsp/features/word_use.h"
+#include "lsp/features/writing/completion_item.h"
 
 namespace ncvet::lsp {
 

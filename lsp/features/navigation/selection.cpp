@@ -1,5 +1,5 @@
 // What a growing selection takes in, from the word under the cursor to the file.
-#include "lsp/features/selection.h"
+#include "lsp/features/navigation/selection.h"
 
 #include <algorithm>
 

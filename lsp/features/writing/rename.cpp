@@ -1,7 +1,7 @@
 // Gives the name at a place of a document another spelling everywhere, or says why not.
-#include "lsp/features/rename.h"
+#include "lsp/features/writing/rename.h"
 
-#include "lsp/features/rename_limits.h"
+#include "lsp/features/writing/rename_limits.h"
 
 #include "llvm/ADT/StringExtras.h"
 

@@ -1,5 +1,5 @@
 // Code lenses: one look at all blocks for calls and tools, one run for the contours.
-#include "lsp/features/code_lens.h"
+#include "lsp/features/showing/code_lens.h"
 
 #include "analyzer/check/contour_report.h"
 #include "interp/evaluate/condition.h"

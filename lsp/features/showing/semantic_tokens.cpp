@@ -1,5 +1,5 @@
 // Semantic tokens: places whose meaning the block tells, and between them what the spelling tells.
-#include "lsp/features/semantic_tokens.h"
+#include "lsp/features/showing/semantic_tokens.h"
 
 #include "interp/evaluate/condition.h"
 

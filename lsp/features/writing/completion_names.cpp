@@ -1,5 +1,5 @@
 // Completion of names: blocks, variables, programs, statements.
-#include "lsp/features/completion_sources.h"
+#include "lsp/features/writing/completion_sources.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringSet.h"

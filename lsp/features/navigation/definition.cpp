@@ -1,5 +1,5 @@
 // Where the name at a place of a document is defined, in this file or in another one.
-#include "lsp/features/definition.h"
+#include "lsp/features/navigation/definition.h"
 
 #include "analyzer/program/block_reading.h"
 
