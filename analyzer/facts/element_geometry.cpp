@@ -3,11 +3,9 @@
 
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/lookahead.h"
+#include "interp/geometry/line.h"
 
 #include "llvm/ADT/StringExtras.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
@@ -42,29 +40,26 @@ bool madeOf(llvm::StringRef text, llvm::StringRef letters) {
       text, [&](char c) { return !llvm::isAlpha(c) || letters.contains(llvm::toUpper(c)); });
 }
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
 /// Distance of a point from a line, in millimetres.
-double distance(const ElementGeometry &line, double x, double y) {
-  const double angle = radians(line.size);
-  return std::fabs((x - line.x) * std::sin(angle) - (y - line.y) * std::cos(angle));
+double distanceFrom(const ElementGeometry &line, double x, double y) {
+  return distanceFromLine({line.x, line.y}, radiansOf(line.size), {x, y});
 }
 
 bool lineMeets(const ElementGeometry &line, const ElementGeometry &other) {
   switch (other.kind) {
   case ElementGeometry::Kind::Point:
-    return distance(line, other.x, other.y) <= tolerance;
+    return distanceFrom(line, other.x, other.y) <= tolerance;
   case ElementGeometry::Kind::Circle:
-    return distance(line, other.x, other.y) <= other.size + tolerance;
+    return distanceFrom(line, other.x, other.y) <= other.size + tolerance;
   case ElementGeometry::Kind::Line:
     break;
   }
-  return std::fabs(std::sin(radians(line.size - other.size))) > parallel ||
-         distance(line, other.x, other.y) <= tolerance;
+  return std::fabs(std::sin(radiansOf(line.size - other.size))) > parallel ||
+         distanceFrom(line, other.x, other.y) <= tolerance;
 }
 
 bool circleMeets(const ElementGeometry &circle, const ElementGeometry &other) {
-  const double apart = std::hypot(other.x - circle.x, other.y - circle.y);
+  const double apart = distance({circle.x, circle.y}, {other.x, other.y});
   const double size = other.kind == ElementGeometry::Kind::Point ? 0 : other.size;
   return apart <= circle.size + size + tolerance &&
          apart >= std::fabs(circle.size - size) - tolerance;

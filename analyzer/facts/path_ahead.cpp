@@ -66,8 +66,7 @@ const Event *moveInPlane(const ExecutedBlock &executed) {
 }
 
 /// Circle of the arc that the block cuts; none when it is not known.
-std::optional<ArcGeometry::Point> centreOf(const ArcWords &words, const ArcGeometry &arc,
-                                           bool clockwise) {
+std::optional<Point> centreOf(const ArcWords &words, const ArcGeometry &arc, bool clockwise) {
   if (words.hasCentre())
     return arc.centre();
   if (!arc.radius || !arc.start || !arc.end)

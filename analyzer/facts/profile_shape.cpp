@@ -1,10 +1,7 @@
 // Whether the contour of a turning profile rises or falls steadily.
 #include "analyzer/facts/profile_shape.h"
 
-#include "interp/geometry/arc.h"
-
-#include <cmath>
-#include <numbers>
+#include "interp/geometry/circle.h"
 
 namespace ncvet {
 
@@ -35,32 +32,30 @@ llvm::SmallVector<double, 2> turnsOf(const RuleContext &ctx, const ProfileBlock 
       !block.toZ.isConstant())
     return turns;
   const double perX = ctx.dialect().lengthsPerUnit(Axis::X);
-  const ArcGeometry::Point start{block.fromZ.value(), block.fromX.value() / perX};
-  const ArcGeometry::Point end{block.toZ.value(), block.toX.value() / perX};
-  std::optional<ArcGeometry::Point> centre;
+  const Point start{block.fromZ.value(), block.fromX.value() / perX};
+  const Point end{block.toZ.value(), block.toX.value() / perX};
+  std::optional<Point> centre;
   if (const auto radius = lengthOf(block.block, 'R', *unit)) {
     centre = centreByRadius(start, end, *radius, clockwise);
   } else if (block.block.hasAny(lettersMask("IK"))) {
     const auto i = lengthOf(block.block, 'I', *unit);
     const auto k = lengthOf(block.block, 'K', *unit);
     if ((i || !block.block.has(letterAddress('I'))) && (k || !block.block.has(letterAddress('K'))))
-      centre = ArcGeometry::Point{start[0] + k.value_or(0), start[1] + i.value_or(0)};
+      centre = Point{start[0] + k.value_or(0), start[1] + i.value_or(0)};
   }
   if (!centre)
     return turns;
-  const double radius = std::hypot(start[0] - (*centre)[0], start[1] - (*centre)[1]);
+  const double radius = distance(*centre, start);
   constexpr double fits = 0.02; // mm; words that make no circle are another rule's business
-  if (std::fabs(std::hypot(end[0] - (*centre)[0], end[1] - (*centre)[1]) - radius) > fits)
+  if (std::fabs(distance(*centre, end) - radius) > fits)
     return turns;
-  const auto angleOf = [&](const ArcGeometry::Point &point) {
-    return std::atan2(point[1] - (*centre)[1], point[0] - (*centre)[0]);
-  };
+  const double begin = angleOf(start - *centre);
   // The path from the start to an angle, in the sense of the arc.
   const auto wayTo = [&](double angle) {
-    const double way = clockwise ? angleOf(start) - angle : angle - angleOf(start);
+    const double way = clockwise ? begin - angle : angle - begin;
     return way - std::floor(way / (2 * pi)) * 2 * pi;
   };
-  const double whole = wayTo(angleOf(end));
+  const double whole = wayTo(angleOf(end - *centre));
   const size_t along = axis == Axis::Z ? 0 : 1;
   const double low = std::min(start[along], end[along]), high = std::max(start[along], end[along]);
   llvm::SmallVector<std::pair<double, double>, 2> found; // way, place

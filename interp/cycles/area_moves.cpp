@@ -4,15 +4,11 @@
 #include "interp/cycles/cycle_moves.h"
 #include "interp/cycles/depth_levels.h"
 #include "interp/cycles/milling_writer.h"
-
-#include <cmath>
-#include <numbers>
+#include "interp/geometry/direction.h"
 
 namespace ncvet {
 
 namespace {
-
-using Point = std::array<double, 2>;
 
 class AreaMoves : private MillingWriter {
 public:
@@ -121,7 +117,8 @@ private:
       const auto first = parameters_.length(Measure::CentreFirst),
                  second = parameters_.length(Measure::CentreSecond);
       if (first || second)
-        setPlane({first.value_or(at_[size_t(axes_[0])]), second.value_or(at_[size_t(axes_[1])])});
+        setPlane(PlanePlace{first.value_or(at_[size_t(axes_[0])]),
+                            second.value_or(at_[size_t(axes_[1])])});
     } else {
       setPlane(PlanePlace{});
     }
@@ -195,7 +192,7 @@ private:
       feed(go(MoveKind::Linear), Measure::FeedAlong);
       return;
     }
-    const double turn = angle.value() * std::numbers::pi / 180, side = clockwise_ ? -1 : 1;
+    const double turn = radiansOf(angle.value()), side = clockwise_ ? -1 : 1;
     const auto place = [&](double x, double y) {
       return Point{middle[0] + x * std::cos(turn) - y * side * std::sin(turn),
                    middle[1] + x * std::sin(turn) + y * side * std::cos(turn)};

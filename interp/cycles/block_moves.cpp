@@ -10,47 +10,9 @@
 #include "interp/geometry/contour_element.h"
 #include "interp/path/arc_block.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace ncvet {
 
 namespace {
-
-/// Ends of a circle that are closer than this (mm) are one point.
-constexpr double samePoint = 1e-6;
-
-using Point = ArcGeometry::Point;
-
-/// Centre of the arc of that opening angle (degrees, below 360) between two points.
-std::optional<Point> centreByAngle(const Point &start, const Point &end, double degrees,
-                                   bool clockwise) {
-  const double sine = std::sin(degrees * std::numbers::pi / 360);
-  const double chord = std::hypot(end[0] - start[0], end[1] - start[1]);
-  if (degrees <= 0 || degrees >= 360 || sine <= 0)
-    return std::nullopt;
-  const double radius = chord / (2 * sine);
-  return centreByRadius(start, end, degrees > 180 ? -radius : radius, clockwise);
-}
-
-Point turned(const Point &point, const Point &centre, double degrees) {
-  const double angle = degrees * std::numbers::pi / 180;
-  const double x = point[0] - centre[0], y = point[1] - centre[1];
-  return {centre[0] + x * std::cos(angle) - y * std::sin(angle),
-          centre[1] + x * std::sin(angle) + y * std::cos(angle)};
-}
-
-/// None when the points lie on a line.
-std::optional<Point> centreOfThree(const Point &a, const Point &b, const Point &c) {
-  const double bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
-  const double twice = 2 * (bx * cy - by * cx);
-  if (std::fabs(twice) < samePoint)
-    return std::nullopt;
-  const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  return Point{a[0] + (cy * b2 - by * c2) / twice, a[1] + (bx * c2 - cx * b2) / twice};
-}
-
-Vector vectorOf(const Point &point) { return {point[0], point[1]}; }
 
 /// An arc stays one in its plane when the frame does not tilt the plane, and scales its two axes by
 /// the same factor.
@@ -227,21 +189,20 @@ private:
       else if (const auto &pole = executed_.before.pole; // angle and radius turn about the pole
                executed_.block.hasAny(dialect_.polarWords) && pole[0].isConstant() &&
                pole[1].isConstant())
-        centre = Point{pole[0].value(), pole[1].value()};
+        centre = Point(pole[0].value(), pole[1].value());
     }
     if (!centre)
       return;
     if (const auto degrees = angleOf(words); degrees && words.hasCentre() && arc.start) {
-      arc.end = turned(*arc.start, *centre, *degrees * (clockwise ? -1 : 1));
+      arc.end = turnedAbout(*centre, *arc.start, radiansOf(*degrees * (clockwise ? -1 : 1)));
       for (size_t i = 0; i < 2; ++i)
         move.to[size_t(words.axes[i])] =
             Interval::exactly((*arc.end)[i] * dialect_.lengthsPerUnit(words.axes[i]));
     }
     setCentre(move, *centre);
     if (arc.start && arc.end)
-      move.turns = Interval::exactly(
-          turnsAround(vectorOf(*centre), vectorOf(*arc.start), vectorOf(*arc.end), clockwise) +
-          furtherTurns());
+      move.turns =
+          Interval::exactly(turnsAround(*centre, *arc.start, *arc.end, clockwise) + furtherTurns());
   }
   void setCentre(Move &move, const Point &centre) const {
     for (size_t i = 0; i < 2; ++i)
@@ -317,13 +278,10 @@ private:
     const auto centre = centreOfThree(*arc.start, through, *arc.end);
     if (!centre)
       return;
-    const double turn = (through[0] - (*arc.start)[0]) * ((*arc.end)[1] - through[1]) -
-                        (through[1] - (*arc.start)[1]) * ((*arc.end)[0] - through[0]);
-    move.clockwise = turn < 0;
+    move.clockwise = cross(through - *arc.start, *arc.end - through) < 0;
     setCentre(move, *centre);
-    move.turns = Interval::exactly(
-        turnsAround(vectorOf(*centre), vectorOf(*arc.start), vectorOf(*arc.end), move.clockwise) +
-        furtherTurns());
+    move.turns = Interval::exactly(turnsAround(*centre, *arc.start, *arc.end, move.clockwise) +
+                                   furtherTurns());
   }
 
   const ExecutedBlock &executed_;

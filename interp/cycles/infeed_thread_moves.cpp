@@ -1,9 +1,7 @@
 // The motions of a cycle that threads pass by pass beside a line along Z.
 #include "interp/cycles/cycle_moves.h"
 #include "interp/cycles/cycle_writer.h"
-
-#include <cmath>
-#include <numbers>
+#include "interp/geometry/direction.h"
 
 namespace ncvet {
 
@@ -42,7 +40,7 @@ private:
 
   void readForm(double end) {
     const double direction = end > z_ ? -1 : 1;
-    slope_ = direction * std::tan(number(Role::Angle).value_or(0) * std::numbers::pi / 180);
+    slope_ = direction * std::tan(radiansOf(number(Role::Angle).value_or(0)));
     end_ = end + depth_ * slope_;
     const int ends = int(number(Role::ThreadForm).value_or(0));
     const double taper = direction * std::max(0.0, number(Role::Taper).value_or(0));

@@ -76,7 +76,7 @@ private:
   void set(size_t index, double value) {
     at_.to[size_t(axisOf(index))] = Interval::exactly(value * lengthsOf(index));
   }
-  void go(MoveKind kind, const TurnedPoint &to) {
+  void go(MoveKind kind, const Point &to) {
     set(ofZ, to[ofZ]);
     set(ofX, to[ofX]);
     go(kind);
@@ -131,7 +131,7 @@ private:
         std::fabs(*cycle_.depth) < tolerance || !x.isConstant() || !z.isConstant())
       return;
     const auto by = total();
-    const TurnedPoint shift{*by[1], *by[0]};
+    const Point shift{*by[1], *by[0]};
     contour.shift(shift);
     contour_ = &contour;
     start_ = {z.value() / lengthsOf(ofZ) + shift[ofZ], x.value() / lengthsOf(ofX) + shift[ofX]};
@@ -173,7 +173,7 @@ private:
 
   /// One pass at `level`; the one before was at `above`.
   void cut(const TurnedContour::Part &part, double level, double above) {
-    TurnedPoint from = part.from, to = part.to;
+    Point from = part.from, to = part.to;
     if (part.fromBegin)
       from[along_] = start_[along_];
     if ((to[along_] - from[along_]) * forward_ <= tolerance)
@@ -214,10 +214,10 @@ private:
   }
 
   /// Away from the work at 45 degrees, but not after the begin of the pass.
-  void retract(const TurnedPoint &from, const TurnedPoint &to) {
+  void retract(const Point &from, const Point &to) {
     const Interval &way = cycle_.retract;
     if (way.isConstant()) {
-      TurnedPoint place = to;
+      Point place = to;
       place[infeed_] -= in_ * way.value();
       place[along_] -= forward_ * std::min(way.value(), std::fabs(to[along_] - from[along_]));
       return go(MoveKind::Rapid, place);
@@ -229,7 +229,7 @@ private:
   bool follows() const { return cycle_.bothAxes && cycle_.has(CycleTrait::FollowsContour); }
 
   /// Along the contour from the end of a pass to the level of the pass before.
-  TurnedPoint follow(const TurnedContour::Part &part, TurnedPoint at, double above) {
+  Point follow(const TurnedContour::Part &part, Point at, double above) {
     const auto pieces = contour_->pieces();
     for (size_t i = part.lastPiece; i < pieces.size(); ++i) {
       const ContourPiece &piece = pieces[i];
@@ -237,8 +237,8 @@ private:
       const bool falls = (piece.to[infeed_] - at[infeed_]) * in_ > tolerance;
       if (falls)
         return at;
-      TurnedPoint end = leaves ? piece.at(infeed_, above) : piece.to;
-      if (std::hypot(end[0] - at[0], end[1] - at[1]) > tolerance)
+      Point end = leaves ? piece.at(infeed_, above) : piece.to;
+      if (distance(at, end) > tolerance)
         alongPiece(piece, at, end);
       at = end;
       if (leaves)
@@ -246,7 +246,7 @@ private:
     }
     return at;
   }
-  void alongPiece(const ContourPiece &piece, const TurnedPoint &from, const TurnedPoint &to) {
+  void alongPiece(const ContourPiece &piece, const Point &from, const Point &to) {
     set(ofZ, to[ofZ]);
     set(ofX, to[ofX]);
     if (!piece.arc)
@@ -258,7 +258,7 @@ private:
     move.centre = {Interval::exactly(piece.centre[ofZ] * lengthsOf(ofZ)),
                    Interval::exactly(piece.centre[ofX] * lengthsOf(ofX))};
     move.clockwise = piece.clockwise;
-    const double chord = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const double chord = distance(from, to);
     move.turns =
         Interval::exactly(std::asin(std::min(1.0, chord / (2 * piece.radius))) / std::numbers::pi);
     give(move);
@@ -270,7 +270,7 @@ private:
   const Give give_;
   const size_t infeed_, along_;
   const TurnedContour *contour_ = nullptr; ///< moved to where roughing ends
-  TurnedPoint start_{};                    ///< of the passes
+  Point start_ = Point::Zero();            ///< of the passes
   double in_ = -1, forward_ = -1;          ///< signs of infeed and cut
   size_t given_ = 0;
 };

@@ -3,9 +3,7 @@
 #include "interp/cycles/cycle_moves.h"
 #include "interp/cycles/depth_levels.h"
 #include "interp/cycles/milling_writer.h"
-
-#include <cmath>
-#include <numbers>
+#include "interp/geometry/direction.h"
 
 namespace ncvet {
 
@@ -62,7 +60,7 @@ private:
       return;
     }
     const auto place = [&](double turns) -> PlanePlace {
-      const double angle = 2 * std::numbers::pi * turns;
+      const double angle = fullTurn * turns;
       return {centre[0] + Interval::exactly(*away * std::cos(angle)),
               centre[1] + Interval::exactly(*away * std::sin(angle))};
     };

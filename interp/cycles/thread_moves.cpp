@@ -3,15 +3,13 @@
 #include "interp/cycles/cycle_writer.h"
 #include "interp/cycles/thread_depths.h"
 #include "interp/evaluate/cycle_parameters.h"
+#include "interp/value/units.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
 namespace {
-
-constexpr double inDegrees = std::numbers::pi / 180;
 
 class ThreadMoves : private CycleWriter {
 public:
@@ -120,8 +118,8 @@ private:
     thread(Interval::exactly(end_.value() - sign * length));
     const double out = startX().value() < x.value() ? -1 : 1;
     const double most = std::fabs(startX().value() - x.value());
-    atX() =
-        x + Interval::exactly(out * std::min(most, length * std::tan(angle * inDegrees) * unit_));
+    atX() = x + Interval::exactly(
+                    out * std::min(most, length * std::tan(angle * radiansPerDegree) * unit_));
     thread(end_);
   }
 

@@ -1,17 +1,11 @@
 // Straight lines and arcs of a contour in their plane, and where paths beside them meet.
 #include "interp/geometry/contour_element.h"
 
-#include <cmath>
-#include <numbers>
+#include "interp/geometry/tolerance.h"
 
 namespace ncvet {
 
 namespace {
-
-/// Directions are parallel when their sine is below this.
-constexpr double parallel = 1e-9;
-/// Lengths (mm) and angles (turns) below this are none.
-constexpr double nothing = 1e-9;
 
 Vector nearestTo(const Vector &corner, const Vector &p, const Vector &q) {
   return (p - corner).squaredNorm() < (q - corner).squaredNorm() ? p : q;
@@ -21,7 +15,7 @@ std::optional<Vector> meeting(const ContourElement &line, const ContourElement &
                               const Vector &corner) {
   const Vector d = line.direction(line.from), p = line.from + leftOf(d) * left;
   const double r = arc.radiusBeside(left);
-  const Vector foot = p + d * d.dot(arc.centre - p);
+  const Vector foot = footOnLine(p, d, arc.centre);
   const double square = r * r - (arc.centre - foot).squaredNorm();
   if (r <= 0 || square < 0)
     return std::nullopt;
@@ -30,24 +24,6 @@ std::optional<Vector> meeting(const ContourElement &line, const ContourElement &
 }
 
 } // namespace
-
-std::optional<Vector> intersection(const Vector &p, const Vector &d, const Vector &q,
-                                   const Vector &e) {
-  const double sine = cross(d, e);
-  if (std::fabs(sine) < parallel)
-    return std::nullopt;
-  return Vector(p + d * (cross(q - p, e) / sine));
-}
-
-double turnsAround(const Vector &centre, const Vector &from, const Vector &to, bool clockwise) {
-  const Vector a = from - centre, b = to - centre;
-  double turns = std::atan2(cross(a, b), a.dot(b)) / (2 * std::numbers::pi);
-  if (clockwise)
-    turns = -turns;
-  if (turns < 0)
-    turns += 1;
-  return turns < nothing ? 1 : turns;
-}
 
 double ContourElement::length() const {
   return arc ? turnsAround(centre, from, to, clockwise) * 2 * std::numbers::pi * radius()
@@ -65,7 +41,7 @@ std::optional<Vector> meetingBeside(const ContourElement &a, const ContourElemen
   const double r = a.radiusBeside(left), s = b.radiusBeside(left);
   const Vector between = b.centre - a.centre;
   const double distance = between.norm();
-  if (r <= 0 || s <= 0 || distance < nothing)
+  if (r <= 0 || s <= 0 || distance < Tolerance::nothing)
     return std::nullopt;
   const double along = (r * r - s * s + distance * distance) / (2 * distance);
   const double square = r * r - along * along;
@@ -79,8 +55,7 @@ std::optional<Vector> meetingBeside(const ContourElement &a, const ContourElemen
 Vector footOn(const ContourElement &element, const Vector &point) {
   if (element.arc)
     return element.centre + (point - element.centre).normalized() * element.radius();
-  const Vector d = element.direction(element.from);
-  return element.from + d * d.dot(point - element.from);
+  return footOnLine(element.from, element.direction(element.from), point);
 }
 
 ContourPlane::ContourPlane(const Dialect &dialect, const std::array<Axis, 2> &axes) : axes_(axes) {
@@ -115,7 +90,7 @@ std::optional<ContourElement> ContourPlane::element(const Place &from, const Mov
     if (!move.centre[0].isConstant() || !move.centre[1].isConstant())
       return std::nullopt;
     element.centre = {move.centre[0].value() / factor_[0], move.centre[1].value() / factor_[1]};
-  } else if ((*end - *begin).norm() < nothing) {
+  } else if ((*end - *begin).norm() < Tolerance::nothing) {
     return std::nullopt;
   }
   return element;

@@ -1,25 +1,13 @@
 // Straight lines and arcs of a contour in their plane, and where paths beside them meet.
 #pragma once
 
+#include "interp/geometry/circle.h"
+#include "interp/geometry/line.h"
 #include "interp/geometry/move.h"
-
-#include <Eigen/Core>
 
 #include <optional>
 
 namespace ncvet {
-
-using Vector = Eigen::Vector2d;
-
-inline Vector leftOf(const Vector &v) { return {-v.y(), v.x()}; }
-inline double cross(const Vector &a, const Vector &b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Where two lines meet, each given by a point and a direction; none when they are parallel.
-std::optional<Vector> intersection(const Vector &p, const Vector &d, const Vector &q,
-                                   const Vector &e);
-
-/// Angle of the path from one point to another round `centre`, in full turns: above 0, at most 1.
-double turnsAround(const Vector &centre, const Vector &from, const Vector &to, bool clockwise);
 
 /// A straight line or an arc in a plane, lengths in millimetres.
 struct ContourElement {

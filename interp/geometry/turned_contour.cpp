@@ -1,9 +1,9 @@
 // The contour of a turned part as pieces that rise or fall steadily, and where levels cut it.
 #include "interp/geometry/turned_contour.h"
 
+#include "interp/geometry/circle.h"
+
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
@@ -12,17 +12,17 @@ constexpr double contourTolerance = 1e-7; ///< mm
 constexpr double quarter = std::numbers::pi / 2;
 
 /// Where the move ends; none when a coordinate is not known.
-std::optional<TurnedPoint> endAsTurned(const Move &move, double lengthsOfX) {
+std::optional<Point> endAsTurned(const Move &move, double lengthsOfX) {
   const Interval &x = move.to[size_t(Axis::X)], &z = move.to[size_t(Axis::Z)];
   if (!x.isConstant() || !z.isConstant())
     return std::nullopt;
-  return TurnedPoint{z.value(), x.value() / lengthsOfX};
+  return Point{z.value(), x.value() / lengthsOfX};
 }
 } // namespace
 
-TurnedPoint ContourPiece::at(size_t axis, double value) const {
+Point ContourPiece::at(size_t axis, double value) const {
   const size_t other = 1 - axis;
-  TurnedPoint point;
+  Point point;
   point[axis] = value;
   if (arc) {
     const double off = value - centre[axis];
@@ -54,8 +54,8 @@ TurnedContour::TurnedContour(llvm::ArrayRef<Move> moves, double lengthsOfX) {
   known_ = !pieces_.empty();
 }
 
-void TurnedContour::add(const TurnedPoint &from, const Move &move, double lengthsOfX) {
-  const TurnedPoint to = *endAsTurned(move, lengthsOfX);
+void TurnedContour::add(const Point &from, const Move &move, double lengthsOfX) {
+  const Point to = *endAsTurned(move, lengthsOfX);
   if (move.kind == MoveKind::Arc)
     return addArc(from, to, move, lengthsOfX);
   ContourPiece &piece = pieces_.emplace_back();
@@ -63,7 +63,7 @@ void TurnedContour::add(const TurnedPoint &from, const Move &move, double length
   piece.to = to;
 }
 
-void TurnedContour::addArc(const TurnedPoint &from, const TurnedPoint &to, const Move &move,
+void TurnedContour::addArc(const Point &from, const Point &to, const Move &move,
                            double lengthsOfX) {
   const bool swapped = move.plane[0] == Axis::X && move.plane[1] == Axis::Z;
   const bool turned = move.plane[0] == Axis::Z && move.plane[1] == Axis::X;
@@ -71,15 +71,15 @@ void TurnedContour::addArc(const TurnedPoint &from, const TurnedPoint &to, const
   if ((!swapped && !turned) || !z.isConstant() || !x.isConstant() || !move.turns.isConstant() ||
       move.turns.value() > 1)
     return;
-  const TurnedPoint centre{z.value(), x.value() / lengthsOfX};
-  const double radius = std::hypot(from[0] - centre[0], from[1] - centre[1]);
+  const Point centre{z.value(), x.value() / lengthsOfX};
+  const double radius = distance(centre, from);
   const bool clockwise = move.clockwise != swapped;
-  const double begin = std::atan2(from[1] - centre[1], from[0] - centre[0]);
+  const double begin = angleOf(from - centre);
   const double sign = clockwise ? -1 : 1;
   const double end = begin + sign * move.turns.value() * 2 * std::numbers::pi;
   constexpr double sameAngle = 1e-9;
   double angle = begin;
-  TurnedPoint at = from;
+  Point at = from;
   while ((end - angle) * sign > sameAngle) {
     const double count = std::floor(angle / quarter * sign + 1 + sameAngle);
     double next = count * quarter * sign;
@@ -88,9 +88,7 @@ void TurnedContour::addArc(const TurnedPoint &from, const TurnedPoint &to, const
       next = end;
     ContourPiece &piece = pieces_.emplace_back();
     piece.from = at;
-    piece.to = last ? to
-                    : TurnedPoint{centre[0] + radius * std::cos(next),
-                                  centre[1] + radius * std::sin(next)};
+    piece.to = last ? to : pointOnCircle(centre, radius, next);
     piece.arc = true;
     piece.centre = centre;
     piece.radius = radius;
@@ -123,15 +121,15 @@ llvm::SmallVector<TurnedContour::Part, 4>
 TurnedContour::beyond(size_t axis, double level, double sign, const Part *within) const {
   const Part all = within ? *within : whole();
   llvm::SmallVector<Part, 4> parts;
-  const auto depth = [&](const TurnedPoint &point) { return (point[axis] - level) * sign; };
+  const auto depth = [&](const Point &point) { return (point[axis] - level) * sign; };
   bool open = depth(all.from) >= -contourTolerance;
   if (open)
     parts.push_back({all.from, all.from, all.firstPiece, all.firstPiece, all.fromBegin, false});
   for (size_t i = all.firstPiece; i <= all.lastPiece; ++i) {
-    const TurnedPoint to = i == all.lastPiece ? all.to : pieces_[i].to;
+    const Point to = i == all.lastPiece ? all.to : pieces_[i].to;
     const bool deep = depth(to) >= -contourTolerance;
     if (deep != open) {
-      const TurnedPoint crossing = pieces_[i].at(axis, level);
+      const Point crossing = pieces_[i].at(axis, level);
       if (deep)
         parts.push_back({crossing, crossing, i, i, false, false});
       parts.back().to = crossing;
@@ -159,11 +157,10 @@ double TurnedContour::farthest(size_t axis, double sign, const Part &part) const
   return result;
 }
 
-void TurnedContour::shift(const TurnedPoint &by) {
+void TurnedContour::shift(const Point &by) {
   for (ContourPiece &piece : pieces_)
-    for (TurnedPoint *point : {&piece.from, &piece.to, &piece.centre})
-      for (size_t i = 0; i < 2; ++i)
-        (*point)[i] += by[i];
+    for (Point *point : {&piece.from, &piece.to, &piece.centre})
+      *point += by;
 }
 
 } // namespace ncvet

@@ -2,26 +2,25 @@
 #pragma once
 
 #include "interp/geometry/move.h"
+#include "interp/geometry/point.h"
 
 #include "llvm/ADT/ArrayRef.h"
 #include "llvm/ADT/SmallVector.h"
 
 namespace ncvet {
 
-/// Z and X as a radius, in millimetres.
-using TurnedPoint = std::array<double, 2>;
-
-/// A line, or a part of an arc within a quarter of its circle.
+/// A line, or a part of an arc within a quarter of its circle. Its points are of Z, and X as a
+/// radius.
 struct ContourPiece {
-  TurnedPoint from, to;
+  Point from, to;
   bool arc = false;
-  TurnedPoint centre{};
+  Point centre = Point::Zero();
   double radius = 0;
   std::array<double, 2> side{}; ///< of an arc: on which side of its centre it lies, by the signs
   bool clockwise = false;       ///< from +Z to +X is counter-clockwise
 
   /// Where the piece has `value` along `axis` (0: Z, 1: X); it does have it.
-  TurnedPoint at(size_t axis, double value) const;
+  Point at(size_t axis, double value) const;
 };
 
 /// The piece's end from `from` on, as a motion in coordinates; `lengths` as in `ContourCycle`.
@@ -33,14 +32,14 @@ public:
 
   bool known() const { return known_; } ///< all of it, and it is not empty
   llvm::ArrayRef<ContourPiece> pieces() const { return pieces_; }
-  TurnedPoint first() const { return pieces_.front().from; }
-  TurnedPoint last() const { return pieces_.back().to; }
+  Point first() const { return pieces_.front().from; }
+  Point last() const { return pieces_.back().to; }
   /// Whether it never turns back along the axis.
   bool isSteady(size_t axis) const;
 
   /// A part of the contour that lies at a level or beyond it.
   struct Part {
-    TurnedPoint from, to;
+    Point from, to;
     size_t firstPiece = 0, lastPiece = 0;
     bool fromBegin = false; ///< it begins with the contour
     bool toEnd = false;     ///< it ends with the contour
@@ -54,11 +53,11 @@ public:
   Part whole() const;
 
   /// The same contour elsewhere.
-  void shift(const TurnedPoint &by);
+  void shift(const Point &by);
 
 private:
-  void add(const TurnedPoint &from, const Move &move, double lengthsOfX);
-  void addArc(const TurnedPoint &from, const TurnedPoint &to, const Move &move, double lengthsOfX);
+  void add(const Point &from, const Move &move, double lengthsOfX);
+  void addArc(const Point &from, const Point &to, const Move &move, double lengthsOfX);
 
   bool known_ = false;
   llvm::SmallVector<ContourPiece, 16> pieces_;

@@ -56,11 +56,9 @@ std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &s
 
 namespace {
 
-using Point = ArcGeometry::Point;
-
 std::optional<Point> pointInPlane(const ArcWords &words, const Dialect &dialect,
                                   const MachineState &state) {
-  Point point{};
+  Point point = Point::Zero();
   for (size_t i = 0; i < 2; ++i) {
     const auto along = placeInPlane(dialect, state, words.axes[i]);
     if (!along)
@@ -101,7 +99,7 @@ private:
   }
 
   void readCentre() {
-    Point point{};
+    Point point = Point::Zero();
     bool known = true;
     for (size_t i = 0; i < 2; ++i)
       if (words_.centre[i]) {

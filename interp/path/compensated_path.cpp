@@ -1,8 +1,6 @@
 // Puts radius compensation into a path: the motions of the tool's centre.
 #include "interp/path/compensated_path.h"
 
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ncvet {
@@ -71,7 +69,7 @@ void CompensatedPath::flush(Take take) {
 void CompensatedPath::goAlongLines(const ContourElement &next, Take take) {
   constexpr double square = std::numbers::pi / 4;
   const Vector in = element_->direction(element_->to), out = next.direction(next.from);
-  const double half = std::atan2(std::fabs(cross(in, out)), in.dot(out)) / 2;
+  const double half = std::fabs(angleBetween(in, out)) / 2;
   const double on = std::fabs(left_) * std::tan(std::min(half, square));
   const Vector end = beside(*element_, element_->to, left_), goal = beside(next, next.from, left_);
   Tagged line = *waiting_;
@@ -107,7 +105,7 @@ bool CompensatedPath::isStraight(const ContourElement &next) const {
   if (habits_.straight <= 0)
     return false;
   const Vector in = element_->direction(element_->to), out = next.direction(next.from);
-  return std::fabs(std::atan2(cross(in, out), in.dot(out))) <= habits_.straight;
+  return std::fabs(angleBetween(in, out)) <= habits_.straight;
 }
 
 /// The waiting move ends where the path beside `next`, the element of `after`, begins.

@@ -3,25 +3,17 @@
 
 #include "interp/evaluate/expression.h"
 #include "interp/execute/execute.h"
-#include "interp/geometry/arc.h"
 #include "interp/geometry/contour_element.h"
-
-#include <cmath>
-#include <numbers>
+#include "interp/geometry/tolerance.h"
+#include "interp/value/units.h"
 
 namespace ncvet {
 
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-/// Directions are parallel when their sine is below this.
-constexpr double parallel = 1e-9;
-
 bool isCut(const Move &move) { return move.kind == MoveKind::Linear || move.kind == MoveKind::Arc; }
 
-Vector directionOf(double degrees) {
-  return {std::cos(degrees * radians), std::sin(degrees * radians)};
-}
+Vector directionOf(double degrees) { return unitVector(degrees * radiansPerDegree); }
 
 /// The way of a line by its angle: the words tell which of the two directions is meant.
 Vector directionAlong(const ContourPlane &plane, const CornerRequest &line, const Vector &from) {
@@ -37,8 +29,7 @@ Vector directionAlong(const ContourPlane &plane, const CornerRequest &line, cons
 /// Intersections of a circle with a line, in the order in which the line meets them.
 std::optional<std::array<Vector, 2>> meetings(const ContourElement &circle, const Vector &point,
                                               const Vector &direction) {
-  const double along = direction.dot(circle.centre - point);
-  const Vector foot = point + direction * along;
+  const Vector foot = footOnLine(point, direction, circle.centre);
   const double square = circle.radius() * circle.radius() - (circle.centre - foot).squaredNorm();
   if (square < 0)
     return std::nullopt;
@@ -72,7 +63,7 @@ std::optional<Vector> endOf(const ContourPlane &plane, const Place &begin, const
     return Vector(*said[0], *said[1]);
   for (int i = 0; i < 2; ++i)
     if (first.corner.axes & plane.bit(size_t(i)) && said[size_t(i)] &&
-        std::fabs(direction(i)) > parallel)
+        std::fabs(direction(i)) > Tolerance::parallel)
       return Vector(*from + direction * ((*said[size_t(i)] - (*from)(i)) / direction(i)));
   return std::nullopt;
 }
@@ -183,17 +174,15 @@ void CornerPath::findCentre(Move &move) const {
   if (!from || !to)
     return;
   if (move.radius) {
-    if (const auto centre = centreByRadius({from->x(), from->y()}, {to->x(), to->y()}, *move.radius,
-                                           move.clockwise))
-      move =
-          plane.arc(move, {*from, *to, Vector((*centre)[0], (*centre)[1]), true, move.clockwise});
+    if (const auto centre = centreByRadius(*from, *to, *move.radius, move.clockwise))
+      move = plane.arc(move, {*from, *to, *centre, true, move.clockwise});
     return;
   }
   if (!move.tangential || !direction_ || directionPlane_ != move.plane)
     return;
   const Vector direction((*direction_)[0], (*direction_)[1]), chord = *to - *from;
   const double aside = leftOf(direction).dot(chord);
-  if (std::fabs(aside) < parallel)
+  if (std::fabs(aside) < Tolerance::parallel)
     return;
   const Vector centre = *from + leftOf(direction) * (chord.squaredNorm() / (2 * aside));
   move = plane.arc(move, {*from, *to, centre, true, aside < 0});
@@ -284,7 +273,7 @@ bool CornerPath::putCorner(Waiting &first, Waiting &second, Take take) {
     return false;
   const Vector meet = a->to, in = a->direction(meet), out = b->direction(meet);
   const double side = cross(in, out); // above zero: the path turns left
-  if (std::fabs(side) < parallel)
+  if (std::fabs(side) < Tolerance::parallel)
     return false;
   if (first.corner.kind == CornerRequest::Kind::Rounding) {
     const double offset = side > 0 ? first.corner.size : -first.corner.size;

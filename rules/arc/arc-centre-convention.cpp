@@ -7,13 +7,6 @@
 namespace ncvet {
 namespace {
 
-using Point = ArcGeometry::Point;
-
-double offCircle(const Point &start, const Point &end, const Point &centre) {
-  return std::fabs(std::hypot(start[0] - centre[0], start[1] - centre[1]) -
-                   std::hypot(end[0] - centre[0], end[1] - centre[1]));
-}
-
 class ArcCentreConvention final : public Rule {
 public:
   void listen(Subscriptions &to) override {
@@ -32,7 +25,8 @@ public:
     const ArcGeometry arc =
         arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
     const auto centre = arc.centre();
-    if (!centre || !arc.start || !arc.end || offCircle(*arc.start, *arc.end, *centre) <= tolerance_)
+    if (!centre || !arc.start || !arc.end ||
+        radiusDifference(*centre, *arc.start, *arc.end) <= tolerance_)
       return;
     if (arc.centreAbsolute)
       return distance(event, words, arc, ctx);
@@ -93,8 +87,8 @@ private:
     });
   }
   bool fits(const ArcGeometry &arc, const Point &centre) const {
-    const double radius = std::hypot((*arc.start)[0] - centre[0], (*arc.start)[1] - centre[1]);
-    return radius > tolerance_ && offCircle(*arc.start, *arc.end, centre) <= tolerance_;
+    const double radius = ncvet::distance(centre, *arc.start);
+    return radius > tolerance_ && radiusDifference(centre, *arc.start, *arc.end) <= tolerance_;
   }
   static SourceRange valueRange(const Word &word, RuleContext &ctx) {
     return {ctx.source().id(), word.offset + 1, ctx.block().endOf(word)};

@@ -34,10 +34,8 @@ public:
         (ctx.code(event).takes & ctx.dialect().lineAngleWords & ctx.block().addresses))
       return;
     constexpr double same = 1e-6; // mm
-    const bool meets =
-        arc.start && arc.end &&
-        std::hypot((*arc.end)[0] - (*arc.start)[0], (*arc.end)[1] - (*arc.start)[1]) <= same &&
-        !(ctx.outcome().kinds & bitOf(EventKind::CoordinateChange));
+    const bool meets = arc.start && arc.end && distance(*arc.start, *arc.end) <= same &&
+                       !(ctx.outcome().kinds & bitOf(EventKind::CoordinateChange));
     if ((!staysPut && !meets) || !words.planeKnown)
       return;
     // A radius of zero is reported as such.

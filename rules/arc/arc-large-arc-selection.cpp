@@ -28,8 +28,7 @@ public:
       return;
     bool semicircle = false;
     if (arc.start && arc.end) {
-      const double chord =
-          std::hypot((*arc.end)[0] - (*arc.start)[0], (*arc.end)[1] - (*arc.start)[1]);
+      const double chord = distance(*arc.start, *arc.end);
       semicircle = std::fabs(chord / 2 + *arc.radius) <= tolerance_;
     }
     if (!semicircle && !everyNegative_)

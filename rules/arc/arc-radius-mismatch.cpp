@@ -28,17 +28,16 @@ public:
     const auto centre = arc.centre();
     if (!centre || !arc.start || !arc.end)
       return;
-    const double atStart =
-        std::hypot((*arc.start)[0] - (*centre)[0], (*arc.start)[1] - (*centre)[1]);
-    const double atEnd = std::hypot((*arc.end)[0] - (*centre)[0], (*arc.end)[1] - (*centre)[1]);
+    const double atStart = distance(*centre, *arc.start);
+    const double atEnd = distance(*centre, *arc.end);
     // A centre on the start point is no circle at all: another rule says so.
     if (atStart == 0 || accepted(atStart, atEnd, ctx))
       return;
     // The centre itself given for its distance: the rule of the centre convention says so.
     if (words.centre[0] && words.centre[1] && arc.centreWords) {
       const auto &given = *arc.centreWords;
-      const double radius = std::hypot((*arc.start)[0] - given[0], (*arc.start)[1] - given[1]);
-      const double other = std::hypot((*arc.end)[0] - given[0], (*arc.end)[1] - given[1]);
+      const double radius = distance(given, *arc.start);
+      const double other = distance(given, *arc.end);
       if (radius > tolerance_ && std::fabs(radius - other) <= tolerance_)
         return;
     }

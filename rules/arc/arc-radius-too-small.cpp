@@ -48,8 +48,7 @@ private:
     if (!arc.start || !arc.end || sameBlockShift || arc.centreWords ||
         ctx.block().has(letterAddress('Q')))
       return;
-    const double chord =
-        std::hypot((*arc.end)[0] - (*arc.start)[0], (*arc.end)[1] - (*arc.start)[1]);
+    const double chord = distance(*arc.start, *arc.end);
     if (chord / 2 - std::fabs(*arc.radius) <= tolerance_)
       return;
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);

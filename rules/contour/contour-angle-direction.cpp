@@ -1,22 +1,11 @@
 // The end of a line does not lie in the direction of its angle.
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
+#include "interp/geometry/line.h"
 #include "interp/path/arc_block.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace ncvet {
 namespace {
-
-using Point = std::array<double, 2>;
-
-Point directionOf(double degrees) {
-  const double angle = degrees * std::numbers::pi / 180;
-  return {std::cos(angle), std::sin(angle)};
-}
-double dot(const Point &a, const Point &b) { return a[0] * b[0] + a[1] * b[1]; }
-Point minus(const Point &a, const Point &b) { return {a[0] - b[0], a[1] - b[1]}; }
 
 class ContourAngleDirection final : public Rule {
 public:
@@ -46,8 +35,8 @@ private:
       return;
     const Dialect &dialect = ctx.dialect();
     const std::array<Axis, 2> axes = planeOrder(dialect, ctx.after());
-    const Point direction = directionOf(angle.value());
-    Point way{};
+    const Vector direction = unitVector(radiansOf(angle.value()));
+    Vector way = Vector::Zero();
     unsigned given = 0, which = 0;
     for (unsigned i = 0; i < 2; ++i) {
       if (!(axesOf(dialect, ctx.block()) >> unsigned(axes[i]) & 1))
@@ -87,14 +76,15 @@ private:
   }
 
   /// By both coordinates: the line at this angle through the end does not lead through the start.
-  void misses(const Word &word, const Point &direction, const Point &way, RuleContext &ctx) const {
+  void misses(const Word &word, const Vector &direction, const Vector &way,
+              RuleContext &ctx) const {
     // The end of an arc may be what this line decides.
     if (!dialectEndsByNext(ctx) || isArcActive(ctx.before(), ctx.dialect()) ||
         ctx.block().hasAny(ctx.dialect().elementWords) ||
         ctx.outcome().kinds & bitOf(EventKind::CompensationMove)) // on its way to the contour
       return;
     const double length = std::hypot(way[0], way[1]);
-    const double aside = std::fabs(direction[0] * way[1] - direction[1] * way[0]);
+    const double aside = std::fabs(cross(direction, way));
     if (aside < leastAside || aside < leastSine * length)
       return;
     if (auto finding = ctx.report(word))
@@ -135,33 +125,30 @@ private:
                                      : std::nullopt;
     if (!angle.isConstant() || !chosen.isConstant() || chosen.value() == 0 || !centre)
       return;
-    Point target{};
+    Point target = Point::Zero();
     for (size_t i = 0; i < 2; ++i) {
       const Interval &to = ahead.outcome().via[size_t(words.axes[i])];
       if (!to.isConstant())
         return;
       target[i] = to.value() / dialect.lengthsPerUnit(words.axes[i]);
     }
-    const Point direction = directionOf(angle.value());
-    const double radius =
-        std::hypot((*arc.start)[0] - (*centre)[0], (*arc.start)[1] - (*centre)[1]);
-    const double along = dot(direction, minus(*centre, target));
-    const Point foot{target[0] + direction[0] * along, target[1] + direction[1] * along};
-    const double away = std::hypot((*centre)[0] - foot[0], (*centre)[1] - foot[1]);
+    const Vector direction = unitVector(radiansOf(angle.value()));
+    const double radius = distance(*centre, *arc.start);
+    const Point foot = footOnLine(target, direction, *centre);
+    const double away = distance(foot, *centre);
     if (away >= radius)
       return;
     const double half = std::sqrt(radius * radius - away * away) * (chosen.value() < 0 ? -1 : 1);
-    const Point taken{foot[0] + direction[0] * half, foot[1] + direction[1] * half};
-    const Point other{foot[0] - direction[0] * half, foot[1] - direction[1] * half};
+    const Point taken = foot + direction * half, other = foot - direction * half;
     const SourceRange at{ctx.source().id(), angleWord->offset, ahead.block().endOf(*angleWord)};
     const bool met = onArc(taken, *arc.start, *arc.end, *centre, clockwise);
     const char *message = nullptr;
-    if (met && dot(direction, minus(target, taken)) < -shortest)
+    if (met && direction.dot(target - taken) < -shortest)
       message = "`{0}` points away from the end of this line: its angle is that of the way from "
                 "the circle to that end";
     // Meant is the point on the way that the circle's own words describe.
     else if (!met && onArc(other, *arc.start, *arc.end, *centre, clockwise) &&
-             dot(direction, minus(target, other)) < 0)
+             direction.dot(target - other) < 0)
       message = "`{0}` points from the end of this line back to the circle: the control leaves the "
                 "circle at the other of the two points in which they meet";
     if (!message)
@@ -175,9 +162,8 @@ private:
   static bool onArc(const Point &point, const Point &start, const Point &end, const Point &centre,
                     bool clockwise) {
     const auto turned = [&](const Point &to) { // from the start, in full turns
-      const double a = std::atan2(start[1] - centre[1], start[0] - centre[0]);
-      const double b = std::atan2(to[1] - centre[1], to[0] - centre[0]);
-      const double turns = (clockwise ? a - b : b - a) / (2 * std::numbers::pi);
+      const double a = angleOf(start - centre), b = angleOf(to - centre);
+      const double turns = (clockwise ? a - b : b - a) / fullTurn;
       return turns - std::floor(turns);
     };
     return turned(point) <= turned(end);

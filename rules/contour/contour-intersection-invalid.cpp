@@ -4,6 +4,7 @@
 #include "analyzer/facts/element_geometry.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/cycles/contour_cycle.h"
+#include "interp/geometry/line.h"
 #include "interp/path/arc_block.h"
 
 #include <bit>
@@ -335,9 +336,8 @@ private:
     const auto y = placeInPlane(ctx.dialect(), state, axes[1]);
     if (!circle || !angle.isConstant() || !x || !y)
       return;
-    const double turn = angle.value() * std::numbers::pi / 180;
     const double away =
-        std::fabs((circle->x - *x) * std::sin(turn) - (circle->y - *y) * std::cos(turn));
+        distanceFromLine({*x, *y}, radiansOf(angle.value()), {circle->x, circle->y});
     if (away <= circle->radius + tolerance)
       return;
     if (auto finding = ctx.report(range))
@@ -375,15 +375,14 @@ private:
             : std::nullopt;
     if (!arc.start || !centre)
       return;
-    const double radius =
-        std::hypot((*arc.start)[0] - (*centre)[0], (*arc.start)[1] - (*centre)[1]);
+    const double radius = distance(*centre, *arc.start);
     double apart = 0;
     bool meet = true;
     if (toArc) {
       const auto circle = writtenCircle(next, ctx);
       if (!circle)
         return;
-      apart = std::hypot(circle->x - (*centre)[0], circle->y - (*centre)[1]);
+      apart = distance(*centre, {circle->x, circle->y});
       meet = apart <= radius + circle->radius + tolerance &&
              apart >= std::fabs(radius - circle->radius) - tolerance;
     } else {
@@ -391,9 +390,7 @@ private:
       const auto end = writtenPoint(next, axes, ctx);
       if (!end || !angle->isNumber())
         return;
-      const double turn = angle->value() * std::numbers::pi / 180;
-      apart = std::fabs(((*centre)[0] - (*end)[0]) * std::sin(turn) -
-                        ((*centre)[1] - (*end)[1]) * std::cos(turn));
+      apart = distanceFromLine(*end, radiansOf(angle->value()), *centre);
       meet = apart <= radius + tolerance;
     }
     if (meet)
@@ -430,10 +427,10 @@ private:
   }
 
   /// The end that the words of a second block give.
-  static std::optional<std::array<double, 2>>
-  writtenPoint(const Block &block, const std::array<Axis, 2> &axes, const RuleContext &ctx) {
+  static std::optional<Point> writtenPoint(const Block &block, const std::array<Axis, 2> &axes,
+                                           const RuleContext &ctx) {
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
-    std::array<double, 2> place{};
+    Point place = Point::Zero();
     for (size_t i = 0; i < 2; ++i) {
       const Word *found = nullptr;
       for (const Word &word : block.words)

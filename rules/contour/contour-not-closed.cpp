@@ -3,14 +3,10 @@
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
-
-#include <cmath>
-#include <numbers>
+#include "interp/geometry/direction.h"
 
 namespace ncvet {
 namespace {
-
-using Point = std::array<double, 2>; ///< in the plane, mm
 
 /// A contour as the polygon of its points.
 class Outline {
@@ -22,7 +18,7 @@ public:
   void add(const Point &at) {
     if (points_.size() >= most)
       return clear();
-    if (apart(points_.back(), at) > same)
+    if (distance(points_.back(), at) > same)
       points_.push_back(at);
   }
   /// Distance between the ends of a contour that neither comes back to its first element nor runs
@@ -36,7 +32,7 @@ public:
       if (reaches(c, d, a) || reaches(c, d, b) || crosses(a, b, c, d))
         return std::nullopt;
     }
-    return apart(a, points_.back());
+    return distance(a, points_.back());
   }
   /// What the last element lacks to reach the first one, where the contour has gone once round and
   /// its last element leads there; none where more is missing than was made of it.
@@ -47,8 +43,7 @@ public:
     for (size_t i = 1; i + 1 < points_.size(); ++i)
       turned += turn(points_[i - 1], points_[i], points_[i + 1]);
     constexpr double about = 0.02; // rad
-    if (std::fabs(turned) < 1.5 * std::numbers::pi - about ||
-        std::fabs(turned) > 2 * std::numbers::pi + about)
+    if (std::fabs(turned) < 1.5 * std::numbers::pi - about || std::fabs(turned) > fullTurn + about)
       return std::nullopt;
     const Point &a = points_[0], &b = points_[1];
     const Point &p = points_[points_.size() - 2], &q = points_.back();
@@ -56,32 +51,26 @@ public:
     if (std::fabs(ofFirst) < same)
       return std::nullopt;                         // they run parallel
     const double along = -side(a, b, p) / ofFirst; // 1: at the end of the last element
-    const Point meets{p[0] + (q[0] - p[0]) * along, p[1] + (q[1] - p[1]) * along};
+    const Point meets = p + (q - p) * along;
     if (along <= 1 || along >= 2 || !reaches(a, b, meets))
       return std::nullopt;
-    return (along - 1) * apart(p, q);
+    return (along - 1) * distance(p, q);
   }
 
 private:
   /// From the way `a` `b` to the way `b` `c`, in radians, positive to the left.
   static double turn(const Point &a, const Point &b, const Point &c) {
-    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
-    return std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+    return angleBetween(b - a, c - b);
   }
 
   static constexpr double same = 0.001; // mm
   static constexpr size_t most = 500;   // points, beyond which nothing is said
 
-  static double apart(const Point &a, const Point &b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1]);
-  }
   /// Positive when `p` lies left of the line from `a` to `b`.
-  static double side(const Point &a, const Point &b, const Point &p) {
-    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-  }
+  static double side(const Point &a, const Point &b, const Point &p) { return cross(b - a, p - a); }
   static bool reaches(const Point &c, const Point &d, const Point &p) {
-    const double length = apart(c, d);
-    const double along = ((d[0] - c[0]) * (p[0] - c[0]) + (d[1] - c[1]) * (p[1] - c[1])) / length;
+    const double length = distance(c, d);
+    const double along = (d - c).dot(p - c) / length;
     return std::fabs(side(c, d, p)) / length <= same && along >= -same && along <= length + same;
   }
   static bool crosses(const Point &a, const Point &b, const Point &c, const Point &d) {
@@ -181,7 +170,7 @@ private:
   /// Position in the plane; none where it is not known.
   static std::optional<Point> place(const RuleContext &ctx) {
     const auto axes = planeOrder(ctx.dialect(), ctx.after());
-    Point result{};
+    Point result = Point::Zero();
     for (size_t i = 0; i < 2; ++i) {
       const Interval &at = ctx.after().at(axes[i]);
       if (!at.isConstant() || ctx.after().inMachineCoordinates(axes[i]))

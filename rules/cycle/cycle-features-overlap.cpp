@@ -14,8 +14,6 @@ namespace {
 constexpr double smallestOverlap = 0.01;
 
 class CycleFeaturesOverlap final : public Rule {
-  using Point = Outline::Point;
-
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
@@ -148,9 +146,8 @@ private:
       return;
     }
     const bool closes = circle_ && startName_ == key && current_.hasStart();
-    if (!closes ||
-        std::fabs(std::hypot(current_.first()[0] - circle_->x, current_.first()[1] - circle_->y) -
-                  std::fabs(circle_->size)) > smallestOverlap)
+    if (!closes || std::fabs(distance({circle_->x, circle_->y}, current_.first()) -
+                             std::fabs(circle_->size)) > smallestOverlap)
       return current_.loseTrack();
     current_.arc({circle_->x, circle_->y}, current_.first(), false);
   }

@@ -113,9 +113,9 @@ bool forbiddenHeader(std::string_view path, std::string_view header) {
   if (header == "llvm/Support/JSON.h")
     return true; // does not compile with clang 14 in C++20, and is slow
   const bool isHeader = path.size() > 2 && path.substr(path.size() - 2) == ".h";
-  // A second of compile time for everybody who includes it: .cpp files only, and the one header
-  // that is the plane geometry itself.
-  if (isHeader && header.substr(0, 6) == "Eigen/" && path != "interp/geometry/contour_element.h")
+  // A second of compile time for everybody who includes it: .cpp files only, and the headers of the
+  // geometry itself.
+  if (isHeader && header.substr(0, 6) == "Eigen/" && !isIn(path, "interp/geometry/"))
     return true;
   // The messages of the language server are JSON; its features are not.
   const bool inFeatures = path.substr(0, 13) == "lsp/features/";

@@ -1,0 +1,26 @@
+// Straight lines of a plane.
+#pragma once
+
+#include "interp/geometry/direction.h"
+
+#include <optional>
+
+namespace ncvet {
+
+/// Where two lines meet, each given by a point and a direction; none when they are parallel.
+std::optional<Point> intersection(const Point &p, const Vector &d, const Point &q, const Vector &e);
+
+/// The point of a line that is nearest to `point`; `direction` has the length one.
+inline Point footOnLine(const Point &on, const Vector &direction, const Point &point) {
+  return on + direction * direction.dot(point - on);
+}
+
+/// Distance of `point` from the line through `on` at that angle, in radians.
+inline double distanceFromLine(const Point &on, double angle, const Point &point) {
+  return std::fabs((point.x() - on.x()) * std::sin(angle) - (point.y() - on.y()) * std::cos(angle));
+}
+
+/// Distance of `point` from the straight way between `a` and `b`.
+double distanceFromSegment(const Point &a, const Point &b, const Point &point);
+
+} // namespace ncvet
