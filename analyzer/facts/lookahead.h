@@ -1,9 +1,7 @@
-// Looks ahead in the text for rules: the next block, and the blocks of a turning profile.
+// Looks ahead in the text for rules: the next block and its words.
 #pragma once
 
 #include "analyzer/rule/rule.h"
-
-#include <deque>
 
 namespace ncvet {
 
@@ -31,37 +29,6 @@ const CodeInfo *findCode(const Dialect &dialect, const Block &block,
                          std::initializer_list<Action> actions);
 /// True when the block holds a motion code (G00 to G03, threads) or a modal cycle.
 bool hasMotionCode(const Dialect &dialect, const Block &block);
-
-/// One block of a profile, executed for itself.
-struct ProfileBlock {
-  SourceRange range; ///< the block's words
-  Block block;
-  llvm::SmallVector<CodeUse, 4> codes;
-  bool moves = false;
-  MotionKind motion = MotionKind::Rapid;
-  bool motionKnown = false;
-  uint16_t axes = 0;
-  Interval fromX, fromZ, toX, toZ; ///< mm, X as programmed
-};
-
-enum class Side : uint8_t { Unknown, Outside, Inside };
-
-/// The blocks that a turning cycle works along.
-struct Profile {
-  bool known = false;              ///< false: the blocks are not there, or not a plain list
-  std::deque<ProfileBlock> blocks; ///< stays where it is: the codes point into it
-  size_t lastCut = 0;              ///< index after the last block that belongs to the contour
-  /// Least and greatest X and Z of the contour, from the first block's end point on; none when one
-  /// end point is not known.
-  std::optional<double> minX, maxX, minZ, maxZ;
-  /// Least and greatest X of the end points that are known: the contour reaches at least so far.
-  Interval reachesX = emptyInterval;
-  Side side = Side::Unknown;
-};
-
-/// Reads the profile of the cycle that the current block runs (`Outcome::flow` names its blocks).
-/// `startX`, `startZ`: where the cycle begins, for the side.
-Profile readProfile(const RuleContext &ctx);
 
 /// First word of the block that has this role in the code's format, or null.
 const Word *wordOf(const Block &block, const CodeInfo &code, Role role);

@@ -1,7 +1,7 @@
 // Whether the contour of a turning profile rises or falls steadily.
 #pragma once
 
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turning_profile.h"
 
 namespace ncvet {
 

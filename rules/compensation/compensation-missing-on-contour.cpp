@@ -1,5 +1,5 @@
 // A turned contour with slants or arcs and no compensation, or compensation around a contour cycle.
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 

@@ -1,5 +1,6 @@
 // A chamfer or rounding has no following move.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/path/corner_path.h"
 

@@ -2,6 +2,7 @@
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/element_geometry.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/cycles/contour_cycle.h"
 #include "interp/geometry/line.h"

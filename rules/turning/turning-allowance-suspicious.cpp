@@ -1,5 +1,5 @@
 // The finishing allowance of a roughing cycle has the wrong sign for the side, or there is none.
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {

@@ -1,6 +1,6 @@
 // The first block of a profile has the wrong motion code or axes for the roughing cycle.
 #include "analyzer/facts/profile_shape.h"
-#include "analyzer/facts/profile_ways.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {

@@ -1,5 +1,5 @@
 // The profile of a turning cycle holds a code that may not stand there.
-#include "analyzer/facts/profile_ways.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {

@@ -1,6 +1,6 @@
 // A profile turns back where its roughing cycle needs a steadily rising or falling contour.
 #include "analyzer/facts/profile_shape.h"
-#include "analyzer/facts/profile_ways.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/measure.h"
 
 namespace ncvet {

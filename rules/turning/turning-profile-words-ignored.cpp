@@ -1,5 +1,5 @@
 // Words of a profile that the roughing cycle does not obey.
-#include "analyzer/facts/profile_ways.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {

@@ -1,5 +1,5 @@
 // The return to the start point at the end of a cycle can cross the part.
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {

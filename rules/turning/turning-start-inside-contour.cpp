@@ -1,5 +1,5 @@
 // A turning cycle starts inside of what it is to cut.
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/turning_profile.h"
 
 namespace ncvet {
 namespace {
