@@ -135,15 +135,19 @@ private:
                     /*keptWords=*/true});
   }
 
+  /// The other direction, where the spindle turns in a known one.
+  static uint8_t reversed(uint8_t turning) {
+    return turning == spindleCw    ? uint8_t(spindleCcw)
+           : turning == spindleCcw ? uint8_t(spindleCw)
+                                   : turning;
+  }
+
   void drill(const Interval &approach, const Interval &bottom) {
     const Interval withdraw = executed_.after.at(tool_);
     const bool feedsOut = executed_.dialect.drilling.feedsOutToLevel;
     if (cycle_.cycle != CycleKind::BackBore)
       toLevel(MoveKind::Rapid, approach);
     const uint8_t turning = executed_.before.spindle;
-    const uint8_t reversed = turning == spindleCw    ? uint8_t(spindleCcw)
-                             : turning == spindleCcw ? uint8_t(spindleCw)
-                                                     : turning;
     switch (cycle_.cycle) {
     case CycleKind::Peck:
     case CycleKind::ChipBreak:
@@ -156,7 +160,7 @@ private:
     case CycleKind::RigidTapLeft:
       toLevel(MoveKind::Linear, bottom);
       dwell();
-      spindle(reversed);
+      spindle(reversed(turning));
       toLevel(MoveKind::Linear, feedsOut ? withdraw : approach);
       spindle(turning);
       break;
