@@ -5,6 +5,7 @@
 #include "analyzer/check/fold_repeats.h"
 #include "analyzer/check/foreign_text.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/rule_settings.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/text/crash_guard.h"
 
@@ -65,7 +66,7 @@ public:
       files.insert(finding.range.file);
     for (const FileId file : files) {
       FileUnit &at = project_.unit(project_.sources().get(file));
-      std::vector<Suppression> suppressions = at.index.suppressions().vec();
+      std::vector<Suppression> suppressions = at.index.suppressions(rulesCalled).vec();
       applySuppressions(suppressions, at.source, findings);
       if (file == unit_.source.id())
         own_ = std::move(suppressions);

@@ -219,12 +219,11 @@ std::optional<uint32_t> FileIndex::label(const ProgramInfo &program, llvm::Strin
   return found(known->second, from, search, [](uint32_t offset) { return offset; });
 }
 
-llvm::ArrayRef<Suppression> FileIndex::suppressions() const {
+llvm::ArrayRef<Suppression> FileIndex::suppressions(RulesOfName rulesOf) const {
+  // A colon is rare in programs, and one byte is found at the speed of memory.
   if (!suppressions_)
-    suppressions_ = findSuppressions(source_, reader_, [this](auto visit) {
-      // A colon is rare in programs, and one byte is found at the speed of memory.
-      eachPlaceOf(':', visit);
-    });
+    suppressions_ = findSuppressions(
+        source_, reader_, [this](auto visit) { eachPlaceOf(':', visit); }, rulesOf);
   return *suppressions_;
 }
 

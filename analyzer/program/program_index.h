@@ -78,7 +78,7 @@ public:
   /// Offsets of the lines that hold a tape mark `%` first, ascending.
   llvm::ArrayRef<uint32_t> tapeMarks() const { return tapeMarks_; }
   /// The suppression comments of the file; looked for when first asked.
-  llvm::ArrayRef<Suppression> suppressions() const;
+  llvm::ArrayRef<Suppression> suppressions(RulesOfName rulesOf) const;
   /// Calls `visit` with the offset of every byte `c`, ascending.
   void eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) const;
   /// Offsets of the lines that open a subprogram between brackets (`o100 sub`), ascending.

@@ -2,7 +2,6 @@
 #include "analyzer/program/suppress.h"
 
 #include "analyzer/program/block_reading.h"
-#include "analyzer/rule/rule_settings.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringSwitch.h"
@@ -17,8 +16,8 @@ constexpr llvm::StringLiteral mark = "ncvet:";
 
 class SuppressionReader {
 public:
-  SuppressionReader(const SourceFile &source, const Reader &reader)
-      : source_(source), reader_(reader), text_(source.text()) {}
+  SuppressionReader(const SourceFile &source, const Reader &reader, RulesOfName rulesOf)
+      : source_(source), reader_(reader), rulesOf_(rulesOf), text_(source.text()) {}
 
   std::vector<Suppression> read(EachColon eachColon) {
     eachColon([this](uint32_t colon) {
@@ -54,7 +53,7 @@ private:
     if (whole && suppression.names.empty()) {
       SuppressedName &all = suppression.names.emplace_back();
       all.range = suppression.verbRange;
-      all.rules = cantFail(rulesNamed("all"));
+      all.rules = rulesOf_("all");
     }
     cover(suppression);
     found_.push_back(std::move(suppression));
@@ -82,10 +81,7 @@ private:
       text = text.drop_front(name.size());
       SuppressedName &entry = suppression.names.emplace_back();
       entry.range = range(name);
-      if (auto rules = rulesNamed(name.lower()))
-        entry.rules = std::move(*rules);
-      else
-        llvm::consumeError(rules.takeError());
+      entry.rules = rulesOf_(name.lower());
     }
   }
 
@@ -166,6 +162,7 @@ private:
 
   const SourceFile &source_;
   const Reader &reader_;
+  const RulesOfName rulesOf_;
   llvm::StringRef text_;
   Block block_;
   std::vector<Suppression> found_;
@@ -174,8 +171,8 @@ private:
 } // namespace
 
 std::vector<Suppression> findSuppressions(const SourceFile &source, const Reader &reader,
-                                          EachColon eachColon) {
-  return SuppressionReader(source, reader).read(eachColon);
+                                          EachColon eachColon, RulesOfName rulesOf) {
+  return SuppressionReader(source, reader, rulesOf).read(eachColon);
 }
 
 void applySuppressions(std::vector<Suppression> &suppressions, const SourceFile &source,

@@ -36,9 +36,12 @@ struct Suppression {
 /// Calls its argument with the place of each colon of a text, ascending.
 using EachColon = llvm::function_ref<void(llvm::function_ref<void(uint32_t)>)>;
 
+/// The rules that a name in small letters stands for; none: no rule has it.
+using RulesOfName = std::vector<RuleId> (*)(llvm::StringRef name);
+
 /// All suppression comments of a file, in their order. Reads only the blocks around the comments.
 std::vector<Suppression> findSuppressions(const SourceFile &source, const Reader &reader,
-                                          EachColon eachColon);
+                                          EachColon eachColon, RulesOfName rulesOf);
 
 /// Marks the findings that lie in `source` and are covered, and the names that cover them.
 void applySuppressions(std::vector<Suppression> &suppressions, const SourceFile &source,

@@ -1,7 +1,7 @@
 // Collects findings while programs run: one per rule and place, with the shortest path to it.
 #include "analyzer/rule/collector.h"
 
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_table.h"
 
 #include "llvm/ADT/StringSet.h"
 

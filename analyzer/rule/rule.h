@@ -3,6 +3,7 @@
 
 #include "analyzer/program/program_index.h"
 #include "analyzer/rule/rule_memory.h"
+#include "analyzer/rule/rule_table.h"
 #include "formats/finding/finding.h"
 #include "interp/evaluate/condition.h"
 #include "interp/execute/execute.h"
@@ -17,7 +18,6 @@
 namespace ncvet {
 
 class Collector;
-class Rule;
 class RuleContext;
 
 /// Fills in a finding; false when nobody will see it, so that nothing is formatted in vain:
@@ -305,14 +305,6 @@ public:
   /// Called once, when all flow is known; only findings that the whole file decides.
   virtual void finish(const FileSummary &, RuleContext &) {}
 };
-
-struct RuleEntry {
-  RuleInfo info;
-  std::unique_ptr<Rule> (*make)();
-};
-
-/// Every rule of the build, sorted by category and id. Generated from the rules' pages.
-llvm::ArrayRef<RuleEntry> allRules();
 
 /// Ends a rule's file: defines the factory that the generated table names.
 #define NCVET_RULE(Class, function)                                                                \

@@ -1,12 +1,13 @@
 // Rule settings: names of rules and categories resolved, layers applied one over the other.
 #include "analyzer/rule/rule_settings.h"
 
-#include "analyzer/rule/rule.h"
 #include "analyzer/rule/rule_page.h"
+#include "analyzer/rule/rule_table.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/text/failure.h"
 
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/FormatVariadic.h"
 
 namespace ncvet {
 
@@ -32,6 +33,14 @@ llvm::Expected<std::vector<RuleId>> rulesNamed(llvm::StringRef name) {
   if (found.empty())
     return failure("unknown rule \"" + name + "\"" + nearestRule(name));
   return found;
+}
+
+std::vector<RuleId> rulesCalled(llvm::StringRef name) {
+  auto rules = rulesNamed(name);
+  if (rules)
+    return std::move(*rules);
+  llvm::consumeError(rules.takeError());
+  return {};
 }
 
 void applySettings(RuleSelection &selection, const RuleSettings &settings) {

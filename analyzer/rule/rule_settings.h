@@ -23,6 +23,9 @@ struct RuleSettings {
 /// Ids of the rules that `name` stands for; an error with a near name when there is none.
 llvm::Expected<std::vector<RuleId>> rulesNamed(llvm::StringRef name);
 
+/// The same; empty when there is none.
+std::vector<RuleId> rulesCalled(llvm::StringRef name);
+
 /// Lays `settings` over `selection`. All names in it must have been checked by `rulesNamed`.
 void applySettings(RuleSelection &selection, const RuleSettings &settings);
 

@@ -1,7 +1,7 @@
 // Which rules run on a file when nobody says more than a profile.
 #include "analyzer/rule/selection.h"
 
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_table.h"
 
 namespace ncvet {
 

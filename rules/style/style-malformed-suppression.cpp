@@ -1,5 +1,6 @@
 // A suppression comment that ncvet cannot follow: an unknown word, or a rule that does not exist.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_settings.h"
 
 namespace ncvet {
 namespace {
@@ -9,7 +10,7 @@ public:
   void listen(Subscriptions &) override {}
 
   void finish(const FileSummary &summary, RuleContext &ctx) override {
-    for (const Suppression &suppression : summary.index.suppressions()) {
+    for (const Suppression &suppression : summary.index.suppressions(rulesCalled)) {
       if (suppression.verb == SuppressionVerb::Unknown) {
         if (auto finding = ctx.report(suppression.verbRange))
           finding.text(

@@ -1,6 +1,7 @@
 // A suppression comment that suppresses nothing. Comments that cannot cover anything are found
 // here; those that could but do not, by the step that applies them when all rules have run.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_settings.h"
 
 namespace ncvet {
 namespace {
@@ -10,7 +11,7 @@ public:
   void listen(Subscriptions &) override {}
 
   void finish(const FileSummary &summary, RuleContext &ctx) override {
-    for (const Suppression &suppression : summary.index.suppressions())
+    for (const Suppression &suppression : summary.index.suppressions(rulesCalled))
       for (const SuppressedName &name : suppression.names)
         if (name.dead)
           if (auto finding = ctx.report(name.range))

@@ -1,4 +1,5 @@
 // Suppression comments: what each covers.
+#include "analyzer/rule/rule_settings.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,8 @@ std::vector<unsigned> suppressedLines(const std::string &text,
   SourceSet sources;
   const SourceFile &source = sources.add("a.nc", text);
   const auto reader = makeReader(*dialectNamed(dialect), source.text());
-  std::vector<Suppression> suppressions =
-      findSuppressions(source, *reader, [&](auto visit) { source.eachPlaceOf(':', visit); });
+  std::vector<Suppression> suppressions = findSuppressions(
+      source, *reader, [&](auto visit) { source.eachPlaceOf(':', visit); }, rulesCalled);
   std::vector<Finding> findings;
   for (uint32_t offset = 0; offset < text.size(); offset = uint32_t(text.find('\n', offset)) + 1) {
     Finding &finding = findings.emplace_back();
