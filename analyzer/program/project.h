@@ -3,6 +3,7 @@
 
 #include "analyzer/program/program_index.h"
 #include "formats/dialect/machine.h"
+#include "formats/readers/select/make_reader.h"
 #include "formats/text/source_set.h"
 #include "interp/execute/execute.h"
 

@@ -8,6 +8,7 @@
 #include "interp/evaluate/condition.h"
 #include "interp/execute/execute.h"
 #include "interp/state/event.h"
+#include "interp/state/modes.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/FormatVariadic.h"

@@ -37,7 +37,4 @@ private:
   HidesProgram hides_;
 };
 
-/// The reader that the dialect's table names, over `text`.
-std::unique_ptr<Reader> makeReader(const Dialect &dialect, llvm::StringRef text);
-
 } // namespace ncvet

@@ -6,9 +6,9 @@
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/cycle_parameters.h"
 #include "interp/evaluate/expression.h"
-#include "interp/execute/execute.h"
 #include "interp/geometry/contour_element.h"
 #include "interp/path/arc_block.h"
+#include "interp/state/modes.h"
 
 namespace ncvet {
 

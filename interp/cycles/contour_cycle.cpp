@@ -3,7 +3,7 @@
 
 #include "interp/cycles/depth_levels.h"
 #include "interp/cycles/move_feed.h"
-#include "interp/execute/execute.h"
+#include "interp/state/modes.h"
 
 namespace ncvet {
 

@@ -4,7 +4,7 @@
 #include "interp/cycles/move_feed.h"
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/cycle_words.h"
-#include "interp/execute/execute.h"
+#include "interp/state/modes.h"
 
 namespace ncvet {
 

@@ -2,9 +2,9 @@
 #include "interp/evaluate/cycle_words.h"
 
 #include "formats/dialect/measure.h"
-#include "interp/evaluate/condition.h"
+#include "interp/evaluate/block_words.h"
 #include "interp/evaluate/expression.h"
-#include "interp/execute/execute.h"
+#include "interp/state/modes.h"
 #include "interp/value/units.h"
 
 #include <cmath>

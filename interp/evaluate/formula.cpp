@@ -2,9 +2,10 @@
 #include "interp/evaluate/formula.h"
 
 #include "formats/dialect/variable_key.h"
+#include "interp/evaluate/block_words.h"
 #include "interp/evaluate/expression.h"
 #include "interp/evaluate/tool_data.h"
-#include "interp/execute/execute.h"
+#include "interp/state/modes.h"
 
 #include <algorithm>
 #include <cmath>

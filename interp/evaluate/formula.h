@@ -1,7 +1,7 @@
 // Evaluates the formulas of the tables on a block and the state before it.
 #pragma once
 
-#include "interp/evaluate/condition.h"
+#include "interp/evaluate/condition_context.h"
 
 namespace ncvet {
 

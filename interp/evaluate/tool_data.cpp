@@ -2,7 +2,7 @@
 #include "interp/evaluate/tool_data.h"
 
 #include "formats/dialect/variable_key.h"
-#include "interp/execute/execute.h"
+#include "interp/state/modes.h"
 #include "interp/value/units.h"
 
 namespace ncvet {

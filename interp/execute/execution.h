@@ -1,13 +1,12 @@
 // The work of executing one block, shared by the files that each do a part of it.
 #pragma once
 
+#include "interp/evaluate/condition.h"
 #include "interp/evaluate/expression.h"
-#include "interp/execute/execute.h"
+#include "interp/execute/mode_masks.h"
+#include "interp/state/modes.h"
 
 namespace ncvet {
-
-/// Least increment of a metric control, in millimetres.
-constexpr double leastIncrement = 0.001;
 
 struct Zero;
 

@@ -3,14 +3,6 @@
 
 namespace ncvet {
 
-bool inForeignLanguage(const Dialect &dialect, const MachineState &state) {
-  const GroupIndex group = dialect.group(StandardGroup::Language);
-  if (group == noGroup || dialect.groups[group].initial == 0xFF)
-    return false;
-  const uint64_t own = uint64_t(1) << dialect.groups[group].initial;
-  return !(state.group(group) & groupUnset) && (state.group(group) & ~own);
-}
-
 bool Execution::inForeignLanguage() const {
   if (masks_.language == noGroup)
     return false;

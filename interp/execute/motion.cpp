@@ -39,20 +39,6 @@ Truth Execution::incremental() const {
   return set & ~masks_.incremental ? Truth::Unknown : Truth::Yes;
 }
 
-Interval shareOfDiameter(const Dialect &dialect, const MachineState &state, Axis axis,
-                         Truth increment) {
-  if (axis != Axis::X || dialect.group(StandardGroup::Diameter) == noGroup)
-    return Interval::exactly(1);
-  // Where the program has stated nothing, words are what they are on a mill.
-  bool half = false, whole = state.active(dialect, StandardGroup::Diameter) & groupUnset;
-  for (const CodeInfo *code : state.candidates(dialect, StandardGroup::Diameter)) {
-    const bool absolute = code->action == Action::DiameterAbsolute;
-    half |= code->action == Action::DiameterOn || (absolute && increment != Truth::Yes);
-    whole |= absolute ? increment != Truth::No : code->action != Action::DiameterOn;
-  }
-  return half && whole ? Interval::unknown() : Interval::exactly(half ? 0.5 : 1);
-}
-
 Interval Execution::coordinate(const Word &word) const {
   const Interval given = lengthOfWord(word);
   const AddressInfo &address = dialect_.addresses[word.address];
@@ -75,25 +61,6 @@ Interval Execution::lengthOfWord(const Word &word) const {
   if (word.isNumber() && !word.has(wordPoint) && masks_.pointlessIsIncrement)
     result = result * leastIncrement;
   return factor.value() == 1 ? result : result * factor.value();
-}
-
-Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
-                  const MachineProfile &machine, const MachineState &state) {
-  const Interval result = assignedWordValue(word, block, state);
-  if (result.isUnknown() || dialect.addresses[word.address].unit != AddressUnit::Length)
-    return result;
-  double factor = 1;
-  const GroupIndex units = dialect.group(StandardGroup::Units);
-  if (units != noGroup && state.group(units) != groupUnset) {
-    const Action unit = state.activeAction(dialect, StandardGroup::Units);
-    if (unit == Action::None)
-      return Interval::unknown();
-    factor = unit == Action::Inch ? millimetresPerInch : 1;
-  }
-  if (word.isNumber() && !word.has(wordPoint))
-    if (const auto reading = machine.option("decimalPoint"); reading && *reading == "increment")
-      factor *= leastIncrement;
-  return result * factor;
 }
 
 /// Stores the end point that an axis word gives.

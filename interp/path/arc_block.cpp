@@ -1,7 +1,8 @@
 // The words of an arc block: plane, centre, radius; and the geometry that they give.
 #include "interp/path/arc_block.h"
 
-#include "interp/execute/execute.h"
+#include "interp/evaluate/block_words.h"
+#include "interp/state/modes.h"
 
 #include <cmath>
 

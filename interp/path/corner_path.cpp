@@ -1,10 +1,11 @@
 // Puts the corners between two moves where the program asks for them.
 #include "interp/path/corner_path.h"
 
+#include "interp/evaluate/block_words.h"
 #include "interp/evaluate/expression.h"
-#include "interp/execute/execute.h"
 #include "interp/geometry/contour_element.h"
 #include "interp/geometry/tolerance.h"
+#include "interp/state/modes.h"
 #include "interp/value/units.h"
 
 namespace ncvet {

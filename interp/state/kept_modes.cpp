@@ -3,10 +3,6 @@
 
 #include "interp/state/zero_point.h"
 
-#include "llvm/ADT/Hashing.h"
-
-#include <bit>
-
 namespace ncvet {
 
 namespace {
@@ -85,13 +81,6 @@ void bringBackZero(const Dialect &dialect, MachineState &state, const MachineSta
 
 } // namespace
 
-bool operator==(const KeptModes &a, const KeptModes &b) {
-  return a.modes.groups == b.modes.groups && a.modes.statedMay == b.modes.statedMay &&
-         a.modes.statedMust == b.modes.statedMust && a.feed == b.feed && a.speed == b.speed &&
-         a.factsMay == b.factsMay && a.factsMust == b.factsMust && a.switches == b.switches &&
-         a.spindle == b.spindle && a.presetOn == b.presetOn;
-}
-
 SavedModes keepModes(const Dialect &dialect, const MachineState &state) {
   stateUse.everything();
   KeptModes kept;
@@ -133,24 +122,6 @@ void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &sa
   state.spindle = kept->spindle;
   if (dialect.zeros.systems)
     bringBackZero(dialect, state, was, kept->presetOn);
-}
-
-SavedModes join(const SavedModes &a, const SavedModes &b) {
-  if (a == b)
-    return a;
-  return {nullptr, false};
-}
-
-uint64_t hash(const SavedModes &saved) {
-  if (!saved.modes)
-    return saved.known;
-  const KeptModes &kept = *saved.modes;
-  return llvm::hash_combine(
-      llvm::hash_combine_range(kept.modes.groups.begin(), kept.modes.groups.end()),
-      kept.modes.statedMay, kept.modes.statedMust, std::bit_cast<uint64_t>(kept.feed.lo),
-      std::bit_cast<uint64_t>(kept.feed.hi), std::bit_cast<uint64_t>(kept.speed.lo),
-      std::bit_cast<uint64_t>(kept.speed.hi), kept.factsMay, kept.factsMust, kept.switches.may,
-      kept.switches.must, kept.spindle, kept.presetOn);
 }
 
 } // namespace ncvet

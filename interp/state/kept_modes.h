@@ -12,7 +12,4 @@ SavedModes keepModes(const Dialect &dialect, const MachineState &state);
 /// gets other coordinates where the zero point becomes another one.
 void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &saved);
 
-SavedModes join(const SavedModes &a, const SavedModes &b);
-uint64_t hash(const SavedModes &saved);
-
 } // namespace ncvet

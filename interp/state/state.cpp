@@ -1,8 +1,6 @@
 // The machine's state at one point of a program, as far as it is known.
 #include "interp/state/state.h"
 
-#include "interp/state/kept_modes.h"
-
 #include "llvm/ADT/Hashing.h"
 #include "llvm/Support/xxhash.h"
 

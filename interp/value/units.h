@@ -6,6 +6,8 @@
 namespace ncvet {
 
 constexpr double millimetresPerInch = 25.4;
+/// Least increment of a metric control, in millimetres.
+constexpr double leastIncrement = 0.001;
 constexpr double radiansPerDegree = std::numbers::pi / 180;
 
 } // namespace ncvet

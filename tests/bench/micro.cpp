@@ -1,7 +1,7 @@
 // Stages of the tool alone, timed by Google Benchmark: ./dev bench, or this binary with its
 // options.
 #include "formats/dialect/loader.h"
-#include "formats/readers/reader.h"
+#include "formats/readers/select/make_reader.h"
 #include "formats/text/source.h"
 #include "interp/execute/execute.h"
 

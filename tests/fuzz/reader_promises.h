@@ -1,7 +1,7 @@
 // What every reader promises of a block, for the fuzz targets of the readers.
 #pragma once
 
-#include "formats/readers/reader.h"
+#include "formats/readers/select/make_reader.h"
 #include "tests/fuzz/require.h"
 
 #include <cstdint>

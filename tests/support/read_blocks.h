@@ -1,7 +1,7 @@
 // Reads blocks of a text that a test holds, and shows what they hold.
 #pragma once
 
-#include "formats/readers/reader.h"
+#include "formats/readers/select/make_reader.h"
 #include "interp/evaluate/expression.h"
 #include "tests/support/run_program.h"
 

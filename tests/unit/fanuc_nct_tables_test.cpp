@@ -1,6 +1,6 @@
 // Tables of FANUC, NCT and DIN 66025: which control has which code, and what it means there.
 #include "formats/dialect/loader.h"
-#include "formats/readers/reader.h"
+#include "formats/readers/select/make_reader.h"
 #include "interp/execute/execute.h"
 
 #include "llvm/Support/Regex.h"

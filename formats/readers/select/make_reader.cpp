@@ -1,5 +1,5 @@
 // Chooses a reader by the name in the dialect's table.
-#include "formats/readers/reader.h"
+#include "formats/readers/select/make_reader.h"
 
 #include "formats/readers/ecs/ecs_reader.h"
 #include "formats/readers/iso/iso_reader.h"

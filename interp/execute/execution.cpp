@@ -1,0 +1,425 @@
+// The order in which the parts of a block take effect.
+#include "interp/execute/execution.h"
+
+#include "formats/dialect/measure.h"
+#include "interp/value/units.h"
+
+namespace ncvet {
+
+namespace {
+constexpr uint16_t axisBit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
+} // namespace
+
+/// Axis words and perhaps F under G00 or G01, with no cycle, polar input or modal macro about, and
+/// compensation off or built up: by far the most blocks of a long program. Does what `moveAxes`
+/// would do, with everything that such a block cannot do left out.
+bool Execution::runPlainMove() {
+  if ((block_.addresses & ~(dialect_.axisWords | maskOf('F'))) ||
+      !(block_.addresses & dialect_.axisWords) ||
+      (state_.compensation != phaseOff && state_.compensation != phaseOn) || state_.modalCalls ||
+      state_.pendingCycle != noCode || masks_.motion == noGroup || polarMayBeOn() ||
+      (diameterMayBeOn() && (state_.groups[masks_.diameter] & ~masks_.diameterOn)) ||
+      (dialect_.variableRanges.place && !block_.expressions.empty()))
+    return false;
+  if (masks_.cycle != noGroup && (state_.groups[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
+    return false;
+  const uint64_t motionSet = state_.groups[masks_.motion];
+  if ((motionSet & (motionSet - 1)) || motionSet == groupUnset)
+    return false;
+  const CodeIndex index =
+      dialect_.groups[masks_.motion].members[size_t(std::countr_zero(motionSet))];
+  const Action action = dialect_.codes[index].action;
+  if ((action != Action::Linear && action != Action::Rapid) ||
+      !dialect_.codes[index].places[0].empty())
+    return false;
+  const Interval factor = lengthFactor();
+  const Truth relative = incremental();
+  if (!factor.isConstant() || relative == Truth::Unknown)
+    return false;
+  bool plain = outcome_.kinds == bitOf(EventKind::Block);
+  if (block_.addresses & maskOf('F')) {
+    technologyWords();
+    plain = false;
+  }
+  const bool halvesX = diameterMayBeOn();
+  uint16_t axes = 0;
+  for (const Word &word : block_.words) {
+    const AddressInfo &address = dialect_.addresses[word.address];
+    if (address.kind != AddressKind::Axis && address.kind != AddressKind::Increment)
+      continue;
+    axes |= axisBit(address.axis);
+    if (word.flags & (wordExpression | wordNoValue | wordIncremental)) {
+      storeTarget(word, false);
+      plain = false;
+      continue;
+    }
+    double target = word.value() + 0.0;
+    if (!(word.flags & wordPoint) && masks_.pointlessIsIncrement)
+      target *= leastIncrement;
+    if (factor.lo != 1 && address.unit == AddressUnit::Length)
+      target *= factor.lo;
+    if (halvesX && address.axis == Axis::X && address.unit == AddressUnit::Length)
+      target *= 0.5;
+    Interval &position = state_.at(address.axis);
+    if (relative == Truth::Yes || address.kind == AddressKind::Increment) {
+      position.lo += target;
+      position.hi += target;
+    } else {
+      position.lo = position.hi = target;
+      state_.machineAxes &= ~uint32_t(axisBit(address.axis));
+    }
+  }
+  const bool idles = state_.compensation == phaseOn && countIdle(axes);
+  outcome_.plainMove = plain && !idles && block_.skip < 0 && !block_.lowerCase;
+  const bool rapid = action == Action::Rapid;
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.code = index;
+  event.motion = rapid ? MotionKind::Rapid : MotionKind::Feed;
+  event.axes = axes;
+  if (state_.compensation == phaseOn &&
+      !(state_.must(Fact::CompensatedCut) && state_.must(Fact::ContourCompensated)))
+    contourFacts(event.motion, axes);
+  afterMove(rapid, axes);
+  return true;
+}
+
+/// Under compensation: counts the blocks without a move in the plane; false when there is nothing
+/// to count.
+bool Execution::countIdle(uint16_t axes) {
+  const bool moved = axes & planeAxes(dialect_, state_);
+  if (moved && !state_.idleBlocks)
+    return false;
+  state_.idleBlocks = moved ? 0 : uint8_t(std::min(255, state_.idleBlocks + 1));
+  outcome_.setupChanged = true;
+  return true;
+}
+
+void Execution::run(bool guardHolds) {
+  stateUse.groups |= masks_.everyBlock;
+  if (inForeignLanguage())
+    return foreignBlock();
+  outcome_.emit(EventKind::Block);
+  for (size_t i = 0; i < block_.issues.size(); ++i)
+    outcome_.emit(EventKind::Syntax).number = int64_t(i);
+  if ((block_.addresses & ~dialect_.plain) | (block_.repeated & ~dialect_.repeatable) |
+          (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole) ||
+      block_.skip > int8_t(dialect_.lexical.skipLevels))
+    wordIssues();
+  if (!block_.operations.empty())
+    wordDomains();
+  if (block_.items.empty()) {
+    if (runPlainMove())
+      return;
+    if (block_.words.empty() && !runsEmpty())
+      return;
+  }
+  outcome_.setupChanged = true;
+  if (!block_.items.empty() && !runItems(guardHolds))
+    return;
+  if (block_.words.empty() && !runsEmpty())
+    return finish();
+  if (!block_.expressions.empty())
+    unsetReads();
+  resolveCodes();
+  // Modes first, then what they give a meaning to: an F behind G98 is a feed per minute.
+  for (const CodeUse &use : outcome_.codes)
+    applyModal(use);
+  technologyWords();
+  if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords))
+    settingWords();
+  for (const CodeUse &use : outcome_.codes)
+    applyEarly(use);
+  applyZeros();
+  moveAxes();
+  for (const CodeUse &use : outcome_.codes)
+    applyLate(use);
+  for (const CodeUse &use : outcome_.codes)
+    applyFlow(use);
+  finish();
+}
+
+/// Variables without a value in the words of the block.
+void Execution::unsetReads() {
+  for (const Word &word : block_.words) {
+    if (!word.has(wordExpression))
+      continue;
+    const Expression &expression = block_.expressions[size_t(word.mantissa)];
+    for (uint32_t i = 0; i < expression.count; ++i) {
+      const ExpressionOp &op = block_.operations[expression.first + i];
+      if (op.op == Op::Variable && isUnset(state_, op.value))
+        outcome_.emit(EventKind::UnsetRead).number = op.offset;
+    }
+  }
+}
+
+/// A block without words in which an active cycle runs all the same.
+bool Execution::runsEmpty() const {
+  return dialect_.emptyBlocksRun && state_.cycleActive(dialect_) != Truth::No;
+}
+
+/// Tells what is odd about the words, so that rules need not look at every block.
+void Execution::wordIssues() {
+  const auto emit = [&](WordIssue issue, AddressMask which) {
+    const Word *word = block_.findAny(which);
+    if (!word)
+      return;
+    Event &event = outcome_.emit(EventKind::WordIssue);
+    event.number = int64_t(issue);
+    event.word = word;
+  };
+  emit(WordIssue::Unknown, block_.addresses & ~dialect_.known);
+  emit(WordIssue::Repeated, block_.repeated & ~dialect_.repeatable);
+  emit(WordIssue::NoPoint, block_.pointless & dialect_.pointAdvised);
+  emit(WordIssue::PointInWhole, block_.pointed & dialect_.whole);
+  if (block_.skip > int8_t(dialect_.lexical.skipLevels))
+    outcome_.emit(EventKind::WordIssue).number = int64_t(WordIssue::SkipLevel);
+  emit(WordIssue::NumberInside, block_.addresses & maskOf('N'));
+  emit(WordIssue::Special, block_.addresses & dialect_.known & ~dialect_.plain);
+}
+
+/// What the expressions in words cannot compute; those of assignments are looked at where they are
+/// made.
+void Execution::wordDomains() {
+  const auto mayFail = [](const ExpressionOp &op) {
+    switch (op.op) {
+    case Op::Divide:
+    case Op::IntegerDivide:
+    case Op::Modulo:
+    case Op::FloorModulo:
+    case Op::Power:
+    case Op::Tan:
+    case Op::Asin:
+    case Op::Acos:
+    case Op::Atan2:
+    case Op::Sqrt:
+    case Op::Ln:
+      return true;
+    default:
+      return false;
+    }
+  };
+  if (llvm::none_of(block_.operations, mayFail))
+    return;
+  Outcome computed;
+  for (const Word &word : block_.words)
+    if (word.has(wordExpression) && word.address != variableAddress)
+      evaluate(block_, uint16_t(word.mantissa), state_, &computed);
+  for (const Event &event : computed.events)
+    if (event.kind == EventKind::DomainError)
+      outcome_.emit(EventKind::DomainError).number = event.number;
+}
+
+void Execution::resolveCodes() {
+  constexpr AddressMask codeLetters = maskOf('G') | maskOf('M') | maskOf(keywordAddress);
+  if (!(block_.addresses & codeLetters))
+    return;
+  for (const Word &word : block_.words) {
+    if (!(codeLetters & maskOf(word.address)))
+      continue;
+    if (word.address == keywordAddress) {
+      outcome_.codes.push_back({CodeIndex(word.mantissa), &word});
+      continue;
+    }
+    if (word.has(wordExpression)) {
+      // `G#1`: which code it is decides itself at run time.
+      const Interval number = value(word);
+      if (number.isConstant() && number.value() >= 0 && number.value() < 10000) {
+        const CodeIndex code =
+            dialect_.find(char('A' + word.address), uint32_t(std::lround(number.value() * 10)));
+        if (code != noCode) {
+          outcome_.codes.push_back({code, &word});
+          continue;
+        }
+        outcome_.emit(EventKind::UnknownCode).word = &word; // it is known, and it is none
+      }
+      state_.set(Fact::UnknownCode);
+      continue;
+    }
+    if (word.has(wordNoValue))
+      continue;
+    const CodeIndex code = dialect_.find(char('A' + word.address), word.codeNumber());
+    if (code == noCode) {
+      Event &event = outcome_.emit(EventKind::UnknownCode);
+      event.word = &word;
+      state_.set(Fact::UnknownCode);
+      if (word.address == letterAddress('M')) {
+        // The machine's builder knows what it does: it may start or stop anything.
+        state_.spindle = spindleAny;
+        state_.liveTool = spindleAny;
+        stateUse.everything();
+        state_.switches.may = ~0u;
+        state_.switches.must = 0;
+      }
+      continue;
+    }
+    outcome_.codes.push_back({code, &word});
+  }
+  context_.codes = outcome_.codes;
+  for (CodeUse &use : outcome_.codes) {
+    const CodeInfo &base = dialect_.codes[use.code];
+    const auto variant = llvm::find_if(base.variants, [&](const Variant &candidate) {
+      return holds(candidate.when, &base, context_);
+    });
+    if (variant != base.variants.end())
+      use.code = variant->code;
+    else if (has(base, CycleTrait::KeepsWords)) {
+      // Restated without the words that make it a variant: the cycle in force has kept them.
+      const CodeInfo *running = before_.activeCode(dialect_, StandardGroup::Cycle);
+      if (running && running->base == use.code)
+        use.code = CodeIndex(running - dialect_.codes.data());
+    }
+  }
+  for (const CodeUse &use : outcome_.codes) {
+    Event &event = outcome_.emit(EventKind::Code);
+    event.code = use.code;
+    event.word = use.word;
+  }
+}
+
+/// F, S, T, H and D.
+void Execution::technologyWords() {
+  constexpr AddressMask technology = lettersMask("FSTHDE");
+  if (!(block_.addresses & technology))
+    return;
+  bool lead = false, limit = false, cycleTakesD = false, macro = false;
+  AddressMask dwell = 0;
+  for (const CodeUse &use : outcome_.codes) {
+    const CodeInfo &code = info(use);
+    limit |= code.action == Action::SpeedLimit;
+    if (code.action == Action::Dwell)
+      dwell |= code.takes;
+    macro |= code.action == Action::MacroCall || code.action == Action::MacroModal;
+    lead |= code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
+            code.cycle == CycleKind::ThreadMulti;
+    cycleTakesD |= code.action == Action::Cycle && (code.takes & maskOf('D'));
+  }
+  if (macro) // the letters are arguments
+    return;
+  if (!lead)
+    if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
+      lead = motion->action == Action::Thread || motion->cycle == CycleKind::ThreadPass;
+  for (const Word &word : block_.words) {
+    if (dwell & maskOf(word.address)) // a time, or revolutions
+      continue;
+    switch (word.address) {
+    case letterAddress('E'):
+      if (!lead)
+        break;
+      [[fallthrough]];
+    case letterAddress('F'): {
+      if (state_.profile == 1)
+        break;
+      state_.feed = value(word);
+      state_.origin.set(StatePart::Feed, originOf(word));
+      state_.set(Fact::FeedSet);
+      state_.clear(Fact::FeedCarried);
+      if (lead)
+        state_.set(Fact::FeedIsLead);
+      else
+        state_.clear(Fact::FeedIsLead);
+      Event &event = outcome_.emit(EventKind::FeedWord);
+      event.word = &word;
+      event.value = state_.feed;
+      break;
+    }
+    case letterAddress('S'): {
+      if (state_.profile == 1)
+        break;
+      outcome_.setupChanged = true;
+      Event &event = outcome_.emit(EventKind::SpeedWord);
+      event.word = &word;
+      event.value = value(word);
+      if (limit) {
+        state_.speedLimit = event.value;
+        state_.set(Fact::SpeedLimitSet);
+        event.certain = false; // not a speed
+      } else {
+        state_.speed = event.value;
+        state_.origin.set(StatePart::Speed, originOf(word));
+        state_.set(Fact::SpeedSet);
+        state_.set(Fact::SpeedSinceMode);
+      }
+      break;
+    }
+    case letterAddress('T'):
+      if (state_.profile != 1)
+        toolWord(word);
+      break;
+    case letterAddress('H'):
+    case letterAddress('D'): {
+      // A D that is a length says something of the tool's length only: D0 takes it away.
+      const bool isD = word.address == letterAddress('D') &&
+                       dialect_.addresses[word.address].unit != AddressUnit::Length;
+      if (isD && cycleTakesD)
+        break;
+      if (dialect_.addresses[word.address].kind == AddressKind::Increment ||
+          dialect_.addresses[word.address].kind == AddressKind::Unknown)
+        break;
+      outcome_.setupChanged = true;
+      const Interval number = value(word);
+      const int32_t offset = number.isConstant() && std::fabs(number.value()) < 1e6
+                                 ? int32_t(number.value())
+                                 : notKnown;
+      // A new H while the length offset is on is taken at once.
+      if (!isD && state_.isActive(dialect_, StandardGroup::LengthOffset,
+                                  {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)
+        state_.set(Fact::LengthSinceTool);
+      if (isD)
+        state_.radiusOffset = offset;
+      else
+        state_.lengthOffset = offset;
+      state_.origin.set(isD ? StatePart::RadiusOffset : StatePart::LengthOffset, originOf(word));
+      Event &event = outcome_.emit(EventKind::OffsetWord);
+      event.word = &word;
+      event.value = number;
+      break;
+    }
+    default:
+      break;
+    }
+  }
+}
+
+/// Words that set something without a code: a limit of the speed, a position of the spindle.
+void Execution::settingWords() {
+  for (const Word &word : block_.words) {
+    const AddressMask mask = maskOf(word.address);
+    if (mask & dialect_.speedLimitWords) {
+      state_.speedLimit = value(word);
+      state_.set(Fact::SpeedLimitSet);
+    } else if (mask & dialect_.orientWords) {
+      state_.spindle = spindleOriented;
+      state_.set(Fact::OrientedSinceTool);
+      state_.set(Fact::SpindleStated);
+      state_.origin.set(StatePart::Spindle, originOf(word));
+    } else if (mask & dialect_.switchWords) {
+      const unsigned index = dialect_.addresses[word.address].switches;
+      const Interval v = value(word);
+      const bool off = v.isConstant() && v.value() == 0, on = v.isConstant() && !off;
+      state_.switches.put(index, !off, on, state_.switches.axesOf(index));
+      state_.origin.setSwitch(index, originOf(word));
+    }
+  }
+}
+
+void Execution::finish() {
+  for (const auto &[variable, value] : pending_)
+    writeVariable(state_, variable, value);
+  // A parameter block waits for the very next block only.
+  if (before_.pendingCycle != noCode && state_.pendingCycle == before_.pendingCycle &&
+      state_.origin.of(StatePart::PendingCycle).begin ==
+          before_.origin.of(StatePart::PendingCycle).begin)
+    state_.pendingCycle = noCode;
+  if (state_.compensation & phaseOn) {
+    uint16_t moved = 0;
+    for (const Event &event : outcome_.events)
+      moved |= event.kind == EventKind::Motion ? event.axes : 0;
+    countIdle(moved);
+  } else {
+    state_.idleBlocks = 0;
+  }
+  if (state_.modalCalls)
+    outcome_.callsModally = firesModalCall();
+}
+
+} // namespace ncvet
