@@ -1,4 +1,4 @@
-// The effect of single G and M codes: modal groups, spindle, coolant, tools, switches.
+// The effect of single codes on modes: modal groups, compensation, cycles, switches, reset.
 #include "interp/evaluate/formula.h"
 #include "interp/evaluate/tool_data.h"
 #include "interp/execute/execution.h"
@@ -23,162 +23,81 @@ void Execution::activate(const CodeInfo &code, const Word *word) {
     state_.clear(Fact::FeedSet);
 }
 
-void Execution::applyModal(const CodeUse &use) {
+/// G96 or G97.
+void Execution::speedMode(const CodeUse &use) {
+  const uint64_t before = before_.active(dialect_, StandardGroup::SpeedMode);
+  // A program that has stated no mode yet counts in revolutions.
+  if (before != state_.active(dialect_, StandardGroup::SpeedMode) &&
+      (before != groupUnset || info(use).action == Action::SurfaceSpeed))
+    state_.clear(Fact::SpeedSinceMode);
+}
+
+void Execution::compensationOn(const CodeUse &use) {
+  state_.origin.set(StatePart::Compensation, originOf(*use.word));
+  if (cutterOfBlock(dialect_)) // a D of this block is still to come
+    state_.radiusOffset = notSet;
+  // Switched on from off: the next move in the plane engages it. While it is on, a change of side
+  // takes effect along the path, without an engaging move.
+  if (!(state_.compensation & phaseOn))
+    state_.compensation = phaseStarting;
+}
+
+void Execution::compensationOff(const CodeUse &) {
+  if (state_.compensation & phaseOn)
+    state_.compensation = uint8_t((state_.compensation & phaseOff) | phaseEnding);
+  else
+    state_.compensation = phaseOff;
+}
+
+void Execution::lengthOn(const CodeUse &use) {
+  state_.set(Fact::LengthSinceTool);
+  state_.origin.set(StatePart::LengthOffset, originOf(*use.word));
+  lengthOff(use);
+}
+
+void Execution::lengthOff(const CodeUse &) {
+  if (!dialect_.zeros.systems)
+    state_.at(toolAxis(dialect_, state_)) = Interval::unknown();
+}
+
+/// Ends the innermost modal call.
+void Execution::cancelModalCall(const CodeUse &) {
+  if (state_.modalCalls)
+    state_.modalCalls = ModalCalls(state_.modalCalls->outer);
+}
+
+/// The block counts in machine coordinates.
+void Execution::countFromMachine(const CodeUse &) { machineMove_ = true; }
+
+/// The block moves by this code. It ends a drilling cycle, and a turning cycle's code replaces it.
+void Execution::takeMotion(const CodeUse &use) {
+  if (!motionCode_.word)
+    motionCode_ = use;
+  if (!dialect_.cycleSurvivesMotion)
+    cancelCycle(use.code, use.word);
+}
+
+void Execution::takeCycle(const CodeUse &use) {
+  if (isModal(info(use)))
+    motionCode_ = use;
+}
+
+/// G80 and its like.
+void Execution::endCycle(const CodeUse &use) {
   const CodeInfo &code = info(use);
-  if (isModal(code) && code.action != Action::Cycle && code.action != Action::CycleCancel)
+  const CodeIndex running = before_.cycleActive(dialect_) == Truth::No ? noCode : activeCycle();
+  if (running != noCode && dialect_.codes[running].family != code.family)
+    return; // each family has a cancel of its own
+  cancelCycle(use.code, use.word);
+  if (code.cancelsCalls && !callsModally_)
+    state_.modalCalls = nullptr;
+  cancelled_ = true;
+  if (code.group != noGroup)
     activate(code, use.word);
-  switch (code.action) {
-  case Action::SurfaceSpeed:
-  case Action::ConstantSpeed:
-    // A program that has stated no mode yet counts in revolutions.
-    if (before_.active(dialect_, StandardGroup::SpeedMode) !=
-            state_.active(dialect_, StandardGroup::SpeedMode) &&
-        (before_.active(dialect_, StandardGroup::SpeedMode) != groupUnset ||
-         code.action == Action::SurfaceSpeed))
-      state_.clear(Fact::SpeedSinceMode);
-    break;
-  case Action::CompensationLeft:
-  case Action::CompensationRight:
-    state_.origin.set(StatePart::Compensation, originOf(*use.word));
-    if (cutterOfBlock(dialect_)) // a D of this block is still to come
-      state_.radiusOffset = notSet;
-    // Switched on from off: the next move in the plane engages it. While it is on, a change of side
-    // takes effect along the path, without an engaging move.
-    if (!(state_.compensation & phaseOn))
-      state_.compensation = phaseStarting;
-    break;
-  case Action::CompensationOff:
-    if (state_.compensation & phaseOn)
-      state_.compensation = uint8_t((state_.compensation & phaseOff) | phaseEnding);
-    else
-      state_.compensation = phaseOff;
-    break;
-  case Action::WorkOffset:
-    state_.set(Fact::WorkOffsetStated);
-    workOffset(use);
-    break;
-  case Action::LengthPositive:
-  case Action::LengthNegative:
-    state_.set(Fact::LengthSinceTool);
-    state_.origin.set(StatePart::LengthOffset, originOf(*use.word));
-    [[fallthrough]];
-  case Action::LengthOff:
-    if (!dialect_.zeros.systems)
-      state_.at(toolAxis(dialect_, state_)) = Interval::unknown();
-    break;
-  case Action::Inch:
-  case Action::Metric:
-    break; // positions are kept in millimetres
-  case Action::MacroModal:
-    break;
-  case Action::MacroCancel: // the innermost one
-    if (state_.modalCalls)
-      state_.modalCalls = ModalCalls(state_.modalCalls->outer);
-    break;
-  case Action::MachineMove:
-    machineMove_ = true;
-    break;
-  case Action::Cycle:
-  case Action::CycleCancel:
-    break;
-  default:
-    break;
-  }
-  if (isMotion(code.action) || (code.action == Action::Cycle && isModal(code)) ||
-      code.action == Action::CycleCancel) {
-    if (code.action == Action::CycleCancel) {
-      const CodeIndex running = before_.cycleActive(dialect_) == Truth::No ? noCode : activeCycle();
-      if (running != noCode && dialect_.codes[running].family != code.family)
-        return; // each family has a cancel of its own
-      cancelCycle(use.code, use.word);
-      if (code.cancelsCalls && !callsModally_)
-        state_.modalCalls = nullptr;
-      cancelled_ = true;
-      if (code.group != noGroup)
-        activate(code, use.word);
-      if (code.endsMotion && masks_.motion != noGroup &&
-          llvm::none_of(outcome_.codes,
-                        [&](const CodeUse &other) { return info(other).group == masks_.motion; }))
-        state_.setGroup(masks_.motion, groupUnset);
-    } else {
-      if (!motionCode_.word || code.action == Action::Cycle)
-        motionCode_ = use;
-      // A motion code ends a drilling cycle, and a turning cycle's code replaces it.
-      if (isMotion(code.action) && !dialect_.cycleSurvivesMotion)
-        cancelCycle(use.code, use.word);
-    }
-  } else if (!isModal(code) || code.action == Action::DataInput) {
-    switch (code.action) {
-    case Action::Dwell:
-    case Action::DataInput:
-    case Action::ReferenceReturn:
-    case Action::ReferenceCheck:
-    case Action::ReferenceFrom:
-    case Action::SkipMove:
-    case Action::LocalShift:
-    case Action::PresetPosition:
-    case Action::PresetClear:
-    case Action::PresetSuspend:
-    case Action::PresetRestore:
-    case Action::ZeroSet:
-    case Action::ZeroHere:
-    case Action::StorePlace:
-    case Action::SpeedLimit:
-    case Action::MacroCall:
-    case Action::Cycle:
-    case Action::ProfileRun:
-    case Action::ZoneOn:
-      if (!actionCode_.word)
-        actionCode_ = use;
-      break;
-    default:
-      break;
-    }
-  }
-  // Codes whose axis words say something else than a move although they belong to a group.
-  switch (code.action) {
-  case Action::RotationOn:
-  case Action::ScalingOn:
-  case Action::MirrorOn:
-  case Action::MirrorOff:
-  case Action::FrameSet:
-  case Action::FrameAdd:
-  case Action::FrameClear:
-  case Action::Pole:
-  case Action::PoleFromPlace:
-  case Action::PoleFromPole:
-  case Action::LocalShift:
-  case Action::PresetPosition:
-  case Action::LengthSet:
-  case Action::LengthAdd:
-  case Action::CurveEnd:
-  case Action::MacroModal:
-  case Action::PolygonOn:
-  case Action::ZoneOn:
-  case Action::SpeedLimit:
-    if (!actionCode_.word)
-      actionCode_ = use;
-    break;
-  default:
-    break;
-  }
-}
-
-void Execution::setSpindle(uint8_t direction, const CodeUse &use) {
-  Event &event = outcome_.emit(EventKind::SpindleChange);
-  event.code = use.code;
-  event.word = use.word;
-  state_.spindle = direction;
-  state_.set(Fact::SpindleStated);
-  state_.clear(Fact::SpindleStoppedByTap);
-  state_.origin.set(StatePart::Spindle, originOf(*use.word));
-}
-
-/// Whether a code of the block sets the spindle going, in front of another one or behind it.
-bool Execution::startsSpindle() const {
-  return llvm::any_of(outcome_.codes, [&](const CodeUse &use) {
-    return info(use).action == Action::SpindleCw || info(use).action == Action::SpindleCcw;
-  });
+  if (code.endsMotion && masks_.motion != noGroup &&
+      llvm::none_of(outcome_.codes,
+                    [&](const CodeUse &other) { return info(other).group == masks_.motion; }))
+    state_.setGroup(masks_.motion, groupUnset);
 }
 
 void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
@@ -250,6 +169,20 @@ void Execution::applyStores(const CodeInfo &code) {
   }
 }
 
+void Execution::keepModes(const CodeUse &) { state_.saved = ncvet::keepModes(dialect_, state_); }
+
+void Execution::keepModesOverReturn(const CodeUse &use) {
+  keepModes(use);
+  state_.restoresModes = true;
+}
+
+void Execution::forgetModes(const CodeUse &) {
+  state_.saved = {};
+  state_.restoresModes = false;
+}
+
+void Execution::restoreModes(const CodeUse &) { bringBack(dialect_, state_, state_.saved); }
+
 namespace {
 /// Compensation that a recorded profile has switched on is the profile's own.
 void leaveProfile(const Dialect &dialect, MachineState &state) {
@@ -263,142 +196,23 @@ void leaveProfile(const Dialect &dialect, MachineState &state) {
 }
 } // namespace
 
-/// What takes effect before the block's motion.
-void Execution::applyEarly(const CodeUse &use) {
-  const CodeInfo &code = info(use);
-  if (code.effect.index != 0xFF)
-    applySwitch(code, use);
-  if (!code.stores.empty())
-    applyStores(code);
-  switch (code.action) {
-  case Action::SpindleCw:
-    setSpindle(spindleCw, use);
-    break;
-  case Action::SpindleCcw:
-    setSpindle(spindleCcw, use);
-    break;
-  case Action::SpindleOrient:
-    setSpindle(spindleOriented, use);
-    state_.set(Fact::OrientedSinceTool);
-    break;
-  case Action::LiveToolCw:
-    state_.liveTool = spindleCw;
-    break;
-  case Action::LiveToolCcw:
-    state_.liveTool = spindleCcw;
-    break;
-  case Action::ToolChange:
-    if (block_.has(letterAddress('T')) || state_.preselected != notSet) {
-      const int32_t tool = state_.preselected.get();
-      changeTool(tool != notSet ? tool : notKnown, notSet, *use.word, use.code);
-    } else {
-      changeTool(state_.tool == notSet ? notKnown : state_.tool.get(), notSet, *use.word, use.code);
-    }
-    if (code.stopsSpindle && !startsSpindle()) {
-      if (state_.spindle & (spindleCw | spindleCcw))
-        state_.set(Fact::SpindleStoppedByTap);
-      state_.spindle = spindleOff;
-      state_.origin.set(StatePart::Spindle, originOf(*use.word));
-    }
-    break;
-  case Action::Reset:
-    reset(*use.word);
-    break;
-  case Action::ProfileBegin:
-    leaveProfile(dialect_, state_);
-    state_.profile = 1;
-    state_.origin.set(StatePart::Roughing, originOf(*use.word));
-    break;
-  case Action::ProfileRun:
-    leaveProfile(dialect_, state_);
-    state_.profile = 0;
-    for (Interval &position : state_.position)
-      position = Interval::unknown();
-    break;
-  case Action::Clamp:
-    state_.set(Fact::SpindleClamped);
-    break;
-  case Action::Unclamp:
-    state_.clear(Fact::SpindleClamped);
-    break;
-  case Action::ChuckOpen:
-    state_.set(Fact::ChuckOpen);
-    break;
-  case Action::ChuckClose:
-    state_.clear(Fact::ChuckOpen);
-    break;
-  case Action::AxisEngage:
-    state_.set(Fact::AxisEngaged);
-    break;
-  case Action::AxisRelease:
-    state_.clear(Fact::AxisEngaged);
-    break;
-  case Action::ModesKept:
-    state_.saved = keepModes(dialect_, state_);
-    break;
-  case Action::ModesForgotten:
-    state_.saved = {};
-    state_.restoresModes = false;
-    break;
-  case Action::ModesRestored:
-    bringBack(dialect_, state_, state_.saved);
-    break;
-  case Action::ModesRestoredAtReturn:
-    state_.saved = keepModes(dialect_, state_);
-    state_.restoresModes = true;
-    break;
-  case Action::MachineSpecific:
-    state_.spindle = spindleAny;
-    state_.liveTool = spindleAny;
-    break;
-  case Action::RotationOn:
-  case Action::ScalingOn:
-  case Action::MirrorOn: {
-    Event &event = outcome_.emit(EventKind::CoordinateChange);
-    event.code = use.code;
-    event.word = use.word;
-    if (code.effect.index != 0xFF) {
-      const auto mark = uint8_t(code.effect.index + 1);
-      if (!llvm::is_contained(state_.transforms, mark))
-        for (uint8_t &slot : state_.transforms)
-          if (slot == 0) {
-            slot = mark;
-            break;
-          }
-    }
-    applyFrame(use);
-    break;
-  }
-  case Action::PolarOff:
-  case Action::PolarOn: {
-    Event &event = outcome_.emit(EventKind::CoordinateChange);
-    event.code = use.code;
-    event.word = use.word;
-    state_.polar = {inPlane()[0], Interval::unknown()}; // the last word is the radius
-    break;
-  }
-  case Action::RotationOff:
-  case Action::ScalingOff:
-  case Action::MirrorOff: {
-    Event &event = outcome_.emit(EventKind::CoordinateChange);
-    event.code = use.code;
-    event.word = use.word;
-    applyFrame(use);
-    if (code.effect.index != 0xFF && !state_.switchMayBeOn(code.effect.index)) {
-      const auto mark = uint8_t(code.effect.index + 1);
-      auto &t = state_.transforms;
-      const auto end = std::remove(t.begin(), t.end(), mark);
-      std::fill(end, t.end(), uint8_t(0));
-    }
-    break;
-  }
-  default:
-    break;
-  }
+/// The blocks from here on are a profile, which a cycle reads as data.
+void Execution::beginProfile(const CodeUse &use) {
+  leaveProfile(dialect_, state_);
+  state_.profile = 1;
+  state_.origin.set(StatePart::Roughing, originOf(*use.word));
+}
+
+void Execution::endProfile(const CodeUse &) {
+  leaveProfile(dialect_, state_);
+  state_.profile = 0;
+  for (Interval &position : state_.position)
+    position = Interval::unknown();
 }
 
 /// The modes of power-on come back; the spindle turns on.
-void Execution::reset(const Word &word) {
+void Execution::reset(const CodeUse &use) {
+  const Word &word = *use.word;
   stateUse.everything();
   const MachineState fresh = initialState(dialect_);
   for (size_t i = 0; i < dialect_.groups.size(); ++i)
@@ -425,92 +239,6 @@ void Execution::reset(const Word &word) {
   for (const Fact fact :
        {Fact::FeedSet, Fact::SpeedSet, Fact::WorkOffsetStated, Fact::CycleRan, Fact::SpeedLimitSet})
     state_.clear(fact);
-}
-
-/// What takes effect behind the block's motion.
-void Execution::applyLate(const CodeUse &use) {
-  switch (info(use).action) {
-  case Action::SpindleStop:
-    setSpindle(spindleOff, use);
-    break;
-  case Action::LiveToolStop:
-    state_.liveTool = spindleOff;
-    break;
-  case Action::ProgramStop:
-    break;
-  default:
-    break;
-  }
-}
-
-void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by) {
-  outcome_.setupChanged = true;
-  Event &event = outcome_.emit(EventKind::ToolChange);
-  event.word = &word;
-  event.code = by;
-  event.number = tool;
-  state_.tool = tool;
-  if (dialect_.offsetsOfTool)
-    state_.lengthOffset = notSet;
-  state_.preselected = notSet;
-  state_.origin.set(StatePart::Tool, originOf(word));
-  state_.set(Fact::ToolCalled);
-  state_.clear(Fact::CutSinceTool);
-  state_.clear(Fact::MovedSinceTool);
-  state_.clear(Fact::LengthSinceTool);
-  state_.clear(Fact::OrientedSinceTool);
-  state_.clear(Fact::PlungedUncompensated);
-  if (dialect_.lengthByTool != noGroup)
-    state_.setGroup(dialect_.lengthByTool, groupUnset);
-  state_.fedFrom.forget();
-  state_.cutArea.clear();
-  if (dialect_.isLathe()) {
-    // Another offset: the same place has other coordinates.
-    if (offset != state_.toolOffset || offset == notKnown)
-      for (const Axis axis : {Axis::X, Axis::Z})
-        if (!state_.inMachineCoordinates(axis))
-          state_.at(axis) = Interval::unknown();
-    state_.toolOffset = offset;
-  }
-}
-
-/// A lathe's T word is station and offset (`T0101`); a mill's is a tool, changed at once or by M06.
-void Execution::toolWord(const Word &word) {
-  outcome_.setupChanged = true;
-  const Interval number = value(word);
-  Event &event = outcome_.emit(EventKind::ToolWord);
-  event.word = &word;
-  event.value = number;
-  int32_t tool = notKnown, offset = notKnown;
-  if (number.isConstant() && number.value() >= 0 && number.value() < 1e8) {
-    const auto whole = int32_t(number.value());
-    if (dialect_.isLathe()) {
-      tool = whole / 100;
-      offset = whole % 100;
-      if (whole < 100 && !word.has(wordLeadingZero)) {
-        // One or two digits name an offset on some controls and a tool on others.
-        tool = notKnown;
-        offset = notKnown;
-      }
-    } else {
-      tool = whole;
-    }
-  }
-  if (dialect_.toolChangeByT) {
-    if (dialect_.isLathe() && tool == 0) {
-      // T0000 and T00 cancel the offset and change nothing.
-      state_.toolOffset = 0;
-      state_.set(Fact::ToolCalled);
-      return;
-    }
-    if (dialect_.isLathe() && tool == state_.tool && tool != notKnown && offset == 0) {
-      state_.toolOffset = 0; // T0100 behind T0101: the offset is cancelled
-      return;
-    }
-    changeTool(tool, offset, word, noCode);
-    return;
-  }
-  state_.preselected = tool;
 }
 
 } // namespace ncvet

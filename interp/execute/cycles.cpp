@@ -17,6 +17,15 @@ const WordSpec *wordWithRole(const CodeInfo &code, Role role) {
   return at == code.words.end() ? nullptr : &*at;
 }
 
+/// The last argument of a call that is the level to which it withdraws; null when it has none.
+const WordSpec *heightArgument(const CodeInfo &code) {
+  const WordSpec *height = nullptr;
+  for (const WordSpec &spec : code.words)
+    if (spec.role == Role::Height && spec.position)
+      height = &spec;
+  return height;
+}
+
 /// An end that is given in another way than before, U for X, takes the place of the former one.
 void keepLastWay(CycleWords &cycle, const Block &block, const Dialect &dialect) {
   for (const Word &word : block.words) {
@@ -125,21 +134,32 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
   }
   const CodeInfo &code = dialect_.codes[index];
   event.word = block_.findAny(dialect_.axisWords);
-  const WordSpec *height = nullptr;
-  for (const WordSpec &spec : code.words)
-    if (spec.role == Role::Height && spec.position)
-      height = &spec;
+  const WordSpec *height = heightArgument(code);
   if (!height) // a call keeps its words
     storeCycleWords(false);
-  const bool turning = code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::FacePass ||
-                       code.cycle == CycleKind::ThreadPass;
-  if (turning) {
+  if (code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::FacePass ||
+      code.cycle == CycleKind::ThreadPass) {
     keepLastWay(state_.cycle, block_, dialect_);
     // Every pass returns to the point where the cycle began.
     if (state_.compensation == phaseStarting)
       state_.compensation = phaseOn;
     return;
   }
+  drillHoles(code, axes);
+  state_.at(tool) = levelAfterCycle(code, height);
+  state_.machineAxes &= ~(1u << unsigned(tool));
+  state_.set(Fact::AwayFromPart);
+  if (code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft) {
+    state_.spindle = spindleAny;
+    state_.set(Fact::SpindleStoppedByTap);
+  } else if (code.spindle == SpindleNeed::StartsItself) {
+    state_.spindle = spindleAny;
+  }
+}
+
+/// The places at which a drilling cycle runs in this block; the tool is at the last one.
+void Execution::drillHoles(const CodeInfo &code, uint16_t axes) {
+  const Axis tool = toolAxis(dialect_, state_);
   double runs = 1;
   if (const WordSpec *count = wordWithRole(code, Role::Repeat))
     if (const Word *word = wordFor(block_, *count))
@@ -163,13 +183,6 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
     setInPlane({});
   if (polarMayBeOn() && (axes & planeAxes(dialect_, state_)))
     state_.set(Fact::PolarRadiusSet);
-  // Where along the tool axis the cycle ends: at R, or at the level where it began.
-  const Truth toInitial =
-      dialect_.group(StandardGroup::ReturnLevel) == noGroup
-          ? Truth::No
-          : state_.isActive(dialect_, StandardGroup::ReturnLevel, {Action::ReturnInitial});
-  Interval level = Interval::unknown();
-  const std::optional<Interval> ofVariable = heightOfVariable(code);
   if (block_.hasAny(dialect_.polarWords)) {
     polarTarget();
     outcome_.holes.assign(1, state_.position);
@@ -178,6 +191,17 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
     for (const auto &hole : outcome_.holes)
       for (unsigned i = 0; i < 2; ++i)
         state_.cutArea.add(i, hole[i]);
+}
+
+/// Where along the tool axis the cycle ends: at its argument for that, at R, or at the level where
+/// it began.
+Interval Execution::levelAfterCycle(const CodeInfo &code, const WordSpec *height) const {
+  const Truth toInitial =
+      dialect_.group(StandardGroup::ReturnLevel) == noGroup
+          ? Truth::No
+          : state_.isActive(dialect_, StandardGroup::ReturnLevel, {Action::ReturnInitial});
+  Interval level = Interval::unknown();
+  const std::optional<Interval> ofVariable = heightOfVariable(code);
   if (height) {
     const auto place = height->position - 1;
     const double back = state_.cycle.present >> place & 1
@@ -203,17 +227,8 @@ void Execution::runCycle(CodeIndex index, uint16_t axes) {
     else if (!std::isnan(r) && factor.isConstant() && incremental == Truth::Yes)
       level = state_.initialLevel + Interval::exactly(r * factor.value());
   }
-  if (toInitial == Truth::Yes && dialect_.drilling.risesFirst)
-    level = noLowerThanApproach(level);
-  state_.at(tool) = level;
-  state_.machineAxes &= ~(1u << unsigned(tool));
-  state_.set(Fact::AwayFromPart);
-  if (code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft) {
-    state_.spindle = spindleAny;
-    state_.set(Fact::SpindleStoppedByTap);
-  } else if (code.spindle == SpindleNeed::StartsItself) {
-    state_.spindle = spindleAny;
-  }
+  return toInitial == Truth::Yes && dialect_.drilling.risesFirst ? noLowerThanApproach(level)
+                                                                 : level;
 }
 
 /// The level to which a cycle withdraws, where a variable of the program holds it.
@@ -435,14 +450,14 @@ void Execution::runCompound(const CodeUse &use) {
   for (const WordSpec &spec : code.words)
     if (spec.role == Role::Program)
       contourProgram(use, spec);
-  if (!first)
-    return;
+  if (first)
+    readProfile(use, first, last);
+}
+
+/// The cycle works along the blocks that two of its words name.
+void Execution::readProfile(const CodeUse &use, AddressMask first, AddressMask last) {
+  go(FlowKind::Profile, use);
   Flow &flow = outcome_.flow;
-  flow.kind = FlowKind::Profile;
-  flow.code = use.code;
-  flow.word = use.word;
-  flow.begin = use.word->offset;
-  flow.end = block_.endOf(*use.word);
   const auto number = [&](AddressMask mask) -> int64_t {
     const Word *word = block_.findAny(mask);
     if (!word)
@@ -452,7 +467,7 @@ void Execution::runCompound(const CodeUse &use) {
   };
   flow.first = number(first);
   flow.last = number(last);
-  const bool finishing = code.cycle == CycleKind::Finish;
+  const bool finishing = info(use).cycle == CycleKind::Finish;
   if (finishing) {
     if (state_.roughFirst == flow.first)
       state_.roughFirst = state_.roughLast = notSet;

@@ -10,27 +10,33 @@ namespace {
 constexpr uint16_t axisBit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
 } // namespace
 
-/// Axis words and perhaps F under G00 or G01, with no cycle, polar input or modal macro about, and
-/// compensation off or built up: by far the most blocks of a long program. Does what `moveAxes`
-/// would do, with everything that such a block cannot do left out.
-bool Execution::runPlainMove() {
+/// The motion code of a block of axis words and perhaps F under G00 or G01, with no cycle, polar
+/// input or modal macro about, and compensation off or built up; `noCode` for other blocks.
+inline CodeIndex Execution::plainMoveCode() const {
   if ((block_.addresses & ~(dialect_.axisWords | maskOf('F'))) ||
       !(block_.addresses & dialect_.axisWords) ||
       (state_.compensation != phaseOff && state_.compensation != phaseOn) || state_.modalCalls ||
       state_.pendingCycle != noCode || masks_.motion == noGroup || polarMayBeOn() ||
       (diameterMayBeOn() && (state_.groups[masks_.diameter] & ~masks_.diameterOn)) ||
       (dialect_.variableRanges.place && !block_.expressions.empty()))
-    return false;
+    return noCode;
   if (masks_.cycle != noGroup && (state_.groups[masks_.cycle] & ~(masks_.cancelled | groupUnset)))
-    return false;
+    return noCode;
   const uint64_t motionSet = state_.groups[masks_.motion];
   if ((motionSet & (motionSet - 1)) || motionSet == groupUnset)
-    return false;
+    return noCode;
   const CodeIndex index =
       dialect_.groups[masks_.motion].members[size_t(std::countr_zero(motionSet))];
-  const Action action = dialect_.codes[index].action;
-  if ((action != Action::Linear && action != Action::Rapid) ||
-      !dialect_.codes[index].places[0].empty())
+  const CodeInfo &code = dialect_.codes[index];
+  const bool straight = code.action == Action::Linear || code.action == Action::Rapid;
+  return straight && code.places[0].empty() ? index : noCode;
+}
+
+/// By far the most blocks of a long program, see `plainMoveCode`. Does what `moveAxes` would do,
+/// with everything that such a block cannot do left out.
+bool Execution::runPlainMove() {
+  const CodeIndex index = plainMoveCode();
+  if (index == noCode)
     return false;
   const Interval factor = lengthFactor();
   const Truth relative = incremental();
@@ -71,7 +77,7 @@ bool Execution::runPlainMove() {
   }
   const bool idles = state_.compensation == phaseOn && countIdle(axes);
   outcome_.plainMove = plain && !idles && block_.skip < 0 && !block_.lowerCase;
-  const bool rapid = action == Action::Rapid;
+  const bool rapid = dialect_.codes[index].action == Action::Rapid;
   Event &event = outcome_.emit(EventKind::Motion);
   event.code = index;
   event.motion = rapid ? MotionKind::Rapid : MotionKind::Feed;
@@ -123,7 +129,7 @@ void Execution::run(bool guardHolds) {
   resolveCodes();
   // Modes first, then what they give a meaning to: an F behind G98 is a feed per minute.
   for (const CodeUse &use : outcome_.codes)
-    applyModal(use);
+    applyModes(use);
   technologyWords();
   if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords))
     settingWords();
@@ -132,9 +138,9 @@ void Execution::run(bool guardHolds) {
   applyZeros();
   moveAxes();
   for (const CodeUse &use : outcome_.codes)
-    applyLate(use);
+    carryOut(Phase::Late, use);
   for (const CodeUse &use : outcome_.codes)
-    applyFlow(use);
+    carryOut(Phase::Flow, use);
   finish();
 }
 
@@ -180,25 +186,7 @@ void Execution::wordIssues() {
 /// What the expressions in words cannot compute; those of assignments are looked at where they are
 /// made.
 void Execution::wordDomains() {
-  const auto mayFail = [](const ExpressionOp &op) {
-    switch (op.op) {
-    case Op::Divide:
-    case Op::IntegerDivide:
-    case Op::Modulo:
-    case Op::FloorModulo:
-    case Op::Power:
-    case Op::Tan:
-    case Op::Asin:
-    case Op::Acos:
-    case Op::Atan2:
-    case Op::Sqrt:
-    case Op::Ln:
-      return true;
-    default:
-      return false;
-    }
-  };
-  if (llvm::none_of(block_.operations, mayFail))
+  if (llvm::none_of(block_.operations, [](const ExpressionOp &op) { return mayFail(op); }))
     return;
   Outcome computed;
   for (const Word &word : block_.words)
@@ -221,54 +209,18 @@ void Execution::resolveCodes() {
       continue;
     }
     if (word.has(wordExpression)) {
-      // `G#1`: which code it is decides itself at run time.
-      const Interval number = value(word);
-      if (number.isConstant() && number.value() >= 0 && number.value() < 10000) {
-        const CodeIndex code =
-            dialect_.find(char('A' + word.address), uint32_t(std::lround(number.value() * 10)));
-        if (code != noCode) {
-          outcome_.codes.push_back({code, &word});
-          continue;
-        }
-        outcome_.emit(EventKind::UnknownCode).word = &word; // it is known, and it is none
-      }
-      state_.set(Fact::UnknownCode);
+      computedCode(word);
       continue;
     }
     if (word.has(wordNoValue))
       continue;
     const CodeIndex code = dialect_.find(char('A' + word.address), word.codeNumber());
-    if (code == noCode) {
-      Event &event = outcome_.emit(EventKind::UnknownCode);
-      event.word = &word;
-      state_.set(Fact::UnknownCode);
-      if (word.address == letterAddress('M')) {
-        // The machine's builder knows what it does: it may start or stop anything.
-        state_.spindle = spindleAny;
-        state_.liveTool = spindleAny;
-        stateUse.everything();
-        state_.switches.may = ~0u;
-        state_.switches.must = 0;
-      }
-      continue;
-    }
-    outcome_.codes.push_back({code, &word});
+    if (code == noCode)
+      unknownCode(word);
+    else
+      outcome_.codes.push_back({code, &word});
   }
-  context_.codes = outcome_.codes;
-  for (CodeUse &use : outcome_.codes) {
-    const CodeInfo &base = dialect_.codes[use.code];
-    const auto variant = llvm::find_if(base.variants, [&](const Variant &candidate) {
-      return holds(candidate.when, &base, context_);
-    });
-    if (variant != base.variants.end())
-      use.code = variant->code;
-    else if (has(base, CycleTrait::KeepsWords)) {
-      // Restated without the words that make it a variant: the cycle in force has kept them.
-      const CodeInfo *running = before_.activeCode(dialect_, StandardGroup::Cycle);
-      if (running && running->base == use.code)
-        use.code = CodeIndex(running - dialect_.codes.data());
-    }
-  }
+  resolveVariants();
   for (const CodeUse &use : outcome_.codes) {
     Event &event = outcome_.emit(EventKind::Code);
     event.code = use.code;
@@ -276,128 +228,50 @@ void Execution::resolveCodes() {
   }
 }
 
-/// F, S, T, H and D.
-void Execution::technologyWords() {
-  constexpr AddressMask technology = lettersMask("FSTHDE");
-  if (!(block_.addresses & technology))
-    return;
-  bool lead = false, limit = false, cycleTakesD = false, macro = false;
-  AddressMask dwell = 0;
-  for (const CodeUse &use : outcome_.codes) {
-    const CodeInfo &code = info(use);
-    limit |= code.action == Action::SpeedLimit;
-    if (code.action == Action::Dwell)
-      dwell |= code.takes;
-    macro |= code.action == Action::MacroCall || code.action == Action::MacroModal;
-    lead |= code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
-            code.cycle == CycleKind::ThreadMulti;
-    cycleTakesD |= code.action == Action::Cycle && (code.takes & maskOf('D'));
+/// `G#1`: which code it is decides itself at run time.
+void Execution::computedCode(const Word &word) {
+  const Interval number = value(word);
+  if (number.isConstant() && number.value() >= 0 && number.value() < 10000) {
+    const CodeIndex code =
+        dialect_.find(char('A' + word.address), uint32_t(std::lround(number.value() * 10)));
+    if (code != noCode) {
+      outcome_.codes.push_back({code, &word});
+      return;
+    }
+    outcome_.emit(EventKind::UnknownCode).word = &word; // it is known, and it is none
   }
-  if (macro) // the letters are arguments
-    return;
-  if (!lead)
-    if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
-      lead = motion->action == Action::Thread || motion->cycle == CycleKind::ThreadPass;
-  for (const Word &word : block_.words) {
-    if (dwell & maskOf(word.address)) // a time, or revolutions
-      continue;
-    switch (word.address) {
-    case letterAddress('E'):
-      if (!lead)
-        break;
-      [[fallthrough]];
-    case letterAddress('F'): {
-      if (state_.profile == 1)
-        break;
-      state_.feed = value(word);
-      state_.origin.set(StatePart::Feed, originOf(word));
-      state_.set(Fact::FeedSet);
-      state_.clear(Fact::FeedCarried);
-      if (lead)
-        state_.set(Fact::FeedIsLead);
-      else
-        state_.clear(Fact::FeedIsLead);
-      Event &event = outcome_.emit(EventKind::FeedWord);
-      event.word = &word;
-      event.value = state_.feed;
-      break;
-    }
-    case letterAddress('S'): {
-      if (state_.profile == 1)
-        break;
-      outcome_.setupChanged = true;
-      Event &event = outcome_.emit(EventKind::SpeedWord);
-      event.word = &word;
-      event.value = value(word);
-      if (limit) {
-        state_.speedLimit = event.value;
-        state_.set(Fact::SpeedLimitSet);
-        event.certain = false; // not a speed
-      } else {
-        state_.speed = event.value;
-        state_.origin.set(StatePart::Speed, originOf(word));
-        state_.set(Fact::SpeedSet);
-        state_.set(Fact::SpeedSinceMode);
-      }
-      break;
-    }
-    case letterAddress('T'):
-      if (state_.profile != 1)
-        toolWord(word);
-      break;
-    case letterAddress('H'):
-    case letterAddress('D'): {
-      // A D that is a length says something of the tool's length only: D0 takes it away.
-      const bool isD = word.address == letterAddress('D') &&
-                       dialect_.addresses[word.address].unit != AddressUnit::Length;
-      if (isD && cycleTakesD)
-        break;
-      if (dialect_.addresses[word.address].kind == AddressKind::Increment ||
-          dialect_.addresses[word.address].kind == AddressKind::Unknown)
-        break;
-      outcome_.setupChanged = true;
-      const Interval number = value(word);
-      const int32_t offset = number.isConstant() && std::fabs(number.value()) < 1e6
-                                 ? int32_t(number.value())
-                                 : notKnown;
-      // A new H while the length offset is on is taken at once.
-      if (!isD && state_.isActive(dialect_, StandardGroup::LengthOffset,
-                                  {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)
-        state_.set(Fact::LengthSinceTool);
-      if (isD)
-        state_.radiusOffset = offset;
-      else
-        state_.lengthOffset = offset;
-      state_.origin.set(isD ? StatePart::RadiusOffset : StatePart::LengthOffset, originOf(word));
-      Event &event = outcome_.emit(EventKind::OffsetWord);
-      event.word = &word;
-      event.value = number;
-      break;
-    }
-    default:
-      break;
-    }
+  state_.set(Fact::UnknownCode);
+}
+
+void Execution::unknownCode(const Word &word) {
+  Event &event = outcome_.emit(EventKind::UnknownCode);
+  event.word = &word;
+  state_.set(Fact::UnknownCode);
+  if (word.address == letterAddress('M')) {
+    // The machine's builder knows what it does: it may start or stop anything.
+    state_.spindle = spindleAny;
+    state_.liveTool = spindleAny;
+    stateUse.everything();
+    state_.switches.may = ~0u;
+    state_.switches.must = 0;
   }
 }
 
-/// Words that set something without a code: a limit of the speed, a position of the spindle.
-void Execution::settingWords() {
-  for (const Word &word : block_.words) {
-    const AddressMask mask = maskOf(word.address);
-    if (mask & dialect_.speedLimitWords) {
-      state_.speedLimit = value(word);
-      state_.set(Fact::SpeedLimitSet);
-    } else if (mask & dialect_.orientWords) {
-      state_.spindle = spindleOriented;
-      state_.set(Fact::OrientedSinceTool);
-      state_.set(Fact::SpindleStated);
-      state_.origin.set(StatePart::Spindle, originOf(word));
-    } else if (mask & dialect_.switchWords) {
-      const unsigned index = dialect_.addresses[word.address].switches;
-      const Interval v = value(word);
-      const bool off = v.isConstant() && v.value() == 0, on = v.isConstant() && !off;
-      state_.switches.put(index, !off, on, state_.switches.axesOf(index));
-      state_.origin.setSwitch(index, originOf(word));
+/// Puts variants in place of the codes whose meaning the block's other words decide.
+void Execution::resolveVariants() {
+  context_.codes = outcome_.codes;
+  for (CodeUse &use : outcome_.codes) {
+    const CodeInfo &base = dialect_.codes[use.code];
+    const auto variant = llvm::find_if(base.variants, [&](const Variant &candidate) {
+      return holds(candidate.when, &base, context_);
+    });
+    if (variant != base.variants.end()) {
+      use.code = variant->code;
+    } else if (has(base, CycleTrait::KeepsWords)) {
+      // Restated without the words that make it a variant: the cycle in force has kept them.
+      const CodeInfo *running = before_.activeCode(dialect_, StandardGroup::Cycle);
+      if (running && running->base == use.code)
+        use.code = CodeIndex(running - dialect_.codes.data());
     }
   }
 }

@@ -10,6 +10,15 @@ namespace ncvet {
 
 struct Zero;
 
+/// When in its block an action takes effect.
+enum class Phase : uint8_t {
+  None,
+  Modes, ///< before the block's F and S: modes give them their meaning
+  Early, ///< before the block's motion
+  Late,  ///< after it
+  Flow   ///< last: where control goes
+};
+
 /// One block on its way through the interpreter. Private to interp/.
 class Execution {
 public:
@@ -23,42 +32,100 @@ public:
   void run(bool guardHolds);
 
 private:
-  // execute.cpp: the order of things
+  // execution.cpp: the order of things
   bool inForeignLanguage() const;
+  CodeIndex plainMoveCode() const;
   bool runPlainMove();
   bool countIdle(uint16_t axes);
   void wordIssues();
   void wordDomains();
   bool runsEmpty() const;
   void resolveCodes();
-  void technologyWords();
-  void settingWords();
+  void computedCode(const Word &word);
+  void unknownCode(const Word &word);
+  void resolveVariants();
   void unsetReads();
   void finish();
 
   // statements.cpp: Macro B
+  /// The IF of the block, as far as its items have been run.
+  struct Guard {
+    bool holds = true;        ///< what a statement after the IF asks
+    bool conditional = false; ///< a condition waits for its jump
+    Truth condition = Truth::Yes;
+  };
+  enum class Items : uint8_t { GoOn, Done, Stop };
   bool runItems(bool guardHolds);
+  Items runItem(size_t index, Guard &guard);
+  Items jump(size_t index, Guard &guard);
+  Items loop(FlowKind kind, const Item &item);
+  void callOrRepeat(size_t index);
   void go(FlowKind kind, size_t index);
   void structure(size_t index);
   void assign(const Item &item);
   void giveBack(const Item &item);
   void define(const Item &item);
 
-  // codes.cpp: the effect of single codes
-  void applyModal(const CodeUse &use);
+  // action_table.cpp: which action does what, and when
+  struct Actions;
+  void carryOut(Phase phase, const CodeUse &use);
+  void applyModes(const CodeUse &use);
   void applyEarly(const CodeUse &use);
-  void applyLate(const CodeUse &use);
+  bool axisWordsTaken(uint16_t axes);
+
+  // codes.cpp: the effect of single codes
   void applySwitch(const CodeInfo &info, const CodeUse &use);
   void applyStores(const CodeInfo &info);
   void activate(const CodeInfo &info, const Word *word);
+  void speedMode(const CodeUse &use);
+  void compensationOn(const CodeUse &use);
+  void compensationOff(const CodeUse &use);
+  void lengthOn(const CodeUse &use);
+  void lengthOff(const CodeUse &use);
+  void cancelModalCall(const CodeUse &use);
+  void countFromMachine(const CodeUse &use);
+  void takeMotion(const CodeUse &use);
+  void takeCycle(const CodeUse &use);
+  void endCycle(const CodeUse &use);
+  void keepModes(const CodeUse &use);
+  void keepModesOverReturn(const CodeUse &use);
+  void forgetModes(const CodeUse &use);
+  void restoreModes(const CodeUse &use);
+  void beginProfile(const CodeUse &use);
+  void endProfile(const CodeUse &use);
+  void reset(const CodeUse &use);
+
+  // technology.cpp: feed, speed, spindle and tool
+  /// What the block's codes make of its technology words.
+  struct TechnologyUse {
+    bool lead = false;        ///< F and E are leads of a thread
+    bool limit = false;       ///< S is a limit
+    bool cycleTakesD = false; ///< D is a word of a cycle
+    bool arguments = false;   ///< all of them are arguments of a macro
+    AddressMask dwell = 0;    ///< times, or revolutions
+  };
+  TechnologyUse technologyUse() const;
+  void technologyWords();
+  void feedWord(const Word &word, bool lead);
+  void speedWord(const Word &word, bool limit);
+  void offsetWord(const Word &word, bool cycleTakesD);
+  void settingWords();
   bool startsSpindle() const;
   void setSpindle(uint8_t direction, const CodeUse &use);
+  void orientSpindle(const CodeUse &use);
+  void turnAnything(const CodeUse &use);
+  void takeTool(const CodeUse &use);
   void changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by);
   void toolWord(const Word &word);
-  void reset(const Word &word);
 
   // flow.cpp: calls, returns, ends
-  void applyFlow(const CodeUse &use);
+  void go(FlowKind kind, const CodeUse &use);
+  void callMacro(const CodeUse &use);
+  void callSubprogram(const CodeUse &use);
+  void callLocal(const CodeUse &use);
+  void returnToCaller(const CodeUse &use);
+  void jumpPerhaps(const CodeUse &use);
+  void endProgram(const CodeUse &use);
   void callProgram(const CodeUse &use, bool macro);
   void callModally(const CodeUse &use);
   void callModally(const Item &item);
@@ -70,17 +137,15 @@ private:
 
   // motion.cpp: axis words
   void moveAxes();
+  bool cycleGoesOn(uint16_t axes);
+  uint16_t axesMovedBy(const CodeInfo &motion, uint16_t axes) const;
+  void moveByModes(uint16_t axes);
   void moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, uint16_t axes);
   void afterMove(bool rapid, uint16_t axes);
   void angleWords();
   bool hasAngleWord() const;
   void alongAngle(uint16_t written);
   void contourFacts(MotionKind kind, uint16_t axes);
-  void machineMove(uint16_t axes);
-  void referenceReturn(uint16_t axes, const CodeUse &use);
-  void shiftCoordinates(const CodeUse &use);
-  void changeFrame(const CodeUse &use);
-  void workOffset(const CodeUse &use);
   Interval coordinate(const Word &word) const;
   /// The same of a word that is never a diameter.
   Interval lengthOfWord(const Word &word) const;
@@ -90,7 +155,27 @@ private:
   void trackDepth(bool rapid);
   void compensationStep(MotionKind kind, uint16_t axes);
 
-  // zero_codes.cpp: the zero point, where variables hold it
+  // coordinate_codes.cpp: axis words that are no plain move
+  /// Under which the last point of a curve waits for its end: no program's key.
+  static constexpr int32_t curvePoint = 0x7FFFFF00;
+  void machineMove(uint16_t axes);
+  bool referenceReturn(const CodeUse &use, uint16_t axes);
+  bool referenceFrom(const CodeUse &use, uint16_t axes);
+  bool skipMove(const CodeUse &use, uint16_t axes);
+  void endCurve(const CodeUse &use);
+  bool dwell(const CodeUse &use, uint16_t axes);
+  void writeOffsets(const CodeUse &use);
+  bool switchPreset(const CodeUse &use, uint16_t axes);
+  bool storeHere(const CodeUse &use, uint16_t axes);
+  void setPole(const CodeUse &use);
+  void shiftCoordinates(const CodeUse &use);
+  void changeFrame(const CodeUse &use);
+  void workOffset(const CodeUse &use);
+  void transformationOn(const CodeUse &use);
+  void transformationOff(const CodeUse &use);
+  void switchPolar(const CodeUse &use);
+
+  // zero_point_codes.cpp: the zero point, where variables hold it
   void applyZeros();
   void applyLength(const CodeUse &use);
   std::array<Interval, axisCount> lengthOfTool() const;
@@ -111,7 +196,7 @@ private:
   void polarTarget();
   void setPole(Action reference);
 
-  // frames.cpp: shift, rotation, scale, mirror
+  // frame_codes.cpp: shift, rotation, scale, mirror
   /// What the axis words of a block give for X, Y and Z.
   struct FrameWords {
     std::array<bool, 3> given{};
@@ -122,6 +207,7 @@ private:
   void rebase(const FrameStack &frames);
   std::optional<FrameWords> frameWords(FrameKind kind, bool lengths) const;
   std::optional<Frame> frameOf(const CodeInfo &code) const;
+  std::optional<double> frameNumber(const CodeInfo &code, Role role) const;
   std::optional<Frame> frameOfSteps(const CodeInfo &code) const;
   Frame frameOfStep(const FrameStep &step, std::array<double, 12> numbers, double unit) const;
   std::optional<Frame> frameByAxis(const CodeInfo &code, const std::optional<Frame> &old) const;
@@ -134,9 +220,12 @@ private:
   // cycles.cpp
   void startCycle(const CodeUse &use);
   void runCycle(CodeIndex code, uint16_t axes);
+  void drillHoles(const CodeInfo &code, uint16_t axes);
+  Interval levelAfterCycle(const CodeInfo &code, const WordSpec *height) const;
   void cancelCycle(CodeIndex by, const Word *word);
   void storeCycleWords(bool fresh);
   void runCompound(const CodeUse &use);
+  void readProfile(const CodeUse &use, AddressMask first, AddressMask last);
   void endOfCall(const CodeInfo &code);
   void endDownHere(const CodeInfo &code);
   bool patternPlaces(const CodeInfo &code);

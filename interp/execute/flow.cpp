@@ -149,74 +149,51 @@ Truth Execution::firesModalCall() const {
   return state_.isActive(dialect_, StandardGroup::Motion, {Action::Rapid, Action::Linear});
 }
 
-void Execution::applyFlow(const CodeUse &use) {
-  const CodeInfo &code = info(use);
+/// The block's flow is the one that a code says.
+void Execution::go(FlowKind kind, const CodeUse &use) {
   Flow &flow = outcome_.flow;
-  const auto here = [&](FlowKind kind) {
-    flow.kind = kind;
-    flow.code = use.code;
-    flow.word = use.word;
-    flow.begin = use.word->offset;
-    flow.end = block_.endOf(*use.word);
-  };
-  switch (code.action) {
-  case Action::CallProgram:
-    callProgram(use, false);
-    outcome_.emit(EventKind::Call).code = use.code;
-    outcome_.events.back().word = use.word;
-    break;
-  case Action::MacroCall:
-    callProgram(use, true);
-    outcome_.emit(EventKind::Call).code = use.code;
-    outcome_.events.back().word = use.word;
-    break;
-  case Action::MacroModal:
-    callModally(use);
-    break;
-  case Action::CallLocal: {
-    here(FlowKind::CallLocal);
-    flow.target = Value::vacant();
-    // The target is a P word; an N word behind the code is taken as one too.
-    const Word *target = block_.find('P');
-    if (!target)
-      target = block_.find('N');
-    if (target) {
-      flow.word = target;
-      flow.begin = target->offset;
-      flow.end = block_.endOf(*target);
-      flow.target = valueOf(value(*target));
-    }
-    if (const Word *l = block_.find('L'))
-      flow.repeat = valueOf(value(*l));
-    outcome_.emit(EventKind::Call).code = use.code;
-    outcome_.events.back().word = use.word;
-    break;
-  }
-  case Action::Return: {
-    here(FlowKind::Return);
-    flow.target = Value::vacant();
-    if (const Word *p = block_.find('P'))
-      flow.target = valueOf(value(*p));
-    outcome_.emit(EventKind::Return).code = use.code;
-    outcome_.events.back().word = use.word;
-    break;
-  }
-  case Action::ConditionalJump:
-    here(FlowKind::Jump);
-    flow.condition = Truth::Unknown;
-    flow.target = Value::vacant();
-    if (const Word *p = block_.find('P'))
-      flow.target = valueOf(value(*p));
-    break;
-  case Action::ProgramEnd:
-  case Action::ProgramEndRewind:
-    here(FlowKind::End);
-    outcome_.emit(EventKind::ProgramEnd).code = use.code;
-    outcome_.events.back().word = use.word;
-    break;
-  default:
-    break;
-  }
+  flow.kind = kind;
+  flow.code = use.code;
+  flow.word = use.word;
+  flow.begin = use.word->offset;
+  flow.end = block_.endOf(*use.word);
 }
+
+void Execution::callMacro(const CodeUse &use) { callProgram(use, true); }
+
+void Execution::callSubprogram(const CodeUse &use) { callProgram(use, false); }
+
+void Execution::callLocal(const CodeUse &use) {
+  Flow &flow = outcome_.flow;
+  go(FlowKind::CallLocal, use);
+  flow.target = Value::vacant();
+  // The target is a P word; an N word after the code is taken as one too.
+  const Word *target = block_.find('P');
+  if (!target)
+    target = block_.find('N');
+  if (target) {
+    flow.word = target;
+    flow.begin = target->offset;
+    flow.end = block_.endOf(*target);
+    flow.target = valueOf(value(*target));
+  }
+  if (const Word *l = block_.find('L'))
+    flow.repeat = valueOf(value(*l));
+}
+
+void Execution::returnToCaller(const CodeUse &use) {
+  go(FlowKind::Return, use);
+  const Word *p = block_.find('P');
+  outcome_.flow.target = p ? valueOf(value(*p)) : Value::vacant();
+}
+
+void Execution::jumpPerhaps(const CodeUse &use) {
+  go(FlowKind::Jump, use);
+  outcome_.flow.condition = Truth::Unknown;
+  const Word *p = block_.find('P');
+  outcome_.flow.target = p ? valueOf(value(*p)) : Value::vacant();
+}
+
+void Execution::endProgram(const CodeUse &use) { go(FlowKind::End, use); }
 
 } // namespace ncvet

@@ -103,6 +103,22 @@ std::optional<Execution::FrameWords> Execution::frameWords(FrameKind kind, bool 
   return words;
 }
 
+/// The angle or the ratio that the block gives; none when it is not clear.
+std::optional<double> Execution::frameNumber(const CodeInfo &code, Role role) const {
+  for (const WordSpec &spec : code.words)
+    if (spec.role == role)
+      if (const Word *word = wordFor(block_, spec)) {
+        // A ratio without a point counts in thousandths on some controls; an angle under
+        // incremental input may add up.
+        const bool clear = role == Role::Ratio ? word->has(wordPoint) || !word->isNumber()
+                                               : countsFromBefore(*word) == Truth::No;
+        const Interval v = value(*word);
+        if (v.isConstant() && (clear || !isTransformation(code)))
+          return v.value();
+      }
+  return std::nullopt;
+}
+
 /// The map that the code describes in its block; none when something is not known.
 std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
   const FrameKind kind = kindOf(code);
@@ -119,28 +135,14 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
     return frameOfSteps(code);
   if (!words)
     return std::nullopt;
-  const auto number = [&](Role role) -> std::optional<double> {
-    for (const WordSpec &spec : code.words)
-      if (spec.role == role)
-        if (const Word *word = wordFor(block_, spec)) {
-          // A ratio without a point counts in thousandths on some controls; an angle under
-          // incremental input may add up.
-          const bool clear = role == Role::Ratio ? word->has(wordPoint) || !word->isNumber()
-                                                 : countsFromBefore(*word) == Truth::No;
-          const Interval v = value(*word);
-          if (v.isConstant() && (clear || !isTransformation(code)))
-            return v.value();
-        }
-    return std::nullopt;
-  };
   switch (kind) {
   case FrameKind::Shift:
     return Frame::shifted(words->value);
   case FrameKind::Offset: // under incremental input it is not clear from where it counts
     return incremental() == Truth::No ? std::optional(Frame::shifted(words->value)) : std::nullopt;
   case FrameKind::Rotation:
-    return isTransformation(code) ? rotationAbout(*words, number(Role::Angle))
-                                  : rotationOf(*words, number(Role::Angle));
+    return isTransformation(code) ? rotationAbout(*words, frameNumber(code, Role::Angle))
+                                  : rotationOf(*words, frameNumber(code, Role::Angle));
   case FrameKind::Scale: {
     if (!isTransformation(code)) { // a factor per axis, about the zero point
       std::array<double, 3> factors{1, 1, 1};
@@ -149,7 +151,7 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
           factors[i] = words->value[i];
       return Frame::scaled(factors, {});
     }
-    const auto ratio = number(Role::Ratio);
+    const auto ratio = frameNumber(code, Role::Ratio);
     if (!ratio)
       return std::nullopt;
     return Frame::scaled({*ratio, *ratio, *ratio}, centreOf(*words, (1u << spatial) - 1));

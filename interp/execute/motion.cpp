@@ -14,8 +14,6 @@ namespace {
 constexpr uint64_t movedFacts =
     bitOf(Fact::Moved) | bitOf(Fact::MovedSinceTool) | bitOf(Fact::MovedSincePreset);
 constexpr uint16_t bit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
-/// Keys under which the last point of a curve waits for its end: no program's.
-constexpr int32_t curvePoint = 0x7FFFFF00;
 } // namespace
 
 Interval Execution::lengthFactor() const {
@@ -346,120 +344,24 @@ void Execution::trackDepth(bool rapid) {
     state_.cutArea.add(i, state_.position[i]);
 }
 
-/// G53: this block counts in machine coordinates.
-void Execution::machineMove(uint16_t axes) {
-  compensationStep(MotionKind::Rapid, axes);
-  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
-  Event &event = outcome_.emit(EventKind::Motion);
-  event.axes = axes;
-  event.motion = motion && motion->action == Action::Linear ? MotionKind::Feed : MotionKind::Rapid;
-  event.code = motion ? CodeIndex(motion - dialect_.codes.data()) : noCode;
-  event.number = 1; // in machine coordinates
-  state_.fedFrom.forget();
-  for (const Word &word : block_.words)
-    if (dialect_.axisWords & maskOf(word.address))
-      storeTarget(word, true);
-  fromMachine();
-  state_.set(Fact::Moved);
-  state_.set(Fact::MovedSinceTool);
-  state_.set(Fact::MovedSincePreset);
-  state_.set(Fact::AwayFromPart);
-  state_.set(Fact::AtMachinePosition);
-}
-
-void Execution::referenceReturn(uint16_t axes, const CodeUse &use) {
-  compensationStep(MotionKind::Reference, axes);
-  Event &event = outcome_.emit(EventKind::Motion);
-  event.motion = MotionKind::Reference;
-  event.axes = axes;
-  event.code = use.code;
-  state_.fedFrom.forget();
-  for (const Word &word : block_.words)
-    if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
-      storeTarget(word, false);
-  outcome_.via = state_.position;
-  for (unsigned i = 0; i < axisCount; ++i)
-    if (axes == 0 || (axes >> i & 1)) {
-      const int32_t stored = info(use).storedAt;
-      state_.position[i] = stored ? storedPlace(state_, stored)[i] : Interval::unknown();
-      state_.machineAxes |= 1u << i;
-    }
-  fromMachine();
-  state_.set(Fact::Moved);
-  state_.set(Fact::MovedSinceTool);
-  state_.set(Fact::ReferenceReturned);
-  state_.set(Fact::MovedSincePreset);
-  state_.set(Fact::AwayFromPart);
-  state_.set(Fact::AtMachinePosition);
-}
-
-/// G52, G92 and their like: the place stays, its coordinates change.
-void Execution::shiftCoordinates(const CodeUse &use) {
-  const CodeInfo &code = info(use);
-  outcome_.setupChanged = true;
-  state_.fedFrom.forget();
-  Event &event = outcome_.emit(EventKind::CoordinateChange);
-  event.code = use.code;
-  event.word = use.word;
-  event.axes = axesOf(dialect_, block_);
-  if (code.action == Action::PresetPosition && event.axes) {
-    state_.clear(Fact::MovedSincePreset);
-    state_.origin.set(StatePart::Preset, originOf(*use.word));
-  }
-  if (dialect_.zeros.systems)
-    return setPreset(code.action == Action::LocalShift);
-  for (const Word &word : block_.words) {
-    if (!(dialect_.axisWords & maskOf(word.address)))
-      continue;
-    const AddressInfo &address = dialect_.addresses[word.address];
-    const Axis axis = address.axis;
-    const Interval v = coordinate(word);
-    if (code.action == Action::PresetPosition) {
-      // The present place gets this coordinate; an increment shifts by so much.
-      state_.at(axis) = address.kind == AddressKind::Increment ? state_.at(axis) + v : v;
-      state_.machineAxes &= ~uint32_t(bit(axis));
-    } else if (unsigned(axis) >= 3) { // frames know no others
-      state_.at(axis) = Interval::unknown();
-    }
-  }
-  if (code.action == Action::LocalShift)
-    applyFrame(use);
-}
-
-/// TRANS, ROT, SCALE, MIRROR and their like: the place stays, its coordinates are others.
-void Execution::changeFrame(const CodeUse &use) {
-  outcome_.setupChanged = true;
-  state_.fedFrom.forget();
-  Event &event = outcome_.emit(EventKind::CoordinateChange);
-  event.code = use.code;
-  event.word = use.word;
-  event.axes = axesOf(dialect_, block_);
-  applyFrame(use);
-}
-
-void Execution::workOffset(const CodeUse &use) {
-  const CodeInfo &code = info(use);
-  Event &event = outcome_.emit(EventKind::CoordinateChange);
-  event.code = use.code;
-  event.word = use.word;
-  state_.fedFrom.forget();
-  if (dialect_.zeros.systems || code.group == noGroup ||
-      before_.group(code.group) == (uint64_t(1) << code.bit))
-    return; // the same offset as before
-  const CodeInfo *old = before_.activeCode(dialect_, StandardGroup::WorkOffset);
-  const auto from = old ? machine_.offsets.find(old->name) : machine_.offsets.end();
-  const auto to = machine_.offsets.find(code.name);
-  for (unsigned i = 0; i < axisCount; ++i) {
-    if (state_.machineAxes >> i & 1)
-      continue;
-    const bool known = from != machine_.offsets.end() && to != machine_.offsets.end() &&
-                       from->second[i] && to->second[i];
-    state_.position[i] =
-        known ? state_.position[i] + Interval::exactly(*from->second[i] - *to->second[i])
-              : Interval::unknown();
+namespace {
+MotionKind kindOf(Action action) {
+  switch (action) {
+  case Action::Rapid:
+    return MotionKind::Rapid;
+  case Action::ArcCw:
+    return MotionKind::ArcCw;
+  case Action::ArcCcw:
+    return MotionKind::ArcCcw;
+  case Action::Thread:
+    return MotionKind::Thread;
+  default:
+    return MotionKind::Feed;
   }
 }
+} // namespace
 
+/// Where the block's axis words lead.
 void Execution::moveAxes() {
   uint16_t axes = axesOf(dialect_, block_);
   if (block_.hasAny(dialect_.polarWords)) {
@@ -469,177 +371,78 @@ void Execution::moveAxes() {
       return; // the element is named, not run
     axes |= planeAxes(dialect_, state_);
   }
-  if (actionCode_.word) {
-    const CodeInfo &action = info(actionCode_);
-    switch (action.action) {
-    case Action::Dwell: {
-      Event &event = outcome_.emit(EventKind::Dwell);
-      event.code = actionCode_.code;
-      event.word = block_.findAny(action.takes);
-      if (event.word) {
-        event.value = value(*event.word);
-        if (dialect_.dwellInMilliseconds && event.word->isNumber() && !event.word->has(wordPoint))
-          event.value = event.value * 0.001;
-      }
-      if (dialect_.dwellBesideMove)
-        break;
-      return;
-    }
-    case Action::ReferenceReturn:
-    case Action::ReferenceCheck:
-      referenceReturn(axes, actionCode_);
-      return;
-    case Action::ReferenceFrom:
-      referenceReturn(axes, actionCode_);
-      for (const Word &word : block_.words)
-        if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
-          storeTarget(word, false);
-      state_.clear(Fact::AtMachinePosition);
-      return;
-    case Action::SkipMove: {
-      compensationStep(MotionKind::Skip, axes);
-      Event &event = outcome_.emit(EventKind::Motion);
-      event.motion = MotionKind::Skip;
-      event.axes = axes;
-      event.code = actionCode_.code;
-      for (unsigned i = 0; i < axisCount; ++i)
-        if (axes >> i & 1)
-          state_.position[i] = Interval::unknown();
-      state_.set(Fact::SkipMoveDone);
-      state_.set(Fact::Moved);
-      state_.set(Fact::MovedSincePreset);
-      return;
-    }
-    case Action::LocalShift:
-    case Action::PresetPosition:
-      shiftCoordinates(actionCode_);
-      return;
-    case Action::FrameSet:
-    case Action::FrameAdd:
-    case Action::FrameClear:
-      changeFrame(actionCode_);
-      return;
-    case Action::Pole:
-    case Action::PoleFromPlace:
-    case Action::PoleFromPole:
-      setPole(action.action);
-      return;
-    case Action::PresetClear:
-    case Action::PresetSuspend:
-    case Action::PresetRestore:
-      switchPreset(action.action);
-      break;
-    case Action::ZeroSet:
-    case Action::ZeroHere:
-      setSystem(actionCode_);
-      return;
-    case Action::StorePlace:
-      storePlace(state_, action.storedAt, zeroOf(dialect_, state_).toMachine(known()));
-      break;
-    case Action::LengthSet:
-    case Action::LengthAdd:
-      return;
-    case Action::CurveEnd: {
-      Event &event = outcome_.emit(EventKind::Motion);
-      event.code = actionCode_.code;
-      event.motion = MotionKind::Feed;
-      event.axes = planeAxes(dialect_, state_);
-      moveTo(storedPlace(state_, curvePoint));
-      afterMove(false, event.axes);
-      return;
-    }
-    case Action::DataInput:
-      if (dialect_.zeros.systems) { // the tools' lengths: a later G43 takes them
-        setToolLength();
-        return;
-      }
-      // Offsets may have changed: what was known in work coordinates is no longer.
-      for (unsigned i = 0; i < axisCount; ++i)
-        if (!(state_.machineAxes >> i & 1))
-          state_.position[i] = Interval::unknown();
-      return;
-    case Action::Cycle:
-    case Action::ProfileRun:
-      runCompound(actionCode_);
-      return;
-    case Action::SpeedLimit:
-    case Action::MacroCall:
-    case Action::MacroModal:
-    case Action::RotationOn:
-    case Action::ScalingOn:
-    case Action::MirrorOn:
-    case Action::MirrorOff:
-    case Action::PolygonOn:
-    case Action::ZoneOn:
-      return;
-    default:
-      break;
-    }
-  }
+  if (actionCode_.word && axisWordsTaken(axes))
+    return;
   if (machineMove_) {
     if (axes)
       machineMove(axes);
     return;
   }
-  if (motionCode_.word && info(motionCode_).action == Action::Cycle) {
-    startCycle(motionCode_);
+  if (motionCode_.word && info(motionCode_).action == Action::Cycle)
+    return startCycle(motionCode_);
+  if ((!motionCode_.word || dialect_.cycleSurvivesMotion) && !cancelled_ && cycleGoesOn(axes))
     return;
+  moveByModes(axes);
+}
+
+/// The active cycle runs once more, or takes the block's words; false when the block is a plain
+/// move.
+bool Execution::cycleGoesOn(uint16_t axes) {
+  if (state_.cycleActive(dialect_) == Truth::No)
+    return false;
+  const CodeIndex cycle = activeCycle();
+  const CodeInfo *code = cycle == noCode ? nullptr : &dialect_.codes[cycle];
+  const bool fires = code && (code->firesOnEveryBlock || (block_.addresses & code->fires) ||
+                              (code->firesByMotionCode && motionCodeAlone()) ||
+                              (code->firesInPlane && (axes & planeAxes(dialect_, state_))));
+  if (fires || (!code && axes)) {
+    runCycle(cycle, axes);
+    return true;
   }
-  if ((!motionCode_.word || dialect_.cycleSurvivesMotion) && !cancelled_) {
-    const Truth active = state_.cycleActive(dialect_);
-    if (active != Truth::No) {
-      const CodeIndex cycle = activeCycle();
-      const CodeInfo *code = cycle == noCode ? nullptr : &dialect_.codes[cycle];
-      const bool fires = code && (code->firesOnEveryBlock || (block_.addresses & code->fires) ||
-                                  (code->firesByMotionCode && motionCodeAlone()) ||
-                                  (code->firesInPlane && (axes & planeAxes(dialect_, state_))));
-      if (fires || (!code && axes)) {
-        runCycle(cycle, axes);
-        return;
-      }
-      if (code) {
-        storeCycleWords(false);
-        // Where the holes lie in the plane, a block of the tool axis alone is a plain move.
-        if (!code->firesInPlane || !axes || (axes & planeAxes(dialect_, state_)))
-          return;
-      }
-    }
-  }
-  const GroupIndex group = dialect_.group(StandardGroup::Motion);
-  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  if (!code)
+    return false;
+  storeCycleWords(false);
+  // Where the holes lie in the plane, a block of the tool axis alone is a plain move.
+  return !code->firesInPlane || !axes || (axes & planeAxes(dialect_, state_));
+}
+
+/// The axes that the motion code moves, whether the block names them or not.
+uint16_t Execution::axesMovedBy(const CodeInfo &motion, uint16_t axes) const {
   // An arc by its centre alone is a full circle: it ends where it starts.
-  if (!axes && motion && isArc(motion->action) &&
+  if (!axes && isArc(motion.action) &&
       (block_.hasAny(lettersMask("IJK")) || (motionCode_.word && block_.has(dialect_.arcRadius))))
     axes = planeAxes(dialect_, state_);
   // A line by its angle alone ends where the next element begins.
-  if (!axes && motion && motion->action == Action::Linear && !block_.words.empty() &&
-      hasAngleWord())
+  if (!axes && motion.action == Action::Linear && !block_.words.empty() && hasAngleWord())
     axes = planeAxes(dialect_, state_);
+  if (!axes || !isMotion(motion.action) || motion.places[0].empty())
+    return axes;
+  // Angle and radius may be letters of further axes, which stand still.
+  const uint16_t tool = bit(toolAxis(dialect_, state_));
+  return uint16_t((axes & tool) | (axes & ~tool ? planeAxes(dialect_, state_) : 0));
+}
+
+/// A motion by the motion code in force.
+void Execution::moveByModes(uint16_t axes) {
+  const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
+  if (motion)
+    axes = axesMovedBy(*motion, axes);
   if (!axes)
     return;
-  if (motion && isMotion(motion->action) && !motion->places[0].empty()) {
-    // Angle and radius may be letters of further axes, which stand still.
-    const uint16_t tool = bit(toolAxis(dialect_, state_));
-    axes = uint16_t((axes & tool) | (axes & ~tool ? planeAxes(dialect_, state_) : 0));
-  }
   if (!motion || !isMotion(motion->action)) {
     moveBy(nullptr, noCode, MotionKind::Rapid, axes);
     return;
   }
+  const GroupIndex group = dialect_.group(StandardGroup::Motion);
   const CodeIndex index =
       dialect_.groups[group].members[size_t(std::countr_zero(state_.group(group)))];
-  const MotionKind kind = motion->action == Action::Rapid    ? MotionKind::Rapid
-                          : motion->action == Action::ArcCw  ? MotionKind::ArcCw
-                          : motion->action == Action::ArcCcw ? MotionKind::ArcCcw
-                          : motion->action == Action::Thread ? MotionKind::Thread
-                                                             : MotionKind::Feed;
   for (const CodeUse &use : outcome_.codes) {
     // An approach or a departure between two elements; a tap, which never goes at rapid.
     const bool feeds = info(use).action == Action::None;
     if (info(use).ownMove && (feeds || (isArc(motion->action) && !motionCode_.word)))
       return moveBy(&info(use), use.code, MotionKind::Feed, axes);
   }
-  moveBy(motion, motionCode_.word ? motionCode_.code : index, kind, axes);
+  moveBy(motion, motionCode_.word ? motionCode_.code : index, kindOf(motion->action), axes);
 }
 
 } // namespace ncvet

@@ -114,97 +114,110 @@ void Execution::define(const Item &item) {
   state_.locals.set(key, item.arguments ? Value::unknown() : value);
 }
 
-/// False when nothing behind the statements is executed.
+/// False when nothing after the statements is executed.
 bool Execution::runItems(bool guardHolds) {
   state_.seeksBranch = false;
   for (size_t i = 0; i < block_.items.size(); ++i)
     outcome_.emit(EventKind::Statement).number = int64_t(i);
-  Truth condition = Truth::Yes;
-  bool conditional = false;
-  for (size_t i = 0; i < block_.items.size(); ++i) {
-    const Item &item = block_.items[i];
-    Flow &flow = outcome_.flow;
-    switch (item.kind) {
-    case ItemKind::If: {
-      const bool jumps = i + 1 < block_.items.size() && block_.items[i + 1].kind == ItemKind::Jump;
-      condition = truthOf(evaluate(block_, item.condition, state_, &outcome_));
-      conditional = true;
-      if (!jumps && !guardHolds)
-        return false;
-      break;
-    }
-    case ItemKind::Jump:
-      // Of several conditional jumps the first whose condition may hold is followed.
-      if (conditional && condition == Truth::No && i + 1 < block_.items.size()) {
-        conditional = false;
-        condition = Truth::Yes;
-        break;
-      }
-      go(FlowKind::Jump, i);
-      flow.condition = conditional ? condition : Truth::Yes;
-      flow.target = evaluate(block_, item.value, state_, &outcome_);
-      if (item.condition != noExpression)
-        flow.choice = evaluate(block_, item.condition, state_, &outcome_).asNumber();
-      return true;
-    case ItemKind::Assignment:
-      assign(item);
-      if (flow.kind == FlowKind::Alarm)
-        return false;
-      break;
-    case ItemKind::While:
-    case ItemKind::Do:
-      flow.kind = FlowKind::LoopBegin;
-      flow.loop = item.loop;
-      flow.begin = item.begin;
-      flow.end = item.end;
-      flow.condition = item.kind == ItemKind::Do
-                           ? Truth::Yes
-                           : truthOf(evaluate(block_, item.condition, state_, &outcome_));
-      return true;
-    case ItemKind::End:
-      flow.kind = FlowKind::LoopEnd;
-      flow.loop = item.loop;
-      flow.begin = item.begin;
-      flow.end = item.end;
-      return true;
-    case ItemKind::Structure:
-      structure(i);
-      break;
-    case ItemKind::Definition:
-      define(item);
-      break;
-    case ItemKind::Call:
-      if (item.modal) {
-        callModally(item);
-        go(FlowKind::CallModal, i);
-        break;
-      }
-      [[fallthrough]];
-    case ItemKind::Repeat:
-      go(item.kind == ItemKind::Call ? FlowKind::CallNamed : FlowKind::Repeat, i);
-      if (item.count != noExpression)
-        flow.repeat = evaluate(block_, item.count, state_, &outcome_);
-      if (item.value != noExpression)
-        flow.target = evaluate(block_, item.value, state_, &outcome_);
-      outcome_.emit(EventKind::Call);
-      break;
-    case ItemKind::Input:
-      go(FlowKind::Branch, i);
-      if (const Value key = evaluate(block_, item.target, state_, nullptr); key.isConstant())
-        writeVariable(state_, std::llround(key.number.value()), Value::unknown());
-      break;
-    case ItemKind::Abort:
-      go(FlowKind::Alarm, i);
-      return false;
-    case ItemKind::Output:
-    case ItemKind::Instruction:
-    case ItemKind::Parameters:
-    case ItemKind::Declaration:
-    case ItemKind::Macro:
-      break;
-    }
-  }
+  Guard guard;
+  guard.holds = guardHolds;
+  for (size_t i = 0; i < block_.items.size(); ++i)
+    if (const Items next = runItem(i, guard); next != Items::GoOn)
+      return next == Items::Done;
   return true;
+}
+
+Execution::Items Execution::runItem(size_t index, Guard &guard) {
+  const Item &item = block_.items[index];
+  switch (item.kind) {
+  case ItemKind::If: {
+    const bool jumps =
+        index + 1 < block_.items.size() && block_.items[index + 1].kind == ItemKind::Jump;
+    guard.condition = truthOf(evaluate(block_, item.condition, state_, &outcome_));
+    guard.conditional = true;
+    return !jumps && !guard.holds ? Items::Stop : Items::GoOn;
+  }
+  case ItemKind::Jump:
+    return jump(index, guard);
+  case ItemKind::Assignment:
+    assign(item);
+    return outcome_.flow.kind == FlowKind::Alarm ? Items::Stop : Items::GoOn;
+  case ItemKind::While:
+  case ItemKind::Do:
+    return loop(FlowKind::LoopBegin, item);
+  case ItemKind::End:
+    return loop(FlowKind::LoopEnd, item);
+  case ItemKind::Structure:
+    structure(index);
+    return Items::GoOn;
+  case ItemKind::Definition:
+    define(item);
+    return Items::GoOn;
+  case ItemKind::Call:
+  case ItemKind::Repeat:
+    callOrRepeat(index);
+    return Items::GoOn;
+  case ItemKind::Input:
+    go(FlowKind::Branch, index);
+    if (const Value key = evaluate(block_, item.target, state_, nullptr); key.isConstant())
+      writeVariable(state_, std::llround(key.number.value()), Value::unknown());
+    return Items::GoOn;
+  case ItemKind::Abort:
+    go(FlowKind::Alarm, index);
+    return Items::Stop;
+  case ItemKind::Output:
+  case ItemKind::Instruction:
+  case ItemKind::Parameters:
+  case ItemKind::Declaration:
+  case ItemKind::Macro:
+    break;
+  }
+  return Items::GoOn;
+}
+
+/// Of several conditional jumps the first whose condition may hold is followed.
+Execution::Items Execution::jump(size_t index, Guard &guard) {
+  const Item &item = block_.items[index];
+  if (guard.conditional && guard.condition == Truth::No && index + 1 < block_.items.size()) {
+    guard.conditional = false;
+    guard.condition = Truth::Yes;
+    return Items::GoOn;
+  }
+  go(FlowKind::Jump, index);
+  Flow &flow = outcome_.flow;
+  flow.condition = guard.conditional ? guard.condition : Truth::Yes;
+  flow.target = evaluate(block_, item.value, state_, &outcome_);
+  if (item.condition != noExpression)
+    flow.choice = evaluate(block_, item.condition, state_, &outcome_).asNumber();
+  return Items::Done;
+}
+
+Execution::Items Execution::loop(FlowKind kind, const Item &item) {
+  Flow &flow = outcome_.flow;
+  flow.kind = kind;
+  flow.loop = item.loop;
+  flow.begin = item.begin;
+  flow.end = item.end;
+  if (kind == FlowKind::LoopBegin)
+    flow.condition = item.kind == ItemKind::Do
+                         ? Truth::Yes
+                         : truthOf(evaluate(block_, item.condition, state_, &outcome_));
+  return Items::Done;
+}
+
+void Execution::callOrRepeat(size_t index) {
+  const Item &item = block_.items[index];
+  if (item.kind == ItemKind::Call && item.modal) {
+    callModally(item);
+    return go(FlowKind::CallModal, index);
+  }
+  go(item.kind == ItemKind::Call ? FlowKind::CallNamed : FlowKind::Repeat, index);
+  Flow &flow = outcome_.flow;
+  if (item.count != noExpression)
+    flow.repeat = evaluate(block_, item.count, state_, &outcome_);
+  if (item.value != noExpression)
+    flow.target = evaluate(block_, item.value, state_, &outcome_);
+  outcome_.emit(EventKind::Call);
 }
 
 } // namespace ncvet

@@ -25,6 +25,21 @@ uint64_t knownMembers(const Dialect &dialect, GroupIndex index) {
 
 Origin either(const Origin &a, const Origin &b) { return a.known() ? a : b; }
 
+/// What the cycle in force keeps, and the one that waits for its second block.
+void mergeCycle(MachineState &r, const MachineState &a, const MachineState &b, bool wide) {
+  for (size_t i = 0; i < 3; ++i)
+    r.cycleStart[i] = combine(a.cycleStart[i], b.cycleStart[i], wide);
+  r.cycle.present = a.cycle.present | b.cycle.present;
+  for (size_t i = 0; i < 26; ++i) {
+    const bool both = (a.cycle.present & b.cycle.present) >> i & 1;
+    if (!both || a.cycle.value[i] != b.cycle.value[i])
+      r.cycle.value[i] = r.cycle.present >> i & 1 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  }
+  r.initialLevel = combine(a.initialLevel, b.initialLevel, wide);
+  if (a.pendingCycle != b.pendingCycle)
+    r.pendingCycle = noCode;
+}
+
 MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   MachineState r = a;
   for (size_t i = 0; i < maxGroups; ++i)
@@ -58,17 +73,7 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
   r.switches.must = a.switches.must & b.switches.must;
   for (size_t i = 0; i < maxSwitches; ++i)
     r.switches.axes[i] = a.switches.axes[i] | b.switches.axes[i];
-  for (size_t i = 0; i < 3; ++i)
-    r.cycleStart[i] = combine(a.cycleStart[i], b.cycleStart[i], wide);
-  r.cycle.present = a.cycle.present | b.cycle.present;
-  for (size_t i = 0; i < 26; ++i) {
-    const bool both = (a.cycle.present & b.cycle.present) >> i & 1;
-    if (!both || a.cycle.value[i] != b.cycle.value[i])
-      r.cycle.value[i] = r.cycle.present >> i & 1 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
-  }
-  r.initialLevel = combine(a.initialLevel, b.initialLevel, wide);
-  if (a.pendingCycle != b.pendingCycle)
-    r.pendingCycle = noCode;
+  mergeCycle(r, a, b, wide);
   for (size_t i = 0; i < 2; ++i)
     r.roughStart[i] = combine(a.roughStart[i], b.roughStart[i], wide);
   if (a.roughFirst != b.roughFirst || a.roughLast != b.roughLast)

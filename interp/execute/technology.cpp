@@ -1,0 +1,258 @@
+// Feed, speed, tool and offset words, and the codes of spindle and tool.
+#include "interp/execute/execution.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+/// What the block's codes make of its F, S, T, H, D and E.
+Execution::TechnologyUse Execution::technologyUse() const {
+  TechnologyUse use;
+  for (const CodeUse &of : outcome_.codes) {
+    const CodeInfo &code = info(of);
+    use.limit |= code.action == Action::SpeedLimit;
+    if (code.action == Action::Dwell)
+      use.dwell |= code.takes;
+    use.arguments |= code.action == Action::MacroCall || code.action == Action::MacroModal;
+    use.lead |= code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
+                code.cycle == CycleKind::ThreadMulti;
+    use.cycleTakesD |= code.action == Action::Cycle && (code.takes & maskOf('D'));
+  }
+  if (!use.lead && !use.arguments)
+    if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
+      use.lead = motion->action == Action::Thread || motion->cycle == CycleKind::ThreadPass;
+  return use;
+}
+
+/// F, S, T, H and D.
+void Execution::technologyWords() {
+  constexpr AddressMask technology = lettersMask("FSTHDE");
+  if (!(block_.addresses & technology))
+    return;
+  const TechnologyUse use = technologyUse();
+  if (use.arguments)
+    return;
+  for (const Word &word : block_.words) {
+    if (use.dwell & maskOf(word.address)) // a time, or revolutions
+      continue;
+    switch (word.address) {
+    case letterAddress('E'):
+      if (use.lead)
+        feedWord(word, true);
+      break;
+    case letterAddress('F'):
+      feedWord(word, use.lead);
+      break;
+    case letterAddress('S'):
+      speedWord(word, use.limit);
+      break;
+    case letterAddress('T'):
+      if (state_.profile != 1)
+        toolWord(word);
+      break;
+    case letterAddress('H'):
+    case letterAddress('D'):
+      offsetWord(word, use.cycleTakesD);
+      break;
+    default:
+      break;
+    }
+  }
+}
+
+void Execution::feedWord(const Word &word, bool lead) {
+  if (state_.profile == 1)
+    return;
+  state_.feed = value(word);
+  state_.origin.set(StatePart::Feed, originOf(word));
+  state_.set(Fact::FeedSet);
+  state_.clear(Fact::FeedCarried);
+  if (lead)
+    state_.set(Fact::FeedIsLead);
+  else
+    state_.clear(Fact::FeedIsLead);
+  Event &event = outcome_.emit(EventKind::FeedWord);
+  event.word = &word;
+  event.value = state_.feed;
+}
+
+void Execution::speedWord(const Word &word, bool limit) {
+  if (state_.profile == 1)
+    return;
+  outcome_.setupChanged = true;
+  Event &event = outcome_.emit(EventKind::SpeedWord);
+  event.word = &word;
+  event.value = value(word);
+  if (limit) {
+    state_.speedLimit = event.value;
+    state_.set(Fact::SpeedLimitSet);
+    event.certain = false; // not a speed
+  } else {
+    state_.speed = event.value;
+    state_.origin.set(StatePart::Speed, originOf(word));
+    state_.set(Fact::SpeedSet);
+    state_.set(Fact::SpeedSinceMode);
+  }
+}
+
+/// H or D.
+void Execution::offsetWord(const Word &word, bool cycleTakesD) {
+  // A D that is a length says something of the tool's length only: D0 takes it away.
+  const AddressInfo &address = dialect_.addresses[word.address];
+  const bool isD = word.address == letterAddress('D') && address.unit != AddressUnit::Length;
+  if (isD && cycleTakesD)
+    return;
+  if (address.kind == AddressKind::Increment || address.kind == AddressKind::Unknown)
+    return;
+  outcome_.setupChanged = true;
+  const Interval number = value(word);
+  const int32_t offset =
+      number.isConstant() && std::fabs(number.value()) < 1e6 ? int32_t(number.value()) : notKnown;
+  // A new H while the length offset is on is taken at once.
+  if (!isD && state_.isActive(dialect_, StandardGroup::LengthOffset,
+                              {Action::LengthPositive, Action::LengthNegative}) == Truth::Yes)
+    state_.set(Fact::LengthSinceTool);
+  if (isD)
+    state_.radiusOffset = offset;
+  else
+    state_.lengthOffset = offset;
+  state_.origin.set(isD ? StatePart::RadiusOffset : StatePart::LengthOffset, originOf(word));
+  Event &event = outcome_.emit(EventKind::OffsetWord);
+  event.word = &word;
+  event.value = number;
+}
+
+/// Words that set something without a code: a limit of the speed, a position of the spindle.
+void Execution::settingWords() {
+  for (const Word &word : block_.words) {
+    const AddressMask mask = maskOf(word.address);
+    if (mask & dialect_.speedLimitWords) {
+      state_.speedLimit = value(word);
+      state_.set(Fact::SpeedLimitSet);
+    } else if (mask & dialect_.orientWords) {
+      state_.spindle = spindleOriented;
+      state_.set(Fact::OrientedSinceTool);
+      state_.set(Fact::SpindleStated);
+      state_.origin.set(StatePart::Spindle, originOf(word));
+    } else if (mask & dialect_.switchWords) {
+      const unsigned index = dialect_.addresses[word.address].switches;
+      const Interval v = value(word);
+      const bool off = v.isConstant() && v.value() == 0, on = v.isConstant() && !off;
+      state_.switches.put(index, !off, on, state_.switches.axesOf(index));
+      state_.origin.setSwitch(index, originOf(word));
+    }
+  }
+}
+
+void Execution::setSpindle(uint8_t direction, const CodeUse &use) {
+  state_.spindle = direction;
+  state_.set(Fact::SpindleStated);
+  state_.clear(Fact::SpindleStoppedByTap);
+  state_.origin.set(StatePart::Spindle, originOf(*use.word));
+}
+
+void Execution::orientSpindle(const CodeUse &use) {
+  setSpindle(spindleOriented, use);
+  state_.set(Fact::OrientedSinceTool);
+}
+
+/// The machine's builder knows what the code does.
+void Execution::turnAnything(const CodeUse &) {
+  state_.spindle = spindleAny;
+  state_.liveTool = spindleAny;
+}
+
+/// Whether a code of the block sets the spindle going, in front of another one or behind it.
+bool Execution::startsSpindle() const {
+  return llvm::any_of(outcome_.codes, [&](const CodeUse &use) {
+    return info(use).action == Action::SpindleCw || info(use).action == Action::SpindleCcw;
+  });
+}
+
+/// M06: the tool of the block's T word or of an earlier one.
+void Execution::takeTool(const CodeUse &use) {
+  if (block_.has(letterAddress('T')) || state_.preselected != notSet) {
+    const int32_t tool = state_.preselected.get();
+    changeTool(tool != notSet ? tool : notKnown, notSet, *use.word, use.code);
+  } else {
+    changeTool(state_.tool == notSet ? notKnown : state_.tool.get(), notSet, *use.word, use.code);
+  }
+  if (info(use).stopsSpindle && !startsSpindle()) {
+    if (state_.spindle & (spindleCw | spindleCcw))
+      state_.set(Fact::SpindleStoppedByTap);
+    state_.spindle = spindleOff;
+    state_.origin.set(StatePart::Spindle, originOf(*use.word));
+  }
+}
+
+void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by) {
+  outcome_.setupChanged = true;
+  Event &event = outcome_.emit(EventKind::ToolChange);
+  event.word = &word;
+  event.code = by;
+  event.number = tool;
+  state_.tool = tool;
+  if (dialect_.offsetsOfTool)
+    state_.lengthOffset = notSet;
+  state_.preselected = notSet;
+  state_.origin.set(StatePart::Tool, originOf(word));
+  state_.set(Fact::ToolCalled);
+  state_.clear(Fact::CutSinceTool);
+  state_.clear(Fact::MovedSinceTool);
+  state_.clear(Fact::LengthSinceTool);
+  state_.clear(Fact::OrientedSinceTool);
+  state_.clear(Fact::PlungedUncompensated);
+  if (dialect_.lengthByTool != noGroup)
+    state_.setGroup(dialect_.lengthByTool, groupUnset);
+  state_.fedFrom.forget();
+  state_.cutArea.clear();
+  if (dialect_.isLathe()) {
+    // Another offset: the same place has other coordinates.
+    if (offset != state_.toolOffset || offset == notKnown)
+      for (const Axis axis : {Axis::X, Axis::Z})
+        if (!state_.inMachineCoordinates(axis))
+          state_.at(axis) = Interval::unknown();
+    state_.toolOffset = offset;
+  }
+}
+
+/// A lathe's T word is station and offset (`T0101`); a mill's is a tool, changed at once or by M06.
+void Execution::toolWord(const Word &word) {
+  outcome_.setupChanged = true;
+  const Interval number = value(word);
+  Event &event = outcome_.emit(EventKind::ToolWord);
+  event.word = &word;
+  event.value = number;
+  int32_t tool = notKnown, offset = notKnown;
+  if (number.isConstant() && number.value() >= 0 && number.value() < 1e8) {
+    const auto whole = int32_t(number.value());
+    if (dialect_.isLathe()) {
+      tool = whole / 100;
+      offset = whole % 100;
+      if (whole < 100 && !word.has(wordLeadingZero)) {
+        // One or two digits name an offset on some controls and a tool on others.
+        tool = notKnown;
+        offset = notKnown;
+      }
+    } else {
+      tool = whole;
+    }
+  }
+  if (dialect_.toolChangeByT) {
+    if (dialect_.isLathe() && tool == 0) {
+      // T0000 and T00 cancel the offset and change nothing.
+      state_.toolOffset = 0;
+      state_.set(Fact::ToolCalled);
+      return;
+    }
+    if (dialect_.isLathe() && tool == state_.tool && tool != notKnown && offset == 0) {
+      state_.toolOffset = 0; // T0100 behind T0101: the offset is cancelled
+      return;
+    }
+    changeTool(tool, offset, word, noCode);
+    return;
+  }
+  state_.preselected = tool;
+}
+
+} // namespace ncvet
