@@ -1,6 +1,7 @@
 // Evaluates expressions of the program on abstract values.
 #include "interp/evaluate/expression.h"
 
+#include "interp/evaluate/program_operators.h"
 #include "interp/value/units.h"
 
 #include <algorithm>
@@ -9,9 +10,6 @@
 namespace ncvet {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double degree = pi / 180;
 
 /// Extended common variables of larger controls.
 constexpr int64_t firstExtended = 98000, lastExtended = 98499;
@@ -29,346 +27,74 @@ bool isLocal(const MachineState &state, int64_t number) {
           (state.ranges.namedLocal || state.locals.given(uint64_t(number)) != Truth::No));
 }
 
-Value fromTruth(Truth truth) {
-  return truth == Truth::Unknown ? Value::of(Interval{0, 1}) : Value::of(truth == Truth::Yes);
-}
-
-Truth compare(Op op, const Value &a, const Value &b) {
-  // A vacant value equals only another vacant one under EQ and NE; elsewhere it counts as zero.
-  if (op == Op::Equal || op == Op::NotEqual) {
-    if (a.isVacant() || b.isVacant()) {
-      if (a.kind == Value::Kind::Unknown || b.kind == Value::Kind::Unknown)
-        return Truth::Unknown;
-      const bool same = a.isVacant() && b.isVacant();
-      return same == (op == Op::Equal) ? Truth::Yes : Truth::No;
-    }
-  }
-  if (a.kind == Value::Kind::Unknown || b.kind == Value::Kind::Unknown)
-    return Truth::Unknown;
-  const Interval x = a.asNumber(), y = b.asNumber();
-  const auto answer = [](bool yes, bool no) {
-    return yes ? Truth::Yes : no ? Truth::No : Truth::Unknown;
-  };
-  switch (op) {
-  case Op::Equal:
-    return answer(x.isConstant() && x == y, x.hi < y.lo || y.hi < x.lo);
-  case Op::NotEqual:
-    return answer(x.hi < y.lo || y.hi < x.lo, x.isConstant() && x == y);
-  case Op::Greater:
-    return answer(x.lo > y.hi, x.hi <= y.lo);
-  case Op::GreaterEqual:
-    return answer(x.lo >= y.hi, x.hi < y.lo);
-  case Op::Less:
-    return answer(x.hi < y.lo, x.lo >= y.hi);
-  case Op::LessEqual:
-    return answer(x.hi <= y.lo, x.lo > y.hi);
-  default:
-    return Truth::Unknown;
-  }
-}
-
-class Evaluator {
+/// The operands of programs: numbers and variables.
+class ExpressionEvaluator {
 public:
-  Evaluator(const Block &block, const MachineState &state, Outcome *outcome)
+  ExpressionEvaluator(const Block &block, const MachineState &state, Outcome *outcome)
       : block_(block), state_(state), outcome_(outcome) {}
 
   Value run(const Expression &expression) {
-    if (expression.bad)
-      return Value::unknown();
-    for (uint32_t i = 0; i < expression.count; ++i)
-      step(block_.operations[expression.first + i]);
-    return stack_.size() == 1 ? stack_.back() : Value::unknown();
+    for (const ExpressionOp &op : operationsOf(block_, expression)) {
+      const std::optional<Operator> known = programOperators[size_t(op.op)];
+      if (!known)
+        operand(op);
+      else if (!stack_.apply(*known) && outcome_)
+        outcome_->emit(EventKind::DomainError).number = op.offset;
+    }
+    return stack_.result();
   }
 
 private:
-  Value pop() {
-    if (stack_.empty())
-      return Value::unknown();
-    return stack_.pop_back_val();
-  }
-  void domainError(const ExpressionOp &op) {
-    if (outcome_)
-      outcome_->emit(EventKind::DomainError).number = op.offset;
-  }
-  /// One constant in, one number out; anything else is unknown.
-  template <typename F>
-  void unary(F f) {
-    const Value a = pop();
-    const Interval x = a.asNumber();
-    stack_.push_back(a.kind != Value::Kind::Unknown && x.isConstant() ? Value::of(f(x.value()))
-                                                                      : Value::unknown());
-  }
-  void step(const ExpressionOp &op);
-  void arithmetic(const ExpressionOp &op);
+  void operand(const ExpressionOp &op);
 
   const Block &block_;
   const MachineState &state_;
   Outcome *outcome_;
-  llvm::SmallVector<Value, 8> stack_;
+  OperatorStack stack_{OperatorRules()};
 };
 
-void Evaluator::arithmetic(const ExpressionOp &op) {
-  const Value right = pop(), left = pop();
-  if (left.kind == Value::Kind::Unknown || right.kind == Value::Kind::Unknown) {
-    stack_.push_back(Value::unknown());
-    return;
-  }
-  const Interval a = left.asNumber(), b = right.asNumber();
-  switch (op.op) {
-  case Op::Add:
-    stack_.push_back(Value::of(a + b));
-    return;
-  case Op::Subtract:
-    stack_.push_back(Value::of(a - b));
-    return;
-  case Op::Multiply:
-    stack_.push_back(b.isConstant()   ? Value::of(a * b.value())
-                     : a.isConstant() ? Value::of(b * a.value())
-                                      : Value::unknown());
-    return;
-  case Op::Divide:
-    if (b.isConstant() && b.value() == 0) {
-      domainError(op);
-      stack_.push_back(Value::unknown());
-      return;
-    }
-    if (a.isConstant() && b.isConstant())
-      stack_.push_back(Value::of(a.value() / b.value()));
-    else
-      stack_.push_back(b.isConstant() ? Value::of(a * (1 / b.value())) : Value::unknown());
-    return;
-  case Op::IntegerDivide:
-    if (b.isConstant() && b.value() == 0)
-      domainError(op);
-    stack_.push_back(a.isConstant() && b.isConstant() && b.value() != 0
-                         ? Value::of(std::trunc(a.value() / b.value()))
-                         : Value::unknown());
-    return;
-  case Op::Minimum:
-    stack_.push_back(Value::of(Interval{std::min(a.lo, b.lo), std::min(a.hi, b.hi)}));
-    return;
-  case Op::Maximum:
-    stack_.push_back(Value::of(Interval{std::max(a.lo, b.lo), std::max(a.hi, b.hi)}));
-    return;
-  case Op::Power: {
-    if (!a.isConstant() || !b.isConstant()) {
-      stack_.push_back(Value::unknown());
-      return;
-    }
-    // A root of a negative number, or a division by zero.
-    if ((a.value() < 0 && b.value() != std::trunc(b.value())) ||
-        (a.value() == 0 && b.value() < 0)) {
-      domainError(op);
-      stack_.push_back(Value::unknown());
-      return;
-    }
-    const double power = std::pow(a.value(), b.value());
-    stack_.push_back(std::isfinite(power) ? Value::of(power) : Value::unknown());
-    return;
-  }
-  case Op::Modulo:
-  case Op::FloorModulo: {
-    if (b.isConstant() && b.value() == 0)
-      domainError(op);
-    if (!a.isConstant() || !b.isConstant() || b.value() == 0) {
-      stack_.push_back(Value::unknown());
-      return;
-    }
-    const double rest = std::fmod(a.value(), b.value());
-    stack_.push_back(
-        Value::of(op.op == Op::FloorModulo && rest < 0 ? rest + std::fabs(b.value()) : rest));
-    return;
-  }
-  case Op::And:
-  case Op::Or:
-  case Op::Xor: {
-    if (!a.isConstant() || !b.isConstant() || std::fabs(a.value()) > 1e15 ||
-        std::fabs(b.value()) > 1e15) {
-      // A false operand decides AND, a true one OR, whatever the other is.
-      const Truth x = truthOf(left), y = truthOf(right);
-      if (op.op == Op::And && (x == Truth::No || y == Truth::No))
-        stack_.push_back(Value::of(0));
-      else
-        stack_.push_back(Value::unknown());
-      return;
-    }
-    const auto x = int64_t(a.value()), y = int64_t(b.value());
-    stack_.push_back(Value::of(double(op.op == Op::And  ? (x & y)
-                                      : op.op == Op::Or ? (x | y)
-                                                        : (x ^ y))));
-    return;
-  }
-  case Op::Atan2:
-    stack_.push_back(a.isConstant() && b.isConstant()
-                         ? Value::of(std::atan2(a.value(), b.value()) / degree)
-                         : Value::unknown());
-    return;
-  default:
-    stack_.push_back(Value::unknown());
-  }
-}
-
-void Evaluator::step(const ExpressionOp &op) {
+void ExpressionEvaluator::operand(const ExpressionOp &op) {
   switch (op.op) {
   case Op::Number:
-    stack_.push_back(Value::of(op.value));
-    return;
+    return stack_.push(Value::of(op.value));
   case Op::Vacant:
-    stack_.push_back(Value::vacant());
-    return;
+    return stack_.push(Value::vacant());
   case Op::Variable:
     if (outcome_ && isUnset(state_, op.value))
       outcome_->emit(EventKind::UnsetRead).number = op.offset;
-    stack_.push_back(readVariable(state_, int64_t(op.value)));
-    return;
-  case Op::ElementAt: {
-    const Value index = pop();
-    stack_.push_back(
-        index.isConstant()
-            ? readVariable(state_, int64_t(elementKey(uint64_t(op.value),
-                                                      std::llround(index.number.value()))))
-            : Value::unknown());
-    return;
-  }
+    return stack_.push(readVariable(state_, int64_t(op.value)));
+  case Op::ElementAt:
   case Op::ElementKey: {
-    const Value index = pop();
-    stack_.push_back(
-        index.isConstant()
-            ? Value::of(double(elementKey(uint64_t(op.value), std::llround(index.number.value()))))
-            : Value::unknown());
-    return;
-  }
-  case Op::Not: {
-    const Truth truth = truthOf(pop());
-    stack_.push_back(truth == Truth::Unknown ? Value::unknown() : Value::of(truth == Truth::No));
-    return;
+    const Value index = stack_.pop();
+    if (!index.isConstant())
+      return stack_.push(Value::unknown());
+    const uint64_t key = elementKey(uint64_t(op.value), std::llround(index.number.value()));
+    return stack_.push(op.op == Op::ElementKey ? Value::of(double(key))
+                                               : readVariable(state_, int64_t(key)));
   }
   case Op::Opaque:
     for (unsigned i = 0; i < unsigned(op.value); ++i)
-      pop();
-    stack_.push_back(Value::unknown());
-    return;
+      stack_.pop();
+    return stack_.push(Value::unknown());
   case Op::VariableAt: {
-    const Value number = pop();
+    const Value number = stack_.pop();
     const Interval n = number.asNumber();
-    if (number.kind == Value::Kind::Unknown || !n.isConstant() || std::fabs(n.value()) > 1e15)
-      stack_.push_back(Value::unknown());
-    else
-      stack_.push_back(readVariable(state_, std::llround(n.value())));
-    return;
+    const bool known =
+        number.kind != Value::Kind::Unknown && n.isConstant() && std::fabs(n.value()) <= 1e15;
+    return stack_.push(known ? readVariable(state_, std::llround(n.value())) : Value::unknown());
   }
-  case Op::Negate: {
-    const Value a = pop();
-    // `-#1` of a vacant variable stays vacant.
-    stack_.push_back(a.kind == Value::Kind::Number ? Value::of(a.number * -1) : a);
-    return;
-  }
-  case Op::Equal:
-  case Op::NotEqual:
-  case Op::Greater:
-  case Op::GreaterEqual:
-  case Op::Less:
-  case Op::LessEqual: {
-    const Value b = pop(), a = pop();
-    stack_.push_back(fromTruth(compare(op.op, a, b)));
-    return;
-  }
-  case Op::Sin:
-    return unary([](double x) { return std::sin(x * degree); });
-  case Op::Cos:
-    return unary([](double x) { return std::cos(x * degree); });
-  case Op::Tan:
-    return unary([](double x) { return std::tan(x * degree); });
-  case Op::Asin:
-  case Op::Acos: {
-    const Interval x = stack_.empty() ? Interval() : stack_.back().asNumber();
-    if (x.isConstant() && std::fabs(x.value()) > 1) {
-      domainError(op);
-      stack_.back() = Value::unknown();
-      return;
-    }
-    if (op.op == Op::Asin)
-      return unary([](double v) { return std::asin(v) / degree; });
-    return unary([](double v) { return std::acos(v) / degree; });
-  }
-  case Op::Atan:
-    return unary([](double x) { return std::atan(x) / degree; });
-  case Op::Sqrt: {
-    const Interval x = stack_.empty() ? Interval() : stack_.back().asNumber();
-    if (x.isConstant() && x.value() < 0) {
-      domainError(op);
-      stack_.back() = Value::unknown();
-      return;
-    }
-    return unary([](double v) { return std::sqrt(v); });
-  }
-  case Op::Ln: {
-    const Interval x = stack_.empty() ? Interval() : stack_.back().asNumber();
-    if (x.isConstant() && x.value() <= 0) {
-      domainError(op);
-      stack_.back() = Value::unknown();
-      return;
-    }
-    return unary([](double v) { return std::log(v); });
-  }
-  case Op::Exp:
-    return unary([](double x) { return std::exp(std::min(x, 700.0)); });
-  case Op::Abs: {
-    const Value a = pop();
-    const Interval x = a.asNumber();
-    if (a.kind == Value::Kind::Unknown)
-      stack_.push_back(a);
-    else if (x.lo >= 0)
-      stack_.push_back(Value::of(x));
-    else if (x.hi <= 0)
-      stack_.push_back(Value::of(x * -1));
-    else
-      stack_.push_back(Value::of(Interval{0, std::max(-x.lo, x.hi)}));
-    return;
-  }
-  case Op::Round:
-    return unary([](double x) { return std::round(x); });
-  case Op::Fix:
-  case Op::Truncate:
-    return unary([](double x) { return std::trunc(x); });
-  case Op::Fup:
-    return unary([](double x) { return x < 0 ? std::floor(x) : std::ceil(x); });
-  case Op::Square:
-    return unary([](double x) { return x * x; });
-  case Op::Add:
-  case Op::Subtract:
-  case Op::Multiply:
-  case Op::Divide:
-  case Op::IntegerDivide:
-  case Op::Minimum:
-  case Op::Maximum:
-  case Op::Modulo:
-  case Op::FloorModulo:
-  case Op::Power:
-  case Op::And:
-  case Op::Or:
-  case Op::Xor:
-  case Op::Atan2:
-    return arithmetic(op);
-  case Op::Floor:
-    return unary([](double x) { return std::floor(x); });
-  case Op::Ceiling:
-    return unary([](double x) { return std::ceil(x); });
   case Op::Exists: {
     // Given a value on some path at least; one that all programs share may have it from elsewhere.
     const auto key = uint64_t(op.value);
     const bool local = key >= firstNamedVariable;
     const Truth given = local ? state_.locals.given(key) : state_.commons.given(key);
-    stack_.push_back(given == Truth::Yes           ? Value::of(1)
-                     : local && given == Truth::No ? Value::of(0)
-                                                   : Value::of(Interval{0, 1}));
-    return;
+    return stack_.push(Value::of(numberOf(given == Truth::No && !local ? Truth::Unknown : given)));
   }
   default:
     // BIN, BCD, ADP and what the reader could not resolve.
-    if (op.op != Op::Unknown && !stack_.empty())
-      stack_.pop_back();
-    stack_.push_back(Value::unknown());
+    if (op.op != Op::Unknown)
+      stack_.pop();
+    return stack_.push(Value::unknown());
   }
 }
 
@@ -408,7 +134,7 @@ std::optional<size_t> placeOf(const MachineState &state, int64_t number) {
 Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome) {
   if (index >= block.expressions.size())
     return Value::unknown();
-  return Evaluator(block, state, outcome).run(block.expressions[index]);
+  return ExpressionEvaluator(block, state, outcome).run(block.expressions[index]);
 }
 
 namespace {
@@ -465,12 +191,7 @@ Interval assignedWordValue(const Word &word, const Block &block, const MachineSt
 }
 
 Truth truthOf(const Value &value) {
-  if (value.kind == Value::Kind::Unknown)
-    return Truth::Unknown;
-  const Interval x = value.asNumber();
-  if (x.isConstant())
-    return x.value() != 0 ? Truth::Yes : Truth::No;
-  return x.contains(0) ? Truth::Unknown : Truth::Yes;
+  return value.kind == Value::Kind::Unknown ? Truth::Unknown : truthOf(value.asNumber());
 }
 
 Value readVariable(const MachineState &state, int64_t number) {

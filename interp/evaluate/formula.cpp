@@ -4,12 +4,12 @@
 #include "formats/dialect/variable_key.h"
 #include "interp/evaluate/block_words.h"
 #include "interp/evaluate/expression.h"
+#include "interp/evaluate/operators.h"
 #include "interp/evaluate/tool_data.h"
 #include "interp/state/modes.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
@@ -18,29 +18,25 @@ namespace {
 /// Numbers that the table's writer means to be equal differ by rounding at most.
 constexpr double tolerance = 1e-9;
 
-Interval numberOf(Truth truth) {
-  return truth == Truth::Unknown ? Interval{0, 1} : Interval::exactly(truth == Truth::Yes);
-}
-
-Truth toTruth(const Interval &value) {
-  if (value.isConstant())
-    return value.value() != 0 ? Truth::Yes : Truth::No;
-  return value.lo > 0 || value.hi < 0 ? Truth::Yes : Truth::Unknown;
-}
-
-Truth answer(bool yes, bool no) { return yes ? Truth::Yes : no ? Truth::No : Truth::Unknown; }
-
-Truth negated(Truth truth) {
-  return truth == Truth::Yes ? Truth::No : truth == Truth::No ? Truth::Yes : Truth::Unknown;
-}
-
-Interval absolute(const Interval &x) {
-  if (x.lo >= 0)
-    return x;
-  if (x.hi <= 0)
-    return x * -1;
-  return {0, std::max(-x.lo, x.hi)};
-}
+/// The operator that a step is; none for operands.
+constexpr auto formulaOperators = [] {
+  constexpr std::pair<FormulaOp, Operator> known[] = {
+      {FormulaOp::Add, Operator::Add},           {FormulaOp::Subtract, Operator::Subtract},
+      {FormulaOp::Multiply, Operator::Multiply}, {FormulaOp::Divide, Operator::Divide},
+      {FormulaOp::Negate, Operator::Negate},     {FormulaOp::Absolute, Operator::Absolute},
+      {FormulaOp::Floor, Operator::Floor},       {FormulaOp::Sine, Operator::Sine},
+      {FormulaOp::Cosine, Operator::Cosine},     {FormulaOp::SquareRoot, Operator::SquareRoot},
+      {FormulaOp::Minimum, Operator::Minimum},   {FormulaOp::Maximum, Operator::Maximum},
+      {FormulaOp::Less, Operator::Less},         {FormulaOp::LessEqual, Operator::LessEqual},
+      {FormulaOp::Equal, Operator::Equal},       {FormulaOp::NotEqual, Operator::NotEqual},
+      {FormulaOp::And, Operator::And},           {FormulaOp::Or, Operator::Or},
+      {FormulaOp::Not, Operator::Not},           {FormulaOp::Select, Operator::Select},
+  };
+  std::array<std::optional<Operator>, size_t(FormulaOp::Select) + 1> table;
+  for (const auto &[op, is] : known)
+    table[size_t(op)] = is;
+  return table;
+}();
 
 class FormulaEvaluator {
 public:
@@ -50,8 +46,11 @@ public:
   Interval run(const Formula &formula) {
     names_ = formula.names;
     for (const FormulaStep &step : formula.steps)
-      this->step(step);
-    return stack_.size() == 1 ? stack_.back() : Interval::unknown();
+      if (const auto known = formulaOperators[size_t(step.op)])
+        stack_.apply(*known);
+      else
+        stack_.push(Value::of(operand(step)));
+    return stack_.result().asNumber();
   }
   /// Whether all words that the formula names are there.
   bool complete(const Formula &formula) const {
@@ -64,9 +63,6 @@ public:
   }
 
 private:
-  Interval pop() { return stack_.empty() ? Interval::unknown() : stack_.pop_back_val(); }
-  void push(const Interval &value) { stack_.push_back(value); }
-
   Truth given(const WordSpec &spec) const {
     return wordFor(context_.block, spec) || kept(spec) ? Truth::Yes
                                                        : givenBefore(spec, context_.before);
@@ -140,156 +136,99 @@ private:
     return readVariable(context_.before, int64_t(key));
   }
 
-  void step(const FormulaStep &step) {
+  /// Length of the block's comment for the operator, without its brackets; 0: there is none.
+  double note() const {
+    constexpr unsigned brackets = 2;
+    for (const Comment &comment : context_.block.comments)
+      if (comment.shown)
+        return comment.end - comment.begin - brackets;
+    return 0;
+  }
+  /// Where the axis is before the block; not known in machine coordinates.
+  Interval place(Axis axis) const {
+    return axis == Axis::Count || context_.before.inMachineCoordinates(axis)
+               ? Interval::unknown()
+               : context_.before.at(axis);
+  }
+  static Interval numberIn(const Value &value) {
+    return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
+  }
+  /// The variable of several with one name that the place on top of the stack means.
+  Interval element(const std::string &list) {
+    const Interval place = stack_.pop().asNumber();
+    if (!place.isConstant())
+      return Interval::unknown();
+    return numberIn(readVariable(context_.before, int64_t(elementOf(list, place.value()))));
+  }
+
+  Interval operand(const FormulaStep &step) {
     switch (step.op) {
     case FormulaOp::Number:
-      return push(Interval::exactly(step.number));
+      return Interval::exactly(step.number);
     case FormulaOp::Word:
-      return push(word(code_.words[step.index]));
+      return word(code_.words[step.index]);
     case FormulaOp::Address:
-      return push(address(step.index).value_or(Interval::unknown()));
+      return address(step.index).value_or(Interval::unknown());
     case FormulaOp::Given:
-      return push(numberOf(given(code_.words[step.index])));
+      return numberOf(given(code_.words[step.index]));
     case FormulaOp::GivenAddress:
-      return push(Interval::exactly(address(step.index).has_value()));
-    case FormulaOp::Variable: {
-      const Value value = variable(uint64_t(step.number));
-      return push(value.kind == Value::Kind::Number ? value.number : Interval::unknown());
-    }
+      return Interval::exactly(address(step.index).has_value());
+    case FormulaOp::Variable:
+      return numberIn(variable(uint64_t(step.number)));
     case FormulaOp::GivenVariable:
-      return push(numberOf(given(uint64_t(step.number))));
-    case FormulaOp::ToolRadius:
-      return push(tool());
-    case FormulaOp::Tool:
-      return push(context_.before.tool >= 0 ? Interval::exactly(context_.before.tool)
-                                            : Interval::unknown());
-    case FormulaOp::Level: {
-      const Axis axis = toolAxis(context_.dialect, context_.before);
-      return push(context_.before.inMachineCoordinates(axis) ? Interval::unknown()
-                                                             : context_.before.at(axis));
-    }
-    case FormulaOp::Feed:
-      return push(context_.before.feed);
-    case FormulaOp::Speed:
-      return push(context_.before.speed);
+      return numberOf(given(uint64_t(step.number)));
+    case FormulaOp::Element:
+      return element(names_[step.index]);
     case FormulaOp::Here:
-      return push(Interval::exactly(wordFor(context_.block, code_.words[step.index]) != nullptr));
+      return Interval::exactly(wordFor(context_.block, code_.words[step.index]) != nullptr);
     case FormulaOp::Bare: {
       const Word *word = context_.block.find(AddressId(step.index));
-      return push(Interval::exactly(word && word->has(wordNoValue)));
+      return Interval::exactly(word && word->has(wordNoValue));
     }
-    case FormulaOp::Note: {
-      const auto note =
-          llvm::find_if(context_.block.comments, [](const Comment &c) { return c.shown; });
-      constexpr unsigned brackets = 2;
-      return push(Interval::exactly(
-          note == context_.block.comments.end() ? 0 : note->end - note->begin - brackets));
-    }
-    case FormulaOp::Place: {
-      const Axis axis = context_.dialect.addresses[step.index].axis;
-      return push(axis == Axis::Count || context_.before.inMachineCoordinates(axis)
-                      ? Interval::unknown()
-                      : context_.before.at(axis));
-    }
-    case FormulaOp::Origin:
-      return push(origin());
     case FormulaOp::Length: {
       const Word *word = wordFor(context_.block, code_.words[step.index]);
-      return push(word ? Interval::exactly(context_.block.endOf(*word) - word->offset)
-                       : Interval::unknown());
+      return word ? Interval::exactly(context_.block.endOf(*word) - word->offset)
+                  : Interval::unknown();
     }
-    case FormulaOp::Floor: {
-      const Interval x = pop(); // of a number that is whole but for its rounding, the number
-      return push({std::floor(x.lo + tolerance), std::floor(x.hi + tolerance)});
-    }
+    case FormulaOp::Note:
+      return Interval::exactly(note());
     case FormulaOp::Index:
-      return push(Interval::exactly(context_.index));
-    case FormulaOp::Unknown:
-      return push(Interval::unknown());
-    case FormulaOp::SquareRoot: {
-      const Interval x = pop();
-      return push(x.isConstant() && x.value() >= 0 ? Interval::exactly(std::sqrt(x.value()))
-                                                   : Interval::unknown());
-    }
+      return Interval::exactly(context_.index);
     case FormulaOp::Option: {
       const auto number = context_.machine.number(names_[step.index]);
-      return push(number ? Interval::exactly(*number) : Interval::unknown());
+      return number ? Interval::exactly(*number) : Interval::unknown();
     }
-    case FormulaOp::Sine:
-    case FormulaOp::Cosine: {
-      const Interval degrees = pop();
-      if (!degrees.isConstant())
-        return push(Interval::unknown());
-      const double angle = degrees.value() * std::numbers::pi / 180;
-      return push(
-          Interval::exactly(step.op == FormulaOp::Sine ? std::sin(angle) : std::cos(angle)));
-    }
-    case FormulaOp::Element: {
-      const Interval place = pop();
-      if (!place.isConstant())
-        return push(Interval::unknown());
-      const Value value =
-          readVariable(context_.before, int64_t(elementOf(names_[step.index], place.value())));
-      return push(value.kind == Value::Kind::Number ? value.number : Interval::unknown());
-    }
-    case FormulaOp::Negate:
-      return push(pop() * -1);
-    case FormulaOp::Absolute:
-      return push(absolute(pop()));
-    case FormulaOp::Not:
-      return push(numberOf(negated(toTruth(pop()))));
     default:
-      break;
+      return ofState(step);
     }
-    const Interval b = pop(), a = pop();
-    if (step.op == FormulaOp::Select) {
-      const Truth holds = toTruth(pop());
-      return push(holds == Truth::Yes ? a : holds == Truth::No ? b : join(a, b));
-    }
+  }
+
+  /// What the state before the block says.
+  Interval ofState(const FormulaStep &step) const {
+    const MachineState &before = context_.before;
     switch (step.op) {
-    case FormulaOp::Add:
-      return push(a + b);
-    case FormulaOp::Subtract:
-      return push(a - b);
-    case FormulaOp::Multiply:
-      return push(b.isConstant()   ? a * b.value()
-                  : a.isConstant() ? b * a.value()
-                                   : Interval::unknown());
-    case FormulaOp::Divide:
-      return push(b.isConstant() && b.value() != 0 ? a * (1 / b.value()) : Interval::unknown());
-    case FormulaOp::Minimum:
-      return push({std::min(a.lo, b.lo), std::min(a.hi, b.hi)});
-    case FormulaOp::Maximum:
-      return push({std::max(a.lo, b.lo), std::max(a.hi, b.hi)});
-    case FormulaOp::Less:
-      return push(numberOf(answer(a.hi < b.lo - tolerance, a.lo >= b.hi - tolerance)));
-    case FormulaOp::LessEqual:
-      return push(numberOf(answer(a.hi <= b.lo + tolerance, a.lo > b.hi + tolerance)));
-    case FormulaOp::Equal:
-    case FormulaOp::NotEqual: {
-      const bool apart = a.hi < b.lo - tolerance || b.hi < a.lo - tolerance;
-      const bool same = a.isConstant() && b.isConstant() && !apart;
-      return push(
-          numberOf(step.op == FormulaOp::Equal ? answer(same, apart) : answer(apart, same)));
-    }
-    case FormulaOp::And: {
-      const Truth x = toTruth(a), y = toTruth(b);
-      return push(
-          numberOf(answer(x == Truth::Yes && y == Truth::Yes, x == Truth::No || y == Truth::No)));
-    }
-    case FormulaOp::Or: {
-      const Truth x = toTruth(a), y = toTruth(b);
-      return push(
-          numberOf(answer(x == Truth::Yes || y == Truth::Yes, x == Truth::No && y == Truth::No)));
-    }
+    case FormulaOp::ToolRadius:
+      return tool();
+    case FormulaOp::Tool:
+      return before.tool >= 0 ? Interval::exactly(before.tool) : Interval::unknown();
+    case FormulaOp::Level:
+      return place(toolAxis(context_.dialect, before));
+    case FormulaOp::Feed:
+      return before.feed;
+    case FormulaOp::Speed:
+      return before.speed;
+    case FormulaOp::Place:
+      return place(context_.dialect.addresses[step.index].axis);
+    case FormulaOp::Origin:
+      return origin();
     default:
-      return push(Interval::unknown());
+      return Interval::unknown();
     }
   }
 
   const CodeInfo &code_;
   const ConditionContext &context_;
-  llvm::SmallVector<Interval, 8> stack_;
+  OperatorStack stack_{{tolerance, /*strict=*/false}};
   llvm::ArrayRef<std::string> names_; ///< of the current formula
 };
 
@@ -300,7 +239,7 @@ uint64_t elementOf(llvm::StringRef list, double place) {
 }
 
 Truth truthOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {
-  return toTruth(FormulaEvaluator(code, context).run(formula));
+  return truthOf(FormulaEvaluator(code, context).run(formula));
 }
 
 Interval levelOf(const Formula &formula, const CodeInfo &code, const ConditionContext &context) {

@@ -2,6 +2,7 @@
 #include "interp/execute/execution.h"
 
 #include "formats/dialect/measure.h"
+#include "interp/evaluate/program_operators.h"
 #include "interp/value/units.h"
 
 namespace ncvet {
@@ -186,7 +187,7 @@ void Execution::wordIssues() {
 /// What the expressions in words cannot compute; those of assignments are looked at where they are
 /// made.
 void Execution::wordDomains() {
-  if (llvm::none_of(block_.operations, [](const ExpressionOp &op) { return mayFail(op); }))
+  if (llvm::none_of(block_.operations, [](const ExpressionOp &op) { return mayFail(op.op); }))
     return;
   Outcome computed;
   for (const Word &word : block_.words)
