@@ -66,9 +66,12 @@ private:
 
   // ecs_words.cpp
   void keyword(CodeIndex code, const char *begin, const char *end);
+  bool scanNumberOfBlock(const char *begin);
+  bool scanRun();
   void scanLetter();
   void scanPlane(const char *begin);
   bool skipVariantName(const char *begin);
+  void scanExpression(AddressId address, const char *begin);
   void scanValue(AddressId address, const char *begin);
   bool scanNumber(Word &word, const char *begin);
   void scanElement(const char *begin);

@@ -13,6 +13,48 @@ void EcsScanner::keyword(CodeIndex code, const char *begin, const char *end) {
   at_ = at;
 }
 
+/// `N10` at the start of a block.
+bool EcsScanner::scanNumberOfBlock(const char *begin) {
+  const char *const next = begin + 1;
+  if (next + 1 < end_ && (*next == '-' || *next == '+') && isNumberDigit(next[1]) &&
+      startsBlock() && block_.number < 0) {
+    for (at_ = next + 1; at_ < end_ && (isNumberDigit(*at_) || *at_ == '.');)
+      ++at_;
+    setNumber(begin, 0);
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    return true;
+  }
+  if (const char *const value = behindBlanks(next);
+      value < end_ && isNumberDigit(*value) && startsBlock() && block_.number < 0) {
+    at_ = value;
+    const int64_t number = takeWhole();
+    const bool broken = at_ < end_ && (*at_ == '.' || *at_ == ',');
+    while (broken && at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == ','))
+      ++at_;
+    setNumber(begin, number);
+    if (broken)
+      issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    return true;
+  }
+  return false;
+}
+
+/// Letters that mean nothing together.
+bool EcsScanner::scanRun() {
+  const char *const begin = at_;
+  const llvm::StringRef run =
+      llvm::StringRef(begin, size_t(end_ - begin)).take_while([](char c) { return isLetter(c); });
+  // Bare axes (`G23 XYZ`) and K are without values; other runs of letters mean nothing.
+  if (run.size() > 2 && run.find_first_not_of("XYZABCUVWKDxyzabcuvwkd") != llvm::StringRef::npos) {
+    at_ = run.end();
+    while (at_ < end_ && isNameCharacter(*at_))
+      ++at_;
+    issue(SyntaxIssueKind::UnknownWord, begin, at_);
+    return true;
+  }
+  return false;
+}
+
 void EcsScanner::scanLetter() {
   const char *const begin = at_;
   const char letter = char(*at_ & ~32);
@@ -25,40 +67,15 @@ void EcsScanner::scanLetter() {
       at_ += 2;
       return scanValue(two->second, begin);
     }
-    const llvm::StringRef run =
-        llvm::StringRef(begin, size_t(end_ - begin)).take_while([](char c) { return isLetter(c); });
-    // Bare axes (`G23 XYZ`) and K are without values; other runs of letters mean nothing.
-    if (run.size() > 2 &&
-        run.find_first_not_of("XYZABCUVWKDxyzabcuvwkd") != llvm::StringRef::npos) {
-      at_ = run.end();
-      while (at_ < end_ && isNameCharacter(*at_))
-        ++at_;
-      return issue(SyntaxIssueKind::UnknownWord, begin, at_);
-    }
+    if (scanRun())
+      return;
   }
   const AddressId address = letterAddress(letter);
   const bool digit = next < end_ && isNumberDigit(*next);
   switch (letter) {
   case 'N':
-    if (next + 1 < end_ && (*next == '-' || *next == '+') && isNumberDigit(next[1]) &&
-        startsBlock() && block_.number < 0) {
-      for (at_ = next + 1; at_ < end_ && (isNumberDigit(*at_) || *at_ == '.');)
-        ++at_;
-      setNumber(begin, 0);
-      return issue(SyntaxIssueKind::MalformedNumber, begin, at_);
-    }
-    if (const char *const value = behindBlanks(next);
-        value < end_ && isNumberDigit(*value) && startsBlock() && block_.number < 0) {
-      at_ = value;
-      const int64_t number = takeWhole();
-      const bool broken = at_ < end_ && (*at_ == '.' || *at_ == ',');
-      while (broken && at_ < end_ && (isNumberDigit(*at_) || *at_ == '.' || *at_ == ','))
-        ++at_;
-      setNumber(begin, number);
-      if (broken)
-        issue(SyntaxIssueKind::MalformedNumber, begin, at_);
+    if (scanNumberOfBlock(begin))
       return;
-    }
     break;
   case 'R':
   case 'V': {
@@ -125,6 +142,32 @@ void EcsScanner::scanPlane(const char *begin) {
   keyword(minus, mark, at_);
 }
 
+/// `= expression` or `<expression>` after an address.
+void EcsScanner::scanExpression(AddressId address, const char *begin) {
+  Word word;
+  word.address = address;
+  uint16_t index = 0;
+  if (*at_ == '<') {
+    index = bracketed();
+  } else {
+    ++at_;
+    skipBlanks();
+    if (atLineEnd() || *at_ == '<') {
+      word.flags = wordNoValue;
+      issue(SyntaxIssueKind::MissingValue, begin, at_);
+      return addWord(word, begin);
+    }
+    index = expression();
+    if (address == letterAddress('G') || address == letterAddress('M') ||
+        address == letterAddress('T') || address == letterAddress('N'))
+      issue(SyntaxIssueKind::RealForInteger, begin, at_);
+  }
+  word.flags = wordExpression;
+  word.mantissa = index;
+  extendExpression(word);
+  return addWord(word, begin);
+}
+
 /// The number, `= expression` or `<expression>` after an address.
 void EcsScanner::scanValue(AddressId address, const char *begin) {
   Word word;
@@ -153,26 +196,7 @@ void EcsScanner::scanValue(AddressId address, const char *begin) {
     const bool bare = c == '<' && (value > at_ || address == letterAddress('K'));
     if (!bare) {
       at_ = value;
-      uint16_t index = 0;
-      if (c == '<') {
-        index = bracketed();
-      } else {
-        ++at_;
-        skipBlanks();
-        if (atLineEnd() || *at_ == '<') {
-          word.flags = wordNoValue;
-          issue(SyntaxIssueKind::MissingValue, begin, at_);
-          return addWord(word, begin);
-        }
-        index = expression();
-        if (address == letterAddress('G') || address == letterAddress('M') ||
-            address == letterAddress('T') || address == letterAddress('N'))
-          issue(SyntaxIssueKind::RealForInteger, begin, at_);
-      }
-      word.flags = wordExpression;
-      word.mantissa = index;
-      extendExpression(word);
-      return addWord(word, begin);
+      return scanExpression(address, begin);
     }
   }
   if (isNumberDigit(c) || c == '-' || c == '+' || c == '.' || typographicMinus(value, end_)) {

@@ -98,6 +98,36 @@ void SinumerikScanner::scanArguments(Item &item, bool words) {
   issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
 }
 
+/// A text between quotation marks of a word processor, the first of which has `mark` bytes.
+void SinumerikScanner::scanQuoted(Argument &argument, unsigned mark) {
+  issue(SyntaxIssueKind::TypographicQuote, at_, at_ + mark);
+  at_ += mark;
+  argument.kind = ArgumentKind::Text;
+  argument.begin = offset(at_);
+  while (!atLineEnd() && *at_ != '"' && *at_ != ',' && *at_ != ')' && !typographicQuote(at_, end_))
+    ++at_;
+  argument.end = offset(at_);
+  at_ += atLineEnd() ? 0 : *at_ == '"' ? 1 : typographicQuote(at_, end_);
+}
+
+void SinumerikScanner::scanText(Argument &argument) {
+  const char *const begin = at_;
+  const auto text = scanString();
+  if (!text)
+    return;
+  const char *const next = behindBlanks(at_);
+  if (next < end_ && (*next == ',' || *next == ')')) {
+    argument.kind = ArgumentKind::Text;
+    argument.begin = offset(text->begin());
+    argument.end = offset(text->end());
+  } else { // a string that is put together
+    at_ = begin;
+    argument.kind = ArgumentKind::Expression;
+    argument.expression = expression();
+    argument.end = offset(at_);
+  }
+}
+
 void SinumerikScanner::scanArgument(Item &item, char separator, bool words) {
   skipBlanks();
   const char *begin = at_;
@@ -119,31 +149,11 @@ void SinumerikScanner::scanArgument(Item &item, char separator, bool words) {
   if (at_ == end_ || isLineEnd(*at_) || *at_ == ',' || *at_ == ')' || *at_ == ';') {
     word.flags = wordNoValue;
   } else if (const unsigned mark = typographicQuote(at_, end_)) {
-    issue(SyntaxIssueKind::TypographicQuote, at_, at_ + mark);
-    at_ += mark;
-    argument.kind = ArgumentKind::Text;
-    argument.begin = offset(at_);
-    while (!atLineEnd() && *at_ != '"' && *at_ != ',' && *at_ != ')' &&
-           !typographicQuote(at_, end_))
-      ++at_;
-    argument.end = offset(at_);
-    at_ += atLineEnd() ? 0 : *at_ == '"' ? 1 : typographicQuote(at_, end_);
+    scanQuoted(argument, mark);
     word.flags = wordExpression;
     word.mantissa = opaque(begin, at_);
   } else if (*at_ == '"') {
-    if (const auto text = scanString()) {
-      const char *const next = behindBlanks(at_);
-      if (next < end_ && (*next == ',' || *next == ')')) {
-        argument.kind = ArgumentKind::Text;
-        argument.begin = offset(text->begin());
-        argument.end = offset(text->end());
-      } else { // a string that is put together
-        at_ = begin;
-        argument.kind = ArgumentKind::Expression;
-        argument.expression = expression();
-        argument.end = offset(at_);
-      }
-    }
+    scanText(argument);
     word.flags = wordExpression;
     word.mantissa = opaque(begin, at_);
   } else {

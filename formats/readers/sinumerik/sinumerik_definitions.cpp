@@ -20,10 +20,8 @@ VariableType typeOf(llvm::StringRef name) {
 
 } // namespace
 
-/// `DEF INT A=0, B[3]`
-void SinumerikScanner::scanDefinitions() {
-  skipBlanks();
-  const char *const begin = at_;
+/// The type of a definition, with what may be before it.
+VariableType SinumerikScanner::scanType() {
   VariableType type = VariableType::None;
   // Modifiers (NCK, CHAN, SYNR, PHU 3, …) may be before the type.
   while (!atBlockEnd() && type == VariableType::None) {
@@ -38,6 +36,36 @@ void SinumerikScanner::scanDefinitions() {
     }
     skipBlanks();
   }
+  return type;
+}
+
+/// `[3, 4]` after the name of a definition.
+void SinumerikScanner::scanSizes(Item &item, const char *begin) {
+  for (char separator = 0; at_ < end_ && (*at_ == '[' || *at_ == ',');) {
+    ++at_;
+    Argument size;
+    size.kind = ArgumentKind::Expression;
+    size.separator = separator;
+    size.begin = offset(at_);
+    size.expression = expression();
+    size.end = offset(at_);
+    separator = ',';
+    block_.arguments.push_back(size);
+    ++item.arguments;
+    skipBlanks();
+  }
+  if (at_ < end_ && *at_ == ']')
+    ++at_;
+  else
+    issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+  skipBlanks();
+}
+
+/// `DEF INT A=0, B[3]`
+void SinumerikScanner::scanDefinitions() {
+  skipBlanks();
+  const char *const begin = at_;
+  const VariableType type = scanType();
   if (type == VariableType::None) {
     issue(SyntaxIssueKind::BadStatement, begin, at_);
     return rest();
@@ -54,26 +82,8 @@ void SinumerikScanner::scanDefinitions() {
     item.target = constant(name.begin(), name.end(), double(variableKey(name)));
     at_ = name.end();
     skipBlanks();
-    if (at_ < end_ && *at_ == '[') {
-      for (char separator = 0; at_ < end_ && (*at_ == '[' || *at_ == ',');) {
-        ++at_;
-        Argument size;
-        size.kind = ArgumentKind::Expression;
-        size.separator = separator;
-        size.begin = offset(at_);
-        size.expression = expression();
-        size.end = offset(at_);
-        separator = ',';
-        block_.arguments.push_back(size);
-        ++item.arguments;
-        skipBlanks();
-      }
-      if (at_ < end_ && *at_ == ']')
-        ++at_;
-      else
-        issue(SyntaxIssueKind::UnbalancedBracket, name.begin(), at_);
-      skipBlanks();
-    }
+    if (at_ < end_ && *at_ == '[')
+      scanSizes(item, name.begin());
     if (isEquals(at_)) {
       ++at_;
       item.value = expression();
@@ -90,6 +100,36 @@ void SinumerikScanner::scanDefinitions() {
     issue(SyntaxIssueKind::BadStatement, at_, at_ + 1);
     rest();
   }
+}
+
+/// `VAR REAL C`, `INT B=1`
+Argument SinumerikScanner::scanParameter(char separator) {
+  Argument parameter;
+  parameter.kind = ArgumentKind::Name;
+  parameter.separator = separator;
+  if (identifier().equals_insensitive("VAR")) {
+    parameter.byReference = true;
+    at_ = identifier().end();
+    skipBlanks();
+  }
+  parameter.type = typeOf(identifier());
+  at_ = identifier().end();
+  skipBlanks();
+  skipIndices(); // STRING[20]
+  skipBlanks();
+  const llvm::StringRef own = identifier();
+  parameter.begin = offset(own.begin());
+  parameter.end = offset(own.end());
+  at_ = own.end();
+  skipBlanks();
+  skipIndices();
+  skipBlanks();
+  if (isEquals(at_)) {
+    ++at_;
+    parameter.expression = expression();
+    skipBlanks();
+  }
+  return parameter;
 }
 
 /// `PROC NAME(REAL A, INT B=1, VAR REAL C) SAVE`, `EXTERN NAME(REAL, VAR INT)`
@@ -109,32 +149,8 @@ void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
     ++at_;
     skipBlanks();
     for (char separator = 0; !atBlockEnd() && *at_ != ')'; separator = ',') {
-      Argument parameter;
-      parameter.kind = ArgumentKind::Name;
-      parameter.separator = separator;
       const char *const from = at_;
-      if (identifier().equals_insensitive("VAR")) {
-        parameter.byReference = true;
-        at_ = identifier().end();
-        skipBlanks();
-      }
-      parameter.type = typeOf(identifier());
-      at_ = identifier().end();
-      skipBlanks();
-      skipIndices(); // STRING[20]
-      skipBlanks();
-      const llvm::StringRef own = identifier();
-      parameter.begin = offset(own.begin());
-      parameter.end = offset(own.end());
-      at_ = own.end();
-      skipBlanks();
-      skipIndices();
-      skipBlanks();
-      if (isEquals(at_)) {
-        ++at_;
-        parameter.expression = expression();
-        skipBlanks();
-      }
+      const Argument parameter = scanParameter(separator);
       block_.arguments.push_back(parameter);
       ++item.arguments;
       if (parameter.type == VariableType::None)

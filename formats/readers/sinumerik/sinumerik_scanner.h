@@ -69,6 +69,8 @@ private:
   // sinumerik_words.cpp
   void addExpression(AddressId address, const char *begin, uint16_t expression,
                      WordReading reading = WordReading::Modal);
+  bool scanStart(char letter);
+  void scanDistant(char letter, const char *begin);
   void scanLetter();
   void scanExtended(char letter, const char *begin);
   void scanValue(AddressId address, const char *begin);
@@ -82,6 +84,8 @@ private:
   void scanCode(CodeIndex code, llvm::StringRef name);
   void scanCall(llvm::StringRef name, Item &item);
   void scanArguments(Item &item, bool words);
+  void scanQuoted(Argument &argument, unsigned mark);
+  void scanText(Argument &argument);
   void scanArgument(Item &item, char separator, bool words);
   void scanModalCall(const char *begin, llvm::StringRef name);
   void scanIndirectCall(Keyword keyword, const char *begin);
@@ -98,7 +102,10 @@ private:
   void scanRepeat(bool single, const char *begin);
 
   // sinumerik_definitions.cpp
+  VariableType scanType();
+  void scanSizes(Item &item, const char *begin);
   void scanDefinitions();
+  Argument scanParameter(char separator);
   void scanParameters(ItemKind kind, const char *begin);
   void scanMacro(const char *begin);
 

@@ -15,6 +15,47 @@ void SinumerikScanner::addExpression(AddressId address, const char *begin, uint1
   addWord(word, begin);
 }
 
+/// A number, a label or a program's name at the start of a block.
+bool SinumerikScanner::scanStart(char letter) {
+  const char *const begin = at_;
+  // `N10` before it, `L10` a program's name, `R1=` a variable; all of them may be a label.
+  if (letter == 'N' && block_.number < 0) {
+    ++at_;
+    scanNumberOfBlock(begin);
+    return true;
+  }
+  if (scanLabel())
+    return true;
+  if (letter == 'L') {
+    Item item = itemAt(ItemKind::Call, begin);
+    const llvm::StringRef name = identifier();
+    if (llvm::all_of(name.drop_front(), isNumberDigit) && !isEquals(behindBlanks(name.end()))) {
+      at_ = name.end();
+      scanCall(name, item);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A number that blanks may separate from its letter.
+void SinumerikScanner::scanDistant(char letter, const char *begin) {
+  const char *const value = at_;
+  Word word;
+  word.address = letterAddress(letter);
+  const char *const digits = at_;
+  while (at_ < end_ && isNumberDigit(*at_))
+    ++at_;
+  if (at_ > digits && isEquals(at_)) {
+    at_ = begin;
+    return scanExtended(letter, begin);
+  }
+  at_ = value;
+  if (!scanNumber(word, begin))
+    word.flags |= wordNoValue | wordMalformed;
+  addWord(word, begin);
+}
+
 /// A letter and its number, or what else begins with a letter.
 void SinumerikScanner::scanLetter() {
   const char *const begin = at_;
@@ -22,23 +63,8 @@ void SinumerikScanner::scanLetter() {
   const char *const next = at_ + 1;
   if (next < end_ && isNameLetter(*next))
     return scanName();
-  if (next < end_ && isNumberDigit(*next) && startsBlock()) {
-    // `N10` before it, `L10` a program's name, `R1=` a variable; all of them may be a label.
-    if (letter == 'N' && block_.number < 0) {
-      ++at_;
-      return scanNumberOfBlock(begin);
-    }
-    if (scanLabel())
-      return;
-    if (letter == 'L') {
-      Item item = itemAt(ItemKind::Call, begin);
-      const llvm::StringRef name = identifier();
-      if (llvm::all_of(name.drop_front(), isNumberDigit) && !isEquals(behindBlanks(name.end()))) {
-        at_ = name.end();
-        return scanCall(name, item);
-      }
-    }
-  }
+  if (next < end_ && isNumberDigit(*next) && startsBlock() && scanStart(letter))
+    return;
   if (letter == 'R' && next < end_ && (isNumberDigit(*next) || *next == '['))
     return scanAssignment(begin);
   ++at_;
@@ -73,19 +99,7 @@ void SinumerikScanner::scanLetter() {
   if (value < end_ && (isNumberDigit(*value) || *value == '-' || *value == '+' || *value == '.' ||
                        typographicMinus(value, end_))) {
     at_ = value;
-    Word word;
-    word.address = address;
-    const char *const digits = at_;
-    while (at_ < end_ && isNumberDigit(*at_))
-      ++at_;
-    if (at_ > digits && isEquals(at_)) {
-      at_ = begin;
-      return scanExtended(letter, begin);
-    }
-    at_ = value;
-    if (!scanNumber(word, begin))
-      word.flags |= wordNoValue | wordMalformed;
-    return addWord(word, begin);
+    return scanDistant(letter, begin);
   }
   Word word;
   word.address = address;
