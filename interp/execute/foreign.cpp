@@ -39,7 +39,7 @@ void Execution::foreignBlock() {
     case Action::ProgramEnd:
     case Action::ProgramEndRewind:
     case Action::Return:
-      applyFlow(use);
+      carryOut(Phase::Flow, use);
       break;
     default:
       break;
