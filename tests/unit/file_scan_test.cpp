@@ -1,6 +1,7 @@
 // What is kept of a text from one version to the next is what a look at all of it finds.
 #include "analyzer/program/file_scan.h"
 #include "formats/dialect/loader.h"
+#include "formats/readers/select/make_reader.h"
 #include "tests/support/random_edits.h"
 
 #include <gtest/gtest.h>
