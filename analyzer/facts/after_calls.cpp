@@ -75,12 +75,10 @@ bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begi
 } // namespace
 
 bool BehindCalls::allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
-                         llvm::function_ref<Behind(const Block &)> judge) {
+                         llvm::function_ref<Behind(const Block &)> judge) const {
   const uint32_t program = ctx.index().programAt(ctx.block().begin).begin;
-  const auto [answer, fresh] = answers_.try_emplace({ctx.source().id(), program, mode});
-  if (fresh)
-    answer->second = endsBehindEveryCall(ctx, begin, judge);
-  return answer->second;
+  return answers_.of({ctx.source().id(), program, mode},
+                     [&] { return endsBehindEveryCall(ctx, begin, judge); });
 }
 
 } // namespace ncvet

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/text_answers.h"
 
-#include <map>
 #include <tuple>
 
 namespace ncvet {
@@ -25,10 +25,10 @@ public:
   /// that a new call is looked at. Blocks that a switch leaves out end nothing. `mode` is all that
   /// the judgement depends on besides.
   bool allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
-              llvm::function_ref<Behind(const Block &)> judge);
+              llvm::function_ref<Behind(const Block &)> judge) const;
 
 private:
-  std::map<std::tuple<FileId, uint32_t, uint64_t>, bool> answers_; ///< by program and mode
+  TextAnswers<std::tuple<FileId, uint32_t, uint64_t>, bool> answers_; ///< by program and mode
 };
 
 } // namespace ncvet

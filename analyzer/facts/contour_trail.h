@@ -32,9 +32,8 @@ public:
 
   /// Between contours there is nothing to remember; inside of one it is not compared.
   void remember(RuleMemory &memory) const {
-    struct InContour {};
     if (path_)
-      memory(InContour());
+      memory.leaveUncompared();
   }
 
 private:

@@ -15,6 +15,8 @@ public:
     if (part_)
       part_->items.push_back(item);
   }
+  /// Nothing that decides what a rule does.
+  void remember(RuleMemory &) const {}
   /// For `Rule::gathered`.
   std::shared_ptr<Gathered> part() const {
     return part_ && !part_->items.empty() ? std::make_shared<Part>(*part_) : nullptr;

@@ -209,6 +209,10 @@ public:
   SourceRange range(const Word &word) const {
     return {source_->id(), word.offset, block_->endOf(word)};
   }
+  /// Of an item, an argument, an expression: all that says where it is written.
+  template <typename T>
+  requires requires(const T &written) { written.begin + written.end; }
+  SourceRange range(const T &written) const { return {source_->id(), written.begin, written.end}; }
   /// The block's words, without leading blanks, number and trailing comment or blanks.
   SourceRange blockRange() const;
 
@@ -287,15 +291,18 @@ public:
 /// By which of the rules that gather.
 using Gatherings = std::vector<std::pair<size_t, std::shared_ptr<Gathered>>>;
 
-/// A rule. One object per analysed file; keeps no state about the flow of the program (that is the
-/// machine state's job), at most what it has seen of the text.
+/// A rule. One object per analysed file; what it is made of in `listen` stays. A rule that
+/// remembers something of the blocks that it has seen is a `StatefulRule`; the flow of the program
+/// is the machine state's job.
 class Rule {
 public:
   virtual ~Rule() = default;
   virtual void listen(Subscriptions &to) = 0;
-  virtual void on(const Event &, RuleContext &) {}
-  /// Gives all that `on` has changed in the rule and that decides what it does later. Rules that
-  /// remember nothing leave it out.
+  virtual void on(const Event &, RuleContext &) const {}
+  /// Called once, when all flow is known; only findings that the whole file decides.
+  virtual void finish(const FileSummary &, RuleContext &) const {}
+
+  // Of a `StatefulRule`, which makes these of its memory.
   virtual void remember(RuleMemory &memory) const { memory.leaveOut(); }
   /// For rules that gather more than can be compared, and that have said so in `listen`: forgets
   /// what was gathered since the last call, gives it, and takes it for its own as if the blocks had
@@ -303,8 +310,24 @@ public:
   virtual void startGathering() {}
   virtual std::shared_ptr<Gathered> gathered() const { return nullptr; }
   virtual bool gather(const Gathered &) { return true; }
-  /// Called once, when all flow is known; only findings that the whole file decides.
-  virtual void finish(const FileSummary &, RuleContext &) {}
+};
+
+/// A rule that remembers something of the blocks that it has seen. All that `on` may change is
+/// `memory()`, a struct of which every member counts: how it is compared and how it moves with the
+/// text follows from their types. A member of the rule itself cannot be changed, and a type that
+/// cannot be compared does not compile.
+template <typename State, typename Base = Rule>
+class StatefulRule : public Base {
+public:
+  using Base::Base;
+  void remember(RuleMemory &memory) const final { memory(memory_); }
+
+protected:
+  using Memory = State;
+  Memory &memory() const { return memory_; }
+
+private:
+  mutable Memory memory_;
 };
 
 /// Ends a rule's file: defines the factory that the generated table names.

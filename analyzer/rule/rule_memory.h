@@ -1,6 +1,7 @@
 // What rules remember of the blocks that they have seen, in a form that can be compared.
 #pragma once
 
+#include "analyzer/rule/fields.h"
 #include "formats/text/text_change.h"
 #include "interp/state/state.h"
 
@@ -53,6 +54,8 @@ public:
     remember();
     kind_ = 0;
   }
+  /// Something is remembered that cannot be compared.
+  void leaveUncompared() { comparable_ = false; }
   /// Of a rule that never remembers anything.
   void leaveOut() { leftOut_ = true; }
   bool isLeftOut() const { return leftOut_; }
@@ -133,8 +136,12 @@ private:
       words().all.push_back(value.size());
       for (const auto &entry : value)
         add(entry);
+    } else if constexpr (std::is_bounded_array_v<T>) {
+      for (const auto &entry : value)
+        add(entry);
     } else {
-      comparable_ = false;
+      static_assert(std::is_aggregate_v<T>, "a rule can only remember what can be compared");
+      eachField(value, [&](const auto &field) { add(field); });
     }
   }
 
@@ -143,6 +150,35 @@ private:
   unsigned kind_ = 0;          ///< that is being written
   bool comparable_ = true;
   bool leftOut_ = false;
+};
+
+/// A place in a text, for what a rule remembers: it moves with the text.
+struct TextPlace {
+  FileId file = 0;
+  uint32_t offset = 0;
+
+  bool operator==(const TextPlace &) const = default;
+  void remember(RuleMemory &memory) const { memory.place(file, offset); }
+};
+
+/// What a rule remembers and asks for in few blocks, such as what has been reported already: runs
+/// in which it is not looked at are the same whatever it is.
+template <typename T>
+class Aside {
+public:
+  /// For a block that depends on it.
+  T &look() {
+    stateUse.aside = true;
+    return value_;
+  }
+  /// For blocks that only add to it.
+  T &note() { return value_; }
+  void remember(RuleMemory &memory) const {
+    memory.aside([&] { memory(value_); });
+  }
+
+private:
+  T value_{};
 };
 
 } // namespace ncvet

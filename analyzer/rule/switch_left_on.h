@@ -19,7 +19,7 @@ class LeftOnRule : public Rule {
 public:
   explicit LeftOnRule(llvm::StringRef id) : id_(id) {}
   void listen(Subscriptions &to) override { listenForLeftOn(id_, to); }
-  void on(const Event &event, RuleContext &ctx) override { reportLeftOn(id_, event, ctx); }
+  void on(const Event &event, RuleContext &ctx) const override { reportLeftOn(id_, event, ctx); }
 
 private:
   llvm::StringRef id_;

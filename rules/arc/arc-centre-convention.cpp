@@ -7,14 +7,18 @@
 namespace ncvet {
 namespace {
 
-class ArcCentreConvention final : public Rule {
+struct ArcCentreConventionMemory {
+  OncePerCause once;
+};
+
+class ArcCentreConvention final : public StatefulRule<ArcCentreConventionMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     tolerance_ = to.option("tolerance", 0.01);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const Dialect &dialect = ctx.dialect();
@@ -55,23 +59,22 @@ public:
     if (!words.centre[0] || !words.centre[1] || !fits(arc, given))
       return;
     // A program that is written so is written so throughout: one report is enough.
-    if (!once_.speaks(Origin(), ctx))
+    if (!memory().once.speaks(Origin(), ctx))
       return;
     if (auto finding = ctx.report(*words.centre[0], certain))
       finding.message("the arc closes only when `{0}` and `{1}` are the centre itself: the control "
                       "reads them as its distance from the start point",
                       ctx.text(*words.centre[0]), ctx.text(*words.centre[1]));
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   /// The distance of the centre given where the control reads its coordinates.
   void distance(const Event &event, const ArcWords &words, const ArcGeometry &arc,
-                RuleContext &ctx) {
+                RuleContext &ctx) const {
     const Point &given = *arc.centreWords;
     if (!words.centre[0] || !words.centre[1] ||
         !fits(arc, {(*arc.start)[0] + given[0], (*arc.start)[1] + given[1]}) ||
-        !once_.speaks(Origin(), ctx))
+        !memory().once.speaks(Origin(), ctx))
       return;
     if (auto finding =
             ctx.report(*words.centre[0], event.certain && !ctx.before().may(Fact::UnknownCode)))
@@ -100,7 +103,6 @@ private:
     return text;
   }
 
-  OncePerCause once_;
   double tolerance_ = 0.01; // mm
 };
 

@@ -9,7 +9,7 @@ class ArcCentreMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     // A centre word of the wrong axis is another rule's business.
     if (words.radius || words.angle || words.hasCentre() ||

@@ -15,7 +15,7 @@ public:
     withCentre_ = to.dialect().facts->arcs.noFullCircle;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());

@@ -15,7 +15,7 @@ public:
       to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (event.code == noCode || event.number || !event.certain || !(event.axes & ~plane) ||
         ctx.after().active(ctx.dialect(), StandardGroup::Plane) == groupUnset)

@@ -6,7 +6,11 @@
 namespace ncvet {
 namespace {
 
-class ArcInDistortedFrame final : public Rule {
+struct ArcInDistortedFrameMemory {
+  SourceRange factors; ///< the last ones, for the note
+};
+
+class ArcInDistortedFrame final : public StatefulRule<ArcInDistortedFrameMemory> {
 public:
   void listen(Subscriptions &to) override {
     lines_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
@@ -22,15 +26,15 @@ public:
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
       const CodeInfo &code = ctx.code(event);
       if (code.action == Action::CompensationLeft || code.action == Action::CompensationRight)
         return compensation(event, ctx);
       if (isScale(code))
-        factors_ = ctx.range(*event.word);
+        memory().factors = ctx.range(*event.word);
       else if (code.action != Action::FrameAdd)
-        factors_ = {};
+        memory().factors = {};
       return;
     }
     if (event.code != noCode && hasNotice(ctx.code(event)))
@@ -42,9 +46,8 @@ public:
           .message(
               "`{0}` under scale factors that differ in the plane: the control makes no ellipse",
               ctx.code(event).name)
-          .note(factors_, "the factors are programmed here");
+          .note(memory().factors, "the factors are programmed here");
   }
-  void remember(RuleMemory &memory) const override { memory(factors_); }
 
 private:
   static constexpr llvm::StringLiteral id{"arc-in-distorted-frame"};
@@ -76,7 +79,7 @@ private:
           .message("`{0}` under scale factors that differ in the plane: the control makes no path "
                    "beside the contour",
                    ctx.code(event).name)
-          .note(factors_, "the factors are programmed here");
+          .note(memory().factors, "the factors are programmed here");
   }
 
   /// Whether the frames in force stretch the two axes of the plane differently. They may have been
@@ -94,7 +97,6 @@ private:
     return std::fabs(factor[0] - factor[1]) > 1e-6;
   }
 
-  SourceRange factors_; ///< the last ones, for the note
   bool scales_ = false; ///< the control has codes that scale
   bool lines_ = false;  ///< the tables speak of straight lines as well
 };

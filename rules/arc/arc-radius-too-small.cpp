@@ -14,7 +14,7 @@ public:
     tolerance_ = to.option("tolerance", 0.01);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
@@ -35,7 +35,8 @@ public:
   }
 
 private:
-  void byRadius(const Word &word, const ArcGeometry &arc, const Event &event, RuleContext &ctx) {
+  void byRadius(const Word &word, const ArcGeometry &arc, const Event &event,
+                RuleContext &ctx) const {
     if (!arc.radius)
       return;
     if (*arc.radius == 0) {

@@ -13,7 +13,7 @@ public:
     to.onAction({Action::CurveThrough, Action::CurveTangent});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     // The code alone moves nothing.
     if (!(ctx.outcome().kinds & bitOf(EventKind::Motion)) ||
         ctx.block().hasAny(ctx.dialect().polarWords))

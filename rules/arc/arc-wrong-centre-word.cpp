@@ -8,14 +8,18 @@
 namespace ncvet {
 namespace {
 
-class ArcWrongCentreWord final : public Rule {
+struct ArcWrongCentreWordMemory {
+  std::map<AddressId, OncePerCause> once; ///< by the letter that does not belong
+};
+
+class ArcWrongCentreWord final : public StatefulRule<ArcWrongCentreWordMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     zeroCounts_ = to.dialect().facts->arcs.wrongCentreOfZeroStops;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const Dialect &dialect = ctx.dialect();
@@ -27,7 +31,7 @@ public:
     const CodeInfo *plane = ctx.after().activeCode(dialect, StandardGroup::Plane);
     const Origin planeOrigin =
         plane ? ctx.after().originOf(dialect, StandardGroup::Plane) : Origin();
-    if (complete && !once_[words.foreign->address].speaks(planeOrigin, ctx))
+    if (complete && !memory().once[words.foreign->address].speaks(planeOrigin, ctx))
       return;
     const std::string first = dialect.addressName(words.centreAddress[0]);
     const std::string second = dialect.addressName(words.centreAddress[1]);
@@ -52,11 +56,9 @@ public:
                   ctx.replace(letter, missing));
     }
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
-  std::map<AddressId, OncePerCause> once_; ///< by the letter that does not belong
-  bool zeroCounts_ = false;                ///< the control stops at a word of value 0 too
+  bool zeroCounts_ = false; ///< the control stops at a word of value 0 too
 };
 
 } // namespace

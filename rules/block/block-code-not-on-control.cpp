@@ -14,10 +14,10 @@ public:
       to.on(EventKind::Syntax);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement) {
       const Item &item = ctx.block().items[size_t(event.number)];
-      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      const SourceRange range = ctx.range(item);
       if (item.kind == ItemKind::Structure || item.kind == ItemKind::Definition ||
           item.kind == ItemKind::Parameters || item.kind == ItemKind::Declaration)
         if (auto finding = ctx.report(range))

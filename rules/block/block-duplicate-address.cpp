@@ -18,7 +18,7 @@ public:
       to.on(EventKind::Assignment);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Assignment)
       return parameterAgain(uint64_t(event.number), ctx);
     if (WordIssue(event.number) != WordIssue::Repeated)
@@ -41,7 +41,7 @@ public:
 
 private:
   /// A cycle's parameter that the block sets twice.
-  void parameterAgain(uint64_t key, RuleContext &ctx) {
+  void parameterAgain(uint64_t key, RuleContext &ctx) const {
     if (!parameters_.count(key))
       return;
     const Word *first = nullptr;

@@ -14,7 +14,7 @@ public:
       to.on(EventKind::Statement);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun)
       return repeated(event, ctx);
     if (event.kind == EventKind::Statement)
@@ -33,7 +33,7 @@ private:
       return;
     if (!ctx.block().hasAny(ctx.dialect().axisWords))
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Style)
           .message("`{0}` in a block with a move: which of the two comes first is not stated",

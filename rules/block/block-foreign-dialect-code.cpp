@@ -20,12 +20,12 @@ public:
       to.on(EventKind::Syntax);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-      const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      const SourceRange range = ctx.range(issue);
       if (variantNames_)
         return variantName(issue, range, ctx);
       if (issue.kind == SyntaxIssueKind::SymbolAsAddress && isIsoSign(ctx.text(range)))
@@ -48,7 +48,7 @@ public:
       programNumber(ctx);
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (isoSigns_)
       tapeMarks(file, ctx);
   }

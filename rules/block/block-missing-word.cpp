@@ -22,7 +22,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     if (ctx.code(event).action == Action::Sleep && !hasTime(*event.word, ctx))
       if (auto finding = ctx.report(event))
@@ -41,8 +41,7 @@ private:
   /// `AX[FIRST]=20`: an axis whose name a variable holds.
   static bool namesAxes(const RuleContext &ctx) {
     return llvm::any_of(ctx.block().items, [&](const Item &item) {
-      return item.kind == ItemKind::Assignment &&
-             ctx.text(SourceRange{ctx.source().id(), item.begin, item.end}).contains('[');
+      return item.kind == ItemKind::Assignment && ctx.text(ctx.range(item)).contains('[');
     });
   }
 
@@ -52,8 +51,7 @@ private:
     for (const Comment &comment : block.comments) {
       if (comment.begin < code.offset)
         continue;
-      const llvm::StringRef text =
-          ctx.text(SourceRange{ctx.source().id(), comment.begin, comment.end}).trim("() ");
+      const llvm::StringRef text = ctx.text(ctx.range(comment)).trim("() ");
       if (text.size() == 4 && llvm::all_of(text, llvm::isDigit))
         return true;
     }

@@ -11,7 +11,7 @@ public:
       to.onChange({EventKind::Motion, EventKind::CycleStart, EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Dialect &dialect = ctx.dialect();
     const Block &block = ctx.block();
     if (!block.hasAny(dialect.incrementWords) ||

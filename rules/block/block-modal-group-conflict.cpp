@@ -34,7 +34,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     if (ctx.codes().size() < 2)
       return;

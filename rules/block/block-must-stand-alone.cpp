@@ -15,7 +15,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return atStatement(ctx.block().items[size_t(event.number)], size_t(event.number), ctx);
     ctx.reportNotices(id, event);
@@ -29,7 +29,7 @@ public:
       own |= maskOf(argumentAddress);
     for (const Item &item : ctx.block().items)
       if (item.kind == ItemKind::Call && item.begin != event.word->offset && !isMacro(item, ctx)) {
-        const SourceRange call{ctx.source().id(), item.begin, item.end};
+        const SourceRange call = ctx.range(item);
         if (auto finding = ctx.report(call))
           finding.message("`{0}` stands in the block of `{1}`, which wants a block of its own",
                           ctx.text(call), ctx.text(*event.word));
@@ -65,7 +65,7 @@ private:
     const bool bracket = item.kind == ItemKind::Structure;
     if (!jump && !call && !bracket)
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     const bool marked = bracket && (block.hasLabel() || block.skip >= 0);
     if (block.words.empty() && block.items.size() == 1 && !marked)
       return;

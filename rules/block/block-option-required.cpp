@@ -4,7 +4,11 @@
 namespace ncvet {
 namespace {
 
-class BlockOptionRequired final : public Rule {
+struct BlockOptionRequiredMemory {
+  Aside<SourceRange> lastTool;
+};
+
+class BlockOptionRequired final : public StatefulRule<BlockOptionRequiredMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
@@ -15,43 +19,39 @@ public:
       to.onChange({EventKind::ToolWord, EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     if (event.kind == EventKind::ToolWord) {
       if (event.word)
-        lastTool_ = ctx.range(*event.word);
+        memory().lastTool.note() = ctx.range(*event.word);
       return;
     }
     toolByItself(event, ctx);
-  }
-  void remember(RuleMemory &memory) const override {
-    memory.aside([&] { memory(lastTool_); });
   }
 
 private:
   static constexpr llvm::StringLiteral id{"block-option-required"};
 
   /// The first tool is only named, and the tool moves: that works where T itself changes it.
-  void toolByItself(const Event &event, RuleContext &ctx) {
+  void toolByItself(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     if (event.motion == MotionKind::Reference || ctx.after().tool != notSet ||
         before.preselected == notSet || before.may(Fact::ToolCalled) ||
         before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}))
       return;
-    stateUse.aside = true;
-    if (lastTool_.file != ctx.source().id() || lastTool_.empty())
+    const SourceRange lastTool = memory().lastTool.look();
+    if (lastTool.file != ctx.source().id() || lastTool.empty())
       return;
-    if (auto finding = ctx.report(lastTool_, event.certain))
+    if (auto finding = ctx.report(lastTool, event.certain))
       finding
           .message(
               "`{0}` stands without `{1}`: it changes the tool only on a machine that is set up so",
-              ctx.text(lastTool_), change_)
+              ctx.text(lastTool), change_)
           .severity(Severity::Style);
   }
 
   std::string change_;
-  SourceRange lastTool_;
 };
 
 } // namespace

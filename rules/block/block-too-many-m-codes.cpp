@@ -11,7 +11,7 @@ public:
     to.onCode([](const CodeInfo &code) { return code.letter == 'M'; });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     if (event.word->address != letterAddress('M') || !(block.repeated & maskOf('M')))
       return;

@@ -8,7 +8,7 @@ class BlockUnknownGCode final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::UnknownCode); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.word->address != letterAddress('G') ||
         ctx.find({Action::MacroCall, Action::MacroModal}))
       return;

@@ -6,14 +6,18 @@
 namespace ncvet {
 namespace {
 
-class BlockUnknownMCode final : public Rule {
+struct BlockUnknownMCodeMemory {
+  std::map<int64_t, std::pair<FileId, uint32_t>> first; ///< where each code was met first
+};
+
+class BlockUnknownMCode final : public StatefulRule<BlockUnknownMCodeMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::UnknownCode);
     above_ = to.option("above", -1);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.word->address != letterAddress('M') ||
         ctx.find({Action::MacroCall, Action::MacroModal}))
       return;
@@ -23,18 +27,16 @@ public:
     // Once for each code: a machine's own codes come again and again.
     const auto place = std::pair(ctx.source().id(), event.word->offset);
     const int64_t code = number.isConstant() ? int64_t(number.value()) : event.word->mantissa;
-    if (first_.try_emplace(code, place).first->second != place)
+    if (memory().first.try_emplace(code, place).first->second != place)
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is neither a code of this control nor named in the machine profile: "
                       "what it does is not known",
                       ctx.text(*event.word));
   }
-  void remember(RuleMemory &memory) const override { memory(first_); }
 
 private:
   double above_ = -1; ///< codes up to here may be the machine builder's
-  std::map<int64_t, std::pair<FileId, uint32_t>> first_; ///< where each code was met first
 };
 
 } // namespace

@@ -7,7 +7,11 @@
 namespace ncvet {
 namespace {
 
-class BlockUnusedWord final : public Rule {
+struct BlockUnusedWordMemory {
+  bool foreign = false; ///< the program holds codes of another control
+};
+
+class BlockUnusedWord final : public StatefulRule<BlockUnusedWordMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::WordIssue);
@@ -21,7 +25,7 @@ public:
       to.on({EventKind::Assignment, EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     if (event.kind == EventKind::CycleRun) {
@@ -42,8 +46,8 @@ public:
         ctx.before().modalCalls)
       return;
     // Behind another control's cycle its words go on (`X20 Y5`, `R-3.`): the code is the mistake.
-    foreign_ |= holdsForeignCode(ctx);
-    if (foreign_)
+    memory().foreign |= holdsForeignCode(ctx);
+    if (memory().foreign)
       return;
     const std::optional<AddressMask> taken = takenBy(ctx);
     if (!taken)
@@ -64,16 +68,14 @@ public:
             .fix(FixSafety::Unsafe, "delete the word", ctx.remove(word));
     }
   }
-  void remember(RuleMemory &memory) const override { memory(foreign_); }
 
 private:
   static constexpr llvm::StringLiteral id{"block-unused-word"};
 
   std::set<uint64_t> parameters_; ///< keys of the variables that cycles read
-  bool foreign_ = false;          ///< the program holds codes of another control
 
   /// A cycle's parameter beside a cycle that does not read it.
-  void parameter(uint64_t key, RuleContext &ctx) {
+  void parameter(uint64_t key, RuleContext &ctx) const {
     if (!parameters_.count(key))
       return;
     const CodeInfo *cycle = nullptr;
@@ -92,7 +94,7 @@ private:
     for (const Item &item : ctx.block().items) {
       if (item.kind != ItemKind::Assignment || ctx.block().keyOf(item.target) != key)
         continue;
-      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      const SourceRange range = ctx.range(item);
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Style)
             .message("`{0}` stands beside `{1}`, which does not read it", ctx.text(range),

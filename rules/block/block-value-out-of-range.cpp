@@ -14,7 +14,13 @@ bool isRangeOfBlock(const CodeInfo &code, const WordSpec &spec) {
   return spec.hasRange && topicOf(code, spec) == WordTopic::Block;
 }
 
-class BlockValueOutOfRange final : public Rule {
+struct BlockValueOutOfRangeMemory {
+  using Limit = std::pair<double, SourceRange>;
+  std::map<uint32_t, Limit> lower; ///< by group and axis
+  std::map<uint32_t, Limit> upper; ///< likewise
+};
+
+class BlockValueOutOfRange final : public StatefulRule<BlockValueOutOfRangeMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
@@ -32,14 +38,14 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::WordIssue)
       return skipLevel(event, ctx);
     if (event.kind != EventKind::Code)
       return ofAddress(event, ctx);
     if (ctx.code(event).action == Action::Reset) { // the limits of the machine hold again
-      lower_.clear();
-      upper_.clear();
+      memory().lower.clear();
+      memory().upper.clear();
     }
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
@@ -56,7 +62,6 @@ public:
       side(event, ctx);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(lower_, upper_); }
 
 private:
   /// What the address takes whatever stands beside it.
@@ -88,7 +93,7 @@ private:
   }
 
   /// Where two codes of a group give the lower and the upper limits: the last lower ones.
-  void side(const Event &event, RuleContext &ctx) {
+  void side(const Event &event, RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
     const CodeInfo &code = ctx.code(event);
     if (code.group == noGroup)
@@ -100,7 +105,7 @@ private:
     if (sides.size() != 2)
       return;
     const bool upper = code.base == sides[1];
-    std::map<uint32_t, Limit> &own = upper ? upper_ : lower_;
+    std::map<uint32_t, Memory::Limit> &own = upper ? memory().upper : memory().lower;
     // The code by itself takes back what it narrowed, an axis without a value this axis'.
     if (!axesOf(dialect, ctx.block()))
       std::erase_if(own, [&](const auto &limit) { return limit.first >> 8 == code.group; });
@@ -113,14 +118,14 @@ private:
       if (address.kind != AddressKind::Axis || !value.isConstant() || word.has(wordNoValue))
         continue;
       if (!upper) {
-        lower_[key] = {value.value(), ctx.range(word)};
-        if (const auto high = upper_.find(key); high != upper_.end())
+        memory().lower[key] = {value.value(), ctx.range(word)};
+        if (const auto high = memory().upper.find(key); high != memory().upper.end())
           above(word, value.value(), high->second, code, sides[1], ctx);
         continue;
       }
-      upper_[key] = {value.value(), ctx.range(word)};
-      const auto low = lower_.find(key);
-      if (low == lower_.end() || value.value() >= low->second.first)
+      memory().upper[key] = {value.value(), ctx.range(word)};
+      const auto low = memory().lower.find(key);
+      if (low == memory().lower.end() || value.value() >= low->second.first)
         continue;
       if (auto finding = ctx.report(word))
         finding
@@ -130,11 +135,9 @@ private:
     }
   }
 
-  using Limit = std::pair<double, SourceRange>;
-
   /// A lower limit behind the upper one, unless the next block gives that anew.
-  static void above(const Word &word, double value, const Limit &upper, const CodeInfo &code,
-                    CodeIndex upperCode, RuleContext &ctx) {
+  static void above(const Word &word, double value, const Memory::Limit &upper,
+                    const CodeInfo &code, CodeIndex upperCode, RuleContext &ctx) {
     Block next;
     if (value <= upper.first ||
         (readNext(ctx, next) && llvm::is_contained(codesOf(ctx.dialect(), next), upperCode) &&
@@ -147,7 +150,6 @@ private:
           .note(upper.second, "the upper limit");
   }
 
-  std::map<uint32_t, Limit> lower_, upper_; ///< by group and axis
   bool ranged_ = false;
   static constexpr llvm::StringLiteral id{"block-value-out-of-range"};
 

@@ -11,7 +11,7 @@ public:
       to.on({EventKind::Block, EventKind::Syntax});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     if (event.kind == EventKind::Block)
       return merged(ctx);

@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class CompensationApproachInvalid final : public Rule {
+struct CompensationApproachInvalidMemory {
+  SourceRange approach; ///< the last soft one that no retract has answered
+};
+
+class CompensationApproachInvalid final : public StatefulRule<CompensationApproachInvalidMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CompensationKeep, Action::CompensationCorner, Action::CompensationOff,
@@ -16,7 +20,7 @@ public:
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
     ctx.reportNotices(id, event);
     pairs(event, code, ctx);
@@ -38,22 +42,21 @@ public:
       corner(code, event, ctx);
   }
 
-  void remember(RuleMemory &memory) const override { memory(approach_); }
-
 private:
   static constexpr llvm::StringLiteral id{"compensation-approach-invalid"};
 
   /// What the tool has approached softly it leaves softly as well.
-  void pairs(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+  void pairs(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     if (code.action == Action::SoftApproach) {
-      approach_ = ctx.range(*event.word);
+      memory().approach = ctx.range(*event.word);
     } else if (code.action == Action::SoftRetract) {
-      approach_ = {};
-    } else if (code.action == Action::CompensationOff && approach_.end) {
+      memory().approach = {};
+    } else if (code.action == Action::CompensationOff && memory().approach.end) {
       const bool leaves = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
         return ctx.code(use).action == Action::SoftRetract;
       });
-      if (!leaves && approach_.file == ctx.source().id() && !ctx.before().may(Fact::UnknownCode) &&
+      if (!leaves && memory().approach.file == ctx.source().id() &&
+          !ctx.before().may(Fact::UnknownCode) &&
           ctx.before().compensationActive(ctx.dialect()) == Truth::Yes)
         if (auto finding = ctx.report(event))
           finding.severity(Severity::Warning)
@@ -61,12 +64,10 @@ private:
                   "`{0}` ends a contour that was approached softly, and no soft retract leaves "
                   "it: the tool marks the part here",
                   code.name)
-              .note(approach_, "the approach");
-      approach_ = {};
+              .note(memory().approach, "the approach");
+      memory().approach = {};
     }
   }
-
-  SourceRange approach_; ///< the last soft one that no retract has answered
 
   /// `G41 K`: the approach is normal to the element that the next block gives.
   static void normal(const Event &event, RuleContext &ctx) {

@@ -15,7 +15,7 @@ public:
       to.onChange({EventKind::CompensationMove});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(words_);
     if (!word || !event.certain || event.code == noCode || ctx.before().profile == 1 ||
         takenByOther(ctx, plain_))

@@ -17,7 +17,7 @@ public:
       to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion)
       return besidePlane(event, ctx);
     if (event.code == noCode || (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))

@@ -21,7 +21,7 @@ public:
     to.onChange({EventKind::Block});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::Code)
       return eachPrepared(event, ctx, [&](const Expression &value) { waits(value, ctx); });
     const CodeInfo &code = ctx.code(event);
@@ -53,7 +53,7 @@ private:
     const Origin &origin = ctx.before().origin.of(StatePart::Compensation);
     if (active == Truth::No || !origin.known() || !readsAhead(value, ctx, /*ofAxis=*/true))
       return;
-    const SourceRange range{ctx.source().id(), value.begin, value.end};
+    const SourceRange range = ctx.range(value);
     if (auto finding = ctx.report(range, active == Truth::Yes)) {
       const CodeInfo *on = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
       finding

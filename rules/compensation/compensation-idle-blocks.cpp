@@ -5,7 +5,13 @@
 namespace ncvet {
 namespace {
 
-class CompensationIdleBlocks final : public Rule {
+struct CompensationIdleBlocksMemory {
+  uint32_t behindInfeed = ~0u; ///< behind the last block that was one
+  unsigned inARow = 0;
+  uint32_t behindApproach = ~0u; ///< the block to come if it follows an approach and idle blocks
+};
+
+class CompensationIdleBlocks final : public StatefulRule<CompensationIdleBlocksMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Block});
@@ -17,7 +23,7 @@ public:
     severity_ = to.option("advice", 0) != 0 ? std::optional(Severity::Warning) : std::nullopt;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion) {
       zeroMove(event, ctx);
       if (inSpace_)
@@ -30,35 +36,32 @@ public:
         infeed(ctx);
     }
   }
-  void remember(RuleMemory &memory) const override {
-    memory(behindInfeed_, inARow_, behindApproach_);
-  }
 
 private:
   /// Moves of the infeed axis alone, one behind the other: the path has no next corner to turn to.
-  void infeed(RuleContext &ctx) {
+  void infeed(RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const uint16_t axes = axesOf(ctx.dialect(), ctx.block());
     const bool alone = axes == uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state))) &&
                        (state.compensation & (phaseOn | phaseStarting)) && state.profile != 1;
     if (ctx.block().isEmpty())
       return; // a remark is no block of the path
-    const bool follows = followsOn(behindInfeed_, ctx);
+    const bool follows = followsOn(memory().behindInfeed, ctx);
     // Until the first move in the plane nothing in between makes a difference.
     if (follows && !axes && ctx.before().compensation == phaseStarting) {
-      behindInfeed_ = ctx.block().next;
+      memory().behindInfeed = ctx.block().next;
       return;
     }
-    inARow_ = alone ? follows ? inARow_ + 1 : 1 : 0;
-    behindInfeed_ = alone ? ctx.block().next : ~0u;
-    if (inARow_ != infeeds_ + 1)
+    memory().inARow = alone ? follows ? memory().inARow + 1 : 1 : 0;
+    memory().behindInfeed = alone ? ctx.block().next : ~0u;
+    if (memory().inARow != infeeds_ + 1)
       return;
     if (auto finding = ctx.report(ctx.blockRange(), state.compensation == phaseOn ||
                                                         state.compensation == phaseStarting))
       finding
           .message("{0} moves of the infeed axis alone in a row under {1}: the control loses the "
                    "contour",
-                   inARow_, name(ctx))
+                   memory().inARow, name(ctx))
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
@@ -75,19 +78,19 @@ private:
   }
 
   /// Keeps which block comes next as long as only idle ones follow a soft approach.
-  void approach(RuleContext &ctx) {
+  void approach(RuleContext &ctx) const {
     if (ctx.block().isEmpty())
       return;
-    const bool follows = followsOn(behindApproach_, ctx) && ctx.after().idleBlocks > 0;
+    const bool follows = followsOn(memory().behindApproach, ctx) && ctx.after().idleBlocks > 0;
     const bool begins = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
       return ctx.code(use).action == Action::SoftApproach;
     });
-    behindApproach_ = begins || follows ? ctx.block().next : ~0u;
+    memory().behindApproach = begins || follows ? ctx.block().next : ~0u;
   }
 
-  void idle(RuleContext &ctx) {
+  void idle(RuleContext &ctx) const {
     const MachineState &state = ctx.after();
-    const bool approached = behindApproach_ == ctx.block().next;
+    const bool approached = memory().behindApproach == ctx.block().next;
     const unsigned allowed = approached ? allowedBehindApproach_ : allowed_;
     if (state.compensation != phaseOn || state.profile == 1 || state.idleBlocks != allowed + 1 ||
         ctx.before().idleBlocks != allowed || ctx.outcome().flow.kind == FlowKind::End ||
@@ -204,12 +207,9 @@ private:
 
   std::optional<Severity> severity_; ///< of blocks that the control perhaps looks past
   unsigned allowed_ = 1;
-  unsigned infeeds_ = 0;        ///< moves of the infeed axis alone that may follow each other
-  uint32_t behindInfeed_ = ~0u; ///< behind the last block that was one
-  unsigned inARow_ = 0;
-  bool inSpace_ = false;               ///< moves that leave the plane are reported
+  unsigned infeeds_ = 0; ///< moves of the infeed axis alone that may follow each other
+  bool inSpace_ = false; ///< moves that leave the plane are reported
   unsigned allowedBehindApproach_ = 0; ///< 0: as elsewhere
-  uint32_t behindApproach_ = ~0u; ///< the block to come if it follows an approach and idle blocks
 };
 
 } // namespace

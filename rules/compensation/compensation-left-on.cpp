@@ -9,7 +9,12 @@
 namespace ncvet {
 namespace {
 
-class CompensationLeftOn final : public Rule {
+struct CompensationLeftOnMemory {
+  /// Last block of a profile (file, offset) → offset of its first, number of its last.
+  std::map<std::pair<FileId, uint32_t>, std::pair<uint32_t, int64_t>> profiles;
+};
+
+class CompensationLeftOn final : public StatefulRule<CompensationLeftOnMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
@@ -18,7 +23,7 @@ public:
       to.on(EventKind::OffsetWord);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     switch (event.kind) {
     case EventKind::CycleRun:
       rememberProfile(ctx);
@@ -50,7 +55,6 @@ public:
         leftOn(event, "the program returns", std::nullopt, ctx);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(profiles_); }
 
 private:
   static std::string nameOf(RuleContext &ctx) {
@@ -74,7 +78,7 @@ private:
 
   /// Whether every caller cuts on along the contour that this program has approached, and switches
   /// compensation off before anything else.
-  bool callersLeave(const RuleContext &ctx) {
+  bool callersLeave(const RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
     const bool cuts =
         ctx.after().isActive(dialect, StandardGroup::Motion,
@@ -136,7 +140,7 @@ private:
   }
 
   /// A cycle that reads a profile: its last block is where compensation has to be off again.
-  void rememberProfile(RuleContext &ctx) {
+  void rememberProfile(RuleContext &ctx) const {
     const Flow &flow = ctx.outcome().flow;
     if (flow.kind != FlowKind::Profile || flow.first < 0 || flow.last < 0)
       return;
@@ -145,14 +149,14 @@ private:
     if (!first)
       return;
     if (const auto last = ctx.index().block(program, flow.last, *first - 1))
-      profiles_[{ctx.source().id(), *last}] = {*first, flow.last};
+      memory().profiles[{ctx.source().id(), *last}] = {*first, flow.last};
   }
 
-  void atProfileEnd(const Event &event, RuleContext &ctx) {
+  void atProfileEnd(const Event &event, RuleContext &ctx) const {
     if (ctx.before().profile == 0)
       return;
-    const auto found = profiles_.find({ctx.source().id(), ctx.block().begin});
-    if (found == profiles_.end())
+    const auto found = memory().profiles.find({ctx.source().id(), ctx.block().begin});
+    if (found == memory().profiles.end())
       return;
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     const Origin &origin = ctx.after().origin.of(StatePart::Compensation);
@@ -167,9 +171,6 @@ private:
       describe(finding, ctx);
     }
   }
-
-  /// Last block of a profile (file, offset) → offset of its first, number of its last.
-  std::map<std::pair<FileId, uint32_t>, std::pair<uint32_t, int64_t>> profiles_;
 };
 
 } // namespace

@@ -6,7 +6,13 @@
 namespace ncvet {
 namespace {
 
-class CompensationMissingOnContour final : public Rule {
+struct CompensationMissingOnContourMemory {
+  FileId contourFile = 0;
+  uint32_t contourEnd = ~0u;
+  bool reported = false;
+};
+
+class CompensationMissingOnContour final : public StatefulRule<CompensationMissingOnContourMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
@@ -14,7 +20,7 @@ public:
     ends_ = to.dialect().facts->compensation.atEndsOfProfile;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun) {
       atCycle(event, ctx);
       if (ends_)
@@ -22,22 +28,23 @@ public:
     } else
       atMotion(event, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(contourFile_, contourEnd_, reported_); }
 
 private:
-  void atMotion(const Event &event, RuleContext &ctx) {
+  void atMotion(const Event &event, RuleContext &ctx) const {
     const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                       event.motion == MotionKind::ArcCcw;
     if (!cuts || event.code == noCode || ctx.after().profile == 1)
       return;
     // One finding for each contour: a run of blocks that cut.
-    const bool goesOn = ctx.source().id() == contourFile_ && ctx.block().begin == contourEnd_;
-    const bool known = goesOn && reported_;
+    const bool goesOn =
+        ctx.source().id() == memory().contourFile && ctx.block().begin == memory().contourEnd;
+    const bool known = goesOn && memory().reported;
     // The move that cancels compensation leaves the contour: what follows is another one.
     const bool leaves = ctx.before().compensation != phaseOff;
-    contourFile_ = ctx.source().id();
-    contourEnd_ = leaves && ctx.after().compensation == phaseOff ? noBlock : ctx.block().next;
-    reported_ = known;
+    memory().contourFile = ctx.source().id();
+    memory().contourEnd =
+        leaves && ctx.after().compensation == phaseOff ? noBlock : ctx.block().next;
+    memory().reported = known;
     const Axis x = Axis::X, z = Axis::Z;
     const uint16_t plane = uint16_t(1u << unsigned(x) | 1u << unsigned(z));
     if (planeAxes(ctx.dialect(), ctx.after()) != plane || ctx.after().compensation != phaseOff ||
@@ -55,7 +62,7 @@ private:
     }
     if (!slanted)
       return;
-    reported_ = true;
+    memory().reported = true;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding.message("this contour has slants or arcs and is cut without `G41` or `G42`: it comes "
                       "out wrong by the nose radius");
@@ -106,9 +113,6 @@ private:
 
   bool ends_ = false; ///< compensation is to go on and off in the contour's end blocks
   static constexpr uint32_t noBlock = ~0u;
-  FileId contourFile_ = 0;
-  uint32_t contourEnd_ = noBlock;
-  bool reported_ = false;
 };
 
 } // namespace

@@ -11,7 +11,7 @@ public:
       to.onAction({Action::CompensationOff});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.before();
     const Origin &origin = state.origin.of(StatePart::Compensation);
     if (state.compensation != phaseOn || !state.must(Fact::CompensatedCut) ||

@@ -10,7 +10,7 @@ public:
     to.onAction({Action::PlaneXY, Action::PlaneZX, Action::PlaneYZ});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
     const Dialect &dialect = ctx.dialect();
     const Truth was = ctx.before().compensationActive(dialect);

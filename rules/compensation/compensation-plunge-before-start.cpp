@@ -11,7 +11,7 @@ public:
       to.on(EventKind::CompensationMove);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.code(event).action == Action::CompensationOff ||
         !ctx.before().must(Fact::PlungedUncompensated))
       return;

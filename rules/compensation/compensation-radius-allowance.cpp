@@ -18,7 +18,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::ProgramEnd || event.kind == EventKind::ToolChange)
       return reportLeftOn(id, event, ctx);
     if (event.kind == EventKind::Code)

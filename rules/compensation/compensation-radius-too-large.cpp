@@ -7,7 +7,12 @@
 namespace ncvet {
 namespace {
 
-class CompensationRadiusTooLarge final : public Rule {
+struct CompensationRadiusTooLargeMemory {
+  bool squeezed = false; ///< the last element was one that does not fit between its neighbours
+  std::optional<ContourTrail> trail;
+};
+
+class CompensationRadiusTooLarge final : public StatefulRule<CompensationRadiusTooLargeMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.machine().tools.empty() && to.dialect().toolRadius.variable.empty())
@@ -16,33 +21,33 @@ public:
              to.dialect().facts->compensation.checksExactly;
     slack_ = to.dialect().facts->compensation.checksExactly ? 0 : shallowCut;
     stopsBehind_ = to.dialect().facts->compensation.stopsAfterMove;
-    trail_.emplace(to.dialect(), to.machine());
+    memory().trail.emplace(to.dialect(), to.machine());
     to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     if ((before.compensation | after.compensation) == phaseOff || before.profile == 1)
       return;
-    trail_->take(ctx, event.certain && !after.may(Fact::UnknownCode),
-                 [&](const ContourTrail::Element &element, const Neighbours &neighbours,
-                     const ElementCorners &corners) { judge(element, neighbours, corners, ctx); });
+    memory().trail->take(
+        ctx, event.certain && !after.may(Fact::UnknownCode),
+        [&](const ContourTrail::Element &element, const Neighbours &neighbours,
+            const ElementCorners &corners) { judge(element, neighbours, corners, ctx); });
   }
-  void remember(RuleMemory &memory) const override { memory(squeezed_, trail_); }
 
 private:
   void judge(const ContourTrail::Element &element, const Neighbours &neighbours,
-             const ElementCorners &corners, RuleContext &ctx) {
+             const ElementCorners &corners, RuleContext &ctx) const {
     Misfit what = misfit(element.line, corners, element.left, exact_, slack_);
     if (element.entry && what == Misfit::Element) // it may begin anywhere
       what = Misfit::Fits;
     if (what == Misfit::Fits) {
-      squeezed_ = false;
+      memory().squeezed = false;
       return;
     }
     // An element that its neighbour has no room beside has none beside that either.
-    const bool again = what == Misfit::Element && squeezed_;
-    squeezed_ = what == Misfit::Element;
+    const bool again = what == Misfit::Element && memory().squeezed;
+    memory().squeezed = what == Misfit::Element;
     if (!again)
       tell(what, element, neighbours, ctx);
   }
@@ -94,8 +99,6 @@ private:
   bool exact_ = false;
   bool stopsBehind_ = false; ///< told at the block that makes the control stop
   double slack_ = shallowCut;
-  bool squeezed_ = false; ///< the last element was one that does not fit between its neighbours
-  std::optional<ContourTrail> trail_;
 };
 
 } // namespace

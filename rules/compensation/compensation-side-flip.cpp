@@ -14,7 +14,7 @@ public:
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::OffsetWord)
       atOffset(event, ctx);
     else
@@ -24,7 +24,7 @@ public:
 private:
   bool again_ = false; ///< a second code of the same side is reported as well
 
-  void atCode(const Event &event, RuleContext &ctx) {
+  void atCode(const Event &event, RuleContext &ctx) const {
     const CodeInfo &code = ctx.code(event);
     const Action other = code.action == Action::CompensationLeft ? Action::CompensationRight
                                                                  : Action::CompensationLeft;

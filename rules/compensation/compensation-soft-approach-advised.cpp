@@ -12,7 +12,7 @@ public:
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.before().compensation != phaseOff || !axesOf(ctx.dialect(), ctx.block()))
       return;
     for (const CodeUse &use : ctx.codes())

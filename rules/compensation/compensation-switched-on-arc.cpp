@@ -12,7 +12,7 @@ public:
     entryArcs_ = to.dialect().facts->compensation.entryByArc;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || event.by == noCode)
       return;
     const CodeInfo &motion = ctx.dialect().codes[event.by];

@@ -6,13 +6,17 @@
 namespace ncvet {
 namespace {
 
-class CompensationWithCycle final : public Rule {
+struct CompensationWithCycleMemory {
+  std::set<std::pair<FileId, uint32_t>> begun; ///< where cycles under compensation begin
+};
+
+class CompensationWithCycle final : public StatefulRule<CompensationWithCycleMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::CycleStart, EventKind::CycleRun, EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode ||
         (event.kind == EventKind::Motion && event.motion != MotionKind::Thread))
       return;
@@ -26,8 +30,8 @@ public:
     const Origin &origin = ctx.after().origin.of(StatePart::Cycle);
     if (code.action == Action::Cycle && origin.known()) {
       if (event.kind == EventKind::CycleStart)
-        begun_.insert({origin.file, origin.begin});
-      else if (begun_.count({origin.file, origin.begin}) && !writes(origin, ctx))
+        memory().begun.insert({origin.file, origin.begin});
+      else if (memory().begun.count({origin.file, origin.begin}) && !writes(origin, ctx))
         return;
     }
     const CodeUse *use = nullptr;
@@ -53,7 +57,6 @@ public:
                ctx.insertBlockBefore(off));
     }
   }
-  void remember(RuleMemory &memory) const override { memory(begun_); }
 
 private:
   /// Whether the block at hand is the one that makes the cycle active.
@@ -91,8 +94,6 @@ private:
       return true;
     }
   }
-
-  std::set<std::pair<FileId, uint32_t>> begun_; ///< where cycles under compensation begin
 };
 
 } // namespace

@@ -17,7 +17,7 @@ public:
     to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion)
       firstMove(event, ctx);
     else if (event.kind == EventKind::Block)
@@ -146,7 +146,7 @@ private:
                {Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
   }
 
-  void atCode(const Event &event, RuleContext &ctx) {
+  void atCode(const Event &event, RuleContext &ctx) const {
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
     if (off)
@@ -178,7 +178,7 @@ private:
 
   /// Called under compensation, the program's first block has to move in the plane: the call is a
   /// block without a move already.
-  void atSubprogramStart(RuleContext &ctx) {
+  void atSubprogramStart(RuleContext &ctx) const {
     if (ctx.callDepth() == 0 || ctx.before().compensation != phaseOn || ctx.before().profile != 0 ||
         ctx.before().idleBlocks == 0 || movesInPlane(ctx))
       return;

@@ -6,7 +6,11 @@
 namespace ncvet {
 namespace {
 
-class CompensationWithoutOffset final : public Rule {
+struct CompensationWithoutOffsetMemory {
+  OncePerCause once;
+};
+
+class CompensationWithoutOffset final : public StatefulRule<CompensationWithoutOffsetMemory> {
 public:
   void listen(Subscriptions &to) override {
     // A mill whose language has no D takes the radius from elsewhere.
@@ -19,7 +23,7 @@ public:
     greatestTip_ = to.dialect().facts->compensation.greatestTip;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);
@@ -32,10 +36,9 @@ public:
       return;
     check(code, event, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
-  void check(const CodeInfo &code, const Event &event, RuleContext &ctx) {
+  void check(const CodeInfo &code, const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const bool lathe = ctx.dialect().isLathe();
     const int32_t number = radiusOffsetNumber(ctx.dialect(), state);
@@ -50,7 +53,8 @@ private:
       if (state.must(Fact::UnknownCode) || (!lathe && ctx.block().has(letterAddress('H'))))
         return;
       // Every contour behind one D0 suffers from it; the first says so.
-      if (!lathe && number == 0 && !once_.speaks(state.origin.of(StatePart::RadiusOffset), ctx))
+      if (!lathe && number == 0 &&
+          !memory().once.speaks(state.origin.of(StatePart::RadiusOffset), ctx))
         return;
       const bool certain = event.certain && !state.may(Fact::UnknownCode);
       auto finding = ctx.report(where, certain);
@@ -114,7 +118,6 @@ private:
           .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 
-  OncePerCause once_;
   double greatestTip_ = 9; ///< of the directions that the control has
 };
 

@@ -8,7 +8,16 @@
 namespace ncvet {
 namespace {
 
-class CompensationWrongSide final : public Rule {
+struct CompensationWrongSideMemory {
+  using Point = std::array<Interval, 2>;
+  bool known = false; ///< of the last entry: from where to where
+  Point from{};
+  Point to{};
+  SourceRange entry{};
+  OncePerCause noses;
+};
+
+class CompensationWrongSide final : public StatefulRule<CompensationWrongSideMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
@@ -17,7 +26,7 @@ public:
       to.on({EventKind::Motion, EventKind::CompensationMove});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.dialect().isLathe()) {
       onLathe(event, ctx);
       besideNose(event, ctx);
@@ -26,16 +35,12 @@ public:
     else
       firstElement(event, ctx);
   }
-  void remember(RuleMemory &memory) const override {
-    memory(known_, from_, to_, entry_);
-    noses_.remember(memory);
-  }
 
 private:
   /// A cut along Z touches the work on one side of the nose: above the centre of a tool that turns
   /// inside (tip codes 1 and 2), below that of one that turns outside (3 and 4). NCT manual, lines
   /// 1440-1445. A full radius may cut on its other side all the same.
-  void besideNose(const Event &event, RuleContext &ctx) {
+  void besideNose(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (event.motion != MotionKind::Feed || event.code == noCode || ctx.machine().tools.empty() ||
         before.compensation != phaseOn || after.compensation != phaseOn ||
@@ -54,7 +59,7 @@ private:
     const bool touchesAbove = (dz.hi < 0) == (side > 0);
     const bool inside = *tool->tip <= 2;
     const Origin &origin = after.origin.of(StatePart::Compensation);
-    if (touchesAbove == inside || !noses_.speaks(origin, ctx))
+    if (touchesAbove == inside || !memory().noses.speaks(origin, ctx))
       return;
     const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
     const bool here = origin.known() && origin.file == ctx.source().id();
@@ -147,10 +152,8 @@ private:
     return "the other side";
   }
 
-  using Point = std::array<Interval, 2>;
-
   /// The position in the plane.
-  static Point pointOf(const MachineState &state, const Dialect &dialect) {
+  static Memory::Point pointOf(const MachineState &state, const Dialect &dialect) {
     switch (state.activeAction(dialect, StandardGroup::Plane)) {
     case Action::PlaneZX:
       return {state.at(Axis::Z), state.at(Axis::X)};
@@ -161,35 +164,37 @@ private:
     }
   }
 
-  void enters(const Event &event, RuleContext &ctx) {
+  void enters(const Event &event, RuleContext &ctx) const {
     // With AGAP=N the block of the code is the first element itself.
-    known_ = event.code != noCode && ctx.code(event).action != Action::CompensationOff &&
-             ctx.machine().option("agap").value_or("") != "N";
-    from_ = pointOf(ctx.before(), ctx.dialect());
-    to_ = pointOf(ctx.after(), ctx.dialect());
-    entry_ = ctx.blockRange();
+    memory().known = event.code != noCode && ctx.code(event).action != Action::CompensationOff &&
+                     ctx.machine().option("agap").value_or("") != "N";
+    memory().from = pointOf(ctx.before(), ctx.dialect());
+    memory().to = pointOf(ctx.after(), ctx.dialect());
+    memory().entry = ctx.blockRange();
   }
 
   /// A mill that comes from beside the first element has to come from the side on which it stays.
-  void firstElement(const Event &event, RuleContext &ctx) {
+  void firstElement(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
-    if (!known_ || before.compensation != phaseOn || !event.axes)
+    if (!memory().known || before.compensation != phaseOn || !event.axes)
       return;
-    const Point end = pointOf(after, ctx.dialect());
+    const Memory::Point end = pointOf(after, ctx.dialect());
     const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
-    const bool whole = std::all_of(from_.begin(), from_.end(),
+    const bool whole = std::all_of(memory().from.begin(), memory().from.end(),
                                    [](const Interval &each) { return each.isConstant(); }) &&
-                       to_[0].isConstant() && to_[1].isConstant() && end[0].isConstant() &&
-                       end[1].isConstant();
+                       memory().to[0].isConstant() && memory().to[1].isConstant() &&
+                       end[0].isConstant() && end[1].isConstant();
     if (!whole || !code || before.may(Fact::UnknownCode)) {
-      known_ = false;
+      memory().known = false;
       return;
     }
-    const double dx = end[0].value() - to_[0].value(), dy = end[1].value() - to_[1].value();
-    known_ = false;
+    const double dx = end[0].value() - memory().to[0].value(),
+                 dy = end[1].value() - memory().to[1].value();
+    memory().known = false;
     if (dx == 0 && dy == 0)
       return; // down behind the entry, which was made above the work
-    const double ex = from_[0].value() - to_[0].value(), ey = from_[1].value() - to_[1].value();
+    const double ex = memory().from[0].value() - memory().to[0].value(),
+                 ey = memory().from[1].value() - memory().to[1].value();
     const double left = dx * ey - dy * ex, along = dx * ex + dy * ey;
     constexpr double tolerance = 1e-3;
     const bool right = code->action == Action::CompensationRight;
@@ -198,18 +203,13 @@ private:
       return;
     const Origin &origin = after.origin.of(StatePart::Compensation);
     const bool here = origin.known() && origin.file == ctx.source().id();
-    if (auto finding = ctx.report(here ? origin.range() : entry_, event.certain))
+    if (auto finding = ctx.report(here ? origin.range() : memory().entry, event.certain))
       finding
           .message("`{0}` keeps the tool {1} of the contour, and it comes from the other side: it "
                    "crosses the first element",
                    code->name, right ? "right" : "left")
           .note(ctx.blockRange(), "the first element");
   }
-
-  bool known_ = false; ///< of the last entry: from where to where
-  Point from_{}, to_{};
-  SourceRange entry_{};
-  OncePerCause noses_;
 };
 
 } // namespace

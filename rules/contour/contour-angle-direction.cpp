@@ -15,7 +15,7 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (!event.certain || event.code == noCode || event.number != 0 || ctx.before().profile == 1 ||
         ctx.before().may(Fact::UnknownCode))
       return;

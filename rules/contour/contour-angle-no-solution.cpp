@@ -14,7 +14,7 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(corners_.angle);
     if (!word || !event.certain || takenByOther(ctx, corners_.angle & corners_.plain))
       return;

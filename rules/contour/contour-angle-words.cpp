@@ -16,7 +16,7 @@ public:
       to.onChange({EventKind::Motion, EventKind::Block});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Word *angle = ctx.block().findAny(corners_.angle);
     if (!angle || ctx.before().profile == 1)
       return;

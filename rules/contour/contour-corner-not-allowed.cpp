@@ -15,7 +15,7 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
     if (!word || !event.certain || event.number != 0 || ctx.before().profile == 1 ||

@@ -13,7 +13,7 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(words_);
     if (!word || !event.certain || event.motion == MotionKind::Rapid)
       return;

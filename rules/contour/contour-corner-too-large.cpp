@@ -24,7 +24,7 @@ public:
     to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(words_);
     if (!word || !event.certain || event.number != 0 || ctx.before().profile == 1 ||
         ctx.before().may(Fact::UnknownCode) || !asksForCorner(ctx, *word))

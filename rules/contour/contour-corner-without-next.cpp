@@ -17,7 +17,7 @@ public:
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun) {
       lastOfProfile(event, ctx);
       return;
@@ -56,7 +56,7 @@ public:
       finding.message("`{0}` asks for a corner, and no move follows with which it could be made",
                       ctx.text(*word));
       if (more)
-        finding.note(SourceRange{ctx.source().id(), next.begin, next.end}, "the next block");
+        finding.note(ctx.range(next), "the next block");
     }
   }
 

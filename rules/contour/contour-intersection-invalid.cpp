@@ -15,8 +15,13 @@
 namespace ncvet {
 namespace {
 
+struct ContourIntersectionInvalidMemory {
+  std::optional<ElementGeometry> last; ///< the block before was this element
+  ElementTable table;
+};
+
 /// A control that intersects has the angle with a comma and compensation.
-class ContourIntersectionInvalid final : public Rule {
+class ContourIntersectionInvalid final : public StatefulRule<ContourIntersectionInvalidMemory> {
 public:
   void listen(Subscriptions &to) override {
     open_ = to.dialect().lineAngleWords != 0;
@@ -40,13 +45,13 @@ public:
       ownOnly_ = true;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun)
       return parallelPasses(event, ctx);
     const Block &block = ctx.block();
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (event.kind == EventKind::Code && (open_ || elements_))
-      return ctx.code(event).action == Action::DefineElement ? table_.define(ctx)
+      return ctx.code(event).action == Action::DefineElement ? memory().table.define(ctx)
                                                              : nothingGiven(ctx);
     if (event.kind == EventKind::Motion) {
       if (open_)
@@ -81,7 +86,6 @@ public:
     }
     previous(event, plane, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(last_, table_); }
 
 private:
   /// A line of which only the direction is given ends where the next element begins.
@@ -130,24 +134,25 @@ private:
   }
 
   /// Two named elements, one behind the other, that have no point in common.
-  void joint(RuleContext &ctx) {
+  void joint(RuleContext &ctx) const {
     const Word *word = ctx.block().findAny(elements_);
-    const ElementGeometry *element = word ? table_.find(*word) : nullptr;
+    const ElementGeometry *element = word ? memory().table.find(*word) : nullptr;
     if (!element || !ctx.after().frames.empty() || ctx.block().hasAny(ctx.dialect().cornerWords)) {
-      last_.reset();
+      memory().last.reset();
       return;
     }
     const bool alone = DefinedElements::alone(ctx);
-    if (alone && last_ && last_->switches == element->switches && !meet(*last_, *element))
+    if (alone && memory().last && memory().last->switches == element->switches &&
+        !meet(*memory().last, *element))
       if (auto finding = ctx.report(*word))
         finding.message("`{0}` and the element in front of it do not meet: they have no point in "
                         "common",
                         ctx.text(*word));
     // Beside a code of compensation an element may be one that is only touched.
     if (alone || element->kind == ElementGeometry::Kind::Point)
-      last_ = *element;
+      memory().last = *element;
     else
-      last_.reset();
+      memory().last.reset();
   }
 
   /// Passes at a distance from the contour are led to where its lines meet, and two that follow
@@ -195,11 +200,9 @@ private:
     }
   }
 
-  ElementTable table_;
-  std::optional<ElementGeometry> last_; ///< the block before was this element
-  bool open_ = false;                   ///< lines may be given by their direction
-  bool ownOnly_ = false;                ///< no lines that are intersected by a comma word
-  AddressMask elements_ = 0;            ///< names of elements
+  bool open_ = false;        ///< lines may be given by their direction
+  bool ownOnly_ = false;     ///< no lines that are intersected by a comma word
+  AddressMask elements_ = 0; ///< names of elements
   /// What stands in front: the last block with a move.
   static void previous(const Event &event, uint16_t plane, RuleContext &ctx) {
     Block last;
@@ -246,7 +249,7 @@ private:
       finding
           .message("this line at `{0}` and the one before run parallel: they do not meet",
                    ctx.text(*angleWord))
-          .note(SourceRange{ctx.source().id(), last.begin, last.end}, "the line before");
+          .note(ctx.range(last), "the line before");
   }
 
   /// Two lines by their angles.
@@ -261,7 +264,7 @@ private:
       finding
           .message("this line at `{0}` and the one before run parallel: they do not meet",
                    ctx.text(angleWord))
-          .note(SourceRange{ctx.source().id(), last.begin, last.end}, "the line before");
+          .note(ctx.range(last), "the line before");
   }
 
   /// Which single axis changed in `last`, by looking at the block in front of it.

@@ -11,7 +11,7 @@ public:
       to.on({EventKind::Motion, EventKind::CompensationMove});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || !event.certain)
       return;
     if (event.kind == EventKind::Motion)

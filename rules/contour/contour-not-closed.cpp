@@ -80,7 +80,15 @@ private:
   std::vector<Point> points_;
 };
 
-class ContourNotClosed final : public Rule {
+struct ContourNotClosedMemory {
+  Outline outline;
+  SourceRange last;    ///< the block with the contour's last element
+  bool closed = false; ///< such a profile is being recorded
+  SourceRange begin;   ///< the block that attaches; empty: none yet
+  std::array<Interval, axisCount> start;
+};
+
+class ContourNotClosed final : public StatefulRule<ContourNotClosedMemory> {
 public:
   void listen(Subscriptions &to) override {
     bool wanted = false;
@@ -94,44 +102,41 @@ public:
     to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (usual_ > 0 || round_)
       follow(event, ctx);
     if (event.kind == EventKind::Motion) {
-      if (closed_ && ctx.before().profile == 1 && ctx.before().compensation == phaseOff &&
+      if (memory().closed && ctx.before().profile == 1 && ctx.before().compensation == phaseOff &&
           ctx.after().compensation != phaseOff) {
-        start_ = ctx.after().position;
-        begin_ = ctx.blockRange();
+        memory().start = ctx.after().position;
+        memory().begin = ctx.blockRange();
       }
       return;
     }
     if (ctx.code(event).action != Action::CompensationOff) {
-      closed_ = isClosed(ctx.code(event));
-      begin_ = {};
+      memory().closed = isClosed(ctx.code(event));
+      memory().begin = {};
       return;
     }
-    if (!closed_ || !begin_.end || ctx.before().profile != 1)
+    if (!memory().closed || !memory().begin.end || ctx.before().profile != 1)
       return;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     bool apart = false;
     for (unsigned axis = 0; axis < axisCount; ++axis) {
-      const Interval &first = start_[axis], &last = ctx.before().position[axis];
+      const Interval &first = memory().start[axis], &last = ctx.before().position[axis];
       if (!(plane >> axis & 1))
         continue;
       if (!first.isConstant() || !last.isConstant())
         return;
       apart |= first.value() != last.value();
     }
-    const SourceRange begin = begin_;
-    begin_ = {};
+    const SourceRange begin = memory().begin;
+    memory().begin = {};
     if (!apart)
       return;
     if (auto finding = ctx.report(begin))
       finding.message("this contour does not end where it begins: it encloses nothing")
           .note(ctx.blockRange(), "it ends in front of this block");
-  }
-  void remember(RuleMemory &memory) const override {
-    memory(outline_, last_, closed_, begin_, start_);
   }
 
 private:
@@ -142,29 +147,29 @@ private:
   }
 
   /// The compensated contour, from where the tool engages to where it leaves.
-  void follow(const Event &event, RuleContext &ctx) {
+  void follow(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (before.compensation != phaseOn) {
-      outline_.clear();
+      memory().outline.clear();
       if (const auto at = place(ctx); at && after.compensation == phaseOn)
-        outline_.begin(*at);
+        memory().outline.begin(*at);
       return;
     }
-    if (!outline_.known())
+    if (!memory().outline.known())
       return;
     if (after.compensation != phaseOn) {
       nearlyClosed(ctx);
-      outline_.clear();
+      memory().outline.clear();
       return;
     }
     const auto at = place(ctx);
     const bool line = event.kind == EventKind::Motion && event.motion == MotionKind::Feed;
     // What lies between the ends of an arc is not looked at.
     if (!at || (event.kind == EventKind::Motion && !line))
-      return outline_.clear();
-    outline_.add(*at);
+      return memory().outline.clear();
+    memory().outline.add(*at);
     if (event.axes & planeAxes(ctx.dialect(), after))
-      last_ = ctx.blockRange();
+      memory().last = ctx.blockRange();
   }
 
   /// Position in the plane; none where it is not known.
@@ -181,8 +186,8 @@ private:
   }
 
   void nearlyClosed(RuleContext &ctx) const {
-    if (const auto missing = round_ ? outline_.missing() : std::nullopt) {
-      if (auto finding = ctx.report(last_))
+    if (const auto missing = round_ ? memory().outline.missing() : std::nullopt) {
+      if (auto finding = ctx.report(memory().last))
         finding.severity(Severity::Warning)
             .message("this contour ends {0:f3} mm in front of its first element: a rest stays "
                      "there",
@@ -191,12 +196,12 @@ private:
     }
     if (usual_ <= 0)
       return;
-    const auto gap = outline_.gap();
+    const auto gap = memory().outline.gap();
     const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), ctx.before());
     const double radius = tool && tool->radius ? *tool->radius : usual_;
     if (!gap || *gap >= radius)
       return;
-    if (auto finding = ctx.report(last_))
+    if (auto finding = ctx.report(memory().last))
       finding.severity(Severity::Warning)
           .message(
               "this contour ends {0:f3} mm beside the point where it begins: a step stays there",
@@ -205,11 +210,6 @@ private:
 
   bool round_ = false; ///< a contour that has gone round is to reach its first element
   double usual_ = 0;   ///< mm that a gap may have where the tool is not known; 0: not looked at
-  Outline outline_;
-  SourceRange last_;    ///< the block with the contour's last element
-  bool closed_ = false; ///< such a profile is being recorded
-  SourceRange begin_;   ///< the block that attaches; empty: none yet
-  std::array<Interval, axisCount> start_;
 };
 
 } // namespace

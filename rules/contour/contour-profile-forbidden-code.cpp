@@ -14,7 +14,7 @@ public:
     to.onChange({EventKind::Block});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (records_ && ctx.before().profile == 1)
       return recorded(event, ctx);
     if (!ctx.before().must(Fact::InContour))

@@ -4,9 +4,19 @@
 namespace ncvet {
 namespace {
 
-class ContourProfileIncomplete final : public LeftOnRule {
+struct ContourProfileIncompleteMemory {
+  bool begun = false;    ///< a profile is being recorded
+  bool attached = false; ///< one of its moves is compensated
+  bool detached = false; ///< it was said that nothing takes the compensation off
+  unsigned pieces = 0;
+  unsigned depth = 0; ///< calls around the code that begins it
+  SourceRange begin;
+};
+
+class ContourProfileIncomplete final
+    : public StatefulRule<ContourProfileIncompleteMemory, LeftOnRule> {
 public:
-  ContourProfileIncomplete() : LeftOnRule("contour-profile-incomplete") {}
+  ContourProfileIncomplete() : StatefulRule("contour-profile-incomplete") {}
 
   void listen(Subscriptions &to) override {
     LeftOnRule::listen(to);
@@ -22,7 +32,7 @@ public:
       to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion) {
       record(event, ctx);
       return;
@@ -34,11 +44,11 @@ public:
     if (event.kind != EventKind::Return)
       return LeftOnRule::on(event, ctx);
     // What the profile's program calls gives pieces of it: the profile goes on behind the call.
-    if (begun_ && ctx.before().profile == 1 && ctx.callDepth() > depth_ + 1)
+    if (memory().begun && ctx.before().profile == 1 && ctx.callDepth() > memory().depth + 1)
       return;
-    if (records_ && ctx.before().profile == 1 && pieces_ && !attached_ &&
+    if (records_ && ctx.before().profile == 1 && memory().pieces && !memory().attached &&
         !ctx.before().may(Fact::UnknownCode)) {
-      attached_ = true; // said once
+      memory().attached = true; // said once
       if (auto finding = ctx.report(event))
         finding.message("this recorded profile has no attach: it begins with a compensation code, "
                         "and ends with the one that takes it off");
@@ -51,50 +61,48 @@ public:
       finding.message("the contour ends here without an element behind its start: there is nothing "
                       "to mill along");
   }
-  void remember(RuleMemory &memory) const override {
-    memory(begun_, attached_, detached_, pieces_, depth_, begin_);
-  }
 
 private:
   /// A piece of a profile that is recorded.
-  void record(const Event &event, RuleContext &ctx) {
+  void record(const Event &event, RuleContext &ctx) const {
     if (ctx.before().profile != 1 || !event.axes)
       return;
-    ++pieces_;
-    attached_ |= ctx.before().compensation != phaseOff || ctx.after().compensation != phaseOff;
+    ++memory().pieces;
+    memory().attached |=
+        ctx.before().compensation != phaseOff || ctx.after().compensation != phaseOff;
   }
 
   /// What is attached to a recorded profile is taken off at its end.
-  void leftAttached(const Event &event, RuleContext &ctx) {
+  void leftAttached(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     // The last block may take it off and return.
-    if (before.profile != 1 || !pieces_ || before.compensation != phaseOn ||
-        ctx.after().compensation != phaseOn || before.may(Fact::UnknownCode) || detached_)
+    if (before.profile != 1 || !memory().pieces || before.compensation != phaseOn ||
+        ctx.after().compensation != phaseOn || before.may(Fact::UnknownCode) || memory().detached)
       return;
-    detached_ = true; // said once
+    memory().detached = true; // said once
     if (auto finding = ctx.report(event))
       finding.message("this recorded profile has no detach: what a compensation code has attached "
                       "is taken off at its end");
   }
 
-  void atCode(const Event &event, RuleContext &ctx) {
+  void atCode(const Event &event, RuleContext &ctx) const {
     const Action action = ctx.code(event).action;
     if (action == Action::CompensationOff)
       return withoutPiece(event, ctx);
-    if (begun_)
+    if (memory().begun)
       leftAttached(event, ctx);
-    if (begun_ && ctx.before().profile == 1 && !pieces_ && ctx.callDepth() == depth_ &&
-        !ctx.before().may(Fact::UnknownCode))
+    if (memory().begun && ctx.before().profile == 1 && !memory().pieces &&
+        ctx.callDepth() == memory().depth && !ctx.before().may(Fact::UnknownCode))
       if (auto finding = ctx.report(event))
         finding
-            .message("no profile stands between `{0}` and `{1}`", ctx.text(begin_),
+            .message("no profile stands between `{0}` and `{1}`", ctx.text(memory().begin),
                      ctx.text(*event.word))
-            .note(begin_, "the profile would begin here");
-    begun_ = action == Action::ProfileBegin;
-    begin_ = ctx.range(*event.word);
-    depth_ = ctx.callDepth();
-    pieces_ = 0;
-    attached_ = detached_ = false;
+            .note(memory().begin, "the profile would begin here");
+    memory().begun = action == Action::ProfileBegin;
+    memory().begin = ctx.range(*event.word);
+    memory().depth = ctx.callDepth();
+    memory().pieces = 0;
+    memory().attached = memory().detached = false;
   }
 
   /// Switched on and off again without a piece of a contour in between.
@@ -110,14 +118,8 @@ private:
           .note(before.origin.of(StatePart::Compensation), "it is switched on here");
   }
 
-  bool records_ = false;  ///< the control records profiles that a later code runs
-  bool feeds_ = false;    ///< compensation without a contour is looked at
-  bool begun_ = false;    ///< a profile is being recorded
-  bool attached_ = false; ///< one of its moves is compensated
-  bool detached_ = false; ///< it was said that nothing takes the compensation off
-  unsigned pieces_ = 0;
-  unsigned depth_ = 0; ///< calls around the code that begins it
-  SourceRange begin_;
+  bool records_ = false; ///< the control records profiles that a later code runs
+  bool feeds_ = false;   ///< compensation without a contour is looked at
 };
 
 } // namespace

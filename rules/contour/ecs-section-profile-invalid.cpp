@@ -5,8 +5,21 @@
 namespace ncvet {
 namespace {
 
+struct EcsSectionProfileInvalidMemory {
+  struct Ends {
+    Interval from[2], to[2]; ///< along the axes of the plane
+    bool known = false;
+    SourceRange where;
+  };
+  unsigned elements = 0; ///< elements of a profile
+  bool section = false;  ///< one is being recorded
+  Ends first;            ///< of the surface
+  Ends start;            ///< of the section at hand
+  bool counts = false;   ///< the profile that is recorded has a greatest length
+};
+
 /// What the tables can say of numbers and places they say; the geometry of the sections is here.
-class EcsSectionProfileInvalid final : public Rule {
+class EcsSectionProfileInvalid final : public StatefulRule<EcsSectionProfileInvalidMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
@@ -23,7 +36,7 @@ public:
     to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion)
       return atMove(event, ctx);
     ctx.reportNotices(id, event);
@@ -32,14 +45,13 @@ public:
       return atEnd(ctx);
     if (code.action != Action::ProfileBegin && code.action != Action::ProfileRun)
       return;
-    section_ = isSection(code);
-    if (!section_)
-      first_ = {};
-    counts_ = code.action == Action::ProfileBegin && has(code);
-    elements_ = 0;
-    start_ = {};
+    memory().section = isSection(code);
+    if (!memory().section)
+      memory().first = {};
+    memory().counts = code.action == Action::ProfileBegin && has(code);
+    memory().elements = 0;
+    memory().start = {};
   }
-  void remember(RuleMemory &memory) const override { memory(elements_, section_, first_, start_); }
 
 private:
   static constexpr llvm::StringLiteral id{"ecs-section-profile-invalid"};
@@ -51,16 +63,6 @@ private:
   static bool isSection(const CodeInfo &code) {
     return code.action == Action::ProfileBegin && code.alone && has(code);
   }
-
-  struct Ends {
-    Interval from[2], to[2]; ///< along the axes of the plane
-    bool known = false;
-    SourceRange where;
-
-    void remember(RuleMemory &memory) const {
-      memory(from[0], from[1], to[0], to[1], known, where);
-    }
-  };
 
   /// Axes of the plane, the first one first; none when it is not one of three.
   static std::optional<std::pair<Axis, Axis>> axes(const RuleContext &ctx) {
@@ -76,69 +78,67 @@ private:
     }
   }
 
-  void atMove(const Event &event, RuleContext &ctx) {
+  void atMove(const Event &event, RuleContext &ctx) const {
     if (ctx.before().profile != 1 || !event.axes)
       return;
     const bool begins =
         ctx.before().compensation == phaseOff && ctx.after().compensation != phaseOff;
     const bool inside = ctx.before().compensation == phaseOn && ctx.after().compensation == phaseOn;
-    if (begins && section_) {
+    if (begins && memory().section) {
       const auto plane = axes(ctx);
       if (!plane)
         return;
-      start_.known = true;
-      start_.where = ctx.blockRange();
-      start_.from[0] = ctx.after().at(plane->first);
-      start_.from[1] = ctx.after().at(plane->second);
-      compare(start_.from[1], first_.from[1], "begins", ctx);
+      memory().start.known = true;
+      memory().start.where = ctx.blockRange();
+      memory().start.from[0] = ctx.after().at(plane->first);
+      memory().start.from[1] = ctx.after().at(plane->second);
+      compare(memory().start.from[1], memory().first.from[1], "begins", ctx);
     }
-    if (!inside || !counts_ || !most_ || ++elements_ != most_ + 1)
+    if (!inside || !memory().counts || !most_ || ++memory().elements != most_ + 1)
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
-      finding.message("this is element {0} of the profile: the control takes {1}", elements_,
-                      most_);
+      finding.message("this is element {0} of the profile: the control takes {1}",
+                      memory().elements, most_);
   }
 
   /// The block that leaves the section: where it stands in front of it is the section's end.
-  void atEnd(RuleContext &ctx) {
+  void atEnd(RuleContext &ctx) const {
     const auto plane = axes(ctx);
-    if (!section_ || !start_.known || !plane || ctx.before().profile != 1)
+    if (!memory().section || !memory().start.known || !plane || ctx.before().profile != 1)
       return;
     const MachineState &state = ctx.before();
-    start_.to[0] = state.at(plane->first);
-    start_.to[1] = state.at(plane->second);
+    memory().start.to[0] = state.at(plane->first);
+    memory().start.to[1] = state.at(plane->second);
     const auto same = [](const Interval &a, const Interval &b) {
       return a.isConstant() && b.isConstant() && a.value() == b.value();
     };
-    if (same(start_.from[0], start_.to[0]) && same(start_.from[1], start_.to[1]))
+    if (same(memory().start.from[0], memory().start.to[0]) &&
+        same(memory().start.from[1], memory().start.to[1]))
       if (auto finding = ctx.report(ctx.blockRange()))
         finding.message("this section ends where it begins: a section is an open line")
-            .note(start_.where, "it begins here");
-    compare(start_.to[1], first_.to[1], "ends", ctx);
-    if (!first_.known)
-      first_ = start_;
-    start_.known = false;
+            .note(memory().start.where, "it begins here");
+    compare(memory().start.to[1], memory().first.to[1], "ends", ctx);
+    if (!memory().first.known)
+      memory().first = memory().start;
+    memory().start.known = false;
   }
 
   /// All sections of a surface begin at one ordinate, and end at one.
   void compare(const Interval &here, const Interval &there, const char *what,
                RuleContext &ctx) const {
-    if (!first_.known || !here.isConstant() || !there.isConstant() || here.value() == there.value())
+    if (!memory().first.known || !here.isConstant() || !there.isConstant() ||
+        here.value() == there.value())
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
           .message("this section {0} at {1}, the one before at {2}: the control joins them at one "
                    "ordinate",
                    what, here.value(), there.value())
-          .note(first_.where, "the section before");
+          .note(memory().first.where, "the section before");
   }
 
-  unsigned most_ = 0, elements_ = 0; ///< elements of a profile
-  bool wanted_ = false;              ///< the control has sections
-  bool section_ = false;             ///< one is being recorded
-  bool counts_ = false;              ///< the profile that is recorded has a greatest length
-  Ends first_;                       ///< of the surface
-  Ends start_;                       ///< of the section at hand
+  unsigned most_ = 0;   ///< elements of a profile
+  bool wanted_ = false; ///< the control has sections
 };
 
 } // namespace

@@ -13,7 +13,7 @@ class CoordinateDiameterConfusion final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onAction({Action::ArcCw, Action::ArcCcw}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const Word *u = nullptr, *w = nullptr, *i = block.find('I'), *k = block.find('K');
     for (const Word &word : block.words) {

@@ -11,7 +11,7 @@ public:
                  Action::ScalingOff, Action::RotationOff});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
     switch (code.action) {
     case Action::PresetPosition:

@@ -8,7 +8,7 @@ class CoordinateFrameReplaced final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onAction({Action::FrameSet}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
     if (code.effect.index >= maxSwitches || !ctx.before().switchMustBeOn(code.effect.index) ||
         ctx.before().may(Fact::UnknownCode))

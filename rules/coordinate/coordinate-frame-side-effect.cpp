@@ -6,7 +6,12 @@
 namespace ncvet {
 namespace {
 
-class CoordinateFrameSideEffect final : public Rule {
+struct CoordinateFrameSideEffectMemory {
+  std::set<uint32_t> reported; ///< one finding for each scaling code
+  DefinedElements elements;
+};
+
+class CoordinateFrameSideEffect final : public StatefulRule<CoordinateFrameSideEffectMemory> {
 public:
   void listen(Subscriptions &to) override {
     const Dialect &dialect = to.dialect();
@@ -23,7 +28,7 @@ public:
       to.onAction({Action::CompensationLeft, Action::CompensationRight});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.block().hasAny(ctx.dialect().elementWords))
       element(ctx);
     if (event.kind == EventKind::Code)
@@ -36,19 +41,18 @@ public:
     if (ctx.dialect().isLathe() || !cuts || !(event.axes >> unsigned(tool) & 1))
       return;
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::Scaling);
-    if (!reported_.insert(origin.begin).second)
+    if (!memory().reported.insert(origin.begin).second)
       return;
     if (auto finding = ctx.report(event))
       finding.message("scaling is on: it changes the depth of this move too")
           .note(origin, "scaling begins here");
   }
-  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   /// An element keeps the shift and rotation that were on when it was defined.
-  void element(RuleContext &ctx) {
+  void element(RuleContext &ctx) const {
     if (const Word *word = DefinedElements::definedBy(ctx)) {
-      elements_.define(*word, ctx);
+      memory().elements.define(*word, ctx);
       return;
     }
     uint32_t frames = 0;
@@ -58,7 +62,7 @@ private:
     for (const Word &word : ctx.block().words) {
       if (!(ctx.dialect().elementWords & maskOf(word.address)))
         continue;
-      const DefinedElements::Element *element = elements_.find(word);
+      const DefinedElements::Element *element = memory().elements.find(word);
       if (!element || !ctx.before().switches.areOn(frames & ~element->switches))
         continue;
       if (auto finding = ctx.report(word))
@@ -68,8 +72,6 @@ private:
             .note(element->where, "it is defined here");
     }
   }
-
-  DefinedElements elements_;
 
   /// The switch of the mirror that is on; 0xFF: none, or which is not known.
   uint8_t mirrorOn(const RuleContext &ctx) const {
@@ -98,8 +100,7 @@ private:
           .note(state.origin.ofSwitch(on), "mirrored here");
   }
 
-  uint8_t switch_ = 0xFF;       ///< of a mirror that is no modal code; 0xFF: there is none
-  std::set<uint32_t> reported_; ///< one finding for each scaling code
+  uint8_t switch_ = 0xFF; ///< of a mirror that is no modal code; 0xFF: there is none
 };
 
 } // namespace

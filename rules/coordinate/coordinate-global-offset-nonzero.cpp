@@ -4,17 +4,22 @@
 namespace ncvet {
 namespace {
 
-class CoordinateGlobalOffsetNonzero final : public Rule {
+struct CoordinateGlobalOffsetNonzeroMemory {
+  bool reported = false; ///< the first move in work coordinates is looked at
+};
+
+class CoordinateGlobalOffsetNonzero final
+    : public StatefulRule<CoordinateGlobalOffsetNonzeroMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().options.count("commonOffsetX"))
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
-    if (reported_ || event.number || event.motion == MotionKind::Reference)
+  void on(const Event &event, RuleContext &ctx) const override {
+    if (memory().reported || event.number || event.motion == MotionKind::Reference)
       return;
-    reported_ = true;
+    memory().reported = true;
     // With measuring of type B the common offset in X belongs to the tool setting arm.
     const bool typeB = ctx.machine().option("toolMeasuring").value_or("") == "B";
     const double x = typeB ? 0 : ctx.machine().number("commonOffsetX").value_or(0);
@@ -25,10 +30,6 @@ public:
       finding.message(
           "the common offset of this machine is X{0} Z{1}: every position is shifted by it", x, z);
   }
-  void remember(RuleMemory &memory) const override { memory(reported_); }
-
-private:
-  bool reported_ = false; ///< the first move in work coordinates is looked at
 };
 
 } // namespace

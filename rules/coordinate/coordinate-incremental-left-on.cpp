@@ -15,7 +15,7 @@ public:
       to.onChange({EventKind::CycleRun, EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     if (event.kind == EventKind::CycleRun || event.kind == EventKind::Motion)
       return early(event, ctx);

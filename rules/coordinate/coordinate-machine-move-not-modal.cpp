@@ -12,7 +12,7 @@ public:
     next_ = to.option("next", 0) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (next_)
       return behind(event, ctx);
@@ -34,7 +34,6 @@ public:
           "this value looks like a machine position, but the machine coordinates of the "
           "block before do not hold: it is driven in work coordinates");
   }
-  void remember(RuleMemory &memory) const override { memory(next_); }
 
 private:
   /// The very next block goes on with another axis, as far as no work goes.
@@ -53,11 +52,11 @@ private:
           .message("machine coordinates held for the block before only: `{0}` is driven in work "
                    "coordinates",
                    ctx.text(ctx.blockRange()))
-          .note(SourceRange{ctx.source().id(), previous.begin, previous.end}, "the block before");
+          .note(ctx.range(previous), "the block before");
   }
 
-  bool next_ = false;
   double least_ = 100;
+  bool next_ = false; ///< only the very next block is looked at
 };
 
 } // namespace

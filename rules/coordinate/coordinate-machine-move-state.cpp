@@ -7,7 +7,7 @@ namespace {
 class CoordinateMachineMoveState final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onNotices("coordinate-machine-move-state"); }
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices("coordinate-machine-move-state", event);
   }
 };

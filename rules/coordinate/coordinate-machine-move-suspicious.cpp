@@ -13,7 +13,7 @@ public:
     positive_ = to.option("positive", 1) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.number != 1)
       return;
     const CodeUse *use = ctx.find({Action::MachineMove});

@@ -6,7 +6,18 @@
 namespace ncvet {
 namespace {
 
-class CoordinateMatrixInvalid final : public Rule {
+struct CoordinateMatrixInvalidMemory {
+  static constexpr uint8_t unused = 0xFF;
+
+  struct Matrix {
+    std::string name;
+    SourceRange where;     ///< its definition
+    uint8_t kind = unused; ///< index of the switch by which it is switched on
+  };
+  std::vector<Matrix> matrices; ///< that are defined
+};
+
+class CoordinateMatrixInvalid final : public StatefulRule<CoordinateMatrixInvalidMemory> {
 public:
   void listen(Subscriptions &to) override {
     for (const SwitchInfo &kind : to.dialect().switches)
@@ -18,27 +29,27 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if (code.action == Action::Reset)
-      matrices_.clear();
+      memory().matrices.clear();
     const WordSpec *spec = naming(code);
     const Word *word = spec ? wordFor(ctx.block(), *spec) : nullptr;
     if (!word)
       return;
     const std::string name = ctx.text(*word).trim().upper();
-    const auto known =
-        llvm::find_if(matrices_, [&](const Matrix &matrix) { return matrix.name == name; });
+    const auto known = llvm::find_if(
+        memory().matrices, [&](const Memory::Matrix &matrix) { return matrix.name == name; });
     switch (spec->naming) {
     case Naming::Define:
-      if (known != matrices_.end())
+      if (known != memory().matrices.end())
         known->where = ctx.range(*word);
       else
-        matrices_.push_back({name, ctx.range(*word), unused});
+        memory().matrices.push_back({name, ctx.range(*word), unused});
       break;
     case Naming::Use:
-      if (known != matrices_.end())
+      if (known != memory().matrices.end())
         return use(*known, code.effect.index, ctx);
       // What calls a program may have defined it.
       if (ctx.callDepth() == 0 && !ctx.before().may(Fact::UnknownCode))
@@ -47,35 +58,26 @@ public:
               .message("the program has defined no matrix `{0}`", ctx.text(*word));
       break;
     case Naming::Drop:
-      if (known != matrices_.end())
-        matrices_.erase(known);
+      if (known != memory().matrices.end())
+        memory().matrices.erase(known);
       break;
     case Naming::None:
       break;
     }
   }
-  void remember(RuleMemory &memory) const override { memory(matrices_); }
 
 private:
   static constexpr llvm::StringLiteral id{"coordinate-matrix-invalid"};
 
-  static constexpr uint8_t unused = 0xFF;
-
-  struct Matrix {
-    std::string name;
-    SourceRange where;     ///< its definition
-    uint8_t kind = unused; ///< index of the switch by which it is switched on
-
-    void remember(RuleMemory &memory) const { memory(name, where, kind); }
-  };
+  static constexpr uint8_t unused = Memory::unused;
 
   /// What switches a matrix on says of which kind it is, and the control keeps some of each.
-  void use(Matrix &matrix, uint8_t kind, RuleContext &ctx) {
+  void use(Memory::Matrix &matrix, uint8_t kind, RuleContext &ctx) const {
     if (matrix.kind != unused || kind >= most_.size())
       return;
     matrix.kind = kind;
-    const auto kept =
-        size_t(llvm::count_if(matrices_, [&](const Matrix &m) { return m.kind == kind; }));
+    const auto kept = size_t(
+        llvm::count_if(memory().matrices, [&](const Memory::Matrix &m) { return m.kind == kind; }));
     if (!most_[kind] || kept <= most_[kind])
       return;
     if (auto finding = ctx.report(matrix.where))
@@ -90,8 +92,7 @@ private:
     return nullptr;
   }
 
-  std::vector<size_t> most_;     ///< by switch: matrices of its kind that are kept; 0: any number
-  std::vector<Matrix> matrices_; ///< that are defined
+  std::vector<size_t> most_; ///< by switch: matrices of its kind that are kept; 0: any number
 };
 
 } // namespace

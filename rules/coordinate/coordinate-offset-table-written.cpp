@@ -1,8 +1,7 @@
 // A program writes data that later programs work with.
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
-
-#include <map>
+#include "analyzer/rule/text_answers.h"
 
 namespace ncvet {
 namespace {
@@ -17,7 +16,7 @@ public:
       to.onAction({Action::FrameAdd});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::Statement) {
       ctx.reportNotices(id, event);
       return again(event, ctx);
@@ -66,15 +65,12 @@ private:
   }
 
   /// A distance that is added to the offset in every pass.
-  void again(const Event &event, RuleContext &ctx) {
+  void again(const Event &event, RuleContext &ctx) const {
     const CodeInfo &code = ctx.code(event);
     if (code.action != Action::FrameAdd || code.frame != FrameKind::Offset ||
         !ctx.block().hasAny(ctx.dialect().incrementWords))
       return;
-    const auto [known, fresh] = passes_.try_emplace(ctx.source().id());
-    if (fresh)
-      known->second = passesOf(ctx);
-    for (const Passes &passes : known->second) {
+    for (const Passes &passes : passes_.of(ctx.source().id(), [&] { return passesOf(ctx); })) {
       if (ctx.block().begin < passes.first || ctx.block().begin >= passes.behind)
         continue;
       if (auto finding = ctx.report(event))
@@ -86,7 +82,7 @@ private:
     }
   }
 
-  std::map<FileId, std::vector<Passes>> passes_; ///< as the text says it
+  TextAnswers<FileId, std::vector<Passes>> passes_;
   static constexpr llvm::StringLiteral id{"coordinate-offset-table-written"};
 };
 

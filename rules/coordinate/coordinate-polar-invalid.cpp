@@ -4,7 +4,11 @@
 namespace ncvet {
 namespace {
 
-class CoordinatePolarInvalid final : public Rule {
+struct CoordinatePolarInvalidMemory {
+  bool noPole = false; ///< said once
+};
+
+class CoordinatePolarInvalid final : public StatefulRule<CoordinatePolarInvalidMemory> {
 public:
   void listen(Subscriptions &to) override {
     words_ = to.dialect().polarWords & ~to.dialect().elementWords;
@@ -16,7 +20,7 @@ public:
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     const Dialect &dialect = ctx.dialect();
     if (modal_ && event.kind == EventKind::Motion)
@@ -105,7 +109,7 @@ private:
 
   bool modal_ = false; ///< polar points have motion codes of their own
   /// An end point by words for angle and radius.
-  void byWords(const Event &event, RuleContext &ctx) {
+  void byWords(const Event &event, RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
     const Word *const polar = ctx.block().findAny(words_);
     for (const Word &word : ctx.block().words) {
@@ -125,9 +129,9 @@ private:
                           "coordinates, not by both",
                           ctx.text(word), ctx.text(*polar));
     }
-    if (ctx.before().may(Fact::PoleSet) || ctx.before().may(Fact::UnknownCode) || noPole_)
+    if (ctx.before().may(Fact::PoleSet) || ctx.before().may(Fact::UnknownCode) || memory().noPole)
       return;
-    noPole_ = true;
+    memory().noPole = true;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
           .message("no pole was programmed for `{0}`: it counts from the workpiece zero",
@@ -135,7 +139,6 @@ private:
   }
 
   AddressMask words_ = 0; ///< angle and radius
-  bool noPole_ = false;   ///< said once
 };
 
 } // namespace

@@ -8,7 +8,13 @@
 namespace ncvet {
 namespace {
 
-class CoordinateTransformationMismatch final : public Rule {
+struct CoordinateTransformationMismatchMemory {
+  double greatest = 0; ///< of the words of rotary axes on the surface at hand
+  SourceRange at;      ///< the last word with it
+};
+
+class CoordinateTransformationMismatch final
+    : public StatefulRule<CoordinateTransformationMismatchMemory> {
 public:
   /// The tables say when: in the block of a code, and where a modal cycle of theirs runs.
   void listen(Subscriptions &to) override {
@@ -25,7 +31,7 @@ public:
     }
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     if (event.kind == EventKind::Motion)
@@ -36,8 +42,6 @@ public:
     if (event.kind == EventKind::Code || !here)
       ctx.reportNotices(id, event);
   }
-
-  void remember(RuleMemory &memory) const override { memory(greatest_, at_); }
 
 private:
   /// Key of the diameter round which a code of the tables wraps a rotary axis.
@@ -57,7 +61,7 @@ private:
   }
 
   /// On the surface of a cylinder the words of its rotary axis are lengths along it.
-  void onSurface(RuleContext &ctx) {
+  void onSurface(RuleContext &ctx) const {
     const auto turn = circumference(ctx.before());
     const Dialect &dialect = ctx.dialect();
     if (!turn ||
@@ -78,30 +82,28 @@ private:
               .message("`{0}` is more than a turn: on this cylinder it counts in millimetres, and "
                        "a turn has {1:f3}",
                        ctx.text(word), *turn);
-      if (length >= greatest_) {
-        greatest_ = length;
-        at_ = ctx.range(word);
+      if (length >= memory().greatest) {
+        memory().greatest = length;
+        memory().at = ctx.range(word);
       }
     }
   }
 
   /// A contour that goes to 360 and no further was meant in degrees.
-  void surfaceEnds(RuleContext &ctx) {
+  void surfaceEnds(RuleContext &ctx) const {
     const auto turn = circumference(ctx.before());
     constexpr double degrees = 360;
-    if (turn && at_.end && greatest_ == degrees && std::fabs(*turn - degrees) > 1)
-      if (auto finding = ctx.report(at_))
+    if (turn && memory().at.end && memory().greatest == degrees && std::fabs(*turn - degrees) > 1)
+      if (auto finding = ctx.report(memory().at))
         finding.severity(Severity::Warning)
             .message(
                 "the contour goes to {0:f0} and no further: on this cylinder that is millimetres "
                 "and no turn, which has {1:f3}",
-                greatest_, *turn);
-    greatest_ = 0;
-    at_ = {};
+                memory().greatest, *turn);
+    memory().greatest = 0;
+    memory().at = {};
   }
 
-  double greatest_ = 0; ///< of the words of rotary axes on the surface at hand
-  SourceRange at_;      ///< the last word with it
   static constexpr llvm::StringLiteral id{"coordinate-transformation-mismatch"};
 };
 

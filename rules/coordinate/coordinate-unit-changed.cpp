@@ -4,11 +4,15 @@
 namespace ncvet {
 namespace {
 
-class CoordinateUnitChanged final : public Rule {
+struct CoordinateUnitChangedMemory {
+  std::pair<Action, FileId> back{Action::None, 0}; ///< unit before the change that was reported
+};
+
+class CoordinateUnitChanged final : public StatefulRule<CoordinateUnitChangedMemory> {
 public:
   void listen(Subscriptions &to) override { to.onAction({Action::Inch, Action::Metric}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const GroupIndex group = ctx.dialect().group(StandardGroup::Units);
     if (group == noGroup || before.may(Fact::UnknownCode))
@@ -29,13 +33,13 @@ public:
         return;
     }
     // The way back belongs to the change that was reported.
-    if (stated && back_ == std::pair(code.action, ctx.source().id()))
+    if (stated && memory().back == std::pair(code.action, ctx.source().id()))
       return;
     auto finding = ctx.report(event);
     if (!finding)
       return;
     if (stated)
-      back_ = {active->action, ctx.source().id()};
+      memory().back = {active->action, ctx.source().id()};
     if (stated)
       finding
           .message("`{0}` changes the unit: `{1}` was in force", ctx.text(*event.word),
@@ -47,10 +51,6 @@ public:
                       "read in whatever unit was in force",
                       ctx.text(*event.word));
   }
-  void remember(RuleMemory &memory) const override { memory(back_); }
-
-private:
-  std::pair<Action, FileId> back_{Action::None, 0}; ///< unit before the change that was reported
 };
 
 } // namespace

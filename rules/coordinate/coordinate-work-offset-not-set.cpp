@@ -4,7 +4,11 @@
 namespace ncvet {
 namespace {
 
-class CoordinateWorkOffsetNotSet final : public Rule {
+struct CoordinateWorkOffsetNotSetMemory {
+  bool reported = false; ///< every further move says the same again
+};
+
+class CoordinateWorkOffsetNotSet final : public StatefulRule<CoordinateWorkOffsetNotSetMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::WorkOffset) != noGroup &&
@@ -12,10 +16,10 @@ public:
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
-    if (reported_ || state.must(Fact::WorkOffsetStated) || event.motion == MotionKind::Reference ||
-        event.number || !event.axes)
+    if (memory().reported || state.must(Fact::WorkOffsetStated) ||
+        event.motion == MotionKind::Reference || event.number || !event.axes)
       return;
     // A preset makes a coordinate system of its own; increments need none.
     if (state.origin.of(StatePart::Preset).known() || state.may(Fact::UnknownCode))
@@ -31,7 +35,7 @@ public:
          state.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
              Truth::No))
       return;
-    reported_ = true;
+    memory().reported = true;
     auto finding = ctx.report(*word, !state.may(Fact::WorkOffsetStated));
     if (!finding)
       return;
@@ -41,7 +45,6 @@ public:
         .fix(FixSafety::Unsafe, "write `" + offset + "` in front of it",
              ctx.insertBefore(word->offset, offset + " "));
   }
-  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   /// `G54`, or `G54.01` where the origins have numbers.
@@ -51,8 +54,6 @@ private:
         return dialect.codes[member].name;
     return "G54";
   }
-
-  bool reported_ = false; ///< every further move says the same again
 };
 
 } // namespace

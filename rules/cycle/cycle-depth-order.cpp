@@ -7,7 +7,21 @@
 namespace ncvet {
 namespace {
 
-class CycleDepthOrder final : public Rule {
+struct CycleDepthOrderMemory {
+  /// Planes that were found wrong, and where.
+  struct Kept {
+    double start = 0, depth = 0, height = 0; ///< NaN: not known
+    TextPlace block;
+
+    bool isSame(const Kept &other) const {
+      return start == other.start && depth == other.depth &&
+             (height == other.height || (std::isnan(height) && std::isnan(other.height)));
+    }
+  };
+  std::optional<Kept> said;
+};
+
+class CycleDepthOrder final : public StatefulRule<CycleDepthOrderMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::CycleStart, EventKind::CycleRun});
@@ -16,7 +30,7 @@ public:
     absolute_ = to.dialect().facts->cycles.planesAbsolute;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);
@@ -101,8 +115,6 @@ public:
     }
   }
 
-  void remember(RuleMemory &memory) const override { memory(said_); }
-
 private:
   static constexpr llvm::StringLiteral id{"cycle-depth-order"};
   static constexpr double tolerance = 1e-6;
@@ -152,7 +164,7 @@ private:
 
   /// Planes that are variables: start, depth and return, and the surface when it is known to be
   /// zero. Of a later hole only what its block gives anew.
-  void planes(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+  void planes(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     const Block &block = ctx.block();
     const Word *const call = codeWord(code, ctx);
     const Word *const from = wordOf(block, code, Role::Retract);
@@ -165,14 +177,14 @@ private:
     const auto height = kept(state, code, Role::Height);
     if (!start || !depth || !isAbsolute(ctx))
       return;
-    const Kept now{*start, *depth, height.value_or(NAN), ctx.source().id(), block.begin};
+    const Memory::Kept now{*start, *depth, height.value_or(NAN), {ctx.source().id(), block.begin}};
     // Called again with the planes of which it was said.
-    if (!from && !to && !back && said_ && said_->isSame(now) &&
-        (said_->file != now.file || said_->block != now.block))
+    if (!from && !to && !back && memory().said && memory().said->isSame(now) &&
+        memory().said->block != now.block)
       return;
     const auto at = [&](const Word *word, const Word *other) {
       const Word *found = word ? word : other ? other : call;
-      said_ = now;
+      memory().said = now;
       return found ? ctx.report(*found, event.certain) : ctx.report(event, event.certain);
     };
     // Where the tool comes from below, all planes stand the other way round.
@@ -235,23 +247,6 @@ private:
                Truth::No;
   }
 
-  /// Planes that were found wrong, and where.
-  struct Kept {
-    double start = 0, depth = 0, height = 0; ///< NaN: not known
-    FileId file = 0;
-    uint32_t block = 0;
-
-    bool isSame(const Kept &other) const {
-      return start == other.start && depth == other.depth &&
-             (height == other.height || (std::isnan(height) && std::isnan(other.height)));
-    }
-    void remember(RuleMemory &memory) const {
-      memory(start, depth, height);
-      memory.place(file, block);
-    }
-  };
-
-  std::optional<Kept> said_;
   bool absolute_ = false; ///< planes are absolute in every mode, and the depth lies below the start
 
   /// What the control calls the level from which it drills.

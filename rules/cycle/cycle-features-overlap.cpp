@@ -13,7 +13,20 @@ namespace {
 /// What lies nearer to a circle than this lies on it, millimetres.
 constexpr double smallestOverlap = 0.01;
 
-class CycleFeaturesOverlap final : public Rule {
+struct CycleFeaturesOverlapMemory {
+  using Name = std::pair<AddressId, int64_t>;
+  unsigned profiles = 0; ///< profiles of the pocket so far; the first one is its outline
+  SourceRange begin;
+  SourceRange pocketBegin;
+  std::optional<Point> attach;
+  Outline pocket;
+  Outline current;
+  ElementTable elements;
+  std::optional<Name> startName;
+  std::optional<ElementGeometry> circle; ///< of the profile at hand
+};
+
+class CycleFeaturesOverlap final : public StatefulRule<CycleFeaturesOverlapMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
@@ -25,7 +38,7 @@ public:
     to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion)
       return element(event, ctx);
     ctx.reportNotices(id, event);
@@ -33,13 +46,9 @@ public:
       return;
     const Action action = ctx.code(event).action;
     if (action == Action::DefineElement)
-      elements_.define(ctx);
+      memory().elements.define(ctx);
     else if (action == Action::ProfileBegin || action == Action::ProfileRun)
       next(event, ctx);
-  }
-  void remember(RuleMemory &memory) const override {
-    memory(profiles_, begin_, pocketBegin_, attach_, pocket_, current_, elements_, startName_,
-           circle_);
   }
 
 private:
@@ -50,37 +59,39 @@ private:
   }
 
   /// The profile before is complete; another one begins, or all of them are run.
-  void next(const Event &event, RuleContext &ctx) {
-    if (profiles_ == 1)
-      pocket_ = current_;
-    else if (profiles_ > 1)
+  void next(const Event &event, RuleContext &ctx) const {
+    if (memory().profiles == 1)
+      memory().pocket = memory().current;
+    else if (memory().profiles > 1)
       island(ctx);
     const bool begins = isClosed(ctx.code(event));
-    profiles_ = begins ? profiles_ + 1 : 0;
-    if (profiles_ == 1)
-      pocketBegin_ = ctx.range(*event.word);
-    current_.clear();
-    circle_.reset();
-    startName_.reset();
-    begin_ = ctx.range(*event.word);
-    attach_ = begins ? attachPoint(ctx.code(event), ctx) : std::nullopt;
+    memory().profiles = begins ? memory().profiles + 1 : 0;
+    if (memory().profiles == 1)
+      memory().pocketBegin = ctx.range(*event.word);
+    memory().current.clear();
+    memory().circle.reset();
+    memory().startName.reset();
+    memory().begin = ctx.range(*event.word);
+    memory().attach = begins ? attachPoint(ctx.code(event), ctx) : std::nullopt;
   }
 
   void island(RuleContext &ctx) const {
-    if (!pocket_.isClosed())
+    if (!memory().pocket.isClosed())
       return;
-    const bool attach = attach_ && pocket_.excludes(*attach_);
-    const bool inside = attach_ && current_.isClosed() && current_.encloses(*attach_);
-    const bool contour = current_.isClosed() && pocket_.excludes(current_.first());
+    const bool attach = memory().attach && memory().pocket.excludes(*memory().attach);
+    const bool inside = memory().attach && memory().current.isClosed() &&
+                        memory().current.encloses(*memory().attach);
+    const bool contour =
+        memory().current.isClosed() && memory().pocket.excludes(memory().current.first());
     if (!attach && !contour && !inside)
       return;
-    if (auto finding = ctx.report(begin_))
+    if (auto finding = ctx.report(memory().begin))
       finding
           .message(attach    ? "the attach point of this island lies outside of the pocket"
                    : contour ? "this island lies outside of the pocket"
                              : "the attach point of this island lies in the island: the tool "
                                "would come down on what is to stay")
-          .note(pocketBegin_, "the outline of the pocket");
+          .note(memory().pocketBegin, "the outline of the pocket");
   }
 
   /// The first two variables of the code: its place in the plane.
@@ -99,13 +110,13 @@ private:
   }
 
   /// A piece of the profile that is being recorded.
-  void element(const Event &event, RuleContext &ctx) {
+  void element(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
-    if (!profiles_ || before.profile != 1 || ctx.find({Action::CompensationOff}))
+    if (!memory().profiles || before.profile != 1 || ctx.find({Action::CompensationOff}))
       return;
     if (ctx.block().hasAny(ctx.dialect().cornerWords | ctx.dialect().lineAngleWords) ||
         !event.certain || before.may(Fact::UnknownCode))
-      return current_.loseTrack();
+      return memory().current.loseTrack();
     const bool attaches = before.compensation == phaseOff && after.compensation != phaseOff;
     if (const Word *name = ctx.block().findAny(ctx.dialect().elementWords))
       return named(*name, attaches);
@@ -114,13 +125,14 @@ private:
     for (size_t i = 0; i < 2; ++i) {
       const Interval &at = after.at(axes[i]);
       if (!at.isConstant() || after.inMachineCoordinates(axes[i]))
-        return current_.loseTrack();
+        return memory().current.loseTrack();
       to[i] = at.value() / ctx.dialect().lengthsPerUnit(axes[i]);
     }
     if (attaches)
-      return current_.start(to);
+      return memory().current.start(to);
     if (event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw)
-      return event.motion == MotionKind::Feed ? current_.line(to) : current_.loseTrack();
+      return event.motion == MotionKind::Feed ? memory().current.line(to)
+                                              : memory().current.loseTrack();
     const ArcGeometry arc = arcGeometry(arcWords(ctx.dialect(), after, ctx.block()), ctx.dialect(),
                                         ctx.machine(), ctx.block(), before, after);
     const auto centre =
@@ -128,40 +140,33 @@ private:
             ? centreByRadius(*arc.start, *arc.end, *arc.radius, event.motion == MotionKind::ArcCw)
             : arc.centre();
     if (!centre)
-      return current_.loseTrack();
-    current_.arc(*centre, to, event.motion == MotionKind::ArcCw);
+      return memory().current.loseTrack();
+    memory().current.arc(*centre, to, event.motion == MotionKind::ArcCw);
   }
 
   /// Of elements by name only a circle between one point and the same is followed.
-  void named(const Word &name, bool attaches) {
+  void named(const Word &name, bool attaches) const {
     const auto key = std::pair(name.address, name.mantissa);
-    const ElementGeometry *element = elements_.find(name);
+    const ElementGeometry *element = memory().elements.find(name);
     if (attaches && element && element->kind == ElementGeometry::Kind::Point) {
-      startName_ = key;
-      return current_.start({element->x, element->y});
+      memory().startName = key;
+      return memory().current.start({element->x, element->y});
     }
-    if (element && element->kind == ElementGeometry::Kind::Circle && startName_ && !circle_ &&
-        current_.hasStart()) {
-      circle_ = *element;
+    if (element && element->kind == ElementGeometry::Kind::Circle && memory().startName &&
+        !memory().circle && memory().current.hasStart()) {
+      memory().circle = *element;
       return;
     }
-    const bool closes = circle_ && startName_ == key && current_.hasStart();
-    if (!closes || std::fabs(distance({circle_->x, circle_->y}, current_.first()) -
-                             std::fabs(circle_->size)) > smallestOverlap)
-      return current_.loseTrack();
-    current_.arc({circle_->x, circle_->y}, current_.first(), false);
+    const bool closes = memory().circle && memory().startName == key && memory().current.hasStart();
+    if (!closes ||
+        std::fabs(distance({memory().circle->x, memory().circle->y}, memory().current.first()) -
+                  std::fabs(memory().circle->size)) > smallestOverlap)
+      return memory().current.loseTrack();
+    memory().current.arc({memory().circle->x, memory().circle->y}, memory().current.first(), false);
   }
 
   static constexpr llvm::StringLiteral id{"cycle-features-overlap"};
-  bool pockets_ = false;  ///< the control has pockets with islands
-  unsigned profiles_ = 0; ///< profiles of the pocket so far; the first one is its outline
-  SourceRange begin_, pocketBegin_;
-  std::optional<Point> attach_;
-  Outline pocket_, current_;
-  using Name = std::pair<AddressId, int64_t>;
-  ElementTable elements_;
-  std::optional<Name> startName_;
-  std::optional<ElementGeometry> circle_; ///< of the profile at hand
+  bool pockets_ = false; ///< the control has pockets with islands
 };
 
 } // namespace

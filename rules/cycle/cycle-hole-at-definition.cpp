@@ -6,7 +6,12 @@
 namespace ncvet {
 namespace {
 
-class CycleHoleAtDefinition final : public Rule {
+struct CycleHoleAtDefinitionMemory {
+  uint16_t axes = 0; ///< in which the tool has gone to some place
+  bool said = false; ///< the first hole was looked at
+};
+
+class CycleHoleAtDefinition final : public StatefulRule<CycleHoleAtDefinitionMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleStart);
@@ -14,7 +19,7 @@ public:
       to.on({EventKind::CycleRun, EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::CycleStart)
       return firstPlace(event, ctx);
     const CodeInfo &code = ctx.code(event);
@@ -55,22 +60,20 @@ public:
                       code.name, *count);
   }
 
-  void remember(RuleMemory &memory) const override { memory(axes_, said_); }
-
 private:
   /// The first hole of a whole program: some block has gone to its place.
-  void firstPlace(const Event &event, RuleContext &ctx) {
-    axes_ |= event.axes;
-    if (said_ || ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode)) {
-      said_ = true;
+  void firstPlace(const Event &event, RuleContext &ctx) const {
+    memory().axes |= event.axes;
+    if (memory().said || ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode)) {
+      memory().said = true;
       return;
     }
     if (event.kind != EventKind::CycleRun || event.code == noCode ||
         !makesHole(ctx.code(event).cycle))
       return;
-    said_ = true;
+    memory().said = true;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    const auto open = uint16_t(plane & ~axes_);
+    const auto open = uint16_t(plane & ~memory().axes);
     if (!open)
       return;
     Block first;
@@ -93,9 +96,6 @@ private:
                    "to {1} before",
                    ctx.code(event).name, along);
   }
-
-  uint16_t axes_ = 0; ///< in which the tool has gone to some place
-  bool said_ = false; ///< the first hole was looked at
 };
 
 } // namespace

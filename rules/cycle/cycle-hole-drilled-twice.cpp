@@ -10,21 +10,68 @@
 namespace ncvet {
 namespace {
 
-class CycleHoleDrilledTwice final : public Rule {
-  struct Place {
-    FileId file = 0;
-    uint32_t block = 0, end = 0, list = 0;
-    unsigned depth = 0;
-    uint64_t offset = 0;
-    std::array<double, axisCount> at{};
-    uint64_t key = 0; ///< of offset and position
+struct HolePlace {
+  FileId file = 0;
+  uint32_t block = 0, end = 0, list = 0;
+  unsigned depth = 0;
+  uint64_t offset = 0;
+  std::array<double, axisCount> at{};
+  uint64_t key = 0; ///< of offset and position
 
-    void move(const TextChange &change) {
-      for (uint32_t *place : {&block, &end, &list})
-        *place = change.moved(*place);
+  void move(const TextChange &change) {
+    for (uint32_t *place : {&block, &end, &list})
+      *place = change.moved(*place);
+  }
+};
+
+/// The holes of the list that is being run. Runs that add to them tell what they add.
+class HoleList {
+public:
+  bool continues(const HolePlace &place) const {
+    return place.depth == last_.depth && place.list == last_.list && place.file == last_.file;
+  }
+  /// The first hole at that place; null: there is none.
+  const HolePlace *find(const HolePlace &place) const {
+    const auto known = byKey_.find(place.key);
+    return known == byKey_.end() ? nullptr : &places_[known->second];
+  }
+  /// The hole that the same list has made there before; null: there is none.
+  const HolePlace *add(const HolePlace &place) {
+    if (!continues(place)) {
+      places_.clear();
+      byKey_.clear();
     }
-  };
+    last_ = place;
+    if (places_.size() > longestList)
+      return nullptr;
+    const auto [known, fresh] = byKey_.try_emplace(place.key, uint32_t(places_.size()));
+    if (fresh) {
+      places_.push_back(place);
+      return nullptr;
+    }
+    return &places_[known->second];
+  }
+  void remember(RuleMemory &) const {}
 
+private:
+  static constexpr size_t longestList = 5000;
+  /// The first hole at each place of the list that is being run.
+  std::vector<HolePlace> places_;
+  llvm::DenseMap<uint64_t, uint32_t> byKey_;
+  HolePlace last_;
+};
+
+struct CycleHoleDrilledTwiceMemory {
+  SourceRange call{}; ///< block of the last cycle of one hole; no end: none
+  std::array<double, axisCount> calledAt{};
+  std::optional<double> calledDepth; ///< of its hole
+  Origin recalled;                   ///< the last call of a cycle that was in force
+  TextPlace recalledList;            ///< where the list begins with which it goes on
+  HoleList list;
+  GatheredList<HolePlace> gathered;
+};
+
+class CycleHoleDrilledTwice final : public StatefulRule<CycleHoleDrilledTwiceMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.gathers();
@@ -34,9 +81,9 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::ToolChange) { // what comes is the work of another tool
-      call_ = {};
+      memory().call = {};
       return;
     }
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
@@ -56,26 +103,18 @@ public:
       repeatedHere(event, ctx);
     }
   }
-  void remember(RuleMemory &memory) const override {
-    memory(call_, calledAt_, calledDepth_);
-    if (recalled_.known()) {
-      memory.place(recalled_.file, recalled_.begin);
-      memory.place(recalled_.file, recalledList_);
-    }
-  }
-  void startGathering() override { gathered_.start(); }
-  std::shared_ptr<Gathered> gathered() const override { return gathered_.part(); }
+  void startGathering() override { memory().gathered.start(); }
+  std::shared_ptr<Gathered> gathered() const override { return memory().gathered.part(); }
   bool gather(const Gathered &gathered) override {
-    const llvm::ArrayRef<Place> holes = GatheredList<Place>::itemsOf(gathered);
-    for (const Place &place : holes) { // of the list that is being run
-      if (!continues(place))
+    const llvm::ArrayRef<HolePlace> holes = GatheredList<HolePlace>::itemsOf(gathered);
+    for (const HolePlace &place : holes) { // of the list that is being run
+      if (!memory().list.continues(place))
         break;
-      if (const auto known = byKey_.find(place.key);
-          known != byKey_.end() && places_[known->second].block != place.block)
+      if (const HolePlace *known = memory().list.find(place); known && known->block != place.block)
         return false;
     }
-    for (const Place &place : holes)
-      add(place);
+    for (const HolePlace &place : holes)
+      memory().list.add(place);
     return true;
   }
 
@@ -106,7 +145,7 @@ private:
   }
 
   /// A modal cycle called where a cycle of one hole has just made it.
-  void behindCall(const Event &event, RuleContext &ctx) {
+  void behindCall(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
     std::array<double, axisCount> at{};
@@ -115,31 +154,29 @@ private:
       if (i != unsigned(tool) && state.position[i].isConstant())
         at[i] = state.position[i].value();
     if (ctx.code(event).group == noGroup) {
-      call_ = known ? ctx.blockRange() : SourceRange{};
-      calledAt_ = at;
-      calledDepth_ = kept(state, ctx.code(event), Role::Depth);
+      memory().call = known ? ctx.blockRange() : SourceRange{};
+      memory().calledAt = at;
+      memory().calledDepth = kept(state, ctx.code(event), Role::Depth);
       return;
     }
-    const bool here = call_.end != 0 && call_.file == ctx.source().id() && known &&
-                      at == calledAt_ && ctx.block().begin >= call_.end && ctx.codeWord(event);
+    const bool here = memory().call.end != 0 && memory().call.file == ctx.source().id() && known &&
+                      at == memory().calledAt && ctx.block().begin >= memory().call.end &&
+                      ctx.codeWord(event);
     const auto depth = kept(state, ctx.code(event), Role::Depth);
-    const bool deeper = depth && calledDepth_ && *depth != *calledDepth_;
+    const bool deeper = depth && memory().calledDepth && *depth != *memory().calledDepth;
     if (here && !deeper && !ctx.before().may(Fact::UnknownCode))
       if (auto finding = ctx.report(event, event.certain))
         finding
             .message("`{0}` {1} a hole again that was made already", ctx.code(event).name,
                      verbOf(ctx.code(event).cycle))
-            .note(call_, "the hole is made here");
-    call_ = {};
+            .note(memory().call, "the hole is made here");
+    memory().call = {};
   }
   bool calls_ = false; ///< the control has cycles of one hole
-  SourceRange call_{}; ///< block of the last cycle of one hole; no end: none
-  std::array<double, axisCount> calledAt_{};
-  std::optional<double> calledDepth_; ///< of its hole
 
   /// A position that the same list of holes has had before; true: it was reported.
   bool samePlace(const Event &event, const std::array<Interval, axisCount> &position,
-                 RuleContext &ctx) {
+                 RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const Axis tool = toolAxis(ctx.dialect(), state);
@@ -147,7 +184,7 @@ private:
     const std::optional<Frame> frame = state.frames.total();
     if (state.profile || !frame || (state.transforms[0] && state.frames.empty()))
       return false;
-    Place place;
+    HolePlace place;
     place.file = ctx.source().id();
     place.block = ctx.block().begin;
     place.end = ctx.block().end;
@@ -180,11 +217,11 @@ private:
     // Another depth at the same place is a second step, and a longer path cannot be one list.
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
-    gathered_.add(place);
-    const Place *known = add(place);
+    memory().gathered.add(place);
+    const HolePlace *known = memory().list.add(place);
     if (!known)
       return false;
-    const Place &other = *known;
+    const HolePlace &other = *known;
     if (other.block == place.block || other.offset != place.offset || other.at != place.at ||
         (deeper && place.list < ctx.block().begin))
       return false;
@@ -196,21 +233,19 @@ private:
 
   /// Where the list of holes begins: at the call of the cycle. One that is called again while it is
   /// in force goes on with its list.
-  uint32_t listOf(const Event &event, const RuleContext &ctx) {
+  uint32_t listOf(const Event &event, const RuleContext &ctx) const {
     const Origin &call = ctx.after().origin.of(StatePart::Cycle);
-    if (recalled_.known() && call == recalled_)
-      return recalledList_;
+    if (memory().recalled.known() && call == memory().recalled)
+      return memory().recalledList.offset;
     const CodeInfo *before = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
     if (!ctx.dialect().emptyBlocksRun || before != &ctx.code(event) || !ctx.codeWord(event))
       return call.begin;
     const Origin &first = ctx.before().origin.of(StatePart::Cycle);
-    if (!recalled_.known() || first != recalled_)
-      recalledList_ = first.begin;
-    recalled_ = call;
-    return recalledList_;
+    if (!memory().recalled.known() || first != memory().recalled)
+      memory().recalledList = {first.file, first.begin};
+    memory().recalled = call;
+    return memory().recalledList.offset;
   }
-  Origin recalled_;           ///< the last call of a cycle that was in force
-  uint32_t recalledList_ = 0; ///< where the list begins with which it goes on
 
   /// To a ten-thousandth of a millimetre: polar input and frames calculate.
   static double rounded(double value) {
@@ -218,39 +253,12 @@ private:
     return std::round(value * parts) / parts + 0.0; // no minus zero
   }
 
-  static uint64_t keyOf(const Place &place) {
+  static uint64_t keyOf(const HolePlace &place) {
     const uint64_t hash =
         place.offset ^
         llvm::xxHash64({reinterpret_cast<const char *>(place.at.data()), sizeof(place.at)});
     return hash & ~(uint64_t(1) << 63); // DenseMap keeps the two largest for itself
   }
-
-  bool continues(const Place &place) const {
-    return place.depth == last_.depth && place.list == last_.list && place.file == last_.file;
-  }
-  /// The hole that the same list has made there before; null: there is none.
-  const Place *add(const Place &place) {
-    if (!continues(place)) {
-      places_.clear();
-      byKey_.clear();
-    }
-    last_ = place;
-    if (places_.size() > longestList)
-      return nullptr;
-    const auto [known, fresh] = byKey_.try_emplace(place.key, uint32_t(places_.size()));
-    if (fresh) {
-      places_.push_back(place);
-      return nullptr;
-    }
-    return &places_[known->second];
-  }
-
-  static constexpr size_t longestList = 5000;
-  /// The first hole at each place of the list that is being run.
-  std::vector<Place> places_;
-  llvm::DenseMap<uint64_t, uint32_t> byKey_;
-  Place last_;
-  GatheredList<Place> gathered_;
 };
 
 } // namespace

@@ -9,7 +9,28 @@
 namespace ncvet {
 namespace {
 
-class CycleLeftActive final : public Rule {
+struct CycleLeftActiveMemory {
+  /// A cycle that is still active somewhere.
+  struct Left {
+    SourceRange place;
+    Origin origin;
+    std::string name, message, cancel;
+    TextEdit edit;
+    bool certain = false;
+    bool judged = false; ///< a caller was seen
+
+    void report(RuleContext &ctx) const {
+      if (auto finding = ctx.report(place, certain))
+        finding.text(message)
+            .note(origin, name + " becomes active here")
+            .fix(FixSafety::Unsafe, "insert " + cancel + " before this block", edit);
+    }
+  };
+  Origin said; ///< a cycle that was left active at the end of measuring
+  std::map<std::pair<FileId, uint32_t>, Left> returned; ///< by where the cycle becomes active
+};
+
+class CycleLeftActive final : public StatefulRule<CycleLeftActiveMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return, EventKind::CycleRun,
@@ -23,7 +44,7 @@ public:
     to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const Dialect &dialect = ctx.dialect();
     if (before.profile != 0)
@@ -60,7 +81,7 @@ public:
         return;
     }
     const Origin &origin = before.origin.of(StatePart::Cycle);
-    if (said_ == origin && said_.known())
+    if (memory().said == origin && memory().said.known())
       return;
     const char *where = "";
     switch (event.kind) {
@@ -90,14 +111,14 @@ public:
         if (cycle->cycle != CycleKind::Measure)
           return;
         where = "at the end of measuring";
-        said_ = origin;
+        memory().said = origin;
         break;
       }
       where = "where a cycle of turning begins";
       break;
     }
     const std::string cancel = cancelOf(dialect, *cycle);
-    Left left;
+    Memory::Left left;
     left.place = event.word ? ctx.range(*event.word) : ctx.blockRange();
     left.certain = active == Truth::Yes;
     left.origin = origin;
@@ -110,19 +131,17 @@ public:
     left.edit = ctx.insertBlockBefore(cancel);
     // Switched on only and not run, it may be meant for the places that the caller gives.
     if (event.kind == EventKind::Return && ctx.callDepth() > 0 && !before.may(Fact::CycleRan))
-      returned_[{origin.file, origin.begin}] = std::move(left);
+      memory().returned[{origin.file, origin.begin}] = std::move(left);
     else
       left.report(ctx);
   }
 
   /// Programs that no block called, of those that return with the cycle on.
-  void finish(const FileSummary &, RuleContext &ctx) override {
-    for (const auto &[place, left] : returned_)
+  void finish(const FileSummary &, RuleContext &ctx) const override {
+    for (const auto &[place, left] : memory().returned)
       if (!left.judged && left.certain)
         left.report(ctx);
   }
-
-  void remember(RuleMemory &memory) const override { memory(said_, returned_); }
 
 private:
   /// Cycles of the motion codes' group, which any of these ends.
@@ -180,31 +199,12 @@ private:
       Action::CallProgram, Action::CallLocal, Action::Return, Action::ProgramEnd,
       Action::ProgramEndRewind};
 
-  /// A cycle that is still active somewhere.
-  struct Left {
-    SourceRange place;
-    Origin origin;
-    std::string name, message, cancel;
-    TextEdit edit;
-    bool certain = false;
-    bool judged = false; ///< a caller was seen
-
-    void remember(RuleMemory &memory) const { memory(place, origin, certain, judged); }
-    void report(RuleContext &ctx) const {
-      if (auto finding = ctx.report(place, certain))
-        finding.text(message)
-            .note(origin, name + " becomes active here")
-            .fix(FixSafety::Unsafe, "insert " + cancel + " before this block", edit);
-    }
-  };
-  std::map<std::pair<FileId, uint32_t>, Left> returned_; ///< by where the cycle becomes active
-
   /// A program that switches the cycle on for its caller, which gives the places and ends it, does
   /// what it is there for.
-  void backInCaller(RuleContext &ctx) {
+  void backInCaller(RuleContext &ctx) const {
     const Origin &origin = ctx.after().origin.of(StatePart::Cycle);
-    const auto left = returned_.find({origin.file, origin.begin});
-    if (left == returned_.end() || ctx.after().cycleActive(ctx.dialect()) == Truth::No)
+    const auto left = memory().returned.find({origin.file, origin.begin});
+    if (left == memory().returned.end() || ctx.after().cycleActive(ctx.dialect()) == Truth::No)
       return;
     if (ctx.callDepth() > 0 && nothingBehind(ctx)) // handed on to the caller's caller
       return;
@@ -246,7 +246,6 @@ private:
     return false;
   }
 
-  Origin said_; ///< a cycle that was left active at the end of measuring
   static const CodeInfo *activeCycle(const MachineState &state, const Dialect &dialect) {
     for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion})
       for (const CodeInfo *code : state.candidates(dialect, which))
@@ -271,7 +270,7 @@ private:
   }
 
   /// Whether the first thing that every caller does is to end the cycle.
-  bool callersEnd(const CodeInfo &cycle, const RuleContext &ctx) {
+  bool callersEnd(const CodeInfo &cycle, const RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
     const auto judge = [&](const Block &block) {
       for (const CodeIndex index : codesOf(dialect, block)) {

@@ -13,7 +13,7 @@ public:
     to.onNotices(id);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
       return;

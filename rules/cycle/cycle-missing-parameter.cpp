@@ -24,7 +24,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun) {
       // A later hole of the cycle whose block gives a parameter anew.
       if (event.code != noCode && !ctx.codeWord(event) &&

@@ -8,7 +8,13 @@
 namespace ncvet {
 namespace {
 
-class CycleNeverExecuted final : public Rule {
+struct CycleNeverExecutedMemory {
+  uint32_t stored = 0; ///< switches that say that parameters are stored
+  SourceRange storedIn{};
+  bool assigns = false;
+};
+
+class CycleNeverExecuted final : public StatefulRule<CycleNeverExecutedMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange(
@@ -16,11 +22,11 @@ public:
     const Dialect &dialect = to.dialect();
     for (unsigned i = 0; i < dialect.switches.size(); ++i)
       if (dialect.switches[i].leftOn == id)
-        stored_ |= 1u << i;
-    if (stored_)
+        memory().stored |= 1u << i;
+    if (memory().stored)
       to.onCode([&](const CodeInfo &code) {
         return code.action == Action::Switch && code.effect.on && code.effect.index < 64 &&
-               (stored_ >> code.effect.index & 1);
+               (memory().stored >> code.effect.index & 1);
       });
     if (dialect.lexical.blocksSpanLines)
       callParameters(dialect);
@@ -35,7 +41,7 @@ public:
     to.onCode([](const CodeInfo &code) { return countsFrames(code); });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     if (event.kind == EventKind::Block) {
       checkLooseWords(ctx);
@@ -43,19 +49,20 @@ public:
       return;
     }
     if (event.kind == EventKind::Statement) {
-      assigns_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Assignment;
+      memory().assigns |= ctx.block().items[size_t(event.number)].kind == ItemKind::Assignment;
       return;
     }
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
       if (countsFrames(ctx.code(event)))
         return counts(event, ctx);
-      storedIn_ = ctx.block().numberEnd > ctx.block().begin
-                      ? SourceRange{ctx.source().id(), ctx.block().begin, ctx.block().numberEnd}
-                      : ctx.range(*event.word);
+      memory().storedIn =
+          ctx.block().numberEnd > ctx.block().begin
+              ? SourceRange{ctx.source().id(), ctx.block().begin, ctx.block().numberEnd}
+              : ctx.range(*event.word);
       return;
     }
-    if (event.kind == EventKind::ProgramEnd && stored_)
+    if (event.kind == EventKind::ProgramEnd && memory().stored)
       storedForNothing(ctx);
     const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
     if (!cycle || cycle->action != Action::Cycle ||
@@ -72,12 +79,11 @@ public:
           .note(ctx.blockRange(), "the cycle ends here");
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
-    if (assigns_ && file.complete)
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
+    if (memory().assigns && file.complete)
       for (const ProgramInfo &program : file.index.programs())
         orphans(file, program, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(stored_, storedIn_); }
 
 private:
   /// A frame that is set once per pass.
@@ -153,17 +159,16 @@ private:
   }
 
   std::set<uint64_t> parameters_; ///< keys of variables that cycles read
-  bool assigns_ = false;
 
   static constexpr llvm::StringLiteral id{"cycle-never-executed"};
 
   /// Parameters that were stored for a cycle that the program does not call.
-  void storedForNothing(RuleContext &ctx) {
+  void storedForNothing(RuleContext &ctx) const {
     const MachineState &state = ctx.after();
-    if (!state.switches.areOn(stored_) || ctx.callDepth() > 0 || state.may(Fact::UnknownCode) ||
-        storedIn_.end == 0)
+    if (!state.switches.areOn(memory().stored) || ctx.callDepth() > 0 ||
+        state.may(Fact::UnknownCode) || memory().storedIn.end == 0)
       return;
-    if (auto finding = ctx.report(storedIn_))
+    if (auto finding = ctx.report(memory().storedIn))
       finding.severity(Severity::Warning)
           .text("parameters of a cycle are stored here, and no block behind calls the cycle")
           .note(ctx.blockRange(), "the program ends here");
@@ -182,7 +187,7 @@ private:
   }
 
   /// The parameters of a call stand in a block that does not make it.
-  void checkLooseParameters(RuleContext &ctx) {
+  void checkLooseParameters(RuleContext &ctx) const {
     const Block &block = ctx.block();
     if (callParameters_.empty() || block.items.empty() || !block.has(variableAddress))
       return;
@@ -200,7 +205,7 @@ private:
         return;
       const SourceRange range = block.numberEnd > block.begin
                                     ? SourceRange{ctx.source().id(), block.begin, block.numberEnd}
-                                    : SourceRange{ctx.source().id(), item.begin, item.end};
+                                    : ctx.range(item);
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
             .message("the block sets `{0}` and holds no `{1}`: no cycle takes it",
@@ -210,12 +215,10 @@ private:
     }
   }
 
-  uint32_t stored_ = 0; ///< switches that say that parameters are stored
-  SourceRange storedIn_{};
   std::unordered_map<uint64_t, CodeIndex> callParameters_;
 
   /// Depths of pecks and the like in a block that makes no hole.
-  void checkLooseWords(RuleContext &ctx) {
+  void checkLooseWords(RuleContext &ctx) const {
     const Block &block = ctx.block();
     constexpr AddressMask data = lettersMask("IJKQEP");
     if (!(block.addresses & data) || block.has(letterAddress('G')) || !block.items.empty() ||

@@ -16,7 +16,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.code(event).action == Action::Cycle)
       reportExcludedWords(ctx, event);
     ctx.reportNotices(id, event);

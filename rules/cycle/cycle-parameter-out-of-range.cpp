@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class CycleParameterOutOfRange final : public Rule {
+struct CycleParameterOutOfRangeMemory {
+  KeptFaults faults;
+};
+
+class CycleParameterOutOfRange final : public StatefulRule<CycleParameterOutOfRangeMemory> {
   static constexpr llvm::StringLiteral id = "cycle-parameter-out-of-range";
 
 public:
@@ -22,7 +26,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     // A later block of a modal cycle may give a word anew.
@@ -34,7 +38,7 @@ public:
     reportWordRanges(ctx, event, [](const CodeInfo &code, const WordSpec &spec, Breach) {
       return topicOf(code, spec) == WordTopic::Cycle;
     });
-    reportKeptRanges(ctx, event, faults_, [](const CodeInfo &code, const WordSpec &spec) {
+    reportKeptRanges(ctx, event, memory().faults, [](const CodeInfo &code, const WordSpec &spec) {
       return topicOf(code, spec) == WordTopic::Cycle;
     });
     if (event.kind != EventKind::Code)
@@ -46,11 +50,7 @@ public:
     ctx.reportNotices(id, event);
   }
 
-  void remember(RuleMemory &memory) const override { memory(faults_); }
-
 private:
-  KeptFaults faults_;
-
   /// A text of other characters than the control can make.
   static void characters(const WordSpec &spec, RuleContext &ctx) {
     const Word *word = wordFor(ctx.block(), spec);

@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class CyclePeckInvalid final : public Rule {
+struct CyclePeckInvalidMemory {
+  KeptFaults faults;
+};
+
+class CyclePeckInvalid final : public StatefulRule<CyclePeckInvalidMemory> {
   static constexpr llvm::StringLiteral id = "cycle-peck-invalid";
 
 public:
@@ -18,7 +22,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const bool again = event.kind == EventKind::CycleRun;
@@ -33,7 +37,7 @@ public:
       reportWordRanges(ctx, event, [](const CodeInfo &of, const WordSpec &spec, Breach) {
         return topicOf(of, spec) == WordTopic::Peck;
       });
-      reportKeptRanges(ctx, event, faults_, [](const CodeInfo &of, const WordSpec &spec) {
+      reportKeptRanges(ctx, event, memory().faults, [](const CodeInfo &of, const WordSpec &spec) {
         return topicOf(of, spec) == WordTopic::Peck;
       });
       checkOrder(event, code, ctx);
@@ -47,11 +51,8 @@ public:
       ctx.reportNotices(id, changed);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(faults_); }
 
 private:
-  KeptFaults faults_;
-
   /// Shrinking pecks: the reduction and the least peck are smaller than the first one.
   static void checkOrder(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const Word *firstWord = wordOf(ctx.block(), code, Role::PeckFirst);

@@ -10,7 +10,11 @@
 namespace ncvet {
 namespace {
 
-class CyclePlaneOrAxis final : public Rule {
+struct CyclePlaneOrAxisMemory {
+  bool said = false;
+};
+
+class CyclePlaneOrAxis final : public StatefulRule<CyclePlaneOrAxisMemory> {
   static constexpr llvm::StringLiteral id = "cycle-plane-or-axis";
 
 public:
@@ -44,7 +48,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
       arcInPlane(event, ctx);
@@ -69,7 +73,6 @@ public:
                    code.name)
           .note(state.originOf(ctx.dialect(), StandardGroup::Plane), "G18 is selected here");
   }
-  void remember(RuleMemory &memory) const override { memory(said_); }
 
 private:
   /// The machine profile's `arcMacroPlanes`: arcs of the machine's own that work in one plane.
@@ -84,7 +87,7 @@ private:
     return planes;
   }
 
-  void arcInPlane(const Event &event, RuleContext &ctx) {
+  void arcInPlane(const Event &event, RuleContext &ctx) const {
     const auto wanted = planeOf_.find(ctx.code(event).base);
     if (wanted == planeOf_.end())
       return;
@@ -111,27 +114,27 @@ private:
     if (value.bad ||
         (value.count == 1 && first.op == Op::Number && first.value >= double(firstNamedVariable)))
       return; // an axis stands for itself
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` names no axis: CFX, CFY, CFZ and their like do", ctx.text(range));
   }
 
   /// The plane that holds is the control's own choice.
-  void plane(const Event &event, RuleContext &ctx) {
+  void plane(const Event &event, RuleContext &ctx) const {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Plane);
-    if (event.kind != EventKind::CycleStart || group == noGroup || said_ || event.code == noCode ||
-        !ctx.code(event).firesInPlane || ctx.before().may(Fact::UnknownCode) ||
-        (ctx.after().mayBeStated(group)))
+    if (event.kind != EventKind::CycleStart || group == noGroup || memory().said ||
+        event.code == noCode || !ctx.code(event).firesInPlane ||
+        ctx.before().may(Fact::UnknownCode) || (ctx.after().mayBeStated(group)))
       return;
-    said_ = true;
+    memory().said = true;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
           .message("`{0}` runs before the program has stated a plane", ctx.code(event).name);
   }
 
   /// Work offset, plane and dimensions are programmed in front of the first cycle.
-  void prepared(const Event &event, RuleContext &ctx) {
-    if (event.code == noCode || said_ || ctx.callDepth() > 0 ||
+  void prepared(const Event &event, RuleContext &ctx) const {
+    if (event.code == noCode || memory().said || ctx.callDepth() > 0 ||
         ctx.before().may(Fact::UnknownCode) || !ctx.block().has(argumentAddress))
       return;
     std::string missing;
@@ -143,7 +146,7 @@ private:
       missing += missing.empty() ? "" : ", ";
       missing += ctx.dialect().groups[group].title;
     }
-    said_ = true;
+    memory().said = true;
     if (missing.empty())
       return;
     if (auto finding = ctx.report(event))
@@ -154,7 +157,7 @@ private:
 
   std::set<uint64_t> axes_; ///< keys of variables that hold an axis
   bool stated_ = false;     ///< the program states the plane in front of its first cycle
-  bool setup_ = false, said_ = false;
+  bool setup_ = false;
   bool wanted_ = false;
 };
 

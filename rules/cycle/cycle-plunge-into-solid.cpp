@@ -11,9 +11,45 @@
 namespace ncvet {
 namespace {
 
-class CyclePlungeIntoSolid final : public Rule {
-  using PlaceInPlane = std::array<Interval, 2>;
+using PlaceInPlane = std::array<Interval, 2>;
 
+/// The holes that were made. Runs that add to them are told apart by what they add.
+class HolesMade {
+public:
+  void add(const PlaceInPlane &place) {
+    if (!place[0].isConstant() || !place[1].isConstant() || holes_.size() >= mostHoles) {
+      anywhere_ = true;
+      return;
+    }
+    holes_.push_back({place[0].value(), place[1].value()});
+    sum_ = llvm::hash_combine(sum_, std::bit_cast<uint64_t>(place[0].value()),
+                              std::bit_cast<uint64_t>(place[1].value()));
+  }
+  /// One of them may be anywhere.
+  bool isAnywhere() const { return anywhere_; }
+  bool isMade(double x, double y) const {
+    constexpr double near = 0.01; // mm
+    return llvm::any_of(holes_, [&](const std::array<double, 2> &hole) {
+      return std::hypot(hole[0] - x, hole[1] - y) < near;
+    });
+  }
+  void remember(RuleMemory &memory) const { memory(holes_.size(), sum_, anywhere_); }
+
+private:
+  /// Holes beyond so many are not told apart any more.
+  static constexpr size_t mostHoles = 4096;
+
+  std::vector<std::array<double, 2>> holes_;
+  uint64_t sum_ = 0;      ///< of them, to compare them by
+  bool anywhere_ = false; ///< a hole was made at a place that is not known
+};
+
+struct CyclePlungeIntoSolidMemory {
+  Aside<HolesMade> holes;
+  GatheredList<PlaceInPlane> gathered;
+};
+
+class CyclePlungeIntoSolid final : public StatefulRule<CyclePlungeIntoSolidMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
@@ -26,7 +62,7 @@ public:
     to.onChange({EventKind::Motion}); // further feeds along that axis are at the same place
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     if (event.kind == EventKind::Motion)
@@ -41,21 +77,16 @@ public:
       for (const Place &place : ctx.outcome().holes)
         made(inPlane(place, ctx));
   }
-  void remember(RuleMemory &memory) const override {
-    memory.aside([&] { memory(holes_.size(), sum_, anywhere_); });
-  }
-  void startGathering() override { gathered_.start(); }
-  std::shared_ptr<Gathered> gathered() const override { return gathered_.part(); }
+  void startGathering() override { memory().gathered.start(); }
+  std::shared_ptr<Gathered> gathered() const override { return memory().gathered.part(); }
   bool gather(const Gathered &gathered) override {
     for (const PlaceInPlane &place : GatheredList<PlaceInPlane>::itemsOf(gathered))
-      add(place);
+      memory().holes.note().add(place);
     return true;
   }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-plunge-into-solid"};
-  /// Holes beyond so many are not told apart any more.
-  static constexpr size_t mostHoles = 4096;
   using Place = std::array<Interval, axisCount>;
 
   static PlaceInPlane inPlane(const Place &place, RuleContext &ctx) {
@@ -63,33 +94,24 @@ private:
     return {place[size_t(axes[0])], place[size_t(axes[1])]};
   }
 
-  void made(const PlaceInPlane &place) {
-    gathered_.add(place);
-    add(place);
-  }
-  void add(const PlaceInPlane &place) {
-    if (!place[0].isConstant() || !place[1].isConstant() || holes_.size() >= mostHoles) {
-      anywhere_ = true;
-      return;
-    }
-    holes_.push_back({place[0].value(), place[1].value()});
-    sum_ = llvm::hash_combine(sum_, std::bit_cast<uint64_t>(place[0].value()),
-                              std::bit_cast<uint64_t>(place[1].value()));
+  void made(const PlaceInPlane &place) const {
+    memory().gathered.add(place);
+    memory().holes.note().add(place);
   }
 
   /// A feed along the tool's axis alone.
-  void madeByHand(const Event &event, RuleContext &ctx) {
+  void madeByHand(const Event &event, RuleContext &ctx) const {
     const Axis tool = toolAxis(ctx.dialect(), ctx.after());
     if (event.motion == MotionKind::Feed && event.axes == uint16_t(1u << unsigned(tool)))
       made(inPlane(ctx.after().position, ctx));
   }
 
-  void wanted(const Event &event, RuleContext &ctx) {
-    stateUse.aside = true;
+  void wanted(const Event &event, RuleContext &ctx) const {
+    const HolesMade &holes = memory().holes.look();
     const MachineState &state = ctx.after();
     const auto [x, y] = inPlane(state.position, ctx);
-    if (anywhere_ || !x.isConstant() || !y.isConstant() || state.transforms[0] ||
-        state.may(Fact::UnknownCode) || ctx.callDepth() > 0 || isMade(x.value(), y.value()))
+    if (holes.isAnywhere() || !x.isConstant() || !y.isConstant() || state.transforms[0] ||
+        state.may(Fact::UnknownCode) || ctx.callDepth() > 0 || holes.isMade(x.value(), y.value()))
       return;
     if (auto finding = ctx.report(event, /*certain=*/false))
       finding.message(
@@ -97,18 +119,7 @@ private:
           ctx.code(event).name);
   }
 
-  bool isMade(double x, double y) const {
-    constexpr double near = 0.01; // mm
-    return llvm::any_of(holes_, [&](const std::array<double, 2> &hole) {
-      return std::hypot(hole[0] - x, hole[1] - y) < near;
-    });
-  }
-
   bool wantsHoles_ = false; ///< the control has cycles that go down into a hole
-  bool anywhere_ = false;   ///< a hole was made at a place that is not known
-  std::vector<std::array<double, 2>> holes_;
-  uint64_t sum_ = 0; ///< of them, to compare them by
-  GatheredList<PlaceInPlane> gathered_;
 };
 
 } // namespace

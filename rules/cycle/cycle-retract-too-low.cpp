@@ -14,7 +14,7 @@ public:
       to.on(EventKind::CycleRun);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (event.kind != EventKind::CycleRun || ctx.outcome().holes.empty() || !after.frames.empty() ||
         before.machineAxes || after.machineAxes || before.may(Fact::UnknownCode))

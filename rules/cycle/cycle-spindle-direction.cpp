@@ -8,7 +8,7 @@ class CycleSpindleDirection final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on({EventKind::CycleStart, EventKind::CycleRun}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);

@@ -15,7 +15,7 @@ public:
       to.onCode([](const CodeInfo &code) { return tapsByMove(code); });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if (!ctx.dialect().orientWords || !tapsByMove(code) ||

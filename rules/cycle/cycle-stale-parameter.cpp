@@ -6,7 +6,16 @@
 namespace ncvet {
 namespace {
 
-class CycleStaleParameter final : public Rule {
+struct CycleStaleParameterMemory {
+  /// Whom the value of a variable serves.
+  struct Meant {
+    CodeIndex given = noCode; ///< the code in whose block it was given last
+    CodeIndex taken = noCode; ///< the last code that took it
+  };
+  std::map<uint64_t, Meant> meant; ///< by variable
+};
+
+class CycleStaleParameter final : public StatefulRule<CycleStaleParameterMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
@@ -18,7 +27,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return assigned(ctx.block().items[size_t(event.number)], ctx);
     ctx.reportNotices(id, event);
@@ -26,12 +35,12 @@ public:
     for (const WordSpec &spec : code.words) {
       if (!spec.variable)
         continue;
-      const auto last = meant_.find(spec.variable);
+      const auto last = memory().meant.find(spec.variable);
       if (wordFor(ctx.block(), spec)) {
-        meant_[spec.variable] = {code.base, code.base};
+        memory().meant[spec.variable] = {code.base, code.base};
         continue;
       }
-      if (mayStandOnly(spec) || last == meant_.end() ||
+      if (mayStandOnly(spec) || last == memory().meant.end() ||
           ctx.before().commons.given(spec.variable) != Truth::Yes)
         continue;
       if (last->second.taken == code.base || shared(spec) ||
@@ -48,20 +57,15 @@ public:
       last->second.taken = code.base;
     }
   }
-  void remember(RuleMemory &memory) const override {
-    for (const auto &[variable, meant] : meant_)
-      memory(variable, meant.given, meant.taken);
-    memory(meant_.size());
-  }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-stale-parameter"};
   /// A value that a block of its own gives is meant for whatever comes.
-  void assigned(const Item &item, RuleContext &ctx) {
+  void assigned(const Item &item, RuleContext &ctx) const {
     const auto meant = item.kind == ItemKind::Assignment
-                           ? meant_.find(ctx.block().keyOf(item.target))
-                           : meant_.end();
-    if (meant == meant_.end())
+                           ? memory().meant.find(ctx.block().keyOf(item.target))
+                           : memory().meant.end();
+    if (meant == memory().meant.end())
       return;
     // A cycle that runs in every block takes it too.
     const CodeInfo *active = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
@@ -77,7 +81,7 @@ private:
                                             [](const WordSpec &w) { return w.variable; });
     });
     if (!inCycle)
-      meant_.erase(meant);
+      memory().meant.erase(meant);
   }
 
   /// The value of the run before: what a form is told by, or advice.
@@ -114,13 +118,6 @@ private:
     return spec.role == Role::Depth || spec.role == Role::Retract || spec.role == Role::Height ||
            spec.role == Role::Feed;
   }
-
-  /// Whom the value of a variable serves.
-  struct Meant {
-    CodeIndex given = noCode; ///< the code in whose block it was given last
-    CodeIndex taken = noCode; ///< the last code that took it
-  };
-  std::map<uint64_t, Meant> meant_; ///< by variable
 };
 
 } // namespace

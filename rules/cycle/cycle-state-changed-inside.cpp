@@ -8,7 +8,11 @@
 namespace ncvet {
 namespace {
 
-class CycleStateChangedInside final : public Rule {
+struct CycleStateChangedInsideMemory {
+  OncePerCause once;
+};
+
+class CycleStateChangedInside final : public StatefulRule<CycleStateChangedInsideMemory> {
 public:
   void listen(Subscriptions &to) override {
     const GroupIndex cycles = to.dialect().group(StandardGroup::Cycle);
@@ -35,7 +39,7 @@ public:
       to.on(EventKind::Statement);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
     if (event.kind == EventKind::CycleRun && before.cycleActive(ctx.dialect()) == Truth::No)
@@ -89,7 +93,6 @@ public:
         .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
              ctx.insertBlockBefore(cancel));
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   /// A variable that the active cycle reads gets another value.
@@ -106,7 +109,7 @@ private:
     const Value was = ctx.before().commons.get(key), now = ctx.after().commons.get(key);
     if (!was.isConstant() || !now.isConstant() || was.number.value() == now.number.value())
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
           .message("`{0}` changes the axis under `{1}` of line {2}, which is active",
@@ -123,7 +126,7 @@ private:
     for (const WordSpec &spec : cycle.words) {
       if (!spec.variable || spec.variable != key)
         continue;
-      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      const SourceRange range = ctx.range(item);
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
             .message("`{0}` changes `{1}` of line {2} between its holes", ctx.text(range),
@@ -155,7 +158,7 @@ private:
   }
 
   /// A later block of a cycle that goes on: its way to the hole, and its words.
-  void running(const CodeInfo &cycle, RuleContext &ctx) {
+  void running(const CodeInfo &cycle, RuleContext &ctx) const {
     const Axis tool = toolAxis(ctx.dialect(), ctx.after());
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = ctx.dialect().addresses[word.address];
@@ -180,7 +183,7 @@ private:
       return;
     }
     if (!motion || motion->action != Action::Linear || !axesOf(ctx.dialect(), ctx.block()) ||
-        !once_.speaks(ctx.before().origin.of(StatePart::Cycle), ctx))
+        !memory().once.speaks(ctx.before().origin.of(StatePart::Cycle), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.severity(Severity::Warning)
@@ -189,7 +192,7 @@ private:
   }
 
   /// The block that calls the cycle: its way to the first hole.
-  void called(const Event &event, RuleContext &ctx) {
+  void called(const Event &event, RuleContext &ctx) const {
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (event.code != noCode && makesHole(ctx.code(event).cycle) && motion &&
         ctx.code(event).group != noGroup && isArc(motion->action) &&
@@ -199,10 +202,10 @@ private:
 
   /// An arc that was in force before the cycle leads to the hole; one in the block itself was
   /// spoken of already.
-  void arrivesByArc(const CodeInfo &cycle, const CodeInfo &motion, RuleContext &ctx) {
+  void arrivesByArc(const CodeInfo &cycle, const CodeInfo &motion, RuleContext &ctx) const {
     const Origin origin = ctx.after().originOf(ctx.dialect(), StandardGroup::Motion);
     if (ctx.find({Action::ArcCw, Action::ArcCcw}) ||
-        !once_.speaks(ctx.after().origin.of(StatePart::Cycle), ctx))
+        !memory().once.speaks(ctx.after().origin.of(StatePart::Cycle), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.severity(Severity::Error)
@@ -214,7 +217,6 @@ private:
   bool goesOn_ = false; ///< motion codes do not end a cycle
   GroupIndex cycles_ = noGroup;
   std::set<uint64_t> axes_; ///< keys of variables that hold the axis of whatever cycle
-  OncePerCause once_;
 };
 
 } // namespace

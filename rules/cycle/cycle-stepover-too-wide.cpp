@@ -15,7 +15,7 @@ public:
     stepUnit_ = to.dialect().facts->turning.stepUnit;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     if (event.kind == EventKind::Code)

@@ -7,7 +7,14 @@
 namespace ncvet {
 namespace {
 
-class CycleTapFeedMismatch final : public Rule {
+struct CycleTapFeedMismatchMemory {
+  SourceRange last{}; ///< where the cycle of the last hole became active
+  double feed = 0;    ///< those of that hole: mm, 1/min
+  double speed = 0;   ///< those of that hole: mm, 1/min
+  double was = 0;     ///< pitch of that hole, where this one differs; else 0
+};
+
+class CycleTapFeedMismatch final : public StatefulRule<CycleTapFeedMismatchMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
@@ -19,7 +26,7 @@ public:
       to.onCode([](const CodeInfo &code) { return makesHole(code.cycle) && code.arguments; });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
       ctx.reportNotices(id, event);
       return ofPart(event, ctx);
@@ -90,9 +97,9 @@ public:
     }
     // A later hole with another speed, but the old feed.
     const MachineState &before = ctx.before();
-    if (pitch || named || was_ <= 0 || !before.must(Fact::CycleRan))
+    if (pitch || named || memory().was <= 0 || !before.must(Fact::CycleRan))
       return;
-    const double was = was_;
+    const double was = memory().was;
     if (std::fabs(was - cuts) <= 0.005 * was)
       return;
     if (auto finding = ctx.report(at, event.certain))
@@ -103,8 +110,6 @@ public:
               code.name, text(cuts / *unit), text(was / *unit))
           .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
-
-  void remember(RuleMemory &memory) const override { memory(last_, feed_, speed_); }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-tap-feed-mismatch"};
@@ -132,27 +137,25 @@ private:
 
   std::map<std::string, CodeIndex> parts_; ///< of the dialogs
   /// Whether F or S has become another one since the hole before, in a block between the two.
-  bool changesPitch(const Event &event, double unit, const RuleContext &ctx) {
+  bool changesPitch(const Event &event, double unit, const RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Origin &cycle = state.origin.of(StatePart::Cycle);
     const SourceRange here = cycle.known() ? cycle.range() : SourceRange{};
     const double feed = state.feed->value() * unit;
     const double speed = state.speed->isConstant() ? state.speed->value() : 0;
-    const bool changed = event.certain && !here.empty() && here == last_ && speed > 0 &&
-                         speed_ > 0 && (feed != feed_ || speed != speed_);
-    was_ = changed ? feed_ / speed_ : 0;
-    last_ = here;
-    feed_ = feed;
-    speed_ = speed;
+    const bool changed = event.certain && !here.empty() && here == memory().last && speed > 0 &&
+                         memory().speed > 0 && (feed != memory().feed || speed != memory().speed);
+    memory().was = changed ? memory().feed / memory().speed : 0;
+    memory().last = here;
+    memory().feed = feed;
+    memory().speed = speed;
     return changed;
   }
-  SourceRange last_{};          ///< where the cycle of the last hole became active
-  double feed_ = 0, speed_ = 0; ///< those of that hole: mm, 1/min
-  double was_ = 0;              ///< pitch of that hole, where this one differs; else 0
   static std::string text(double value) {
     return llvm::formatv("{0}", llvm::format("%.4g", value)).str();
   }
-  double leastPitch_ = 0.05, greatestPitch_ = 12;
+  double leastPitch_ = 0.05;
+  double greatestPitch_ = 12;
 };
 
 } // namespace

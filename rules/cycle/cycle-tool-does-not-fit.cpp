@@ -7,7 +7,7 @@ namespace {
 class CycleToolDoesNotFit final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onNotices(id); }
-  void on(const Event &event, RuleContext &ctx) override { ctx.reportNotices(id, event); }
+  void on(const Event &event, RuleContext &ctx) const override { ctx.reportNotices(id, event); }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-tool-does-not-fit"};

@@ -30,7 +30,7 @@ public:
       to.on(EventKind::Call);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Call)
       return call(ctx);
     if (event.kind == EventKind::Motion)

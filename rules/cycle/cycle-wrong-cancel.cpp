@@ -12,7 +12,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo *running = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
     const CodeInfo &code = ctx.code(event);
     if (!running || running->action != Action::Cycle || running->family == code.family)

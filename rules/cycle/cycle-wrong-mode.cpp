@@ -6,7 +6,11 @@
 namespace ncvet {
 namespace {
 
-class CycleWrongMode final : public Rule {
+struct CycleWrongModeMemory {
+  std::set<std::pair<FileId, uint32_t>> told;
+};
+
+class CycleWrongMode final : public StatefulRule<CycleWrongModeMemory> {
   static constexpr llvm::StringLiteral id = "cycle-wrong-mode";
 
 public:
@@ -17,7 +21,7 @@ public:
     places_ = to.option("places", 0) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     if (event.kind == EventKind::Code) {
@@ -45,11 +49,10 @@ public:
           .note(ctx.after().originOf(ctx.dialect(), StandardGroup::ReturnLevel),
                 "return to R is selected here");
   }
-  void remember(RuleMemory &memory) const override { memory(told_); }
 
 private:
   /// Distances were switched on between the cycle's block and this place: once for each time.
-  void incremental(const Event &event, RuleContext &ctx) {
+  void incremental(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Dialect &dialect = ctx.dialect();
     if (state.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::Yes ||
@@ -58,7 +61,7 @@ private:
     const Origin on = state.originOf(dialect, StandardGroup::Distance);
     const Origin cycle = ctx.before().origin.of(StatePart::Cycle);
     if (!on.known() || !cycle.known() || on.file != cycle.file || on.begin <= cycle.begin ||
-        !told_.insert({on.file, on.begin}).second)
+        !memory().told.insert({on.file, on.begin}).second)
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding.severity(Severity::Warning)
@@ -68,7 +71,6 @@ private:
   }
 
   bool places_ = false; ///< holes under incremental distances are reported
-  std::set<std::pair<FileId, uint32_t>> told_;
 };
 
 } // namespace

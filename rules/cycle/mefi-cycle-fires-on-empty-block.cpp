@@ -12,7 +12,7 @@ public:
       to.on(EventKind::CycleRun);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || event.axes)
       return;
     const CodeInfo &cycle = ctx.code(event);

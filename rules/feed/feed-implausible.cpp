@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class FeedImplausible final : public Rule {
+struct FeedImplausibleMemory {
+  OncePerCause once;
+};
+
+class FeedImplausible final : public StatefulRule<FeedImplausibleMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::FeedWord, EventKind::Motion});
@@ -13,7 +17,7 @@ public:
     perRevolutionAbove_ = to.option("perRevolutionAbove", 5);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     const bool carried = event.kind == EventKind::Motion;
     // An F that was fit for its mode may be unfit for the one that is in force at the cut.
@@ -35,7 +39,8 @@ public:
     const bool tooFast = mode->action == Action::FeedPerRevolution && feed > perRevolutionAbove_;
     if (!tooSlow && !tooFast)
       return;
-    if (carried && !once_.speaks(state.originOf(ctx.dialect(), StandardGroup::FeedMode), ctx))
+    if (carried &&
+        !memory().once.speaks(state.originOf(ctx.dialect(), StandardGroup::FeedMode), ctx))
       return;
     const std::string written =
         carried ? llvm::formatv("F{0}", value.value()).str() : ctx.text(*event.word).str();
@@ -49,7 +54,6 @@ public:
           .note(carried ? state.origin.of(StatePart::Feed) : Origin(),
                 "the feed is programmed here");
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   static bool cuts(const Event &event) {
@@ -76,7 +80,6 @@ private:
     return false;
   }
 
-  OncePerCause once_;
   double perMinuteBelow_ = 1;     // mm/min
   double perRevolutionAbove_ = 5; // mm
 };

@@ -5,7 +5,12 @@
 namespace ncvet {
 namespace {
 
-class FeedMissing final : public Rule {
+struct FeedMissingMemory {
+  OncePerCause once;
+  OncePerCause onceOfMode;
+};
+
+class FeedMissing final : public StatefulRule<FeedMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     inverseEach_ = to.dialect().facts->feed.inverseTimeInEachBlock;
@@ -16,7 +21,7 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (inverseEach_ && lacksItsTime(event, ctx))
       return;
     if (event.code == noCode || ctx.after().must(Fact::FeedSet) ||
@@ -34,7 +39,7 @@ public:
       return;
     if (event.kind == EventKind::CycleRun && hasOwnFeed(code, ctx)) {
       if (!ctx.after().may(Fact::FeedSet) &&
-          once_.speaks(ctx.after().origin.of(StatePart::Cycle), ctx))
+          memory().once.speaks(ctx.after().origin.of(StatePart::Cycle), ctx))
         if (auto finding = ctx.report(event, event.certain))
           finding.severity(Severity::Style)
               .message("`{0}` lives on the feed of another call's parameters: the program has no F",
@@ -42,7 +47,7 @@ public:
       return;
     }
     // Only the first cut: it is the same mistake in all that follow.
-    if (!once_.speaks(ctx.after().origin.of(StatePart::Feed), ctx))
+    if (!memory().once.speaks(ctx.after().origin.of(StatePart::Feed), ctx))
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::FeedSet);
     if (auto finding = ctx.report(event, certain))
@@ -50,12 +55,11 @@ public:
           .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                 "`" + code.name + "` becomes active here");
   }
-  void remember(RuleMemory &memory) const override { memory(once_, onceOfMode_); }
 
 private:
   /// A move with inverse time feed has the time of its own way, or none: the F of another block
   /// does not count for it. True when that is said.
-  bool lacksItsTime(const Event &event, RuleContext &ctx) {
+  bool lacksItsTime(const Event &event, RuleContext &ctx) const {
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
     const MachineState &state = ctx.after();
@@ -65,7 +69,7 @@ private:
         state.may(Fact::UnknownCode))
       return false;
     const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
-    if (!onceOfMode_.speaks(mode, ctx))
+    if (!memory().onceOfMode.speaks(mode, ctx))
       return true;
     if (auto finding = ctx.report(event))
       finding
@@ -84,7 +88,6 @@ private:
   }
 
   bool inverseEach_ = false; ///< inverse time feed wants F in each block that moves
-  OncePerCause once_, onceOfMode_;
 };
 
 } // namespace

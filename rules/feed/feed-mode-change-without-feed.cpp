@@ -5,7 +5,12 @@
 namespace ncvet {
 namespace {
 
-class FeedModeChangeWithoutFeed final : public Rule {
+struct FeedModeChangeWithoutFeedMemory {
+  SourceRange tap{}; ///< block of the last tapped hole
+  uint32_t reported = ~0u;
+};
+
+class FeedModeChangeWithoutFeed final : public StatefulRule<FeedModeChangeWithoutFeedMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::FeedMode) != noGroup &&
@@ -16,12 +21,12 @@ public:
     afterTap_ = to.dialect().facts->cycles.tapLeavesFeed;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun) {
       if (!afterTap_ || event.code == noCode)
         return;
       if (taps(ctx.code(event).cycle))
-        tap_ = ctx.blockRange();
+        memory().tap = ctx.blockRange();
       else if (ctx.code(event).group != noGroup) // a call has a feed of its own
         pitchLeftOn(event, ctx);
       return;
@@ -42,9 +47,9 @@ public:
     const Origin &feed = state.origin.of(StatePart::Feed);
     if (!mode.known() || !feed.known() || mode.file != feed.file ||
         mode.file != ctx.source().id() || feed.begin > mode.begin || !changed(mode, ctx) ||
-        mode.begin == reported_)
+        mode.begin == memory().reported)
       return;
-    reported_ = mode.begin;
+    memory().reported = mode.begin;
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     if (auto finding = ctx.report(event))
       finding
@@ -54,20 +59,19 @@ public:
           .note(mode, "the unit changes here")
           .note(feed, "the feed is programmed here");
   }
-  void remember(RuleMemory &memory) const override { memory(tap_, reported_); }
 
 private:
   /// The control forgets F at the code of the feed's unit, be it the one in force.
-  void feedForgotten(const Event &event, RuleContext &ctx) {
+  void feedForgotten(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     if (!ctx.code(event).needsFeed || state.must(Fact::FeedSet) || state.may(Fact::UnknownCode))
       return;
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
     if (!code || !mode.known() || !state.origin.of(StatePart::Feed).known() ||
-        mode.begin == reported_)
+        mode.begin == memory().reported)
       return;
-    reported_ = mode.begin;
+    memory().reported = mode.begin;
     if (auto finding = ctx.report(event, event.certain && !state.may(Fact::FeedSet)))
       finding.message("this move has no feed: `{0}` has forgotten the F of before it", code->name)
           .note(mode, "the feed is forgotten here")
@@ -75,30 +79,30 @@ private:
   }
 
   /// The feed per revolution that the block of a tapping cycle switched on is still in force.
-  void pitchLeftOn(const Event &event, RuleContext &ctx) {
+  void pitchLeftOn(const Event &event, RuleContext &ctx) const {
     const bool drills = event.kind == EventKind::CycleRun;
     const bool feeds = drills || event.motion == MotionKind::Feed ||
                        event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
     const MachineState &state = ctx.after();
-    if (tap_.end == 0)
+    if (memory().tap.end == 0)
       return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     const Origin since = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
     if (!feeds || !mode || mode->action != Action::FeedPerRevolution ||
         (!drills && state.cycleActive(ctx.dialect()) != Truth::No) || !since.known() ||
-        since.file != tap_.file || since.begin < tap_.begin || since.begin >= tap_.end)
+        since.file != memory().tap.file || since.begin < memory().tap.begin ||
+        since.begin >= memory().tap.end)
       return;
     if (auto finding = ctx.report(event))
       finding
           .message("`{0}` of the tapping cycle is still in force: this {1} feeds per revolution",
                    mode->name, drills ? "cycle" : "move")
           .note(since, "it was switched on for tapping");
-    tap_ = {};
+    memory().tap = {};
   }
 
   bool afterTap_ = false;
   bool forgets_ = false; ///< see `GroupInfo::forgetsFeed`
-  SourceRange tap_{};    ///< block of the last tapped hole
 
   /// Whether the code at `mode` was not in force already: another one stands between F and it, or
   /// the program had stated another before.
@@ -139,8 +143,6 @@ private:
     const std::string &first = dialect.codes[a].family, &second = dialect.codes[b].family;
     return told ? !first.empty() && !second.empty() && first != second : a != b;
   }
-
-  uint32_t reported_ = ~0u;
 };
 
 } // namespace

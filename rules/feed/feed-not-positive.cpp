@@ -8,7 +8,7 @@ class FeedNotPositive final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FeedWord); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (!(event.value.hi <= 0))
       return;
     const bool negative = event.value.hi < 0;

@@ -10,12 +10,12 @@ class EcsInputUnchecked final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const Item &item = block.items[size_t(event.number)];
     if (item.kind != ItemKind::Input)
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     const SourceRange name{ctx.source().id(), item.nameBegin, item.nameEnd};
     int64_t index = 0;
     llvm::StringRef variable = ctx.text(name).trim();
@@ -72,7 +72,7 @@ private:
                 .message(
                     "`{0}`: who leaves with ESC gives no value, and the target's blocks use it",
                     ctx.text(range))
-                .note(SourceRange{ctx.source().id(), next.begin, next.end}, "it is used here");
+                .note(ctx.range(next), "it is used here");
           return;
         }
       const bool leaves = llvm::any_of(next.items, [&](const Item &other) {

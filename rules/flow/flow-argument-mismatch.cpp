@@ -15,7 +15,7 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     switch (event.kind) {
     case EventKind::Code:
       return atCode(event, ctx);
@@ -24,7 +24,7 @@ public:
       return atDefinition(ctx.block().items[size_t(event.number)], ctx);
     case EventKind::Syntax: {
       const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-      const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      const SourceRange range = ctx.range(issue);
       if (issue.kind == SyntaxIssueKind::MissingArgument ||
           issue.kind == SyntaxIssueKind::TooManyArguments) {
         if (auto finding = ctx.report(range))
@@ -51,7 +51,7 @@ private:
     const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
     if (!words_ || item.kind != ItemKind::Call || !word)
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(*word))
       finding.severity(Severity::Warning)
           .message("`{0}` beside `{1}` is a move of this block: the called program takes no words",
@@ -88,13 +88,12 @@ private:
     if (argument.kind != ArgumentKind::Expression || argument.expression == noExpression)
       return false;
     const Expression &e = block.expressions[argument.expression];
-    if (isLabelPair(ctx.text(SourceRange{ctx.source().id(), argument.begin, argument.end}), ctx))
+    if (isLabelPair(ctx.text(ctx.range(argument)), ctx))
       return true;
     if (e.bad || e.count != 1 || block.operations[e.first].op == Op::Opaque)
       return false;
     const Defined *defined =
-        ctx.index().definition(ctx.index().programAt(block.begin),
-                               ctx.text(SourceRange{ctx.source().id(), e.begin, e.end}).trim());
+        ctx.index().definition(ctx.index().programAt(block.begin), ctx.text(ctx.range(e)).trim());
     return !defined || defined->kind != ItemKind::Definition ||
            defined->type != VariableType::String;
   }
@@ -113,7 +112,7 @@ private:
   }
 
   /// Definitions stand in front of everything that runs, and what a program takes in front of them.
-  void atDefinition(const Item &item, RuleContext &ctx) {
+  void atDefinition(const Item &item, RuleContext &ctx) const {
     if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
         item.kind != ItemKind::Parameters)
       return;
@@ -128,15 +127,14 @@ private:
       });
       if (!runs)
         continue;
-      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      const SourceRange range = ctx.range(item);
       if (auto finding = ctx.report(range))
         finding
             .message(item.kind == ItemKind::Parameters
                          ? "`{0}` has to be the program's first block"
                          : "`{0}` has to stand in front of the first block that runs",
                      ctx.text(range))
-            .note(SourceRange{ctx.source().id(), block.begin, block.end},
-                  "this block comes before");
+            .note(ctx.range(block), "this block comes before");
       return;
     }
   }

@@ -19,7 +19,7 @@ public:
       to.on(EventKind::Statement);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return statement(ctx.block().items[size_t(event.number)], ctx);
     ctx.reportNotices(id, event);
@@ -78,7 +78,7 @@ private:
     if (item.kind != ItemKind::Jump && item.kind != ItemKind::Repeat && item.kind != ItemKind::Call)
       return;
     if (block.skip >= 0)
-      return optional({ctx.source().id(), item.begin, item.end}, ctx);
+      return optional(ctx.range(item), ctx);
     if (item.kind == ItemKind::Call)
       return;
     Block named;
@@ -89,7 +89,7 @@ private:
       ctx.index().read(*at, named);
       if (named.skip < 0)
         continue;
-      const SourceRange where{ctx.source().id(), target.begin, target.end};
+      const SourceRange where = ctx.range(target);
       if (auto finding = ctx.report(where))
         finding.severity(Severity::Warning)
             .message("`{0}` leads to an optional block: a key of the panel takes it away",

@@ -20,7 +20,7 @@ public:
       watched_ &= ~groupMask(to.dialect(), {StandardGroup::Motion});
   }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     if (ctx.block().skip < 0)
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();

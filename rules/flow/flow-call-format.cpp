@@ -13,7 +13,7 @@ public:
       to.on({EventKind::Statement, EventKind::WordIssue});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return atStatement(ctx.block().items[size_t(event.number)], ctx);
     if (event.kind == EventKind::WordIssue) {
@@ -53,7 +53,7 @@ private:
 
   /// How calls and choices name their targets.
   static void atStatement(const Item &item, RuleContext &ctx) {
-    const SourceRange whole{ctx.source().id(), item.begin, item.end};
+    const SourceRange whole = ctx.range(item);
     if (item.kind == ItemKind::Call && item.nameEnd > item.nameBegin) {
       const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
       const llvm::StringRef name = ctx.text(range);
@@ -73,7 +73,7 @@ private:
     if (item.kind != ItemKind::Jump)
       return;
     for (const Argument &target : ctx.block().argumentsOf(item)) {
-      const SourceRange range{ctx.source().id(), target.begin, target.end};
+      const SourceRange range = ctx.range(target);
       if (target.kind == ArgumentKind::Name && item.nameEnd == item.nameBegin)
         if (auto finding = ctx.report(range))
           finding.message("`{0}` is no block of this program: a jump into another program names "

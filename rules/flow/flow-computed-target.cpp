@@ -11,7 +11,7 @@ public:
       to.on(EventKind::FlowIssue);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::ComputedTarget)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))

@@ -7,11 +7,28 @@
 namespace ncvet {
 namespace {
 
-class FlowConstantCondition final : public Rule {
+struct FlowConstantConditionMemory {
+  struct Choice {
+    SourceRange range;
+    unsigned ways = 0; ///< bit per way that was possible: below zero, zero, above zero
+    bool known = true; ///< the value was one number every time
+  };
+  /// A condition that the block in front of it decides.
+  struct Decided {
+    SourceRange range, variable;
+    int64_t number = -1; ///< of its block
+    bool truth = false;
+    bool other = false; ///< it was reached with another result too
+  };
+  std::map<std::pair<FileId, uint32_t>, Choice> choices;
+  std::map<std::pair<FileId, uint32_t>, Decided> decided;
+};
+
+class FlowConstantCondition final : public StatefulRule<FlowConstantConditionMemory> {
 public:
   void listen(Subscriptions &to) override { to.onChange({EventKind::Block}); }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     for (const Item &item : block.items)
       if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
@@ -24,10 +41,10 @@ public:
         check(block.expressions[item.condition], item, ctx);
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!file.complete)
       return;
-    for (const auto &[place, set] : decided_) {
+    for (const auto &[place, set] : memory().decided) {
       // A jump to the block brings other values along.
       if (place.first != file.source.id() || set.other ||
           std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), set.number))
@@ -38,7 +55,7 @@ public:
                      set.truth ? "true" : "false", ctx.text(set.variable))
             .note(set.variable, "the value is given here");
     }
-    for (const auto &[place, choice] : choices_) {
+    for (const auto &[place, choice] : memory().choices) {
       if (place.first != file.source.id() || !choice.known ||
           (choice.ways != 1 && choice.ways != 2 && choice.ways != 4))
         continue;
@@ -51,20 +68,11 @@ public:
                                         : "above zero");
     }
   }
-  void remember(RuleMemory &memory) const override { memory(choices_, decided_); }
 
 private:
-  struct Choice {
-    SourceRange range;
-    unsigned ways = 0; ///< bit per way that was possible: below zero, zero, above zero
-    bool known = true; ///< the value was one number every time
-
-    void remember(RuleMemory &memory) const { memory(range, ways, known); }
-  };
-
   /// Remembers where a choice by sign can go.
-  void remember(const Item &item, SourceRange range, RuleContext &ctx) {
-    Choice &choice = choices_[{ctx.source().id(), item.begin}];
+  void remember(const Item &item, SourceRange range, RuleContext &ctx) const {
+    Memory::Choice &choice = memory().choices[{ctx.source().id(), item.begin}];
     choice.range = range;
     const Value value = evaluate(ctx.block(), item.condition, ctx.before(), nullptr);
     choice.known &= value.isConstant() && ctx.callDepth() == 0;
@@ -73,27 +81,14 @@ private:
         (number.lo < 0 ? 1u : 0u) | (number.contains(0) ? 2u : 0u) | (number.hi > 0 ? 4u : 0u);
   }
 
-  std::map<std::pair<FileId, uint32_t>, Choice> choices_;
-
-  /// A condition that the block in front of it decides.
-  struct Decided {
-    SourceRange range, variable;
-    int64_t number = -1; ///< of its block
-    bool truth = false;
-    bool other = false; ///< it was reached with another result too
-
-    void remember(RuleMemory &memory) const { memory(range, variable, number, truth, other); }
-  };
-  std::map<std::pair<FileId, uint32_t>, Decided> decided_;
-
   /// A choice by sign that always goes one way.
-  void choice(const Item &item, RuleContext &ctx) {
+  void choice(const Item &item, RuleContext &ctx) const {
     const Block &block = ctx.block();
     const auto targets = block.argumentsOf(item);
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     bool same = targets.size() == 3;
     for (const Argument &target : targets)
-      same &= ctx.text(SourceRange{ctx.source().id(), target.begin, target.end}) ==
+      same &= ctx.text(ctx.range(target)) ==
               ctx.text(SourceRange{ctx.source().id(), targets[0].begin, targets[0].end});
     if (same) {
       if (auto finding = ctx.report(range))
@@ -120,14 +115,14 @@ private:
     const auto first = constant(item.value), last = constant(item.limit);
     if (!first || !last || *first <= *last)
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` never runs: it counts upwards by one", ctx.text(range));
   }
 
   /// `R1=5` and behind it `IF R1>3`: nobody can have changed the value in between.
   void byBlockBefore(const Expression &condition, llvm::ArrayRef<ExpressionOp> operations,
-                     const Item &item, RuleContext &ctx) {
+                     const Item &item, RuleContext &ctx) const {
     uint64_t key = 0;
     for (const ExpressionOp &op : operations) {
       if (op.op == Op::VariableAt || op.op == Op::ElementAt || op.op == Op::Opaque ||
@@ -158,18 +153,18 @@ private:
       if (const Op op = before.operations[value.first + i].op; op != Op::Number && op != Op::Negate)
         return;
     const Truth truth = truthOf(evaluate(ctx.block(), item.condition, ctx.before(), nullptr));
-    Decided &decided = decided_[{ctx.source().id(), condition.begin}];
+    Memory::Decided &decided = memory().decided[{ctx.source().id(), condition.begin}];
     decided.other |=
         truth == Truth::Unknown || (decided.range.end && decided.truth != (truth == Truth::Yes));
-    decided.range = {ctx.source().id(), condition.begin, condition.end};
-    decided.variable = {ctx.source().id(), given->begin, given->end};
+    decided.range = ctx.range(condition);
+    decided.variable = ctx.range(*given);
     decided.number = ctx.block().number;
     decided.truth = truth == Truth::Yes;
   }
 
   /// Only what no variable decides: a parameter that is set at the program's head is there to be
   /// changed. `WHILE [1 EQ 1]` is the usual way to write a loop that is left by a jump.
-  void check(const Expression &condition, const Item &item, RuleContext &ctx) {
+  void check(const Expression &condition, const Item &item, RuleContext &ctx) const {
     if (condition.bad || condition.count == 0)
       return;
     const auto operations =
@@ -186,7 +181,7 @@ private:
         ((item.kind == ItemKind::While || item.structure == Structure::While) &&
          truth == Truth::Yes))
       return;
-    const SourceRange range{ctx.source().id(), condition.begin, condition.end};
+    const SourceRange range = ctx.range(condition);
     if (auto finding = ctx.report(range))
       finding.message("this condition is always {0}: no variable stands in it",
                       truth == Truth::Yes ? "true" : "false");

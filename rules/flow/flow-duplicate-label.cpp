@@ -8,7 +8,7 @@ class FlowDuplicateLabel final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::DuplicateLabel)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
@@ -18,7 +18,7 @@ public:
           .note(ctx.flowRelated(), "it begins here");
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     constexpr size_t readable = 4u << 20; // a program that long was made by a machine
     if (!ctx.dialect().lexical.commaSeparates || file.source.text().size() > readable)
       return; // no labels there

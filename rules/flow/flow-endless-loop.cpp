@@ -8,11 +8,15 @@
 namespace ncvet {
 namespace {
 
-class FlowEndlessLoop final : public Rule {
+struct FlowEndlessLoopMemory {
+  std::set<std::pair<FileId, uint32_t>> seen;
+};
+
+class FlowEndlessLoop final : public StatefulRule<FlowEndlessLoopMemory> {
 public:
   void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement) {
       const auto index = size_t(event.number);
       const Item &item = ctx.block().items[index];
@@ -30,16 +34,15 @@ public:
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");
   }
-  void remember(RuleMemory &memory) const override { memory(seen_); }
 
 private:
   /// A choice that leads back, over blocks that write nothing of what it looks at and lead nowhere
   /// else.
-  void backwards(const Item &item, RuleContext &ctx) {
+  void backwards(const Item &item, RuleContext &ctx) const {
     const Block &here = ctx.block();
     if (item.kind != ItemKind::Jump || item.jump != JumpKind::BySign || here.skip >= 0 ||
         item.nameEnd > item.nameBegin || item.condition == noExpression ||
-        !seen_.insert({ctx.source().id(), item.begin}).second)
+        !memory().seen.insert({ctx.source().id(), item.begin}).second)
       return;
     const std::set<uint64_t> read = variablesOf(item, here);
     std::optional<uint32_t> back;
@@ -62,7 +65,7 @@ private:
       if (block.next <= at || mayChange(block, read, ctx))
         return;
     }
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message(
           "`{0}`: once it leads back it always does, nothing on the way changes what it "
@@ -71,9 +74,10 @@ private:
   }
 
   /// A WHILE over blocks that write nothing of what its condition looks at and do not leave.
-  void bracketed(const Item &item, RuleContext &ctx) {
+  void bracketed(const Item &item, RuleContext &ctx) const {
     const Block &here = ctx.block();
-    if (item.condition == noExpression || !seen_.insert({ctx.source().id(), item.begin}).second ||
+    if (item.condition == noExpression ||
+        !memory().seen.insert({ctx.source().id(), item.begin}).second ||
         evaluate(here, item.condition, ctx.before(), nullptr).isConstant())
       return;
     const std::set<uint64_t> read = variablesOf(item, here);
@@ -103,7 +107,7 @@ private:
           ++depth;
         } else if (inner.kind == ItemKind::Structure && inner.structure == Structure::EndWhile) {
           if (depth-- == 0) {
-            const SourceRange range{ctx.source().id(), item.begin, item.end};
+            const SourceRange range = ctx.range(item);
             if (auto finding = ctx.report(range))
               finding.message("`{0}`: once the loop runs it never ends, nothing in it changes what "
                               "it looks at",
@@ -122,10 +126,10 @@ private:
 
   /// LOOP, and REPEAT with its condition in UNTIL, over blocks that do not leave and write nothing
   /// of what the condition looks at. Where that is known the value says whether it runs again.
-  void endedBelow(const Item &item, RuleContext &ctx) {
+  void endedBelow(const Item &item, RuleContext &ctx) const {
     const Block &here = ctx.block();
     if (item.label || here.items.size() != 1 ||
-        !seen_.insert({ctx.source().id(), item.begin}).second)
+        !memory().seen.insert({ctx.source().id(), item.begin}).second)
       return;
     const ProgramInfo &program = ctx.index().programAt(here.begin);
     // The end first: it holds the condition.
@@ -166,7 +170,7 @@ private:
     }
     if (!staysInside(here.next, end, read, ctx))
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message(
           read.empty() ? "`{0}`: nothing in the loop leads out of it, it never ends"
@@ -175,11 +179,11 @@ private:
   }
 
   /// `IF R1<5 GOTOB AGAIN` over blocks that do not leave and write nothing of what it looks at.
-  void whileTrue(const Item &condition, const Item &item, RuleContext &ctx) {
+  void whileTrue(const Item &condition, const Item &item, RuleContext &ctx) const {
     const Block &here = ctx.block();
     if (condition.condition == noExpression || item.arguments != 1 || here.skip >= 0 ||
         item.nameEnd > item.nameBegin || item.jump == JumpKind::Forward || here.items.size() != 2 ||
-        !seen_.insert({ctx.source().id(), item.begin}).second)
+        !memory().seen.insert({ctx.source().id(), item.begin}).second)
       return;
     const auto back = blockNamed(ctx.index(), here, here.argumentsOf(item)[0], here.begin);
     if (!back || *back >= here.begin || here.begin - *back > readable)
@@ -193,7 +197,7 @@ private:
                             : !givenBefore(read, ctx.index().programAt(here.begin), here, ctx)) ||
         !staysInside(*back, here.begin, read, ctx))
       return;
-    if (auto finding = ctx.report(SourceRange{ctx.source().id(), here.begin, here.end}))
+    if (auto finding = ctx.report(ctx.range(here)))
       finding.message("`{0}`: once it leads back it always does, nothing on the way changes what "
                       "its condition looks at",
                       ctx.text(SourceRange{ctx.source().id(), condition.begin, item.end}));
@@ -315,7 +319,6 @@ private:
   }
 
   static constexpr uint32_t readable = 1u << 16; ///< bytes of a loop that are looked at
-  std::set<std::pair<FileId, uint32_t>> seen_;
 };
 
 } // namespace

@@ -8,7 +8,7 @@ class FlowFallsIntoSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::RunsIntoSubprogram)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))

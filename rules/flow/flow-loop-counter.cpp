@@ -5,23 +5,28 @@
 namespace ncvet {
 namespace {
 
-class FlowLoopCounter final : public Rule {
+struct FlowLoopCounterMemory {
+  bool counts = false;
+  bool repeats = false;
+};
+
+class FlowLoopCounter final : public StatefulRule<FlowLoopCounterMemory> {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Item &item = ctx.block().items[size_t(event.number)];
-    counts_ |= item.kind == ItemKind::Structure && item.structure == Structure::For;
-    repeats_ |= item.kind == ItemKind::Repeat;
+    memory().counts |= item.kind == ItemKind::Structure && item.structure == Structure::For;
+    memory().repeats |= item.kind == ItemKind::Repeat;
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
-    if (repeats_) {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
+    if (memory().repeats) {
       setAgain(file, ctx);
       for (const RepeatedSection &section : repeatedSections(file.index))
         standsStill(section, file, ctx);
     }
-    if (!counts_)
+    if (!memory().counts)
       return;
     struct Loop {
       uint64_t variable;
@@ -145,9 +150,6 @@ private:
                    ctx.text(range))
           .note(loop, "the loop counts it");
   }
-
-  bool counts_ = false;
-  bool repeats_ = false;
 };
 
 } // namespace

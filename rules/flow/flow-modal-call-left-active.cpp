@@ -15,7 +15,7 @@ public:
       }
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.before();
     if (ctx.callDepth() > 0)
       return;

@@ -4,13 +4,17 @@
 namespace ncvet {
 namespace {
 
-class FlowNestingTooDeep final : public Rule {
+struct FlowNestingTooDeepMemory {
+  bool structures = false;
+};
+
+class FlowNestingTooDeep final : public StatefulRule<FlowNestingTooDeepMemory> {
 public:
   void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     const unsigned most = ctx.dialect().limits.structureDepth;
-    if (!most || !structures_)
+    if (!most || !memory().structures)
       return;
     unsigned depth = 0;
     Block block;
@@ -40,9 +44,9 @@ public:
     }
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement) {
-      structures_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Structure;
+      memory().structures |= ctx.block().items[size_t(event.number)].kind == ItemKind::Structure;
       return;
     }
     if (FlowIssue(event.number) != FlowIssue::TooDeep)
@@ -62,7 +66,6 @@ public:
   }
 
 private:
-  bool structures_ = false;
 };
 
 } // namespace

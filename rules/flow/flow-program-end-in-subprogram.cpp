@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class FlowProgramEndInSubprogram final : public Rule {
+struct FlowProgramEndInSubprogramMemory {
+  SourceRange first; ///< end of a subprogram without a caller
+};
+
+class FlowProgramEndInSubprogram final : public StatefulRule<FlowProgramEndInSubprogramMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
@@ -13,14 +17,14 @@ public:
       to.onAction({Action::ProgramEnd, Action::ProgramEndRewind});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
       // A file that says itself to be a subprogram is one without a caller too; its first end says
       // so for all of them.
       if (ctx.callDepth() == 0 &&
           ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram &&
-          (first_.empty() || first_.begin == event.word->offset))
-        returns(first_ = ctx.range(*event.word), event, ctx);
+          (memory().first.empty() || memory().first.begin == event.word->offset))
+        returns(memory().first = ctx.range(*event.word), event, ctx);
       return;
     }
     if (FlowIssue(event.number) != FlowIssue::EndInSubprogram)
@@ -34,10 +38,8 @@ public:
                    ctx.text(ctx.flowRange()))
           .fix(FixSafety::Unsafe, "write `" + back + "`", ctx.replace(ctx.flowRange(), back));
   }
-  void remember(RuleMemory &memory) const override { memory(first_); }
 
 private:
-  SourceRange first_; ///< end of a subprogram without a caller
   static void returns(SourceRange range, const Event &event, RuleContext &ctx) {
     const std::string back = returnOf(ctx.dialect());
     if (auto finding = ctx.report(range, event.certain))

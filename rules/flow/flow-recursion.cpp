@@ -8,7 +8,7 @@ class FlowRecursion final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::Recursion)
       return;
     auto finding = ctx.report(ctx.flowRange(), event.certain);

@@ -7,7 +7,11 @@
 namespace ncvet {
 namespace {
 
-class FlowRepeatBounds final : public Rule {
+struct FlowRepeatBoundsMemory {
+  std::map<FileId, std::vector<RepeatedSection>> sections;
+};
+
+class FlowRepeatBounds final : public StatefulRule<FlowRepeatBoundsMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::FlowIssue, EventKind::Statement});
@@ -16,7 +20,7 @@ public:
       to.onAction({Action::Return, Action::ProgramEnd, Action::ProgramEndRewind, Action::Reset});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return atEnd(event, ctx);
     if (event.kind == EventKind::FlowIssue) {
@@ -30,19 +34,18 @@ public:
     const Item &item = ctx.block().items[size_t(event.number)];
     if (item.kind != ItemKind::Repeat || !item.single || item.arguments < 2)
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` repeats the one block of its label: it takes no second one",
                       ctx.text(range));
   }
-  void remember(RuleMemory &memory) const override { memory(sections_); }
 
 private:
-  void atEnd(const Event &event, RuleContext &ctx) {
+  void atEnd(const Event &event, RuleContext &ctx) const {
     const uint32_t at = ctx.block().begin;
     if (ctx.block().skip >= 0)
       return;
-    const auto [found, fresh] = sections_.try_emplace(ctx.source().id());
+    const auto [found, fresh] = memory().sections.try_emplace(ctx.source().id());
     if (fresh)
       found->second = repeatedSections(ctx.index());
     for (const RepeatedSection &section : found->second) {
@@ -52,13 +55,10 @@ private:
         finding
             .message("`{0}` stands inside a section that is repeated: no pass comes to its end",
                      ctx.text(*event.word))
-            .note(SourceRange{ctx.source().id(), section.begin, section.end},
-                  "the section is repeated here");
+            .note(ctx.range(section), "the section is repeated here");
       return;
     }
   }
-
-  std::map<FileId, std::vector<RepeatedSection>> sections_;
 };
 
 } // namespace

@@ -17,7 +17,7 @@ public:
     greatest_ = to.dialect().facts->limits.repeats;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return atStatement(ctx.block().items[size_t(event.number)], ctx);
     const Word *count = ctx.block().find('L');
@@ -54,7 +54,7 @@ private:
     const bool plain = count.count == 1;
     const bool computed =
         !plain || ctx.block().operations[count.first].op != Op::Number; // the text shows no number
-    const SourceRange range{ctx.source().id(), count.begin, count.end};
+    const SourceRange range = ctx.range(count);
     const bool none = runs < 1 && (plain || runs < 0);
     const bool broken = none || runs != std::floor(runs) || (greatest_ > 0 && runs > greatest_);
     if (!broken && (usual_ == 0 || runs <= usual_ || item.kind == ItemKind::Repeat))

@@ -9,7 +9,7 @@ class FlowRepeatWithoutChange final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::RepeatSame || !ctx.after().must(Fact::Cut))
       return;
     // Where a counter of the section stands still, another rule says so.

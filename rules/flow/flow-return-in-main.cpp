@@ -4,7 +4,11 @@
 namespace ncvet {
 namespace {
 
-class FlowReturnInMain final : public Rule {
+struct FlowReturnInMainMemory {
+  bool opened = false; ///< this one has
+};
+
+class FlowReturnInMain final : public StatefulRule<FlowReturnInMainMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
@@ -13,9 +17,9 @@ public:
                           [](const CodeInfo &code) { return code.action == Action::Reset; });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
-      opened_ |= ctx.callDepth() == 0;
+      memory().opened |= ctx.callDepth() == 0;
       return;
     }
     // `/M99` in front of M30 is the usual switch between one part and many.
@@ -26,7 +30,7 @@ public:
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const bool named = !ctx.dialect().mainExtensions.empty();
     if (program.number >= firstMacro || (named && program.kind != ProgramKind::Main) ||
-        (opens_ && !opened_))
+        (opens_ && !memory().opened))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding
@@ -39,11 +43,9 @@ public:
               ctx.text(ctx.flowRange()))
           .fix(FixSafety::Unsafe, "write `M30`", ctx.replace(ctx.flowRange(), "M30"));
   }
-  void remember(RuleMemory &memory) const override { memory(opened_); }
 
 private:
-  bool opens_ = false;  ///< main programs open with a code that resets the control
-  bool opened_ = false; ///< this one has
+  bool opens_ = false; ///< main programs open with a code that resets the control
 };
 
 } // namespace

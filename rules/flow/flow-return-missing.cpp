@@ -13,7 +13,7 @@ public:
     endCounts_ = to.dialect().facts->program.noEndInSubprogram;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const auto issue = FlowIssue(event.number);
     const bool endCode = issue == FlowIssue::EndInSubprogram && endCounts_;
     // A file that says itself to be a subprogram needs its return without a caller too.

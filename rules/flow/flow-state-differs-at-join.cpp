@@ -8,7 +8,15 @@
 namespace ncvet {
 namespace {
 
-class FlowStateDiffersAtJoin final : public Rule {
+struct FlowStateDiffersAtJoinMemory {
+  struct Target {
+    std::map<GroupIndex, uint64_t> seen; ///< members that were active
+    bool said = false;
+  };
+  std::map<std::pair<FileId, uint32_t>, Target> targets;
+};
+
+class FlowStateDiffersAtJoin final : public StatefulRule<FlowStateDiffersAtJoinMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.option("wanted", 0) == 0)
@@ -21,15 +29,15 @@ public:
         groups_.push_back(group);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return target(ctx.block().items[size_t(event.number)], ctx);
-    if (targets_.empty() || ctx.callDepth() > 0)
+    if (memory().targets.empty() || ctx.callDepth() > 0)
       return;
-    const auto at = targets_.find({ctx.source().id(), ctx.block().begin});
-    if (at == targets_.end() || at->second.said)
+    const auto at = memory().targets.find({ctx.source().id(), ctx.block().begin});
+    if (at == memory().targets.end() || at->second.said)
       return;
-    Target &here = at->second;
+    Memory::Target &here = at->second;
     const MachineState &state = ctx.before();
     if (state.may(Fact::UnknownCode))
       return;
@@ -54,24 +62,16 @@ public:
       return;
     }
   }
-  void remember(RuleMemory &memory) const override { memory(targets_); }
 
 private:
-  struct Target {
-    std::map<GroupIndex, uint64_t> seen; ///< members that were active
-    bool said = false;
-
-    void remember(RuleMemory &memory) const { memory(seen, said); }
-  };
-
   /// Where jumps lead within this program: other ways come in there.
-  void target(const Item &item, RuleContext &ctx) {
+  void target(const Item &item, RuleContext &ctx) const {
     if ((item.kind != ItemKind::Jump && item.kind != ItemKind::Input) || ctx.callDepth() > 0 ||
         (item.kind == ItemKind::Jump && item.nameEnd > item.nameBegin))
       return;
     for (const Argument &argument : ctx.block().argumentsOf(item))
       if (const auto to = blockNamed(ctx.index(), ctx.block(), argument, ctx.block().begin))
-        targets_.try_emplace({ctx.source().id(), *to});
+        memory().targets.try_emplace({ctx.source().id(), *to});
   }
 
   static bool states(GroupIndex group, const RuleContext &ctx) {
@@ -84,7 +84,6 @@ private:
   static bool uses(const RuleContext &ctx) { return ctx.block().hasAny(ctx.dialect().axisWords); }
 
   std::vector<GroupIndex> groups_;
-  std::map<std::pair<FileId, uint32_t>, Target> targets_;
 };
 
 } // namespace

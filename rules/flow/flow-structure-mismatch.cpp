@@ -5,18 +5,22 @@
 namespace ncvet {
 namespace {
 
-class FlowStructureMismatch final : public Rule {
+struct FlowStructureMismatchMemory {
+  bool repeats = false;
+};
+
+class FlowStructureMismatch final : public StatefulRule<FlowStructureMismatchMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::FlowIssue, EventKind::Statement});
     to.onAction({Action::ModesRestored});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return restores(event, ctx);
     if (event.kind == EventKind::Statement) {
-      repeats_ |= ctx.block().items[size_t(event.number)].kind == ItemKind::Repeat;
+      memory().repeats |= ctx.block().items[size_t(event.number)].kind == ItemKind::Repeat;
       return;
     }
     if (FlowIssue(event.number) == FlowIssue::RepeatOverlap) {
@@ -55,8 +59,8 @@ public:
                     ctx.text(ctx.flowRange()));
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
-    if (!repeats_)
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
+    if (!memory().repeats)
       return;
     const std::vector<RepeatedSection> sections = repeatedSections(file.index);
     for (const RepeatedSection &section : sections) {
@@ -125,8 +129,6 @@ private:
       }
     }
   }
-
-  bool repeats_ = false;
 };
 
 } // namespace

@@ -24,7 +24,7 @@ public:
       initial_ = groupMask(to.dialect(), {StandardGroup::Distance});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::CallReturned)
       return alone(event, ctx);
     const MachineState &before = ctx.before(), &after = ctx.after();

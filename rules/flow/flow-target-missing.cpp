@@ -11,7 +11,7 @@ public:
                  Action::ConditionalJump});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     if (block.has(letterAddress('P')))
       return;

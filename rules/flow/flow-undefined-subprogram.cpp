@@ -12,7 +12,7 @@ class FlowUndefinedSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const auto issue = FlowIssue(event.number);
     const Flow &flow = ctx.outcome().flow;
     const bool local = flow.kind == FlowKind::CallLocal;

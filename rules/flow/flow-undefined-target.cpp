@@ -8,7 +8,7 @@ class FlowUndefinedTarget final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::UnknownBlock ||
         ctx.outcome().flow.kind == FlowKind::CallLocal)
       return;

@@ -25,7 +25,7 @@ class FlowUnreachableBlock final : public Rule {
 public:
   void listen(Subscriptions &to) override { behindEnd_ = to.option("behindEnd", 0) != 0; }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!file.complete)
       return;
     for (const SourceRange &range : file.reached)
@@ -38,7 +38,7 @@ private:
   /// Reports what stands behind the end of a section that is executed, when it ends with a return
   /// or a jump. What stands behind a program end is another rule's business, and a section that
   /// nothing in front of it leads around was not analysed at all.
-  void check(const FileSummary &file, const SourceRange &reached, RuleContext &ctx) {
+  void check(const FileSummary &file, const SourceRange &reached, RuleContext &ctx) const {
     const ProgramInfo &program = file.index.programAt(reached.end - 1);
     if (reached.end >= program.end)
       return;

@@ -11,7 +11,7 @@ class FlowUnusedTarget final : public Rule {
 public:
   void listen(Subscriptions &) override {}
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!file.complete)
       return;
     const auto programs = file.index.programs();

@@ -24,7 +24,7 @@ public:
     to.on({EventKind::SpeedWord, EventKind::FeedWord});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     switch (event.kind) {
     case EventKind::SpeedWord:
       return speed(event, ctx);

@@ -11,7 +11,7 @@ public:
     to.on(EventKind::SpeedWord);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     // `event.certain` false: the word is the clamp itself.
     if (!event.certain || !state.must(Fact::SpeedLimitSet) || !state.speedLimit->isConstant())

@@ -14,7 +14,7 @@ public:
       to.on(EventKind::ToolChange);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const Dialect &dialect = ctx.dialect();
     if (before.tool == notSet || !before.origin.of(StatePart::LengthOffset).known() ||

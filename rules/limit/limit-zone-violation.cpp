@@ -81,7 +81,7 @@ public:
       to.on(EventKind::CycleRun);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.number || event.motion == MotionKind::Reference)
       return;
     const MachineState &state = ctx.after();

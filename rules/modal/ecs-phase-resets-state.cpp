@@ -8,7 +8,7 @@ class EcsPhaseResetsState final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onAction({Action::Reset}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (!ctx.block().mainBlock || ctx.before().may(Fact::UnknownCode))
       return;
     const MachineState &before = ctx.before();

@@ -15,7 +15,7 @@ public:
       }
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const GroupInfo &group = ctx.dialect().groups[group_];
     const uint64_t own = group.initial == 0xFF ? 0 : uint64_t(1) << group.initial;
     const uint64_t now = ctx.after().group(group_);
@@ -32,7 +32,7 @@ public:
 
 private:
   /// A word of the control's own language while the other one is certainly read.
-  void ownWord(const Event &event, uint64_t own, RuleContext &ctx) {
+  void ownWord(const Event &event, uint64_t own, RuleContext &ctx) const {
     const uint64_t before = ctx.before().group(group_);
     if (before == groupUnset || (before & own) || !before || ctx.find({Action::ProgramEnd}))
       return;

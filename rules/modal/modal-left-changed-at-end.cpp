@@ -7,7 +7,11 @@
 namespace ncvet {
 namespace {
 
-class ModalLeftChangedAtEnd final : public Rule {
+struct ModalLeftChangedAtEndMemory {
+  std::set<uint32_t> reported;
+};
+
+class ModalLeftChangedAtEnd final : public StatefulRule<ModalLeftChangedAtEndMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
@@ -15,7 +19,7 @@ public:
     listenForLeftOn(id, to);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::Motion && event.kind != EventKind::CycleRun)
       return reportLeftOn(id, event, ctx);
     if (event.kind == EventKind::CycleRun &&
@@ -34,8 +38,8 @@ public:
       return;
     // The plane was selected in the block of a drilling cycle, or for one.
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::Plane);
-    if (!origin.known() || !origin.range().begin || !reported_.insert(origin.begin).second ||
-        !drillsAt(origin, ctx))
+    if (!origin.known() || !origin.range().begin ||
+        !memory().reported.insert(origin.begin).second || !drillsAt(origin, ctx))
       return;
     if (auto finding = ctx.report(event))
       finding
@@ -43,7 +47,6 @@ public:
                    plane->name)
           .note(origin, "`" + plane->name + "` becomes active here");
   }
-  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   static constexpr llvm::StringLiteral id{"modal-left-changed-at-end"};
@@ -87,8 +90,6 @@ private:
     }
     return false;
   }
-
-  std::set<uint32_t> reported_;
 };
 
 } // namespace

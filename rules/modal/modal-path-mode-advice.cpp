@@ -6,7 +6,13 @@
 namespace ncvet {
 namespace {
 
-class ModalPathModeAdvice final : public Rule {
+struct ModalPathModeAdviceMemory {
+  unsigned inARow = 0;
+  uint32_t behind = ~0u; ///< behind the last block that moved
+  bool said = false;
+};
+
+class ModalPathModeAdvice final : public StatefulRule<ModalPathModeAdviceMemory> {
 public:
   /// The tables say most of it; what they say is reported for it.
   void listen(Subscriptions &to) override {
@@ -17,27 +23,28 @@ public:
   }
 
   /// Many short moves in a row, each of which stops at its end.
-  void on(const Event &event, RuleContext &ctx) override {
-    const bool goesOn = ctx.block().begin == behind_;
-    behind_ = ctx.block().next;
+  void on(const Event &event, RuleContext &ctx) const override {
+    const bool goesOn = ctx.block().begin == memory().behind;
+    memory().behind = ctx.block().next;
     if (event.motion != MotionKind::Feed || event.code == noCode || !isShort(event, ctx)) {
-      inARow_ = 0;
+      memory().inARow = 0;
       return;
     }
-    inARow_ = goesOn ? inARow_ + 1 : 1;
+    memory().inARow = goesOn ? memory().inARow + 1 : 1;
     const GroupIndex index = ctx.dialect().group(StandardGroup::PathMode);
     const GroupInfo &group = ctx.dialect().groups[index];
-    if (inARow_ != moves_ || said_ || group.initial == 0xFF ||
+    if (memory().inARow != moves_ || memory().said || group.initial == 0xFF ||
         ctx.after().group(index) != (uint64_t(1) << group.initial))
       return;
-    said_ = true;
+    memory().said = true;
     if (auto finding = ctx.report(ctx.blockRange()))
-      finding.message("{0} short moves in a row under `{1}`: it stops at their corners", inARow_,
-                      ctx.dialect().codes[group.members[group.initial]].name);
+      finding.message("{0} short moves in a row under `{1}`: it stops at their corners",
+                      memory().inARow, ctx.dialect().codes[group.members[group.initial]].name);
   }
-  void remember(RuleMemory &memory) const override { memory(length_, inARow_, behind_, said_); }
 
 private:
+  double length_ = 1; ///< of a short one, in millimetres
+
   bool isShort(const Event &event, const RuleContext &ctx) const {
     double square = 0;
     for (unsigned i = 0; i < axisCount; ++i) {
@@ -52,10 +59,6 @@ private:
   }
 
   unsigned moves_ = 0; ///< that are many; 0: not looked at
-  double length_ = 1;  ///< of a short one, in millimetres
-  unsigned inARow_ = 0;
-  uint32_t behind_ = ~0u; ///< behind the last block that moved
-  bool said_ = false;
 };
 
 } // namespace

@@ -7,9 +7,13 @@
 namespace ncvet {
 namespace {
 
-class ModalPathModeLeftOn final : public LeftOnRule {
+struct ModalPathModeLeftOnMemory {
+  std::map<std::pair<FileId, uint32_t>, std::set<uint32_t>> moves; ///< by where it is switched on
+};
+
+class ModalPathModeLeftOn final : public StatefulRule<ModalPathModeLeftOnMemory, LeftOnRule> {
 public:
-  ModalPathModeLeftOn() : LeftOnRule("modal-path-mode-left-on") {}
+  ModalPathModeLeftOn() : StatefulRule("modal-path-mode-left-on") {}
 
   void listen(Subscriptions &to) override {
     LeftOnRule::listen(to);
@@ -17,16 +21,15 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion)
       return overContour(event, ctx);
     LeftOnRule::on(event, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(moves_); }
 
 private:
   /// An exact stop that the program has switched on stops at every block of the contour.
-  void overContour(const Event &event, RuleContext &ctx) {
+  void overContour(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
         !(event.axes & planeAxes(ctx.dialect(), state)) ||
@@ -35,7 +38,7 @@ private:
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::PathMode);
     if (!origin.known())
       return;
-    std::set<uint32_t> &moves = moves_[{origin.file, origin.begin}];
+    std::set<uint32_t> &moves = memory().moves[{origin.file, origin.begin}];
     if (moves.size() == contour || !moves.insert(ctx.block().begin).second ||
         moves.size() < contour)
       return;
@@ -50,7 +53,6 @@ private:
   /// Blocks in the plane that make a contour; of a run of blocks for the same axes the first
   /// counts.
   static constexpr size_t contour = 4;
-  std::map<std::pair<FileId, uint32_t>, std::set<uint32_t>> moves_; ///< by where it is switched on
 };
 
 } // namespace

@@ -25,7 +25,7 @@ public:
     to.onNotices(id);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Block)
       return emptyBlock(ctx);
     if (event.kind == EventKind::Motion) {

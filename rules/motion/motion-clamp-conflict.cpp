@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class MotionClampConflict final : public Rule {
+struct MotionClampConflictMemory {
+  uint16_t clamped = 0; ///< axes that the clamping codes hold
+};
+
+class MotionClampConflict final : public StatefulRule<MotionClampConflictMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::SpindleCw, Action::SpindleCcw, Action::ChuckOpen});
@@ -13,15 +17,15 @@ public:
     if (const auto axes = to.machine().option("clampedAxes"))
       for (unsigned i = 0; i < axisCount; ++i)
         if (axes->contains("XYZABCUVW"[i]))
-          clamped_ |= uint16_t(1u << i);
+          memory().clamped |= uint16_t(1u << i);
     for (size_t i = 0; i < to.dialect().switches.size(); ++i)
       if (to.dialect().switches[i].leftOn == "motion-clamp-conflict")
         switches_ |= 1u << i;
-    if (clamped_ && switches_)
+    if (memory().clamped && switches_)
       to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion)
       return clamped(event, ctx);
     const CodeInfo &code = ctx.code(event);
@@ -54,17 +58,16 @@ public:
       return;
     }
   }
-  void remember(RuleMemory &memory) const override { memory(clamped_); }
 
 private:
   void clamped(const Event &event, RuleContext &ctx) const {
-    if (!(event.axes & clamped_) ||
+    if (!(event.axes & memory().clamped) ||
         !(ctx.before().switches.areOn(switches_) & ctx.after().switches.areOn(switches_)))
       return;
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = ctx.dialect().addresses[word.address];
       if ((address.kind != AddressKind::Axis && address.kind != AddressKind::Increment) ||
-          !(clamped_ >> unsigned(address.axis) & 1))
+          !(memory().clamped >> unsigned(address.axis) & 1))
         continue;
       if (auto finding = ctx.report(word, event.certain))
         finding.message("`{0}` moves an axis that is clamped", ctx.text(word));
@@ -73,7 +76,6 @@ private:
   }
 
   uint32_t switches_ = 0; ///< that say that axes are clamped
-  uint16_t clamped_ = 0;  ///< axes that the clamping codes hold
 };
 
 } // namespace

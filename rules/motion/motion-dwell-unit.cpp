@@ -17,7 +17,7 @@ public:
     pointAbove_ = to.option("pointAbove", 60);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Word *const time = event.kind == EventKind::Dwell ? event.word
                              : event.code == noCode
                                  ? nullptr

@@ -4,18 +4,22 @@
 namespace ncvet {
 namespace {
 
-class MotionModeNotSet final : public Rule {
+struct MotionModeNotSetMemory {
+  bool reported = false; ///< the blocks behind it say the same thing again
+};
+
+class MotionModeNotSet final : public StatefulRule<MotionModeNotSetMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion});
     implicit_ = to.option("implicit", 0) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
-    if (implicit_ && !reported_)
+  void on(const Event &event, RuleContext &ctx) const override {
+    if (implicit_ && !memory().reported)
       return powerOn(event, ctx);
     // Only where the power-on mode is not documented and nothing at all was stated.
-    if (event.code != noCode || event.motion == MotionKind::Reference || reported_ ||
+    if (event.code != noCode || event.motion == MotionKind::Reference || memory().reported ||
         ctx.dialect().group(StandardGroup::Motion) == noGroup ||
         ctx.after().active(ctx.dialect(), StandardGroup::Motion) != groupUnset ||
         ctx.after().may(Fact::UnknownCode))
@@ -23,7 +27,7 @@ public:
     const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
     if (!word || word->has(wordNoValue))
       return;
-    reported_ = true;
+    memory().reported = true;
     const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
     const bool ended = ctx.after().isStated(group); // a code has ended the one in force
     if (auto finding = ctx.report(*word))
@@ -35,18 +39,17 @@ public:
           .fix(FixSafety::Unsafe, "write `G0` in front of it",
                ctx.insertBefore(word->offset, "G0 "));
   }
-  void remember(RuleMemory &memory) const override { memory(reported_); }
 
 private:
   /// The power-on mode is documented, and it feeds: whoever leaves the code out rarely knows.
-  void powerOn(const Event &event, RuleContext &ctx) {
+  void powerOn(const Event &event, RuleContext &ctx) const {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
     const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
     if (group == noGroup || (ctx.after().mayBeStated(group)) || !word || event.number ||
         event.motion == MotionKind::Reference || ctx.after().may(Fact::UnknownCode) ||
         event.code == noCode || ctx.callDepth() > 0 || ctx.before().profile)
       return;
-    reported_ = true;
+    memory().reported = true;
     if (auto finding = ctx.report(*word))
       finding
           .message("`{0}` stands before any motion code: it runs as `{1}`", ctx.text(*word),
@@ -56,7 +59,6 @@ private:
   }
 
   bool implicit_ = false;
-  bool reported_ = false; ///< the blocks behind it say the same thing again
 };
 
 } // namespace

@@ -13,7 +13,7 @@ public:
     depth_ = to.option("depth", 3);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
     if (event.number || event.axes != both)
       return;

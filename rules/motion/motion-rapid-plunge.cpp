@@ -18,7 +18,7 @@ public:
       to.onMoves({MotionKind::Rapid});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
     // With a stock it is the end that counts, wherever the tool comes from.

@@ -15,7 +15,7 @@ public:
     turns_ = to.option("turns", 0) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.number || !event.certain)
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();

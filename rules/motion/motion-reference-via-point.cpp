@@ -8,7 +8,7 @@ class MotionReferenceViaPoint final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onAction({Action::ReferenceFrom}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.before().must(Fact::ReferenceReturned))
       return;
     if (auto finding = ctx.report(event, !ctx.before().may(Fact::ReferenceReturned)))

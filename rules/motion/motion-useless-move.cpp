@@ -7,7 +7,16 @@
 namespace ncvet {
 namespace {
 
-class MotionUselessMove final : public Rule {
+struct MotionUselessMoveMemory {
+  /// Blocks with a number to which a jump may lead; whether one does, the whole file says.
+  struct Still {
+    SourceRange range;
+    int64_t number = -1;
+  };
+  std::map<std::pair<FileId, uint32_t>, Still> still;
+};
+
+class MotionUselessMove final : public StatefulRule<MotionUselessMoveMemory> {
 public:
   void listen(Subscriptions &to) override {
     zero_ = to.option("zero", 0) != 0;
@@ -18,7 +27,7 @@ public:
     margin_ = to.option("margin", 10);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (zero_)
       nowhere(event, ctx);
     if (event.motion != MotionKind::Rapid)
@@ -43,17 +52,16 @@ public:
                       "operation forgotten?");
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
-    for (const auto &[place, block] : still_)
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
+    for (const auto &[place, block] : memory().still)
       if (place.first == file.source.id() &&
           !std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number))
         stands(block.range, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(still_); }
 
 private:
   /// A feed move of coordinates alone that ends where it begins.
-  void nowhere(const Event &event, RuleContext &ctx) {
+  void nowhere(const Event &event, RuleContext &ctx) const {
     if (event.motion != MotionKind::Feed || event.number || event.code == noCode || !event.axes ||
         (ctx.block().addresses & ~ctx.dialect().axisWords) || ctx.before().profile ||
         ctx.after().compensation != phaseOff)
@@ -66,7 +74,8 @@ private:
     if (!comesFromFront(event.axes, ctx))
       return;
     if (ctx.block().number >= 0 && ctx.callDepth() == 0) {
-      still_[{ctx.source().id(), ctx.block().begin}] = {ctx.blockRange(), ctx.block().number};
+      memory().still[{ctx.source().id(), ctx.block().begin}] = {ctx.blockRange(),
+                                                                ctx.block().number};
       return;
     }
     stands(ctx.blockRange(), ctx);
@@ -97,15 +106,6 @@ private:
     }
     return axes == 0;
   }
-
-  /// Blocks with a number to which a jump may lead; whether one does, the whole file says.
-  struct Still {
-    SourceRange range;
-    int64_t number = -1;
-
-    void remember(RuleMemory &memory) const { memory(range, number); }
-  };
-  std::map<std::pair<FileId, uint32_t>, Still> still_;
 
   bool zero_ = false;
 

@@ -6,8 +6,12 @@
 namespace ncvet {
 namespace {
 
+struct ProbeCorrectionTargetMemory {
+  SourceRange corrected; ///< the measurement that corrected the origin in force
+};
+
 /// What the correction of a radius, of a length or of an origin ends in is the table's business.
-class ProbeCorrectionTarget final : public Rule {
+class ProbeCorrectionTarget final : public StatefulRule<ProbeCorrectionTargetMemory> {
 public:
   void listen(Subscriptions &to) override {
     origins_ = to.option("origins", 0) != 0;
@@ -16,9 +20,9 @@ public:
   }
 
   /// A measurement corrected the origin that is in force, and the next one counts from it.
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CoordinateChange) {
-      corrected_ = {};
+      memory().corrected = {};
       return;
     }
     if (event.code == noCode || ctx.code(event).cycle != CycleKind::Measure)
@@ -26,11 +30,11 @@ public:
     const auto what = valueOfRole(ctx, ctx.code(event), Role::Method);
     if (what && *what >= 2) // no touch: the values of the measurement before are used again
       return;
-    if (corrected_.end && corrected_.begin != ctx.block().begin) {
+    if (memory().corrected.end && memory().corrected.begin != ctx.block().begin) {
       if (auto finding = ctx.report(ctx.blockRange()))
         finding.message("this measurement counts from the origin that the one before has corrected")
-            .note(corrected_, "the origin is corrected here");
-      corrected_ = {};
+            .note(memory().corrected, "the origin is corrected here");
+      memory().corrected = {};
       return;
     }
     const auto target = valueOfRole(ctx, ctx.code(event), Role::Offset);
@@ -40,9 +44,8 @@ public:
         llvm::StringRef(origin->name).rsplit('.').second.getAsInteger(10, number) ||
         number != int(*target))
       return;
-    corrected_ = ctx.blockRange();
+    memory().corrected = ctx.blockRange();
   }
-  void remember(RuleMemory &memory) const override { memory(corrected_); }
 
 private:
   static std::optional<double> valueOfRole(RuleContext &ctx, const CodeInfo &code, Role role) {
@@ -55,8 +58,7 @@ private:
     return std::nullopt;
   }
 
-  bool origins_ = false;  ///< measurements may correct origins by their number
-  SourceRange corrected_; ///< the measurement that corrected the origin in force
+  bool origins_ = false; ///< measurements may correct origins by their number
 };
 
 } // namespace

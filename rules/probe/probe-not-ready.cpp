@@ -6,7 +6,14 @@
 namespace ncvet {
 namespace {
 
-class ProbeNotReady final : public Rule {
+struct ProbeNotReadyMemory {
+  bool on = false;       ///< the probe was switched on
+  bool off = false;      ///< … and off since
+  bool measured = false; ///< a measuring cycle ran
+  bool lost = false;     ///< a program was called that is not known
+};
+
+class ProbeNotReady final : public StatefulRule<ProbeNotReadyMemory> {
 public:
   /// The tables say the rest; what they say is reported for it.
   void listen(Subscriptions &to) override {
@@ -16,33 +23,32 @@ public:
       to.on({EventKind::Block, EventKind::CycleStart, EventKind::ProgramEnd, EventKind::FlowIssue});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     switch (event.kind) {
     case EventKind::Block:
       for (const Word &word : ctx.block().words) {
-        on_ |= switchOn_.is(word);
-        off_ = switchOff_.is(word) || (off_ && !switchOn_.is(word));
+        memory().on |= switchOn_.is(word);
+        memory().off = switchOff_.is(word) || (memory().off && !switchOn_.is(word));
       }
       return;
     case EventKind::FlowIssue: // a program that is not there may do it
-      lost_ |= FlowIssue(event.number) == FlowIssue::UnknownProgram;
+      memory().lost |= FlowIssue(event.number) == FlowIssue::UnknownProgram;
       return;
     case EventKind::CycleStart:
       if (event.code != noCode && ctx.code(event).cycle == CycleKind::Measure)
         measures(event, ctx);
       return;
     default:
-      if (!switchOff_.known() || off_ || lost_ || ctx.callDepth() > 0 ||
-          !(measured_ || (on_ && switchOn_.known())))
+      if (!switchOff_.known() || memory().off || memory().lost || ctx.callDepth() > 0 ||
+          !(memory().measured || (memory().on && switchOn_.known())))
         return;
-      off_ = true; // said once
+      memory().off = true; // said once
       if (auto finding = ctx.report(event))
         finding.severity(Severity::Warning)
             .message("the program ends with the probe switched on: `{0}` switches it off",
                      switchOff_.name);
     }
   }
-  void remember(RuleMemory &memory) const override { memory(on_, off_, measured_, lost_); }
 
 private:
   /// A G or M code of the machine, by its profile: the tables need not know it.
@@ -68,22 +74,19 @@ private:
     uint32_t number = 0; ///< times ten, as words have it
   };
 
-  void measures(const Event &event, RuleContext &ctx) {
-    measured_ = true;
-    if (on_ || !switchOn_.known() || lost_ || ctx.callDepth() > 0)
+  void measures(const Event &event, RuleContext &ctx) const {
+    memory().measured = true;
+    if (memory().on || !switchOn_.known() || memory().lost || ctx.callDepth() > 0)
       return;
-    on_ = true; // said once
+    memory().on = true; // said once
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
           .message("`{0}` measures, and nothing has switched the probe on: `{1}` does",
                    ctx.code(event).name, switchOn_.name);
   }
 
-  Switch switchOn_, switchOff_;
-  bool on_ = false;       ///< the probe was switched on
-  bool off_ = false;      ///< … and off since
-  bool measured_ = false; ///< a measuring cycle ran
-  bool lost_ = false;     ///< a program was called that is not known
+  Switch switchOn_;
+  Switch switchOff_;
 };
 
 } // namespace

@@ -7,7 +7,12 @@
 namespace ncvet {
 namespace {
 
-class ProbeOutputLeftOpen final : public Rule {
+struct ProbeOutputLeftOpenMemory {
+  SourceRange shown; ///< a measurement whose result is on the screen
+  bool said = false; ///< of this series
+};
+
+class ProbeOutputLeftOpen final : public StatefulRule<ProbeOutputLeftOpenMemory> {
 public:
   /// What is left open the tables say; a result that nobody can read is looked for here.
   void listen(Subscriptions &to) override {
@@ -20,14 +25,14 @@ public:
     to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code && !endsSeries(ctx.code(event), ctx.dialect())) {
-      shown_ = {}; // the message stays until the operator goes on
+      memory().shown = {}; // the message stays until the operator goes on
       return;
     }
     if (event.kind != EventKind::CycleRun) {
       passesBy(ctx);
-      said_ = false;
+      memory().said = false;
       return;
     }
     if (event.code == noCode || ctx.code(event).cycle != CycleKind::Measure)
@@ -38,23 +43,19 @@ public:
     const bool isStored = stored.kind != Value::Kind::Vacant && !(stored == Value::of(0));
     if (method && *method < 1 && !isStored &&
         !ctx.find({Action::ProgramStop, Action::OptionalStop}))
-      shown_ = event.word ? ctx.range(*event.word) : ctx.blockRange();
+      memory().shown = event.word ? ctx.range(*event.word) : ctx.blockRange();
   }
-  void remember(RuleMemory &memory) const override { memory(shown_, said_); }
 
 private:
   /// The next message takes the place of the one at hand, or the series ends.
-  void passesBy(RuleContext &ctx) {
-    if (shown_.end && !said_)
-      if (auto finding = ctx.report(shown_))
+  void passesBy(RuleContext &ctx) const {
+    if (memory().shown.end && !memory().said)
+      if (auto finding = ctx.report(memory().shown))
         finding.message("this measurement only shows its result, and no stop keeps it on the "
                         "screen: M0 or M1 behind it does");
-    said_ |= shown_.end != 0;
-    shown_ = {};
+    memory().said |= memory().shown.end != 0;
+    memory().shown = {};
   }
-
-  SourceRange shown_; ///< a measurement whose result is on the screen
-  bool said_ = false; ///< of this series
 };
 
 } // namespace

@@ -13,7 +13,7 @@ public:
       to.on(EventKind::CycleRun);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun)
       return another(event, ctx);
     if (ctx.before().may(Fact::SkipMoveDone) || ctx.after().may(Fact::SkipMoveDone))

@@ -11,7 +11,7 @@ class MefiGeneratedBlockBroken final : public Rule {
 public:
   void listen(Subscriptions &to) override { wanted_ = hasDialogs(to.dialect()); }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!wanted_)
       return;
     const Dialogs dialogs = dialogsOf(ctx.dialect(), ctx.machine());

@@ -8,11 +8,16 @@ namespace {
 constexpr llvm::StringLiteral longFamily = "CYC_";
 constexpr llvm::StringLiteral twoNames[] = {"FEED", "SPINDLESPEED"};
 
-class MefiGeneratedBlockStyle final : public Rule {
+struct MefiGeneratedBlockStyleMemory {
+  bool seenLong = false;
+  bool seenShort = false;
+};
+
+class MefiGeneratedBlockStyle final : public StatefulRule<MefiGeneratedBlockStyleMemory> {
 public:
   void listen(Subscriptions &to) override { wanted_ = hasDialogs(to.dialect()); }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!wanted_)
       return;
     const Dialogs dialogs = dialogsOf(ctx.dialect(), ctx.machine());
@@ -29,19 +34,18 @@ public:
       technologyBefore = generated.isTechnology();
     });
   }
-  void remember(RuleMemory &memory) const override { memory(seenLong_, seenShort_); }
 
 private:
   /// One family of names for feed and speed in a file.
-  void checkNames(const Block &block, llvm::StringRef text, FileId id, RuleContext &ctx) {
+  void checkNames(const Block &block, llvm::StringRef text, FileId id, RuleContext &ctx) const {
     for (const Item &item : block.items) {
       const std::string name = assignedName(item, text);
       llvm::StringRef bare = name;
       const bool isLong = bare.consume_front(longFamily);
       if (!llvm::is_contained(twoNames, bare))
         continue;
-      bool &seen = isLong ? seenLong_ : seenShort_;
-      const bool departs = !seen && (isLong ? seenShort_ : seenLong_);
+      bool &seen = isLong ? memory().seenLong : memory().seenShort;
+      const bool departs = !seen && (isLong ? memory().seenShort : memory().seenLong);
       seen = true;
       if (!departs)
         continue;
@@ -137,7 +141,6 @@ private:
   }
 
   bool wanted_ = false;
-  bool seenLong_ = false, seenShort_ = false;
 };
 
 } // namespace

@@ -11,13 +11,13 @@ public:
         to.option("unreferencedIsWarning", 1) != 0 ? Severity::Warning : Severity::Style;
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     for (const ProgramInfo &program : file.index.programs())
       check(program, file, ctx);
   }
 
 private:
-  void check(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+  void check(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     const llvm::ArrayRef<NumberedBlock> numbers = file.index.numbers(program);
     const NumberedBlock *plain = nullptr, *plainFirst = nullptr;
     size_t others = 0;

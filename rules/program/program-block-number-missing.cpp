@@ -13,7 +13,7 @@ public:
       to.on(EventKind::Block);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     if (event.kind == EventKind::Block)
       return every_ ? anyBlock(ctx) : bareNumber(ctx);

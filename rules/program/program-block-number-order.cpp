@@ -15,7 +15,7 @@ public:
       to.on(EventKind::Block);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Block)
       return beginsInside(ctx);
     if (WordIssue(event.number) != WordIssue::NumberInside)
@@ -38,7 +38,7 @@ public:
           ctx.text(*event.word));
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     for (const ProgramInfo &program : file.index.programs())
       ascending(program, file, ctx);
   }

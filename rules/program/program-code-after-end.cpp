@@ -4,41 +4,36 @@
 namespace ncvet {
 namespace {
 
-class ProgramCodeAfterEnd final : public Rule {
+struct ProgramCodeAfterEndMemory {
+  struct End {
+    SourceRange block; ///< up to the next one
+    SourceRange code;
+  };
+  std::vector<End> ends;
+};
+
+class ProgramCodeAfterEnd final : public StatefulRule<ProgramCodeAfterEndMemory> {
 public:
   void listen(Subscriptions &to) override { to.on({EventKind::ProgramEnd, EventKind::Return}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
-    if (!ends_.empty() && ends_.back().file == ctx.source().id() &&
-        ends_.back().begin == ctx.block().begin)
+  void on(const Event &event, RuleContext &ctx) const override {
+    if (!memory().ends.empty() && memory().ends.back().block.file == ctx.source().id() &&
+        memory().ends.back().block.begin == ctx.block().begin)
       return;
     if (event.word)
-      ends_.push_back(
-          {ctx.source().id(), ctx.block().begin, ctx.block().next, ctx.range(*event.word)});
+      memory().ends.push_back(
+          {{ctx.source().id(), ctx.block().begin, ctx.block().next}, ctx.range(*event.word)});
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!file.complete)
       return;
-    for (const End &end : ends_)
-      if (end.file == file.source.id())
+    for (const Memory::End &end : memory().ends)
+      if (end.block.file == file.source.id())
         behind(end, file, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(ends_); }
 
 private:
-  struct End {
-    FileId file;
-    uint32_t begin, next;
-    SourceRange code;
-
-    void remember(RuleMemory &memory) const {
-      memory.place(file, begin);
-      memory.place(file, next);
-      memory(code);
-    }
-  };
-
   /// The end of an IF or of a loop in which the end code stands: it does nothing by itself.
   static bool isOnlyBracket(const Block &block) {
     return block.words.empty() && !block.items.empty() &&
@@ -62,8 +57,8 @@ private:
            });
   }
 
-  void behind(const End &end, const FileSummary &file, RuleContext &ctx) {
-    const uint32_t stop = file.index.programAt(end.begin).end;
+  void behind(const Memory::End &end, const FileSummary &file, RuleContext &ctx) const {
+    const uint32_t stop = file.index.programAt(end.block.begin).end;
     SourceRange dead;
     uint64_t count = 0;
     const auto read = [&](uint32_t at, const Block &block) {
@@ -83,7 +78,7 @@ private:
       count += piece.blocks;
       return true;
     };
-    file.index.eachBlock(end.next, stop, read, pass);
+    file.index.eachBlock(end.block.end, stop, read, pass);
     if (!count)
       return;
     if (auto finding = ctx.report(dead))
@@ -96,8 +91,6 @@ private:
               ctx.text(end.code), count)
           .note(end.code, "the program ends here");
   }
-
-  std::vector<End> ends_;
 };
 
 } // namespace

@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class ProgramEndMissing final : public Rule {
+struct ProgramEndMissingMemory {
+  bool headSeen = false;
+};
+
+class ProgramEndMissing final : public StatefulRule<ProgramEndMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
@@ -21,13 +25,13 @@ public:
     }
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code) {
-      headSeen_ = true;
+      memory().headSeen = true;
       return;
     }
     // Where a program has a head, a text without one is a fragment.
-    if (FlowIssue(event.number) != FlowIssue::MainRunsOut || (hasHead_ && !headSeen_))
+    if (FlowIssue(event.number) != FlowIssue::MainRunsOut || (hasHead_ && !memory().headSeen))
       return;
     if (tapeMarkEnds_ && ctx.index().tapeMarks().size() > 1)
       return;
@@ -48,12 +52,10 @@ public:
     finding.fix(FixSafety::Unsafe, "end the program here",
                 ctx.insertBefore(where.end, (lineEnd + opened + end_).str()));
   }
-  void remember(RuleMemory &memory) const override { memory(headSeen_); }
 
 private:
   std::string end_;
-  bool hasHead_ = false; ///< the control has a word that opens a program
-  bool headSeen_ = false;
+  bool hasHead_ = false;       ///< the control has a word that opens a program
   bool fileIsProgram_ = false; ///< a text without a number is one all the same
   bool tapeMarkEnds_ = false;  ///< a second `%` ends a program too
 };

@@ -4,7 +4,11 @@
 namespace ncvet {
 namespace {
 
-class ProgramEndWithoutRetract final : public Rule {
+struct ProgramEndWithoutRetractMemory {
+  SourceRange job; ///< what has left the tool somewhere, until its axis moves
+};
+
+class ProgramEndWithoutRetract final : public StatefulRule<ProgramEndWithoutRetractMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
@@ -15,23 +19,23 @@ public:
       });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
     if (event.kind == EventKind::Code) {
-      job_ = ctx.range(*event.word);
+      memory().job = ctx.range(*event.word);
       return;
     }
     if (event.kind == EventKind::Motion) {
       if (event.axes >> unsigned(tool) & 1)
-        job_ = {};
+        memory().job = {};
       return;
     }
-    if (job_.end && ctx.callDepth() == 0 && !state.may(Fact::UnknownCode)) {
+    if (memory().job.end && ctx.callDepth() == 0 && !state.may(Fact::UnknownCode)) {
       if (auto finding = ctx.report(event))
         finding.message("the program ends behind `{0}` without a move of the tool axis: where the "
                         "tool stands is not stated",
-                        ctx.text(job_));
+                        ctx.text(memory().job));
       return;
     }
     // Fed down since, and not above that level again.
@@ -43,10 +47,6 @@ public:
       finding.message(
           "the program ends with the tool at depth: the next one begins inside the work");
   }
-  void remember(RuleMemory &memory) const override { memory(job_); }
-
-private:
-  SourceRange job_; ///< what has left the tool somewhere, until its axis moves
 };
 
 } // namespace

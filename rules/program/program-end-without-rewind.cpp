@@ -14,7 +14,7 @@ public:
       to.onAction({Action::ProgramEnd});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (auto finding = ctx.report(event))
       finding
           .message(

@@ -15,7 +15,7 @@ public:
   }
 
   /// A reset opens the program; a numbered one begins a new phase of it.
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.block().mainBlock)
       return;
     if (ctx.callDepth() > 0) {
@@ -37,7 +37,7 @@ public:
     }
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!hasHead_)
       return;
     for (const ProgramInfo &program : file.index.programs())

@@ -4,7 +4,11 @@
 namespace ncvet {
 namespace {
 
-class ProgramFrameMissing final : public Rule {
+struct ProgramFrameMissingMemory {
+  std::vector<SourceRange> ends;
+};
+
+class ProgramFrameMissing final : public StatefulRule<ProgramFrameMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ProgramEnd);
@@ -14,10 +18,10 @@ public:
     percent_ = to.dialect().lexical.percentHeader;
   }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     // What ends a program is a whole program; anything else is a fragment or a part of one.
     if (ctx.callDepth() == 0)
-      ends_.push_back({ctx.source().id(), ctx.block().begin, ctx.block().end});
+      memory().ends.push_back({ctx.source().id(), ctx.block().begin, ctx.block().end});
     if (!ctx.block().tapeInside || !wantsEndMark_ || ctx.callDepth() > 0)
       return;
     const llvm::StringRef text = ctx.source().text(ctx.block().begin, ctx.block().end);
@@ -27,9 +31,9 @@ public:
           .severity(Severity::Style);
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     const SourceRange *end = nullptr;
-    for (const SourceRange &range : ends_)
+    for (const SourceRange &range : memory().ends)
       if (range.file == file.source.id() && (!end || range.begin > end->begin))
         end = &range;
     if (!end)
@@ -42,11 +46,10 @@ public:
     if (wantsEndMark_)
       endMark(*end, file, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(ends_); }
 
 private:
   /// The first block that says anything resets the control.
-  void reset(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+  void reset(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     Block block;
     for (uint32_t at = program.begin; at < program.end; at = block.next) {
       file.reader.read(at, block);
@@ -71,7 +74,7 @@ private:
     return nullptr;
   }
 
-  void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+  void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     Block block;
     for (uint32_t at = program.begin; at < program.end; at = block.next) {
       file.reader.read(at, block);
@@ -91,7 +94,7 @@ private:
     }
   }
 
-  void endMark(const SourceRange &end, const FileSummary &file, RuleContext &ctx) {
+  void endMark(const SourceRange &end, const FileSummary &file, RuleContext &ctx) const {
     // A mark inside the last block has been spoken of.
     const auto marks = file.index.tapeMarks();
     const llvm::StringRef block = ctx.text(end);
@@ -105,7 +108,6 @@ private:
                                 file.source.text().endswith("\n") ? "%\n" : "\n%\n"));
   }
 
-  std::vector<SourceRange> ends_;
   bool wantsHeader_ = true;
   bool wantsEndMark_ = false;
   bool percent_ = false;

@@ -22,7 +22,7 @@ public:
     labelLength_ = size_t(to.dialect().facts->limits.longestLabel);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Return)
       return atReturn(ctx);
     const Item &item = ctx.block().items[size_t(event.number)];
@@ -39,7 +39,7 @@ public:
         finding.message("`{0}` is no name for a variable: {1}", ctx.text(range), why);
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (ending_)
       ending(file, ctx);
     if (labels_)
@@ -129,7 +129,7 @@ private:
   }
 
   /// Programs with names: the header's, and the file's that holds it.
-  void named(const FileSummary &file, RuleContext &ctx) {
+  void named(const FileSummary &file, RuleContext &ctx) const {
     const auto programs = file.index.programs();
     for (const ProgramInfo &program : programs) {
       labelNames(program, file, ctx);
@@ -226,7 +226,7 @@ private:
   }
 
   /// A called program lies in a file of subprograms.
-  void atReturn(RuleContext &ctx) {
+  void atReturn(RuleContext &ctx) const {
     const auto &endings = ctx.dialect().subprogramExtensions;
     if (ctx.callDepth() == 0 || endings.empty() || ctx.index().programs()[0].hasHeader())
       return;
@@ -246,7 +246,7 @@ private:
 
   size_t names_ = 0; ///< most characters of a program's name; 0: programs have numbers
 
-  void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+  void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     const SourceRange range{file.source.id(), program.headerBegin, program.headerEnd};
     const llvm::StringRef text = ctx.text(range).trim();
     llvm::StringRef rest = text;
@@ -278,7 +278,7 @@ private:
     return text + std::to_string(digitsMax_) + " digits";
   }
 
-  void fileName(const FileSummary &file, RuleContext &ctx) {
+  void fileName(const FileSummary &file, RuleContext &ctx) const {
     llvm::StringRef name = file.source.display();
     name = name.substr(name.rfind('/') == llvm::StringRef::npos ? 0 : name.rfind('/') + 1);
     const llvm::StringRef stem = name.rsplit('.').first;

@@ -15,7 +15,7 @@ public:
   }
 
   /// A program of the project, or one that this program declares, hides the control's.
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return library(event, ctx);
     const Item &call = ctx.block().items[size_t(event.number)];
@@ -36,11 +36,10 @@ public:
                     name);
     const Defined *own = ctx.index().definition(ctx.index().programAt(ctx.block().begin), name);
     if (own && own->kind == ItemKind::Declaration)
-      finding.note(SourceRange{ctx.source().id(), own->begin, own->end},
-                   "the program is declared here");
+      finding.note(ctx.range(*own), "the program is declared here");
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!ctx.dialect().keywords.empty())
       return named(file, ctx);
     for (const ProgramInfo &program : file.index.programs()) {

@@ -19,7 +19,7 @@ class ProgramNumberDuplicate final : public Rule {
 public:
   void listen(Subscriptions &) override {}
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (file.index.programs().size() < 2)
       return;
     for (const ProgramInfo &program : file.index.programs()) {

@@ -4,7 +4,12 @@
 namespace ncvet {
 namespace {
 
-class ProgramSafeStartMissing final : public Rule {
+struct ProgramSafeStartMissingMemory {
+  bool moved = false;
+  bool turned = false;
+};
+
+class ProgramSafeStartMissing final : public StatefulRule<ProgramSafeStartMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.option("feedMode", 1) != 0 && to.dialect().group(StandardGroup::FeedMode) != noGroup)
@@ -27,7 +32,7 @@ public:
       to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::FeedWord)
       return atUse(event, ctx);
     const GroupIndex group = ctx.dialect().group(StandardGroup::FeedMode);
@@ -41,24 +46,23 @@ public:
           "was left in",
           ctx.text(*event.word), modes(ctx.dialect(), group));
   }
-  void remember(RuleMemory &memory) const override { memory(moved_, turned_); }
 
 private:
   /// The first move asks for dimensions and units, the first arc, cycle or compensation for a
   /// plane.
-  void atUse(const Event &event, RuleContext &ctx) {
+  void atUse(const Event &event, RuleContext &ctx) const {
     if (ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode) || ctx.before().profile)
       return;
     // A cycle may make the first move of all.
-    if ((event.kind == EventKind::Motion || event.kind == EventKind::CycleRun) && !moved_) {
-      moved_ = true;
+    if ((event.kind == EventKind::Motion || event.kind == EventKind::CycleRun) && !memory().moved) {
+      memory().moved = true;
       ask(wanted_, event, ctx);
     }
     const bool turns = event.kind != EventKind::Motion || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
-    if (!plane_ || !turns || turned_)
+    if (!plane_ || !turns || memory().turned)
       return;
-    turned_ = true;
+    memory().turned = true;
     ask({StandardGroup::Plane}, event, ctx);
   }
 
@@ -83,7 +87,7 @@ private:
   }
 
   std::vector<StandardGroup> wanted_;
-  bool plane_ = false, moved_ = false, turned_ = false;
+  bool plane_ = false;
 
   static std::string modes(const Dialect &dialect, GroupIndex group) {
     constexpr size_t readable = 4;

@@ -13,7 +13,7 @@ public:
       to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::CycleStart});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const bool released = ctx.find({Action::AxisRelease});
     const MachineState &state = released ? ctx.before() : ctx.after();
     if (!(event.axes >> unsigned(Axis::C) & 1) || state.must(Fact::AxisEngaged) ||

@@ -16,7 +16,7 @@ public:
       to.onAction({Action::SurfaceSpeed});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     if (state.must(Fact::SpeedLimitSet) ||
         (state.may(Fact::SpeedLimitSet) && state.may(Fact::UnknownCode)))

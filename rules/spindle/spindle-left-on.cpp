@@ -20,7 +20,7 @@ public:
       atEnd_ = true;
     }
   }
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::Code)
       LeftOnRule::on(event, ctx);
     if (atEnd_ && (event.kind == EventKind::ProgramEnd || event.kind == EventKind::Code) &&

@@ -11,7 +11,7 @@ public:
     highestCuttingSpeed_ = to.option("cuttingSpeedAbove", 1000);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::SpeedWord)
       atSpeed(event, ctx);
     else

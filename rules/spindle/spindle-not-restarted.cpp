@@ -7,7 +7,12 @@
 namespace ncvet {
 namespace {
 
-class SpindleNotRestarted final : public Rule {
+struct SpindleNotRestartedMemory {
+  SourceRange tap{}; ///< block of the last tapped hole
+  OncePerCause once;
+};
+
+class SpindleNotRestarted final : public StatefulRule<SpindleNotRestartedMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun});
@@ -19,7 +24,7 @@ public:
     wanted_ = to.option("codes", 0) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     if (afterTap_)
@@ -41,9 +46,9 @@ public:
     const bool certain = event.certain && ctx.before().must(Fact::SpindleStoppedByTap);
     if (!certain && ctx.before().may(Fact::UnknownCode))
       return;
-    if (!once_.speaks(stoppedBy(ctx) ? ctx.before().origin.of(StatePart::Spindle)
-                                     : ctx.before().origin.of(StatePart::Cycle),
-                      ctx))
+    if (!memory().once.speaks(stoppedBy(ctx) ? ctx.before().origin.of(StatePart::Spindle)
+                                             : ctx.before().origin.of(StatePart::Cycle),
+                              ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), certain)) {
       if (const CodeInfo *stop = stoppedBy(ctx))
@@ -66,7 +71,6 @@ public:
         }
     }
   }
-  void remember(RuleMemory &memory) const override { memory(tap_, once_); }
 
 private:
   static constexpr llvm::StringLiteral id{"spindle-not-restarted"};
@@ -82,13 +86,13 @@ private:
   }
 
   /// A tapping cycle turns the spindle round, and nothing says which way it turns behind it.
-  void directionAfterTap(const Event &event, RuleContext &ctx) {
+  void directionAfterTap(const Event &event, RuleContext &ctx) const {
     if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);
     const bool tap = code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft;
     if (event.kind == EventKind::CycleRun && tap) {
-      tap_ = ctx.blockRange();
+      memory().tap = ctx.blockRange();
       return;
     }
     const bool cuts = event.kind == EventKind::CycleRun
@@ -96,20 +100,21 @@ private:
                           : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                                 event.motion == MotionKind::ArcCcw;
     const Origin &start = ctx.after().origin.of(StatePart::Spindle);
-    if (!cuts || tap_.end == 0 || tap_.file != ctx.source().id() || !start.known() ||
-        start.file != tap_.file || start.begin >= tap_.end || ctx.block().begin < tap_.end)
+    if (!cuts || memory().tap.end == 0 || memory().tap.file != ctx.source().id() ||
+        !start.known() || start.file != memory().tap.file || start.begin >= memory().tap.end ||
+        ctx.block().begin < memory().tap.end)
       return;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.severity(Severity::Style)
           .message("`{0}` cuts behind tapping: which way the spindle turns after its reversal is "
                    "not certain",
                    code.name)
-          .note(tap_, "the tapping cycle runs here");
-    tap_ = {};
+          .note(memory().tap, "the tapping cycle runs here");
+    memory().tap = {};
   }
 
   /// The code that stopped it along with its own work is where the start is missing.
-  void stopped(const Event &event, RuleContext &ctx) {
+  void stopped(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Origin &cause = state.origin.of(StatePart::Spindle);
     if (!wanted_ || event.code == noCode || event.number == 1 || !cause.known() ||
@@ -123,7 +128,7 @@ private:
                   event.motion != MotionKind::Skip
             : code.spindle == SpindleNeed::Running || code.spindle == SpindleNeed::Clockwise ||
                   code.spindle == SpindleNeed::CounterClockwise;
-    if (!cuts || !once_.speaks(cause, ctx))
+    if (!cuts || !memory().once.speaks(cause, ctx))
       return;
     if (auto finding = ctx.report(cause.range(), event.certain))
       finding
@@ -135,8 +140,6 @@ private:
 
   bool wanted_ = false; ///< other codes than tapping stop it as well
   bool afterTap_ = false;
-  SourceRange tap_{}; ///< block of the last tapped hole
-  OncePerCause once_;
 };
 
 } // namespace

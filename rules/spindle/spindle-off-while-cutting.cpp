@@ -7,7 +7,12 @@
 namespace ncvet {
 namespace {
 
-class SpindleOffWhileCutting final : public Rule {
+struct SpindleOffWhileCuttingMemory {
+  OncePerCause once;
+  OncePerCause unsaid; ///< the program has said nothing of tool, speed and spindle
+};
+
+class SpindleOffWhileCutting final : public StatefulRule<SpindleOffWhileCuttingMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun});
@@ -15,7 +20,7 @@ public:
                             [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.before().profile == 1)
       return;
     constexpr uint16_t linear =
@@ -69,9 +74,9 @@ public:
     const bool nothingSaid = !state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
                              !state.may(Fact::SpindleStated);
     // What stands in front of a fragment may have started the spindle.
-    if (nothingSaid && hasHead_ && (!unsaid_.speaks(origin, ctx) || isFragment(ctx)))
+    if (nothingSaid && hasHead_ && (!memory().unsaid.speaks(origin, ctx) || isFragment(ctx)))
       return;
-    if (!once_.speaks(origin, ctx))
+    if (!memory().once.speaks(origin, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither tool, speed nor spindle: the program may run axes in, or guide a laser.
@@ -95,7 +100,6 @@ public:
           .note(origin, "the spindle is stopped here");
     }
   }
-  void remember(RuleMemory &memory) const override { memory(once_, unsaid_); }
 
 private:
   /// A text with neither the word that opens a program nor one that ends it.
@@ -112,8 +116,6 @@ private:
     return true;
   }
 
-  OncePerCause once_;
-  OncePerCause unsaid_;  ///< the program has said nothing of tool, speed and spindle
   bool hasHead_ = false; ///< the control has a word that opens a program
 };
 

@@ -8,7 +8,7 @@ class SpindleReversedWithoutStop final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::SpindleChange); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.before().profile == 1)
       return;
     const CodeInfo &code = ctx.code(event);

@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class SpindleSpeedMissing final : public Rule {
+struct SpindleSpeedMissingMemory {
+  OncePerCause once;
+};
+
+class SpindleSpeedMissing final : public StatefulRule<SpindleSpeedMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::SpindleChange, EventKind::CycleStart, EventKind::SpeedWord});
@@ -13,7 +17,7 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::SpeedWord)
       atSpeed(event, ctx);
     else if (event.kind == EventKind::Motion)
@@ -21,8 +25,6 @@ public:
     else
       atStart(event, ctx);
   }
-
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   static void atStart(const Event &event, RuleContext &ctx) {
@@ -63,7 +65,7 @@ private:
   }
 
   /// A feed per revolution of a spindle that has no speed: the control stops.
-  void atFeed(const Event &event, RuleContext &ctx) {
+  void atFeed(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
@@ -73,7 +75,7 @@ private:
         state.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedPerRevolution)
       return;
     const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
-    if (!once_.speaks(mode, ctx))
+    if (!memory().once.speaks(mode, ctx))
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Error)
@@ -94,8 +96,6 @@ private:
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));
   }
-
-  OncePerCause once_;
 };
 
 } // namespace

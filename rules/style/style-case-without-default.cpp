@@ -8,12 +8,12 @@ class StyleCaseWithoutDefault final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Item &item = ctx.block().items[size_t(event.number)];
     if (item.kind != ItemKind::Jump || item.jump != JumpKind::ByValue || item.arguments % 2 ||
         !item.arguments)
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` has no DEFAULT: every other value runs on into the next block",
                       ctx.text(range));

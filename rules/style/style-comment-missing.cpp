@@ -13,19 +13,19 @@ public:
   }
 
   /// A comment that the operator sees, in a block that works.
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const auto shown = llvm::find_if(block.comments, [](const Comment &c) { return c.shown; });
     if (shown == block.comments.end() || !block.hasAny(ctx.dialect().axisWords))
       return;
-    const SourceRange range{ctx.source().id(), shown->begin, shown->end};
+    const SourceRange range = ctx.range(*shown);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` is shown to the operator while the block runs: a remark for the "
                       "programmer stands in braces",
                       ctx.source().displayText(ctx.text(range)));
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (named_) // the control's list shows the name
       return;
     Block block;

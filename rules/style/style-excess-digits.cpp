@@ -11,7 +11,7 @@ public:
     to.on(EventKind::Block);
   }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const Dialect &dialect = ctx.dialect();
     if (!(block.pointed & ~dialect.whole))

@@ -8,7 +8,7 @@ class StyleLowerCase final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onChange({EventKind::Block}); }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     if (!block.lowerCase)
       return;

@@ -9,7 +9,7 @@ class StyleMalformedSuppression final : public Rule {
 public:
   void listen(Subscriptions &) override {}
 
-  void finish(const FileSummary &summary, RuleContext &ctx) override {
+  void finish(const FileSummary &summary, RuleContext &ctx) const override {
     for (const Suppression &suppression : summary.index.suppressions(rulesCalled)) {
       if (suppression.verb == SuppressionVerb::Unknown) {
         if (auto finding = ctx.report(suppression.verbRange))

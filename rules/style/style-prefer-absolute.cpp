@@ -4,7 +4,13 @@
 namespace ncvet {
 namespace {
 
-class StylePreferAbsolute final : public Rule {
+struct StylePreferAbsoluteMemory {
+  unsigned count = 0;
+  uint32_t last = 0;
+  SourceRange first;
+};
+
+class StylePreferAbsolute final : public StatefulRule<StylePreferAbsoluteMemory> {
 public:
   void listen(Subscriptions &to) override {
     longest_ = unsigned(to.option("blocks", 3));
@@ -12,7 +18,7 @@ public:
       to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || !isMotion(ctx.code(event).action))
       return;
     const Dialect &dialect = ctx.dialect();
@@ -23,30 +29,26 @@ public:
     const bool incremental = mode ? block.hasAny(dialect.axisWords)
                                   : block.hasAny(dialect.incrementWords) && !block.hasAny(absolute);
     if (!incremental) {
-      count_ = 0;
+      memory().count = 0;
       return;
     }
     // A chain is a run of the text: a loop that comes round again does not lengthen it.
-    if (count_ && block.begin <= last_)
-      count_ = 0;
-    last_ = block.begin;
-    if (count_ == 0)
-      first_ = {ctx.source().id(), block.begin, block.end};
-    if (++count_ != longest_)
+    if (memory().count && block.begin <= memory().last)
+      memory().count = 0;
+    memory().last = block.begin;
+    if (memory().count == 0)
+      memory().first = ctx.range(block);
+    if (++memory().count != longest_)
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
           .message("{0} incremental moves in a row: one wrong value shifts all later points",
                    longest_)
-          .note(first_, "the chain begins here");
+          .note(memory().first, "the chain begins here");
   }
-  void remember(RuleMemory &memory) const override { memory(count_, last_, first_); }
 
 private:
   unsigned longest_ = 3;
-  unsigned count_ = 0;
-  uint32_t last_ = 0;
-  SourceRange first_;
 };
 
 } // namespace

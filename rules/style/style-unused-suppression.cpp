@@ -10,7 +10,7 @@ class StyleUnusedSuppression final : public Rule {
 public:
   void listen(Subscriptions &) override {}
 
-  void finish(const FileSummary &summary, RuleContext &ctx) override {
+  void finish(const FileSummary &summary, RuleContext &ctx) const override {
     for (const Suppression &suppression : summary.index.suppressions(rulesCalled))
       for (const SuppressedName &name : suppression.names)
         if (name.dead)

@@ -9,7 +9,17 @@
 namespace ncvet {
 namespace {
 
-class StyleUseSubprogram final : public Rule {
+struct StyleUseSubprogramMemory {
+  struct Line {
+    uint64_t text = 0; ///< hash of what the block does, without number, comments and blanks
+    uint32_t begin = 0, end = 0;
+    bool moves = false;
+  };
+  uint32_t said = ~0u; ///< the recording that was reported last
+  std::vector<Line> lines;
+};
+
+class StyleUseSubprogram final : public StatefulRule<StyleUseSubprogramMemory> {
 public:
   void listen(Subscriptions &to) override {
     const double blocks = to.option("blocks", 5);
@@ -20,12 +30,12 @@ public:
   }
 
   /// A move of a profile that is recorded where it is used.
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Origin &begin = ctx.before().origin.of(StatePart::Roughing);
     if (ctx.before().profile != 1 || ctx.callDepth() > 0 || !event.axes || !begin.known() ||
-        begin.begin == said_)
+        begin.begin == memory().said)
       return;
-    said_ = begin.begin;
+    memory().said = begin.begin;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
           .message("this profile is recorded in the middle of the main program: in a program of "
@@ -33,26 +43,19 @@ public:
           .note(begin, "it is recorded from here on");
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     constexpr size_t readable = 1u << 20; // a program that long was made by a machine
     if (!run_ || file.source.text().size() > readable)
       return;
     for (const ProgramInfo &program : file.index.programs())
       look(program, file, ctx);
   }
-  void remember(RuleMemory &memory) const override { memory(said_, lines_); }
 
 private:
-  struct Line {
-    uint64_t text = 0; ///< hash of what the block does, without number, comments and blanks
-    uint32_t begin = 0, end = 0;
-    bool moves = false;
-  };
-
-  void look(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+  void look(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     read(program, file, ctx.dialect());
     std::unordered_map<uint64_t, size_t> first; // sequence, and where it began first
-    for (size_t at = 0; at + run_ <= lines_.size(); ++at) {
+    for (size_t at = 0; at + run_ <= memory().lines.size(); ++at) {
       const std::optional<uint64_t> key = sequenceAt(at);
       if (!key)
         continue;
@@ -61,8 +64,8 @@ private:
       if (fresh || before + run_ > at)
         continue;
       size_t length = run_;
-      while (before + length < at && at + length < lines_.size() &&
-             lines_[before + length].text == lines_[at + length].text)
+      while (before + length < at && at + length < memory().lines.size() &&
+             memory().lines[before + length].text == memory().lines[at + length].text)
         ++length;
       if (auto finding = ctx.report(range(before, file)))
         finding
@@ -76,18 +79,18 @@ private:
   }
 
   SourceRange range(size_t at, const FileSummary &file) const {
-    return {file.source.id(), lines_[at].begin, lines_[at].end};
+    return {file.source.id(), memory().lines[at].begin, memory().lines[at].end};
   }
 
-  void read(const ProgramInfo &program, const FileSummary &file, const Dialect &dialect) {
-    lines_.clear();
+  void read(const ProgramInfo &program, const FileSummary &file, const Dialect &dialect) const {
+    memory().lines.clear();
     Block block;
     std::string text;
     for (uint32_t at = program.begin; at < program.end; at = block.next) {
       file.reader.read(at, block);
       if (block.isEmpty())
         continue;
-      Line line;
+      Memory::Line line;
       line.begin = block.begin;
       line.end = block.end;
       text.clear();
@@ -103,7 +106,7 @@ private:
       for (const Item &item : block.items)
         add(item.begin, item.end);
       line.text = llvm::xxHash64(text);
-      lines_.push_back(line);
+      memory().lines.push_back(line);
     }
   }
 
@@ -114,19 +117,17 @@ private:
     size_t moves = 0;
     bool differ = false;
     for (size_t i = 0; i < run_; ++i) {
-      const Line &line = lines_[at + i];
+      const Memory::Line &line = memory().lines[at + i];
       key = key * 0x9E3779B97F4A7C15u + line.text;
       moves += line.moves;
-      differ |= line.text != lines_[at].text;
+      differ |= line.text != memory().lines[at].text;
     }
     if (!differ || moves + 1 < run_)
       return std::nullopt;
     return key;
   }
 
-  uint32_t said_ = ~0u; ///< the recording that was reported last
-  size_t run_ = 5;      ///< blocks of the shortest sequence; 0: the control has no subprograms
-  std::vector<Line> lines_;
+  size_t run_ = 5; ///< blocks of the shortest sequence; 0: the control has no subprograms
 };
 
 } // namespace

@@ -13,7 +13,7 @@ public:
       to.on({EventKind::Statement, EventKind::UnsetRead});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::UnsetRead)
       return systemVariable(event, ctx);
     const Item &item = ctx.block().items[size_t(event.number)];

@@ -8,11 +8,11 @@ class SyntaxAmbiguousExpression final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::AmbiguousExpression)
       return;
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     const llvm::StringRef text = ctx.text(range);
     auto finding = ctx.report(range);
     if (!finding)

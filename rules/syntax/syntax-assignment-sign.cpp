@@ -26,11 +26,11 @@ public:
       to.on(EventKind::Statement);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return instruction(ctx.block().items[size_t(event.number)], ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    const SourceRange where{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange where = ctx.range(issue);
     // `R2.` beside another control's code is a word of that control.
     if (issue.kind == SyntaxIssueKind::MissingEquals) {
       if (letters_ && parameter(where, ctx))
@@ -102,7 +102,7 @@ private:
         ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd});
     if (!instructions_.count(name.upper()))
       return;
-    const SourceRange where{ctx.source().id(), item.begin, item.end};
+    const SourceRange where = ctx.range(item);
     if (auto finding = ctx.report(where))
       finding.severity(Severity::Warning)
           .message("`{0}` is an instruction and takes `:`: with `=` it is a variable that nothing "

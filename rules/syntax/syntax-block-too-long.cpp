@@ -8,7 +8,7 @@ class SyntaxBlockTooLong final : public Rule {
 public:
   void listen(Subscriptions &to) override { most_ = to.dialect().limits.blockLength; }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!most_)
       return;
     const llvm::StringRef text = file.source.text();

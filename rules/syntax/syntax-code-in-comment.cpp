@@ -39,7 +39,7 @@ class SyntaxCodeInComment final : public Rule {
 public:
   void listen(Subscriptions &) override {}
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     // Comments of this kind are rare: looking for them in the text spares every block a test.
     file.index.eachPlaceOf('(', [&](uint32_t open) { look(file, open, ctx); });
     file.index.eachPlaceOf('"', [&](uint32_t open) { lookBehind(file, open, ctx); });
@@ -47,7 +47,7 @@ public:
 
 private:
   /// `" text " M3 S600`: the second mark of a comment that runs to the end of its line.
-  void lookBehind(const FileSummary &file, uint32_t open, RuleContext &ctx) {
+  void lookBehind(const FileSummary &file, uint32_t open, RuleContext &ctx) const {
     const uint32_t begin = file.source.lines().lineBegin(open);
     const llvm::StringRef line =
         file.source.text().substr(begin).take_until([](char c) { return c == '\n' || c == '\r'; });
@@ -56,8 +56,9 @@ private:
     if (first == second || line.find('"', first + 1) != second ||
         !isWords(line.drop_front(second + 1)))
       return;
-    file.reader.read(begin, block_);
-    if (llvm::none_of(block_.comments, [&](const Comment &c) { return c.begin == begin + first; }))
+    Block block;
+    file.reader.read(begin, block);
+    if (llvm::none_of(block.comments, [&](const Comment &c) { return c.begin == begin + first; }))
       return;
     const size_t words = line.find_first_not_of(" \t", second + 1);
     const uint32_t from = begin + uint32_t(words);
@@ -70,7 +71,7 @@ private:
           ctx.text(range));
   }
 
-  void look(const FileSummary &file, uint32_t open, RuleContext &ctx) {
+  void look(const FileSummary &file, uint32_t open, RuleContext &ctx) const {
     constexpr size_t longest = 9;
     const llvm::StringRef text = file.source.text().substr(open, longest);
     const size_t close = text.find(')');
@@ -80,17 +81,16 @@ private:
     if (code.empty())
       return;
     const uint32_t end = open + uint32_t(close) + 1;
-    file.reader.read(file.source.lines().lineBegin(open), block_);
+    Block block;
+    file.reader.read(file.source.lines().lineBegin(open), block);
     // Alone in its line it is a code that somebody switched off; beside words it is a slip.
-    if (block_.isEmpty() || llvm::none_of(block_.comments, [&](const Comment &c) {
+    if (block.isEmpty() || llvm::none_of(block.comments, [&](const Comment &c) {
           return c.begin == open && c.end == end;
         }))
       return;
     if (auto finding = ctx.report(SourceRange{file.source.id(), open, end}))
       finding.message("`{0}` stands in a comment: the control does not execute it", code);
   }
-
-  Block block_;
 };
 
 } // namespace

@@ -12,11 +12,11 @@ public:
       to.on(EventKind::Syntax);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::DecimalComma)
       return;
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     const llvm::StringRef text = ctx.text(range);
     if (auto finding = ctx.report(range)) {
       finding.message("`{0}` has a decimal comma: a comma opens another word, the fraction is lost",

@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class SyntaxError final : public Rule {
+struct SyntaxErrorMemory {
+  Aside<std::optional<uint32_t>> afterText; ///< where the last line of prose ends
+};
+
+class SyntaxError final : public StatefulRule<SyntaxErrorMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
@@ -13,7 +17,7 @@ public:
       to.on(EventKind::Statement);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return separators(ctx.block().items[size_t(event.number)], ctx);
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
@@ -39,9 +43,9 @@ public:
       break;
     case SyntaxIssueKind::NotABlock: {
       // Of lines of prose in a row only the first is reported.
-      stateUse.aside = true;
-      const bool goesOn = ctx.block().begin == behindText_;
-      behindText_ = ctx.block().next;
+      std::optional<uint32_t> &afterText = memory().afterText.look();
+      const bool goesOn = ctx.block().begin == afterText;
+      afterText = ctx.block().next;
       if (goesOn)
         return;
       what = "this is no block: the control reads none of it and stops";
@@ -50,12 +54,9 @@ public:
     default:
       return;
     }
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     if (auto finding = ctx.report(range))
       finding.message(what, ctx.source().displayText(ctx.text(range)));
-  }
-  void remember(RuleMemory &memory) const override {
-    memory.aside([&] { memory(behindText_); });
   }
 
 private:
@@ -69,7 +70,7 @@ private:
         first = argument.separator;
         continue;
       }
-      const SourceRange range{ctx.source().id(), item.begin, item.end};
+      const SourceRange range = ctx.range(item);
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Style)
             .message("`{0}` separates its arguments by `;` and by `,`: one of them reads better",
@@ -77,8 +78,6 @@ private:
       return;
     }
   }
-
-  uint32_t behindText_ = ~0u; ///< behind the last line of prose
 };
 
 } // namespace

@@ -8,11 +8,11 @@ class SyntaxForeignComment final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::ForeignComment)
       return;
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` opens no comment on this control: it reads what follows as code",
                       ctx.text(range).take_front(1));

@@ -12,9 +12,9 @@ public:
     limitAxes_ = to.dialect().facts->text.bareAxesOfLimits;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     if (issue.kind == SyntaxIssueKind::MissingAddress) {
       // A sleep code takes its time as a bare number.
       if (ctx.find({Action::Sleep}) || holdsForeignCode(ctx) ||

@@ -26,14 +26,14 @@ public:
     });
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     if (event.kind == EventKind::Statement)
       return variable(block.items[size_t(event.number)], ctx);
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = block.issues[size_t(event.number)];
       if (issue.kind == SyntaxIssueKind::RealForInteger) {
-        const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+        const SourceRange range = ctx.range(issue);
         if (auto finding = ctx.report(range))
           finding.message("`{0}` takes a whole number, and this value is a real one: a function "
                           "that cuts the fraction off makes it whole",
@@ -42,7 +42,7 @@ public:
       }
       if (issue.kind == SyntaxIssueKind::MalformedNumber && block.number >= 0 &&
           issue.begin == block.numberBegin && issue.end == block.numberEnd) {
-        const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+        const SourceRange range = ctx.range(issue);
         if (ctx.text(range).count('.') == 1 || ctx.text(range).contains('-'))
           if (auto finding = ctx.report(range))
             finding.message("`{0}`: a block number is a whole number without a sign or point",
@@ -95,7 +95,7 @@ private:
     const Value value = evaluateInBlock(ctx.block(), item.value, ctx.before());
     if (!value.isConstant() || value.number.value() == std::floor(value.number.value()))
       return;
-    const SourceRange range{ctx.source().id(), item.begin, item.end};
+    const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
           .message("`{0}` holds whole numbers, and gets {1}", ctx.text(name),

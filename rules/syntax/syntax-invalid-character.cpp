@@ -6,13 +6,17 @@
 namespace ncvet {
 namespace {
 
-class SyntaxInvalidCharacter final : public Rule {
+struct SyntaxInvalidCharacterMemory {
+  bool quoteSpoken = false;
+};
+
+class SyntaxInvalidCharacter final : public StatefulRule<SyntaxInvalidCharacterMemory> {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     const std::string text = ctx.source().displayText(ctx.text(range));
     switch (issue.kind) {
     case SyntaxIssueKind::InvalidCharacter:
@@ -22,7 +26,7 @@ public:
         finding.message("`{0}` cannot be read by the control outside comments", text);
       return;
     case SyntaxIssueKind::TypographicQuote:
-      if (std::exchange(quoteSpoken_, true)) // a word processor makes all of them so
+      if (std::exchange(memory().quoteSpoken, true)) // a word processor makes all of them so
         return;
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
@@ -55,10 +59,6 @@ public:
       return;
     }
   }
-  void remember(RuleMemory &memory) const override { memory(quoteSpoken_); }
-
-private:
-  bool quoteSpoken_ = false;
 };
 
 } // namespace

@@ -25,7 +25,7 @@ class SyntaxLookalikeCharacter final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on({EventKind::Syntax, EventKind::WordIssue}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const llvm::StringRef all = ctx.source().text();
     const Block &block = ctx.block();
     if (event.kind == EventKind::Syntax) {

@@ -12,9 +12,9 @@ public:
     tight_ = to.dialect().facts->text.noBlanksInWords;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    SourceRange range = ctx.range(issue);
     const Block &block = ctx.block();
     switch (issue.kind) {
     case SyntaxIssueKind::MalformedNumber:
@@ -49,7 +49,7 @@ public:
     }
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (tight_)
       blanksInWords(file, ctx);
   }

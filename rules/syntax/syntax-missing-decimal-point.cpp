@@ -11,7 +11,7 @@ public:
       to.on(EventKind::WordIssue);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (WordIssue(event.number) != WordIssue::NoPoint)
       return;
     // With this setting the control reads whole numbers as they are meant.

@@ -11,7 +11,7 @@ public:
       to.on(EventKind::Syntax);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     const char *what = nullptr;
     switch (issue.kind) {
@@ -27,7 +27,7 @@ public:
     default:
       return;
     }
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     if (auto finding = ctx.report(range))
       finding.message(what, ctx.source().displayText(ctx.text(range)));
   }

@@ -5,16 +5,20 @@
 namespace ncvet {
 namespace {
 
-class SyntaxUnclosedComment final : public Rule {
+struct SyntaxUnclosedCommentMemory {
+  OncePerCause once;
+};
+
+class SyntaxUnclosedComment final : public StatefulRule<SyntaxUnclosedCommentMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
     nestedStops_ = to.dialect().facts->text.noNestedComments;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     switch (issue.kind) {
     case SyntaxIssueKind::UnclosedComment:
       if (auto finding = ctx.report(range))
@@ -34,7 +38,7 @@ public:
       if (ctx.source().text(issue.end, ctx.block().end).trim().empty())
         return;
       // Who writes brackets into comments does it throughout.
-      if (!once_.speaks(Origin(), ctx))
+      if (!memory().once.speaks(Origin(), ctx))
         return;
       if (auto finding = ctx.report(range))
         finding
@@ -53,10 +57,8 @@ public:
       return;
     }
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
-  OncePerCause once_;
   bool nestedStops_ = false; ///< the control stops at a `(` inside a comment
 };
 

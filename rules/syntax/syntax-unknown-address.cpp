@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class SyntaxUnknownAddress final : public Rule {
+struct SyntaxUnknownAddressMemory {
+  uint16_t axes = 0; ///< that the machine profile has; 0: it does not say
+};
+
+class SyntaxUnknownAddress final : public StatefulRule<SyntaxUnknownAddressMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::Syntax, EventKind::WordIssue});
@@ -14,16 +18,16 @@ public:
       return;
     for (unsigned i = 0; i < axisCount; ++i)
       if (to.machine().axes[i].min || to.machine().axes[i].max)
-        axes_ |= uint16_t(1u << i);
-    if (axes_)
+        memory().axes |= uint16_t(1u << i);
+    if (memory().axes)
       to.on(EventKind::Motion);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion) {
       for (const Word &word : ctx.block().words) {
         const AddressInfo &address = ctx.dialect().addresses[word.address];
-        if (address.kind == AddressKind::Axis && !(axes_ >> unsigned(address.axis) & 1))
+        if (address.kind == AddressKind::Axis && !(memory().axes >> unsigned(address.axis) & 1))
           if (auto finding = ctx.report(word))
             finding.message("`{0}`: the machine profile has no axis {1}", ctx.text(word),
                             ctx.dialect().addressName(word.address));
@@ -34,7 +38,7 @@ public:
       const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
       if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
         return;
-      const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+      const SourceRange range = ctx.range(issue);
       if (ctx.text(range).contains('/')) // `G83/R`: block-foreign-dialect-code speaks
         return;
       if (isoSigns_ && isIsoSign(ctx.text(range)))
@@ -55,7 +59,6 @@ public:
           finding.message("`{0}`: this control has no address {1}, the block is refused",
                           ctx.text(word), ctx.dialect().addressName(word.address));
   }
-  void remember(RuleMemory &memory) const override { memory(axes_); }
 
 private:
   /// A code of the block has something to say of just this address.
@@ -67,7 +70,6 @@ private:
   }
 
   bool isoSigns_ = false; ///< `O1000` and `#1` are known as another control's
-  uint16_t axes_ = 0;     ///< that the machine profile has; 0: it does not say
 };
 
 } // namespace

@@ -7,7 +7,12 @@
 namespace ncvet {
 namespace {
 
-class SyntaxUnknownName final : public Rule {
+struct SyntaxUnknownNameMemory {
+  std::set<uint64_t> spoken; ///< names that were looked at
+  DefinedElements elements;
+};
+
+class SyntaxUnknownName final : public StatefulRule<SyntaxUnknownNameMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().elementWords) {
@@ -32,7 +37,7 @@ public:
     instructions_ = instructionNames(to.dialect());
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
     if (event.kind == EventKind::UnsetRead)
@@ -42,7 +47,7 @@ public:
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::UnknownWord)
       return;
-    const SourceRange range{ctx.source().id(), issue.begin, issue.end};
+    const SourceRange range = ctx.range(issue);
     auto finding = ctx.report(range);
     if (!finding)
       return;
@@ -65,17 +70,16 @@ public:
     else
       finding.message("`{0}` is no name that the control knows", ctx.text(range));
   }
-  void remember(RuleMemory &memory) const override { memory(spoken_); }
 
 private:
   /// A value for a name that a main program does not define. What it is called by may have defined
   /// it, and so may the machine's own definitions.
-  void undefined(const Event &event, RuleContext &ctx) {
+  void undefined(const Event &event, RuleContext &ctx) const {
     const auto key = uint64_t(event.number);
     if (event.number < int64_t(firstNamedVariable) || ctx.callDepth() > 0 || isSubprogram(ctx))
       return;
     const FileId file = ctx.source().id();
-    if (!spoken_.insert(key).second)
+    if (!memory().spoken.insert(key).second)
       return;
     for (const Item &item : ctx.block().items) {
       if (item.kind != ItemKind::Assignment || ctx.block().keyOf(item.target) != key)
@@ -99,7 +103,7 @@ private:
 
   /// A name is read that the program does not define, and it defines one that is almost the same.
   /// Any other name may be one of the machine's own definitions.
-  void misspelt(const Event &event, RuleContext &ctx) {
+  void misspelt(const Event &event, RuleContext &ctx) const {
     if (ctx.callDepth() > 0 || isSubprogram(ctx))
       return;
     const auto begin = uint32_t(event.number);
@@ -109,7 +113,7 @@ private:
     constexpr size_t least = 4; // shorter names differ by a letter on purpose
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     if (name.size() < least || !llvm::isAlpha(name[0]) || ctx.index().definition(program, name) ||
-        known_.count(variableKey(name)) || !spoken_.insert(variableKey(name)).second)
+        known_.count(variableKey(name)) || !memory().spoken.insert(variableKey(name)).second)
       return;
     const auto letters = [](llvm::StringRef text) {
       std::string kept;
@@ -132,7 +136,7 @@ private:
     if (!near)
       return;
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
-    const SourceRange defined{ctx.source().id(), near->begin, near->end};
+    const SourceRange defined = ctx.range(*near);
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
           .message("the program defines no `{0}`, but `{1}`: unless the machine's own definitions "
@@ -148,15 +152,14 @@ private:
                          [&](const std::string &main) { return ending.equals_insensitive(main); });
   }
 
-  bool defined_ = false;      ///< programs define their names themselves
-  std::set<uint64_t> spoken_; ///< names that were looked at
+  bool defined_ = false; ///< programs define their names themselves
 
   /// An element of a contour that nothing has defined.
-  void element(RuleContext &ctx) {
+  void element(RuleContext &ctx) const {
     if (!ctx.block().hasAny(ctx.dialect().elementWords))
       return;
     if (const Word *word = DefinedElements::definedBy(ctx)) {
-      elements_.define(*word, ctx);
+      memory().elements.define(*word, ctx);
       return;
     }
     // Alone in its block it may be another control's number, save in the middle of a contour.
@@ -164,15 +167,13 @@ private:
     if (ctx.before().may(Fact::UnknownCode) || (DefinedElements::alone(ctx) && !contour))
       return;
     for (const Word &word : ctx.block().words)
-      if ((ctx.dialect().elementWords & maskOf(word.address)) && !elements_.find(word))
+      if ((ctx.dialect().elementWords & maskOf(word.address)) && !memory().elements.find(word))
         if (auto finding = ctx.report(word))
           finding.message("nothing has defined the element `{0}`", ctx.text(word));
   }
 
-  DefinedElements elements_;
-
   /// A value for a name that no cycle reads, where only cycles read names.
-  void parameter(const Event &event, RuleContext &ctx) {
+  void parameter(const Event &event, RuleContext &ctx) const {
     if (known_.empty() || !ctx.block().has(variableAddress) ||
         event.number < int64_t(firstNamedVariable) || known_.count(uint64_t(event.number)))
       return;

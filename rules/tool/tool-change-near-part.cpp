@@ -10,7 +10,7 @@ class ToolChangeNearPart final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::ToolChange); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     if (before.profile != 0)
       return;

@@ -8,7 +8,7 @@ class ToolChangeWithMotion final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::ToolChange); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     constexpr uint32_t moves =
         bitOf(EventKind::Motion) | bitOf(EventKind::CycleRun) | bitOf(EventKind::CycleStart);
     if (!(ctx.outcome().kinds & moves) || !axesOf(ctx.dialect(), ctx.block()))

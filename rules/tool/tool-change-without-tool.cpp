@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class ToolChangeWithoutTool final : public Rule {
+struct ToolChangeWithoutToolMemory {
+  NamelessChanges nameless;
+};
+
+class ToolChangeWithoutTool final : public StatefulRule<ToolChangeWithoutToolMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().toolChangeByT && to.dialect().facts->tools.changeNeedsNumber)
@@ -13,12 +17,12 @@ public:
     eachNamed_ = to.option("each", 0) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const bool again = before.may(Fact::ToolCalled);
     // Behind a change that named nothing the next one is the same mistake.
-    const bool named = !again || (eachNamed_ && !nameless_.inForce(before));
-    nameless_.see(event, ctx);
+    const bool named = !again || (eachNamed_ && !memory().nameless.inForce(before));
+    memory().nameless.see(event, ctx);
     if (ctx.block().has(letterAddress('T')) || before.preselected != notSet || !named ||
         before.may(Fact::UnknownCode)) // a T in front waits for the change
       return;
@@ -32,10 +36,7 @@ public:
     }
   }
 
-  void remember(RuleMemory &memory) const override { memory(nameless_); }
-
 private:
-  NamelessChanges nameless_;
   bool eachNamed_ = false; ///< a later change wants a T of its own
 };
 

@@ -11,7 +11,7 @@ public:
     to.onAction({Action::LengthPositive, Action::LengthNegative});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if ((code.action != Action::LengthPositive && code.action != Action::LengthNegative) ||

@@ -11,7 +11,7 @@ public:
       to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const char *where = nullptr;
     switch (event.kind) {
     case EventKind::ToolChange:

@@ -7,14 +7,20 @@
 namespace ncvet {
 namespace {
 
-class ToolLengthOffsetMissing final : public Rule {
+struct ToolLengthOffsetMissingMemory {
+  Aside<std::optional<int32_t>> onlyTool; ///< the first tool of a program without length offsets
+  Aside<std::map<FileId, bool>> uses;     ///< by file: it names length offsets
+  OncePerCause once;
+};
+
+class ToolLengthOffsetMissing final : public StatefulRule<ToolLengthOffsetMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
     // Drilling goes along the tool axis in every hole.
@@ -30,14 +36,15 @@ public:
     const bool certain =
         event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
     const Origin &origin = state.origin.of(StatePart::Tool);
-    if (!once_.speaks(origin, ctx))
+    if (!memory().once.speaks(origin, ctx))
       return;
     // A program that never speaks of length offsets may be for a machine without any, and with one
     // tool the zero is where this tool touched the work.
     const bool uses = programUsesOffsets(ctx);
-    const bool first = onlyTool_.value_or(state.tool) == state.tool;
-    if (!uses && !onlyTool_)
-      onlyTool_ = state.tool;
+    std::optional<int32_t> &onlyTool = memory().onlyTool.look();
+    const bool first = onlyTool.value_or(state.tool) == state.tool;
+    if (!uses && !onlyTool)
+      onlyTool = state.tool;
     if (auto finding = ctx.report(ctx.blockRange(), certain && uses)) {
       finding
           .message("the tool moves along its axis before its length offset is on: it goes too deep "
@@ -47,15 +54,11 @@ public:
         finding.severity(first ? Severity::Style : Severity::Warning);
     }
   }
-  void remember(RuleMemory &memory) const override {
-    memory.aside([&] { memory(onlyTool_, uses_); });
-    memory(once_);
-  }
 
 private:
   /// Whether the file names a code of the length offset's group anywhere; looked up once a file.
-  bool programUsesOffsets(RuleContext &ctx) {
-    const auto [entry, fresh] = uses_.try_emplace(ctx.source().id(), false);
+  bool programUsesOffsets(RuleContext &ctx) const {
+    const auto [entry, fresh] = memory().uses.look().try_emplace(ctx.source().id(), false);
     if (fresh) {
       const GroupIndex group = ctx.dialect().group(StandardGroup::LengthOffset);
       for (const CodeIndex member : ctx.dialect().groups[group].members) {
@@ -71,10 +74,6 @@ private:
   static bool holds(llvm::StringRef text, llvm::StringRef word) {
     return ::memmem(text.data(), text.size(), word.data(), word.size()) != nullptr;
   }
-
-  std::optional<int32_t> onlyTool_; ///< the first tool of a program without length offsets
-  std::map<uint32_t, bool> uses_;
-  OncePerCause once_;
 };
 
 } // namespace

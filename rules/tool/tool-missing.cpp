@@ -4,17 +4,21 @@
 namespace ncvet {
 namespace {
 
-class ToolMissing final : public Rule {
+struct ToolMissingMemory {
+  NamelessChanges nameless;
+};
+
+class ToolMissing final : public StatefulRule<ToolMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::ToolChange});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::ToolChange)
-      return nameless_.see(event, ctx);
+      return memory().nameless.see(event, ctx);
     // A change that names no tool brings in none of the program's.
-    const bool nameless = nameless_.inForce(ctx.after());
+    const bool nameless = memory().nameless.inForce(ctx.after());
     // Only the first cut: it is the same mistake in all that follow.
     if (event.code == noCode || (ctx.after().must(Fact::ToolCalled) && !nameless) ||
         ctx.before().must(Fact::Cut) || ctx.after().preselected != notSet ||
@@ -32,10 +36,6 @@ public:
                       "its old data",
                       ctx.code(event).name);
   }
-  void remember(RuleMemory &memory) const override { memory(nameless_); }
-
-private:
-  NamelessChanges nameless_;
 };
 
 } // namespace

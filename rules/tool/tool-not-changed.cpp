@@ -4,7 +4,13 @@
 namespace ncvet {
 namespace {
 
-class ToolNotChanged final : public Rule {
+struct ToolNotChangedMemory {
+  NamelessChanges nameless;
+  SourceRange named;
+  int64_t number = 0;
+};
+
+class ToolNotChanged final : public StatefulRule<ToolNotChangedMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().toolChangeByT || to.option("wanted", 0) == 0)
@@ -13,47 +19,46 @@ public:
     to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.callDepth() > 0) { // a program of its own may change the tool
       if (event.kind == EventKind::ToolChange) {
-        named_ = {};
-        nameless_.see(event, ctx);
+        memory().named = {};
+        memory().nameless.see(event, ctx);
       }
       return;
     }
     if (event.kind == EventKind::ToolWord && event.word) {
       forgotten(event, ctx);
-      named_ = ctx.range(*event.word);
-      number_ = numberOf(event);
+      memory().named = ctx.range(*event.word);
+      memory().number = numberOf(event);
     } else if (event.kind == EventKind::ToolChange) {
-      named_ = {};
-      nameless_.see(event, ctx);
+      memory().named = {};
+      memory().nameless.see(event, ctx);
     } else if (event.kind == EventKind::Motion) {
       atCut(event, ctx);
-    } else if (event.kind == EventKind::ProgramEnd && named_.end &&
+    } else if (event.kind == EventKind::ProgramEnd && memory().named.end &&
                !ctx.after().may(Fact::UnknownCode)) {
-      if (auto finding = ctx.report(named_))
+      if (auto finding = ctx.report(memory().named))
         finding.message("`{0}` names a tool that nothing changes in: the program cuts with the one "
                         "before",
-                        ctx.text(named_));
+                        ctx.text(memory().named));
     }
   }
-  void remember(RuleMemory &memory) const override { memory(nameless_, named_, number_); }
 
 private:
   /// A tool that is got ready while another one cuts is usual; the program has changed in none yet.
-  void atCut(const Event &event, RuleContext &ctx) {
-    if (!named_.end || event.code == noCode || event.motion == MotionKind::Rapid ||
+  void atCut(const Event &event, RuleContext &ctx) const {
+    if (!memory().named.end || event.code == noCode || event.motion == MotionKind::Rapid ||
         event.motion == MotionKind::Reference || ctx.after().preselected == notSet ||
-        !nameless_.inForce(ctx.after()) || ctx.after().may(Fact::UnknownCode))
+        !memory().nameless.inForce(ctx.after()) || ctx.after().may(Fact::UnknownCode))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding
           .message("`{0}` cuts while `{1}` still waits for its change: whatever is in the spindle "
                    "cuts",
-                   ctx.code(event).name, ctx.text(named_))
-          .note(named_, "the tool is named here");
-    named_ = {};
+                   ctx.code(event).name, ctx.text(memory().named))
+          .note(memory().named, "the tool is named here");
+    memory().named = {};
   }
 
   static int64_t numberOf(const Event &event) {
@@ -61,21 +66,17 @@ private:
   }
 
   /// Another tool is named before this one was changed in.
-  void forgotten(const Event &event, RuleContext &ctx) {
+  void forgotten(const Event &event, RuleContext &ctx) const {
     const int64_t next = numberOf(event);
-    if (!named_.end || number_ <= 0 || next <= 0 || next == number_ ||
-        ctx.before().preselected != number_ || ctx.before().may(Fact::UnknownCode))
+    if (!memory().named.end || memory().number <= 0 || next <= 0 || next == memory().number ||
+        ctx.before().preselected != memory().number || ctx.before().may(Fact::UnknownCode))
       return;
-    if (auto finding = ctx.report(named_))
+    if (auto finding = ctx.report(memory().named))
       finding
           .message("`{0}` names a tool that nothing changes in: `{1}` takes its place",
-                   ctx.text(named_), ctx.text(*event.word))
+                   ctx.text(memory().named), ctx.text(*event.word))
           .note(ctx.range(*event.word), "the next tool is named here");
   }
-
-  NamelessChanges nameless_;
-  int64_t number_ = 0;
-  SourceRange named_;
 };
 
 } // namespace

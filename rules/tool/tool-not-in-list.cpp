@@ -12,7 +12,7 @@ public:
       to.on(EventKind::OffsetWord);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (!ctx.machine().hasTools || !event.value.isConstant() || event.value.value() < 0 ||
         event.value.value() > 1e8)
       return;

@@ -5,7 +5,11 @@
 namespace ncvet {
 namespace {
 
-class ToolOffsetCancelled final : public Rule {
+struct ToolOffsetCancelledMemory {
+  OncePerCause once;
+};
+
+class ToolOffsetCancelled final : public StatefulRule<ToolOffsetCancelledMemory> {
 public:
   void listen(Subscriptions &to) override {
     edges_ = to.dialect().facts->tools.cuttingEdges;
@@ -14,7 +18,7 @@ public:
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     if (length_)
       return withoutLength(event, ctx);
@@ -31,7 +35,7 @@ public:
     const bool rapid = event.kind == EventKind::Motion && event.motion == MotionKind::Rapid;
     if (rapid && ctx.before().may(Fact::CutSinceTool))
       return;
-    if (!once_.speaks(state.origin.of(StatePart::Tool), ctx))
+    if (!memory().once.speaks(state.origin.of(StatePart::Tool), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding
@@ -39,11 +43,10 @@ public:
                    state.tool)
           .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
-  void remember(RuleMemory &memory) const override { memory(once_); }
 
 private:
   /// The length of the tool is switched off, and its axis moves.
-  void withoutLength(const Event &event, RuleContext &ctx) {
+  void withoutLength(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const GroupIndex group = ctx.dialect().lengthByTool;
     const auto tool = uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state)));
@@ -53,7 +56,7 @@ private:
     for (const CodeIndex member : ctx.dialect().groups[group].members) {
       const CodeInfo &code = ctx.dialect().codes[member];
       if (code.action != Action::LengthOff || state.group(group) != uint64_t(1) << code.bit ||
-          !once_.speaks(state.origin.ofGroup(group), ctx))
+          !memory().once.speaks(state.origin.ofGroup(group), ctx))
         continue;
       if (auto finding = ctx.report(ctx.blockRange(), event.certain))
         finding
@@ -65,13 +68,13 @@ private:
   }
 
   /// D is length and radius: with D0 the tool has none.
-  void withoutEdge(const Event &event, RuleContext &ctx) {
+  void withoutEdge(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.before();
     const bool cuts = event.kind == EventKind::CycleRun ||
                       (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
     if (!cuts || event.number == 1 || ctx.after().radiusOffset != 0 ||
         state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
-        !once_.speaks(ctx.after().origin.of(StatePart::RadiusOffset), ctx))
+        !memory().once.speaks(ctx.after().origin.of(StatePart::RadiusOffset), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain)) {
       finding.message("the tool cuts with D0: neither its length nor its radius is in force")
@@ -83,7 +86,6 @@ private:
 
   bool edges_ = false;
   bool length_ = false; ///< a code switches the length off alone
-  OncePerCause once_;
 };
 
 } // namespace

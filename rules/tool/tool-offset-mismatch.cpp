@@ -13,7 +13,7 @@ public:
       to.on(EventKind::OffsetWord);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     const Word &word = *event.word;
     if (event.kind == EventKind::ToolWord) {

@@ -15,7 +15,7 @@ public:
       to.on(EventKind::ToolWord);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Word &word = *event.word;
     if (digits_ != 0 && word.has(wordExpression))
       return computed(word, ctx);

@@ -12,7 +12,7 @@ public:
     missing_ = to.dialect().facts->turning.missingAllowanceIsZero;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
       return;
     const CodeInfo &cycle = ctx.code(event);

@@ -13,7 +13,7 @@ public:
       to.on(EventKind::CycleRun);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
       return;
     const MachineState &state = ctx.after(), &before = ctx.before();

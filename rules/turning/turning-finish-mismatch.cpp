@@ -14,7 +14,7 @@ public:
     sameStart_ = to.dialect().facts->turning.finishStartsAtRoughing;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile ||
         ctx.code(event).cycle != CycleKind::Finish)
       return;

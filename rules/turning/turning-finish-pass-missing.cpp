@@ -8,7 +8,7 @@ class TurningFinishPassMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on({EventKind::ProgramEnd, EventKind::CycleRun}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const Origin &origin = before.origin.of(StatePart::Roughing);
     if (event.kind == EventKind::CycleRun)

@@ -10,7 +10,7 @@ class TurningFixedCycleChain final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::CycleRun); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || !event.certain)
       return;
     const CodeInfo &code = ctx.code(event);

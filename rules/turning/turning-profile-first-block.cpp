@@ -18,7 +18,7 @@ public:
     mustMove_ = to.dialect().facts->turning.firstBlockMoves;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
       return;
     const CodeInfo &cycle = ctx.code(event);

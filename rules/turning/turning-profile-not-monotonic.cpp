@@ -14,7 +14,7 @@ public:
     zSelectsType_ = to.option("zSelectsType", 1) != 0;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const CodeInfo &cycle = ctx.code(event);

@@ -13,7 +13,7 @@ public:
       to.on(EventKind::CycleRun);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun)
       return inFront(event, ctx);
     const auto issue = FlowIssue(event.number);

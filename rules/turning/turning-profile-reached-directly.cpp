@@ -8,7 +8,7 @@ class TurningProfileReachedDirectly final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::ProfileReached)
       return;
     const Flow &flow = ctx.outcome().flow;

@@ -12,7 +12,7 @@ public:
     facing_ = to.dialect().facts->turning.facesCones;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);

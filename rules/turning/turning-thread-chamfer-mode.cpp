@@ -14,7 +14,7 @@ public:
       to.on({EventKind::CycleRun});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || !cutsThread(ctx.code(event).cycle))
       return;
     const Word *word = ctx.codeWord(event);

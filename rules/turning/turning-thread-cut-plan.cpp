@@ -18,7 +18,7 @@ public:
                             : std::nullopt;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);

@@ -13,7 +13,7 @@ public:
       to.onChange({EventKind::Motion});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     if (before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Thread)
       return;
@@ -38,8 +38,7 @@ public:
         finding
             .message(
                 "the tool goes back in Z at the depth of the thread: it was not retracted in X")
-            .note(SourceRange{ctx.source().id(), stroke.begin, stroke.end},
-                  "the thread is cut here");
+            .note(ctx.range(stroke), "the thread is cut here");
     }
   }
 

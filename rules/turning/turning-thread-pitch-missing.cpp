@@ -14,7 +14,7 @@ public:
     newThread_ = to.dialect().facts->turning.newThreadNeedsLead;
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.before().profile == 1)
       return;
     if (event.kind == EventKind::Code) {

@@ -16,7 +16,7 @@ public:
     greatestInches_ = to.option("greatestInches", 0.5);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
     if (event.kind == EventKind::Code) {

@@ -10,7 +10,7 @@ class TurningThreadUnderCss final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onChange({EventKind::CycleRun, EventKind::Motion}); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.dialect().group(StandardGroup::SpeedMode) == noGroup)
       return;
     const CodeInfo &code = ctx.code(event);

@@ -15,7 +15,7 @@ public:
       to.on(EventKind::CallReturned);
   }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (ctx.outcome().flow.kind != FlowKind::CallNamed || after.may(Fact::UnknownCode))
       return;
@@ -35,7 +35,7 @@ public:
           finding
               .message("the called program writes a variable that this program has set and reads "
                        "again: all programs share them")
-              .note(SourceRange{ctx.source().id(), next.begin, next.end}, "it is read here");
+              .note(ctx.range(next), "it is read here");
         return;
       }
       for (const Item &item : next.items) {

@@ -8,12 +8,12 @@ class VariableDomainError final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::DomainError); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const auto at = uint32_t(event.number);
     SourceRange range{ctx.source().id(), at, at + 1};
     for (const Expression &expression : ctx.block().expressions)
       if (expression.begin <= at && at < expression.end)
-        range = {ctx.source().id(), expression.begin, expression.end};
+        range = ctx.range(expression);
     if (auto finding = ctx.report(range, event.certain))
       finding.message("`{0}` divides by zero or takes a function of a value that it does not have: "
                       "the control stops with an alarm",

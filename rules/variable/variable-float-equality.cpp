@@ -11,7 +11,7 @@ class VariableFloatEquality final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const Item &item = block.items[size_t(event.number)];
     if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
@@ -29,7 +29,7 @@ public:
       if (!equal || operations[i - 1].op != Op::Number || !variable ||
           operations[i - 1].value == std::floor(operations[i - 1].value))
         continue;
-      const SourceRange range{ctx.source().id(), condition.begin, condition.end};
+      const SourceRange range = ctx.range(condition);
       if (auto finding = ctx.report(range))
         finding.message(
             "`{0}` compares a fraction for equality: a value that was computed may miss "
@@ -46,9 +46,7 @@ private:
     const auto targets = block.argumentsOf(item);
     if (item.condition >= block.expressions.size() || targets.size() != 3)
       return;
-    const auto textOf = [&](const Argument &target) {
-      return ctx.text(SourceRange{ctx.source().id(), target.begin, target.end});
-    };
+    const auto textOf = [&](const Argument &target) { return ctx.text(ctx.range(target)); };
     if (textOf(targets[1]) == textOf(targets[0]) || textOf(targets[1]) == textOf(targets[2]))
       return;
     const Expression &condition = block.expressions[item.condition];
@@ -62,7 +60,7 @@ private:
     }
     if (!variable || !fraction)
       return;
-    const SourceRange range{ctx.source().id(), condition.begin, condition.end};
+    const SourceRange range = ctx.range(condition);
     if (auto finding = ctx.report(range))
       finding.message(
           "`{0}` may miss zero by its last digit: the way for zero, `{1}`, is not taken then",

@@ -7,7 +7,11 @@
 namespace ncvet {
 namespace {
 
-class VariableIndexOutOfRange final : public Rule {
+struct VariableIndexOutOfRangeMemory {
+  std::set<std::string> spoken; ///< variables that were looked at, in capitals
+};
+
+class VariableIndexOutOfRange final : public StatefulRule<VariableIndexOutOfRangeMemory> {
 public:
   void listen(Subscriptions &to) override {
     greatest_ = int64_t(to.dialect().facts->variables.greatest);
@@ -20,7 +24,7 @@ public:
       to.on(EventKind::UnsetRead);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Block)
       return numbered_ ? numbersRead(ctx) : elements(ctx);
     if (event.kind == EventKind::UnsetRead) {
@@ -38,9 +42,8 @@ public:
       return;
     parameter(ctx.text(place).rtrim(), place, ctx);
     if (item.nameEnd > item.nameBegin)
-      spoken_.insert(ctx.text(place).rtrim().upper());
+      memory().spoken.insert(ctx.text(place).rtrim().upper());
   }
-  void remember(RuleMemory &memory) const override { memory(spoken_); }
 
 private:
   /// `R2050`, one of the control's parameters.
@@ -61,7 +64,7 @@ private:
   }
 
   /// `#5603 = 1` of a control with fewer variables.
-  void numbered(const Item &item, RuleContext &ctx) {
+  void numbered(const Item &item, RuleContext &ctx) const {
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
     const llvm::StringRef name = ctx.text(range);
     int64_t index = 0;
@@ -72,7 +75,7 @@ private:
   }
 
   /// `X#6000`, anywhere but on the left of `=`.
-  void numbersRead(RuleContext &ctx) {
+  void numbersRead(RuleContext &ctx) const {
     const Block &block = ctx.block();
     for (const ExpressionOp &op : block.operations) {
       llvm::StringRef digits = ctx.source().text(op.offset, block.end);
@@ -96,7 +99,7 @@ private:
 
   /// Whatever the block's calculations name: `R300` where there are fewer, `FIELD[2,5]` of a
   /// smaller array.
-  void elements(RuleContext &ctx) {
+  void elements(RuleContext &ctx) const {
     if (!ctx.dialect().lexical.commaSeparates)
       return;
     for (const ExpressionOp &op : ctx.block().operations) {
@@ -111,7 +114,7 @@ private:
         continue;
       if (op.op == Op::Variable) {
         // Where some are the control's own, reading is looked at apart. One place is enough.
-        if (greatest_ && !reservedFrom_ && spoken_.insert(name.upper()).second)
+        if (greatest_ && !reservedFrom_ && memory().spoken.insert(name.upper()).second)
           parameter(name, {ctx.source().id(), op.offset, op.offset + uint32_t(name.size())}, ctx);
       } else if (rest.drop_front(name.size()).startswith("["))
         element(op.offset, name, rest.drop_front(name.size() + 1), ctx);
@@ -155,14 +158,12 @@ private:
                            ? "`{0}`: the elements of `{1}` are numbered 0 to {2}"
                            : "`{0}`: the elements of `{1}` are numbered 0 to {2} in place {3}",
                        ctx.text(range), array, int64_t(elements) - 1, i + 1)
-              .note(SourceRange{ctx.source().id(), definition.begin, definition.end},
-                    "it is defined here");
+              .note(ctx.range(definition), "it is defined here");
         return;
       }
     }
   }
 
-  std::set<std::string> spoken_; ///< variables that were looked at, in capitals
   int64_t greatest_ = 0;
   bool numbered_ = false;                      ///< variables have numbers behind `#`
   int64_t reservedFrom_ = 0, reservedTo_ = -1; ///< of the control itself

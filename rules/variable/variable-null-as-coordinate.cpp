@@ -9,7 +9,7 @@ class VariableNullAsCoordinate final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     // In a called macro a word without an argument is left out on purpose.
     if (ctx.callDepth() > 0)
       return;

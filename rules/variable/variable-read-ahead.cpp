@@ -13,7 +13,7 @@ public:
     to.onChange({EventKind::Block});
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     // A value that is kept is wanted for what it is worth; others may be signals to wait for.
     const bool kept = event.kind == EventKind::Statement &&
                       ctx.block().items[size_t(event.number)].kind == ItemKind::Assignment;
@@ -27,7 +27,7 @@ private:
     // Under compensation the wait itself is the fault, and another rule's.
     if (ctx.before().compensationActive(ctx.dialect()) == Truth::Yes)
       return;
-    const SourceRange range{ctx.source().id(), value.begin, value.end};
+    const SourceRange range = ctx.range(value);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` is read while the moves in front of it still run: `STOPRE` makes the "
                       "control wait for them",
@@ -43,8 +43,7 @@ private:
     for (unsigned i = 0; i < lookBack && at > program.body; ++i) {
       at = ctx.source().lines().lineBegin(at - 1);
       ctx.index().read(at, block);
-      if (block.hasLabel() || ctx.text(SourceRange{ctx.source().id(), block.begin, block.end})
-                                  .contains_insensitive("STOPRE"))
+      if (block.hasLabel() || ctx.text(ctx.range(block)).contains_insensitive("STOPRE"))
         return false;
       if (block.hasAny(ctx.dialect().axisWords))
         return llvm::none_of(block.items,

@@ -9,7 +9,14 @@
 namespace ncvet {
 namespace {
 
-class VariableReadBeforeWrite final : public Rule {
+struct VariableReadBeforeWriteMemory {
+  uint32_t known = ~0u;
+  bool main = false;
+  std::set<int64_t> reported;
+  std::set<std::string> names;
+};
+
+class VariableReadBeforeWrite final : public StatefulRule<VariableReadBeforeWriteMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.option("wanted", 0) != 0)
@@ -22,7 +29,7 @@ public:
         stored_.insert(store.variable);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.dialect().variableRanges.namedLocal)
       return named(event, ctx);
     if (ctx.callDepth() > 0 || !isMain(ctx) ||
@@ -36,7 +43,7 @@ public:
     if (stored_.count(variableKey(name)) || stored_.count(keyOf(name))) {
       const SourceRange range{ctx.source().id(), uint32_t(event.number),
                               uint32_t(event.number + int64_t(name.size()))};
-      if (reported_.insert(-1).second)
+      if (memory().reported.insert(-1).second)
         if (auto finding = ctx.report(range))
           finding.message("`{0}` is read, and nothing in the program has given it a value", name);
       return;
@@ -47,7 +54,7 @@ public:
       return;
     // Those that the program cannot have: variable-index-out-of-range speaks.
     if ((greatest_ && index > greatest_) || (reservedFrom_ <= index && index <= reservedTo_) ||
-        !reported_.insert(index).second)
+        !memory().reported.insert(index).second)
       return;
     const SourceRange range{ctx.source().id(), uint32_t(event.number),
                             uint32_t(event.number + int64_t(name.size()))};
@@ -56,18 +63,18 @@ public:
                       "earlier program left there",
                       name);
   }
-  void remember(RuleMemory &memory) const override { memory(known_, main_, reported_, names_); }
 
 private:
   /// `#<name>` does not exist before it has been given a value.
-  void named(const Event &event, RuleContext &ctx) {
+  void named(const Event &event, RuleContext &ctx) const {
     // A remapped code or a caller in another file may have given it one.
     if (ctx.before().may(Fact::UnknownCode))
       return;
     const auto begin = uint32_t(event.number);
     const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
     const size_t close = text.find('>');
-    if (close == llvm::StringRef::npos || !names_.insert(text.take_front(close).upper()).second)
+    if (close == llvm::StringRef::npos ||
+        !memory().names.insert(text.take_front(close).upper()).second)
       return;
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + close + 1)};
     if (auto finding = ctx.report(range, event.certain))
@@ -84,32 +91,28 @@ private:
   }
 
   /// A program that ends as a main program does, and in a file of its own name.
-  bool isMain(RuleContext &ctx) {
+  bool isMain(RuleContext &ctx) const {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    if (program.begin == known_)
-      return main_;
-    known_ = program.begin;
-    main_ = false;
+    if (program.begin == memory().known)
+      return memory().main;
+    memory().known = program.begin;
+    memory().main = false;
     Block block;
     for (uint32_t at = program.body; at < program.end && at - program.body < 1u << 20;
          at = block.next) {
       ctx.index().read(at, block);
       if (llvm::any_of(block.items, [](const Item &i) { return i.kind == ItemKind::Parameters; }))
         return false;
-      main_ |=
+      memory().main |=
           findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind}) != nullptr;
       if (findCode(ctx.dialect(), block, {Action::Return}))
-        return main_ = false;
+        return memory().main = false;
     }
-    return main_;
+    return memory().main;
   }
 
   int64_t greatest_ = 0; ///< number of the last parameter; 0: not limited
   int64_t reservedFrom_ = 0, reservedTo_ = -1;
-  uint32_t known_ = ~0u;
-  bool main_ = false;
-  std::set<int64_t> reported_;
-  std::set<std::string> names_;
   std::set<uint64_t> stored_; ///< keys of variables that codes give a value
 };
 

@@ -11,7 +11,7 @@ public:
       to.on(EventKind::Statement);
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     const Item &item = ctx.block().items[size_t(event.number)];
     if (item.kind != ItemKind::Assignment)
       return;

@@ -20,7 +20,7 @@ public:
     }
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Block) {
       truncated(ctx);
       return inWords(ctx);
@@ -37,7 +37,7 @@ public:
     if (item.kind == ItemKind::Assignment)
       type = typeOf(ctx.text(name), ctx);
     const Expression &value = block.expressions[item.value];
-    const SourceRange range{ctx.source().id(), value.begin, value.end};
+    const SourceRange range = ctx.range(value);
     const bool text = !value.bad && value.count == 1 && ctx.text(range).startswith("\"");
     const bool number = !value.bad && value.count == 1 &&
                         block.operations[value.first].op == Op::Number &&

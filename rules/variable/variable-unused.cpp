@@ -7,7 +7,13 @@
 namespace ncvet {
 namespace {
 
-class VariableUnused final : public Rule {
+struct VariableUnusedMemory {
+  bool defines = false;
+  bool assigns = false;
+  DefinedElements elements;
+};
+
+class VariableUnused final : public StatefulRule<VariableUnusedMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Statement);
@@ -18,34 +24,34 @@ public:
     }
   }
 
-  void on(const Event &event, RuleContext &ctx) override {
+  void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::Statement)
       return element(ctx);
     const ItemKind kind = ctx.block().items[size_t(event.number)].kind;
-    defines_ |= kind == ItemKind::Definition;
-    assigns_ |= kind == ItemKind::Assignment;
+    memory().defines |= kind == ItemKind::Definition;
+    memory().assigns |= kind == ItemKind::Assignment;
   }
 
-  void finish(const FileSummary &file, RuleContext &ctx) override {
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (file.complete)
-      for (const auto &[key, element] : elements_.all())
+      for (const auto &[key, element] : memory().elements.all())
         if (!element.used)
           report(element.where, ctx);
-    if (overwritten_ && assigns_)
+    if (overwritten_ && memory().assigns)
       overwritten(file, ctx);
-    if (!defines_)
+    if (!memory().defines)
       return;
     for (const ProgramInfo &program : file.index.programs())
       check(file, program, ctx);
   }
 
 private:
-  void element(RuleContext &ctx) {
+  void element(RuleContext &ctx) const {
     if (!ctx.block().hasAny(ctx.dialect().elementWords))
       return;
     if (const Word *word = DefinedElements::definedBy(ctx)) {
       const SourceRange here = ctx.range(*word);
-      const auto old = elements_.define(*word, ctx);
+      const auto old = memory().elements.define(*word, ctx);
       // In a program that is called again the same definition comes round.
       if (old && !old->used && old->where.begin != here.begin)
         if (auto finding = ctx.report(here))
@@ -56,7 +62,7 @@ private:
     }
     for (const Word &word : ctx.block().words)
       if (ctx.dialect().elementWords & maskOf(word.address))
-        if (DefinedElements::Element *element = elements_.find(word))
+        if (DefinedElements::Element *element = memory().elements.find(word))
           element->used = true;
   }
 
@@ -135,9 +141,7 @@ private:
           finding.message("nothing reads `{0}`", ctx.text(range));
   }
 
-  DefinedElements elements_;
   bool overwritten_ = false; ///< values that are replaced unread are reported
-  bool defines_ = false, assigns_ = false;
 };
 
 } // namespace

@@ -23,7 +23,7 @@ class CrashingRule final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::Block); }
 
-  void on(const Event &, RuleContext &ctx) override {
+  void on(const Event &, RuleContext &ctx) const override {
     const llvm::StringRef text = ctx.source().text(ctx.block().begin, ctx.block().end);
     if (text.contains("(CRASH)")) {
       int *volatile nowhere = nullptr;

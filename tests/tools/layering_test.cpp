@@ -297,6 +297,16 @@ TEST(Layering, EveryFileIncludesOnlyWhatItsLayerMay) {
   EXPECT_TRUE(found.empty()) << join(found);
 }
 
+/// What would let a rule remember something beside its memory.
+TEST(Layering, NoRuleChangesWhatIsConst) {
+  const std::regex loophole("\\b(mutable [A-Za-z]|const_cast<)");
+  std::vector<std::string> found;
+  for (const auto &[path, text] : sources())
+    if (isIn(path, "rules/") && std::regex_search(text, loophole))
+      found.push_back(path + ": keeps something beside its memory");
+  EXPECT_TRUE(found.empty()) << join(found);
+}
+
 TEST(Layering, NoHeadersIncludeEachOtherInACycle) {
   std::map<std::string, std::vector<std::string>> graph;
   for (const auto &[path, text] : sources()) {
