@@ -1,6 +1,8 @@
 // The blocks of a turning profile: as they are, and along which paths a cycle may find them.
 #include "analyzer/facts/turning_profile.h"
 
+#include "formats/dialect/measure.h"
+
 #include <cmath>
 
 namespace ncvet {

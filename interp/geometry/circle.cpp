@@ -1,4 +1,4 @@
-// Circles of a plane.
+// Circles of a plane: where lines and other circles meet them.
 #include "interp/geometry/circle.h"
 
 #include "interp/geometry/tolerance.h"

@@ -1,4 +1,4 @@
-// Circles of a plane.
+// Circles of a plane: where lines and other circles meet them.
 #pragma once
 
 #include "interp/geometry/direction.h"

@@ -32,7 +32,7 @@ std::pair<uint32_t, uint32_t> at(const SourceFile &file, uint32_t offset) {
   return {position.line, position.column};
 }
 
-using TextPlace = std::pair<uint32_t, uint32_t>;
+using LineAndColumn = std::pair<uint32_t, uint32_t>;
 
 /// A folder that is removed with its files when the test ends.
 class TemporaryFolder {
@@ -221,37 +221,37 @@ TEST(SourceFileTest, ColumnsCountCodePointsOfUtf8) {
   const auto file = source("(B\xC3\xB6hrer \xE2\x8C\x80"
                            "5) X1\nX2\n");
   EXPECT_EQ(file->encoding(), Encoding::Utf8);
-  EXPECT_EQ(at(*file, 0), TextPlace(1, 1));
-  EXPECT_EQ(at(*file, 4), TextPlace(1, 4)); // after the o umlaut, which is two bytes
-  EXPECT_EQ(at(*file, file->text().find("X1")), TextPlace(1, 13));
-  EXPECT_EQ(at(*file, file->text().find("X2")), TextPlace(2, 1));
-  EXPECT_EQ(at(*file, 4), TextPlace(1, 4));
+  EXPECT_EQ(at(*file, 0), LineAndColumn(1, 1));
+  EXPECT_EQ(at(*file, 4), LineAndColumn(1, 4)); // after the o umlaut, which is two bytes
+  EXPECT_EQ(at(*file, file->text().find("X1")), LineAndColumn(1, 13));
+  EXPECT_EQ(at(*file, file->text().find("X2")), LineAndColumn(2, 1));
+  EXPECT_EQ(at(*file, 4), LineAndColumn(1, 4));
 }
 
 TEST(SourceFileTest, ColumnsCountBytesOfAnEightBitFile) {
   const auto file = source("(B\xF6hrer) X1");
   EXPECT_EQ(file->encoding(), Encoding::Windows1252);
-  EXPECT_EQ(at(*file, file->text().find("X1")), TextPlace(1, 10));
+  EXPECT_EQ(at(*file, file->text().find("X1")), LineAndColumn(1, 10));
   EXPECT_EQ(file->displayLine(1), "(B\xC3\xB6hrer) X1");
 }
 
 TEST(SourceFileTest, AByteOrderMarkTakesNoColumnAndIsNotShown) {
   const auto file = source("\xEF\xBB\xBFG0 X1\nG1");
   EXPECT_EQ(file->textBegin(), 3u);
-  EXPECT_EQ(at(*file, 0), TextPlace(1, 1));
-  EXPECT_EQ(at(*file, 3), TextPlace(1, 1));
-  EXPECT_EQ(at(*file, 6), TextPlace(1, 4));
-  EXPECT_EQ(at(*file, 9), TextPlace(2, 1));
+  EXPECT_EQ(at(*file, 0), LineAndColumn(1, 1));
+  EXPECT_EQ(at(*file, 3), LineAndColumn(1, 1));
+  EXPECT_EQ(at(*file, 6), LineAndColumn(1, 4));
+  EXPECT_EQ(at(*file, 9), LineAndColumn(2, 1));
   EXPECT_EQ(file->displayLine(1), "G0 X1");
   EXPECT_EQ(file->displayLine(2), "G1");
-  EXPECT_EQ(at(*source("\xEF\xBB\xBF"), 3), TextPlace(1, 1));
+  EXPECT_EQ(at(*source("\xEF\xBB\xBF"), 3), LineAndColumn(1, 1));
 }
 
 TEST(SourceFileTest, PositionsOfAFileWithLoneCrAreThoseOfItsLines) {
   const auto file = source("%\rO1\rG0 X1\r");
-  EXPECT_EQ(at(*file, 5), TextPlace(3, 1));
-  EXPECT_EQ(at(*file, 8), TextPlace(3, 4));
-  EXPECT_EQ(at(*file, 11), TextPlace(4, 1));
+  EXPECT_EQ(at(*file, 5), LineAndColumn(3, 1));
+  EXPECT_EQ(at(*file, 8), LineAndColumn(3, 4));
+  EXPECT_EQ(at(*file, 11), LineAndColumn(4, 1));
   EXPECT_EQ(file->displayLine(3), "G0 X1");
 }
 
@@ -279,7 +279,7 @@ TEST(SourceFileTest, ALineAsLongAsTheFileIsNotCountedAgainForEachPosition) {
   // Counting anew would read 20,000 times 1.2 MB on average; to and fro, as notes point back.
   for (uint32_t i = 0; i < 400000; i += 20 + i % 3) {
     const uint32_t word = i % 2 ? i : 400000 - i;
-    ASSERT_EQ(at(*file, word * 6), TextPlace(1, word * 5 + 1));
+    ASSERT_EQ(at(*file, word * 6), LineAndColumn(1, word * 5 + 1));
   }
   EXPECT_EQ(file->lines().lineEnd(1000), text.size());
   EXPECT_EQ(file->lines().lineBegin(2000000), 0u);
