@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/pending.h"
-#include "interp/state/event.h"
+#include "interp/state/executed_block.h"
 
 namespace ncvet {
 
@@ -57,6 +57,9 @@ struct Step {
 
   const Region &region() const { return activation.region; }
   FileUnit &unit() const { return activation.region.unit; }
+  ExecutedBlock executed() const {
+    return {*unit().dialect, unit().machine, block, outcome, before, live.state};
+  }
   SourceRange blockRange() const { return {unit().source.id(), block.begin, block.end}; }
   SourceRange flowRange() const {
     return {unit().source.id(), outcome.flow.begin, outcome.flow.end};

@@ -96,7 +96,7 @@ GivenArguments givenModally(const ModalCall &modal, const Block &made, const Ite
 }
 
 void checkArguments(FlowRun &run, const Step &step, const Callee &callee, const Item &call) {
-  if (!(run.dispatcher.kinds() & bitOf(EventKind::FlowIssue)))
+  if (!run.listeners.want(EventKind::FlowIssue))
     return;
   const SourceRange where{step.unit().source.id(), call.begin, call.end};
   const std::optional<Block> head = parametersOf(callee);

@@ -15,7 +15,7 @@ constexpr uint64_t workOfCall = 16;
 /// What the body did for the same state before.
 std::optional<Exits> CalledBodies::recall(const std::vector<Memo> &memos, uint64_t print,
                                           unsigned sections, const Live &live) {
-  if (run_.watcher)
+  if (run_.listeners.followOnePath())
     return std::nullopt;
   for (const Memo &memo : memos)
     if (memo.hash == print && sections <= memo.sections && equal(memo.entry, live.state)) {
@@ -53,7 +53,7 @@ Exits CalledBodies::run(const Region &region, Live live) {
   for (auto &[target, group] : byTarget)
     for (Live &exit : group)
       exits.push_back({std::move(exit), target});
-  if (!run_.stopped && !run_.watcher && memos.size() < memosPerProgram)
+  if (!run_.stopped && !run_.listeners.followOnePath() && memos.size() < memosPerProgram)
     memos.push_back({print, entry, exits, sections, run_.stops != stops});
   return exits;
 }

@@ -104,14 +104,11 @@ void Contours::section(const Step &step, llvm::StringRef labels) {
 /// Runs the blocks of a contour as data; `works`: the cycle makes passes along it.
 void Contours::read(Step &step, const CodeInfo &cycle, const Callee &callee,
                     std::optional<ContourCycle> works) {
-  FileUnit &unit = step.unit();
   MachineState &state = step.live.state;
   Live read = step.live;
   std::optional<PassesEnd> passes;
   if (works) {
-    const ExecutedBlock executed{*unit.dialect, unit.machine, step.block,
-                                 step.outcome,  step.before,  state};
-    passes.emplace(executed, std::move(*works), run_.watcher);
+    passes.emplace(step.executed(), std::move(*works));
   }
   if (has(cycle, CycleTrait::Turned))
     for (const Axis axis : {Axis::X, Axis::Z})
@@ -125,18 +122,20 @@ void Contours::read(Step &step, const CodeInfo &cycle, const Callee &callee,
                       step.region().depth + 1};
   if (!bodies_.isRunning(region.unit, region.start, region.kind) &&
       region.depth < run_.limits.callDepth) {
-    BlockWatcher *const watcher = std::exchange(run_.watcher, passes ? &*passes : run_.watcher);
     const bool stopped = run_.stopped;
+    if (passes)
+      run_.listeners.add(*passes);
     bodies_.run(region, std::move(read));
-    run_.watcher = watcher;
-    if (!watcher)
+    if (passes)
+      run_.listeners.removeLast();
+    // The contour alone was lost.
+    if (!run_.listeners.followOnePath())
       run_.stopped = stopped;
     if (const auto last = passes ? passes->last() : std::nullopt)
       for (const Axis axis : {Axis::X, Axis::Z})
         state.at(axis) = last->to[size_t(axis)];
   }
-  if (run_.watcher)
-    run_.watcher->profileEnds();
+  run_.listeners.tell([](FlowListener &listener) { listener.contourEnded(); });
   step.goOn();
 }
 
@@ -223,8 +222,7 @@ void Contours::profile(Step &step) {
   const Region body{unit,         region.program, bounds->first, RegionKind::Profile,
                     region.depth, bounds->last};
   Exits exits = bodies_.run(body, std::move(contour));
-  if (run_.watcher)
-    run_.watcher->profileEnds();
+  run_.listeners.tell([](FlowListener &listener) { listener.contourEnded(); });
   if (finishing)
     return goOnFinished(step, std::move(exits));
   // After roughing the control goes on after the profile, or runs it.

@@ -1,36 +1,31 @@
 // Where a cycle leaves the tool that makes passes along a turned contour.
 #pragma once
 
+#include "analyzer/flow/activation.h"
 #include "analyzer/flow/cycle_contour.h"
 #include "analyzer/flow/flow_listener.h"
 #include "interp/cycles/block_moves.h"
 
 namespace ncvet {
 
-/// Watches the blocks of the contour, beside whoever else does.
-class PassesEnd final : public BlockWatcher {
+/// Listens to the blocks of the contour.
+class PassesEnd final : public FlowListener {
 public:
-  PassesEnd(const ExecutedBlock &executed, ContourCycle cycle, BlockWatcher *beside)
-      : cycle_(std::move(cycle)), contour_(executed.dialect), beside_(beside) {
+  PassesEnd(const ExecutedBlock &executed, ContourCycle cycle)
+      : cycle_(std::move(cycle)), contour_(executed.dialect) {
     contour_.begin(executed, cycle_);
   }
 
-  void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
-                const MachineState &before, const MachineState &after) override {
-    if (beside_)
-      beside_->executed(unit, block, outcome, before, after);
-    if (lost_ || !after.profile)
+  FlowInterest interest() const override { return {0, false, true, true}; }
+  void executed(const Step &step, bool /*continues*/) override {
+    if (lost_ || !step.live.state.profile)
       return;
-    const ExecutedBlock executed{*unit.dialect, unit.machine, block, outcome, before, after};
+    const ExecutedBlock executed = step.executed();
     moves_.clear();
     appendMoves(executed, moves_);
     contour_.take(executed, moves_);
   }
-  void lost(SourceRange where, llvm::StringRef why) override {
-    lost_ = true;
-    if (beside_)
-      beside_->lost(where, why);
-  }
+  void pathLost(SourceRange, llvm::StringRef) override { lost_ = true; }
 
   /// The last motion of the passes; none where something that they need is not known.
   std::optional<Move> last() {
@@ -44,7 +39,6 @@ public:
 private:
   ContourCycle cycle_;
   CycleContour contour_;
-  BlockWatcher *beside_;
   llvm::SmallVector<Move, 8> moves_;
   bool lost_ = false;
 };

@@ -10,15 +10,23 @@
 
 namespace ncvet {
 
-Engine::Engine(Project &project, FileUnit &unit, const RuleSelection &rules,
-               const AnalysisLimits &limits, const std::atomic<bool> *cancel, StraightRuns *runs)
-    : FlowRun(project, unit, rules, limits), cancel_(cancel), runs_(runs), flow_(*this) {}
+Engine::Engine(Project &project, FileUnit &unit, const AnalysisLimits &limits,
+               const std::atomic<bool> *cancel)
+    : FlowRun(project, unit, limits), cancel_(cancel), flow_(*this) {}
 
 Exits Engine::execute(const Region &region, Lives entry) {
-  const bool recorded = &region.unit == &unit && region.kind == RegionKind::Main &&
-                        region.depth == 0 && callStack.empty();
-  return RegionRun(*this, flow_, region, std::move(entry), recorded ? runs_ : nullptr, cancel_)
-      .execute();
+  const bool straightOn = &region.unit == &unit && region.kind == RegionKind::Main &&
+                          region.depth == 0 && callStack.empty();
+  if (!runs_ || !straightOn)
+    return RegionRun(*this, flow_, region, std::move(entry), nullptr, cancel_).execute();
+  RunRecorder recorder(*runs_, unit, rules_->dispatcher(), rules_->collector());
+  return RegionRun(*this, flow_, region, std::move(entry), &recorder, cancel_).execute();
+}
+
+/// Runs a program that no other calls.
+void Engine::enter(const Region &region, EntryState entry) {
+  listeners.tell([&](FlowListener &listener) { listener.entered(entry); });
+  execute(region, startOf(entry != EntryState::Known));
 }
 
 /// A state with which a program begins; that of a subprogram's caller is not known.
@@ -42,9 +50,8 @@ void Engine::runMainProgram() {
   }
   const bool subprogram = main.kind == ProgramKind::Unknown ? endings.returns && !endings.ends
                                                             : main.kind == ProgramKind::Subprogram;
-  collector.setDefiniteOnly(subprogram);
-  execute({unit, main, main.body, RegionKind::Main, 0}, startOf(subprogram));
-  collector.setDefiniteOnly(false);
+  enter({unit, main, main.body, RegionKind::Main, 0},
+        subprogram ? EntryState::CallerUnknown : EntryState::Known);
 }
 
 /// Programs that the first one did not call: main programs of their own when they end as such,
@@ -59,12 +66,10 @@ void Engine::runOtherPrograms() {
     const Endings endings = endingsOf(unit, program.body, program.end, runs_);
     const bool subprogram =
         program.kind == ProgramKind::Subprogram || (endings.returns && !endings.ends);
-    collector.setDefiniteOnly(subprogram);
-    const Region region{unit, program, program.body,
-                        subprogram ? RegionKind::Subprogram : RegionKind::Main,
-                        subprogram ? 1u : 0u};
-    execute(region, startOf(subprogram));
-    collector.setDefiniteOnly(false);
+    if (subprogram)
+      enter({unit, program, program.body, RegionKind::Subprogram, 1}, EntryState::CallerUnknown);
+    else
+      enter({unit, program, program.body, RegionKind::Main, 0}, EntryState::Known);
   }
 }
 
@@ -76,19 +81,14 @@ void Engine::runOtherSubprograms() {
     unit.reader->read(head, block);
     if (stopped || used.bracketed.count(block.next))
       continue;
-    collector.setDefiniteOnly(true);
-    collector.setUncalled(true);
     callerUnknown = true;
-    execute({unit, unit.index.programAt(head), block.next, RegionKind::LocalSubprogram, 1},
-            startOf(true));
+    enter({unit, unit.index.programAt(head), block.next, RegionKind::LocalSubprogram, 1},
+          EntryState::Uncalled);
     callerUnknown = false;
-    collector.setUncalled(false);
-    collector.setDefiniteOnly(false);
   }
 }
 
-void Engine::follow(BlockWatcher &by) {
-  watcher = &by;
+void Engine::follow() {
   constexpr uint8_t skipOff = 1;
   const ProgramInfo &main = unit.index.programs().front();
   Lives lives = startOf(false);
@@ -96,13 +96,7 @@ void Engine::follow(BlockWatcher &by) {
   execute({unit, main, main.body, RegionKind::Main, 0}, std::move(lives));
 }
 
-StatesAt Engine::observe(ObservedBlock &block) {
-  observed = &block;
-  block.states.complete = run().complete;
-  return std::move(block.states);
-}
-
-/// The rules hear what was seen of the file as a whole.
+/// Tells what was seen of the file as a whole.
 void Engine::finish() {
   const std::vector<SourceRange> reached = covered.ranges(unit.source.id());
   const std::vector<int64_t> numbers(used.numbers.begin(), used.numbers.end());
@@ -111,24 +105,19 @@ void Engine::finish() {
   const std::vector<std::string> names(used.names.begin(), used.names.end());
   const FileSummary summary{unit.index, unit.source, *unit.reader, reached, numbers,
                             called,     labels,      names,        complete};
-  collector.beginStop();
-  collector.beginVisit(nullptr);
-  dispatcher.finish(summary, unit);
-  collector.endStop();
+  visits.begin();
+  visits.visit(nullptr);
+  listeners.tell([&](FlowListener &listener) { listener.finished(summary); });
+  endStop();
 }
 
-AnalysisResult Engine::run() {
+void Engine::run() {
   runMainProgram();
   runOtherPrograms();
   runOtherSubprograms();
+  listeners.tell([](FlowListener &listener) { listener.entered(EntryState::Known); });
   inspectUnreached(*this, runs_);
   finish();
-  AnalysisResult result;
-  result.findings = collector.take(project.sources());
-  result.blocks = blocks;
-  result.complete = complete;
-  result.cuts = cuts;
-  return result;
 }
 
 } // namespace ncvet

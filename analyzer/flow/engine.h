@@ -1,8 +1,8 @@
 // Follows a program as its control would: calls, jumps, loops, block skip, profiles.
 #pragma once
 
-#include "analyzer/flow/analysis_result.h"
 #include "analyzer/flow/block_flow.h"
+#include "analyzer/flow/rule_host.h"
 #include "analyzer/reuse/run_cache.h"
 
 #include <atomic>
@@ -17,18 +17,30 @@ namespace ncvet {
 /// what is reported early stays true.
 class Engine final : private FlowRun {
 public:
-  Engine(Project &project, FileUnit &unit, const RuleSelection &rules, const AnalysisLimits &limits,
-         const std::atomic<bool> *cancel, StraightRuns *runs = nullptr);
+  Engine(Project &project, FileUnit &unit, const AnalysisLimits &limits,
+         const std::atomic<bool> *cancel);
 
-  AnalysisResult run();
+  using FlowRun::visits;
+  void listen(FlowListener &listener) { listeners.add(listener); }
+  /// Takes over what earlier runs of the file have followed under the same rules, and adds to it.
+  void reuse(StraightRuns &runs, const RuleHost &rules) {
+    runs_ = &runs;
+    rules_ = &rules;
+  }
+
+  /// Runs all programs of the file.
+  void run();
   /// Runs the file's first program along one path only: block skip off, and no further than to
-  /// where something unknown decides. No findings are made.
-  void follow(BlockWatcher &watcher);
-  /// Runs as `run` does, and gives the states that came by a block.
-  StatesAt observe(ObservedBlock &block);
+  /// where something unknown decides.
+  void follow();
+
+  uint64_t blockCount() const { return blocks; }
+  bool isComplete() const { return complete; }
+  const std::vector<std::string> &cutsMade() const { return cuts; }
 
 private:
   Exits execute(const Region &region, Lives entry) override;
+  void enter(const Region &region, EntryState entry);
   void runMainProgram();
   void runOtherPrograms();
   void runOtherSubprograms();
@@ -36,7 +48,8 @@ private:
   Lives startOf(bool subprogram) const;
 
   const std::atomic<bool> *cancel_;
-  StraightRuns *const runs_; ///< null: every block is executed
+  StraightRuns *runs_ = nullptr; ///< null: every block is executed
+  const RuleHost *rules_ = nullptr;
   BlockFlow flow_;
 };
 

@@ -1,23 +1,67 @@
-// Who watches a program run along one way.
+// Who is told how programs run.
 #pragma once
 
-#include "analyzer/program/project.h"
 #include "interp/state/event.h"
 
 namespace ncvet {
 
+struct FileSummary;
+struct FileUnit;
+struct Step;
+
+/// What is known of the state with which a program begins.
+enum class EntryState : uint8_t {
+  Known,         ///< the machine's own
+  CallerUnknown, ///< that of a caller which is not known
+  Uncalled       ///< the same, of a body that nothing calls and the control only reads over
+};
+
+/// Something is wrong with where control goes.
+struct FlowProblem {
+  FlowIssue kind;
+  const MachineState &before, &after;
+  SourceRange where;
+  SourceRange related; ///< a further place that explains it
+};
+
+/// What a listener wants to be told of.
+struct FlowInterest {
+  uint32_t kinds = 0;      ///< bit per `EventKind`: blocks that emit one of these
+  bool everyMove = false;  ///< blocks that only go on as the one before, too
+  bool everyBlock = false; ///< all blocks, whatever they emit
+  /// One path alone: the run ends where something unknown decides, and nothing is told after that.
+  bool onePath = false;
+};
+
 /// Told of every block that is executed, in the order in which the control would execute them:
-/// repeated blocks as often as they are repeated.
-class BlockWatcher {
+/// repeated blocks as often as they are repeated, called ones as far as no earlier call from the
+/// same state says what they do.
+class FlowListener {
 public:
-  virtual ~BlockWatcher() = default;
-  /// `before.profile` says whether the block is data of a contour (1), or run by a cycle (2).
-  virtual void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
-                        const MachineState &before, const MachineState &after) = 0;
+  virtual ~FlowListener() = default;
+  virtual FlowInterest interest() const = 0;
+  /// The block was executed for one state. `continues`: it only goes on as the one before.
+  virtual void executed(const Step &step, bool continues) = 0;
+  virtual void problem(const Step & /*step*/, const FlowProblem & /*problem*/) {}
+  /// The state comes back from what the block calls.
+  virtual void callReturned(const Step & /*step*/, const MachineState & /*after*/) {}
   /// A cycle has read its contour, or run it.
-  virtual void profileEnds() {}
+  virtual void contourEnded() {}
   /// From `where` on only the run itself decides where control goes; nothing follows.
-  virtual void lost(SourceRange where, llvm::StringRef why) = 0;
+  virtual void pathLost(SourceRange /*where*/, llvm::StringRef /*why*/) {}
+  /// What follows begins with such a state.
+  virtual void entered(EntryState /*entry*/) {}
+  /// All states have been told of at a stop at which something was reported.
+  virtual void stopEnded() {}
+  /// A block that no path reaches, with what its text alone decides.
+  virtual void unreached(FileUnit & /*unit*/, const Block & /*block*/, const Outcome & /*outcome*/,
+                         const MachineState & /*before*/, const MachineState & /*after*/) {}
+  /// All programs of the file have been followed.
+  virtual void finished(const FileSummary & /*summary*/) {}
+  /// Whether the blocks of this text must be executed, though it is known what they do.
+  virtual bool mustSee(FileId /*file*/, uint32_t /*begin*/, uint32_t /*end*/) const {
+    return false;
+  }
 };
 
 } // namespace ncvet

@@ -48,11 +48,6 @@ std::vector<SourceRange> Coverage::ranges(FileId file) const {
   return joined;
 }
 
-FlowRun::FlowRun(Project &project, FileUnit &unit, const RuleSelection &rules,
-                 const AnalysisLimits &limits)
-    : project(project), unit(unit), limits(limits), collector(rules, *unit.dialect, limits),
-      dispatcher(*unit.dialect, unit.machine, rules, collector) {}
-
 void FlowRun::cut(SourceRange where, std::string why) {
   complete = false;
   lose(where, why);
@@ -61,10 +56,10 @@ void FlowRun::cut(SourceRange where, std::string why) {
 }
 
 void FlowRun::lose(SourceRange where, llvm::StringRef why) {
-  if (!watcher || stopped)
+  if (stopped || !listeners.followOnePath())
     return;
   stopped = true;
-  watcher->lost(where, why);
+  listeners.tell([&](FlowListener &listener) { listener.pathLost(where, why); });
 }
 
 void FlowRun::fork(Activation &activation, SourceRange where) {
@@ -91,12 +86,12 @@ void FlowRun::cover(const FileUnit &of, uint32_t begin, uint32_t end) {
 
 void FlowRun::issue(FlowIssue kind, const Step &step, const MachineState &before,
                     const MachineState &after, SourceRange where, SourceRange related) {
-  if (watcher && endsThePath(kind))
+  if (endsThePath(kind))
     lose(where, "control cannot go where the block says");
-  if (!(dispatcher.kinds() & bitOf(EventKind::FlowIssue)))
-    return;
-  dispatcher.flowIssue(kind, step.unit(), step.block, step.outcome, before, after,
-                       step.region().depth, where, related);
+  if (listeners.want(EventKind::FlowIssue))
+    listeners.tell([&](FlowListener &listener) {
+      listener.problem(step, {kind, before, after, where, related});
+    });
 }
 
 const FlowShape &FlowRun::shape(const FileUnit &of, const ProgramInfo &program) {

@@ -1,11 +1,10 @@
 // What all parts of the flow engine share while one file is run.
 #pragma once
 
-#include "analyzer/flow/activation.h"
-#include "analyzer/flow/flow_listener.h"
-#include "analyzer/flow/observed_block.h"
+#include "analyzer/flow/listeners.h"
 #include "analyzer/program/flow_shape.h"
-#include "analyzer/rule/dispatch.h"
+#include "analyzer/rule/analysis_limits.h"
+#include "analyzer/rule/visits.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/Support/Allocator.h"
@@ -43,8 +42,8 @@ private:
 
 /// One analysis of a file: what it works on, what it has spent and found out so far.
 struct FlowRun {
-  FlowRun(Project &project, FileUnit &unit, const RuleSelection &rules,
-          const AnalysisLimits &limits);
+  FlowRun(Project &project, FileUnit &unit, const AnalysisLimits &limits)
+      : project(project), unit(unit), limits(limits) {}
   FlowRun(const FlowRun &) = delete;
   virtual ~FlowRun() = default;
 
@@ -53,7 +52,7 @@ struct FlowRun {
 
   /// The analysis is no longer complete. `where`: the block that it came to.
   void cut(SourceRange where, std::string why);
-  /// The one path that is watched ends: only the run itself decides where control goes.
+  /// The one path that is followed ends: only the run itself decides where control goes.
   void lose(SourceRange where, llvm::StringRef why);
   /// The path goes on in more than one direction.
   void fork(Activation &activation, SourceRange where);
@@ -68,13 +67,19 @@ struct FlowRun {
   /// The same, in other states than those of the step.
   void issue(FlowIssue kind, const Step &step, const MachineState &before,
              const MachineState &after, SourceRange where, SourceRange related = {});
+  /// All states of a stop have gone through its block.
+  void endStop() {
+    if (visits.isReported())
+      listeners.tell([](FlowListener &listener) { listener.stopEnded(); });
+    visits.end();
+  }
   const FlowShape &shape(const FileUnit &of, const ProgramInfo &program);
 
   Project &project;
   FileUnit &unit; ///< the file that is run
   const AnalysisLimits &limits;
-  Collector collector;
-  Dispatcher dispatcher;
+  Listeners listeners;
+  Visits visits;
   UsedTargets used;
   Coverage covered;
   std::vector<RunningRegion> callStack;
@@ -87,8 +92,6 @@ struct FlowRun {
   bool stopped = false;
   bool complete = true;
   std::vector<std::string> cuts;
-  BlockWatcher *watcher = nullptr;   ///< of the one path that is followed
-  ObservedBlock *observed = nullptr; ///< whose states are wanted
 
 private:
   llvm::BumpPtrAllocator paths_;

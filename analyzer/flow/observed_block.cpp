@@ -3,7 +3,11 @@
 
 namespace ncvet {
 
-void ObservedBlock::note(const MachineState &before, const Live &live) {
+void ObservedBlock::executed(const Step &step, bool) {
+  if (step.at != offset_ || step.unit().source.id() != file_)
+    return;
+  const MachineState &before = step.before;
+  const Live &live = step.live;
   constexpr size_t mostWays = 8; // more nobody reads
   for (StateOnWay &known : states.ways)
     if (equal(known.before, before))

@@ -1,7 +1,8 @@
 // The machine's states on all paths that come by one block.
 #pragma once
 
-#include "analyzer/flow/region.h"
+#include "analyzer/flow/activation.h"
+#include "analyzer/flow/flow_listener.h"
 
 namespace ncvet {
 
@@ -17,17 +18,16 @@ struct StatesAt {
   bool complete = true;         ///< false: the analysis was cut short
 };
 
-/// A block whose states are kept while its program runs.
-class ObservedBlock {
+/// Keeps the states that come by one block.
+class ObservedBlock final : public FlowListener {
 public:
   ObservedBlock(FileId file, uint32_t offset) : file_(file), offset_(offset) {}
 
-  bool is(FileId file, uint32_t offset) const { return offset == offset_ && file == file_; }
-  bool isIn(FileId file, uint32_t begin, uint32_t end) const {
+  FlowInterest interest() const override { return {0, false, true, false}; }
+  void executed(const Step &step, bool continues) override;
+  bool mustSee(FileId file, uint32_t begin, uint32_t end) const override {
     return file == file_ && begin <= offset_ && offset_ < end;
   }
-  /// A state came by the block.
-  void note(const MachineState &before, const Live &live);
 
   StatesAt states;
 

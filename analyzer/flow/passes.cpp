@@ -103,7 +103,7 @@ void PassRunner::run(Step &step, const Region &body, const Passes &passes) {
         forget(one.state, *step.unit().dialect);
       break;
     }
-    if (!changed && !run_.watcher) { // every further pass is the same
+    if (!changed && !run_.listeners.followOnePath()) { // every further pass is the same
       // A section that its repeat follows has run once already.
       const bool ran = pass > 0 || (body.kind == RegionKind::Section && body.start < step.at);
       if (ran && passes.known && body.kind != RegionKind::Profile && !current.empty())
@@ -138,9 +138,8 @@ void PassRunner::comeBack(const Step &step, const Region &body, const Passes &pa
   if (!passes.known)
     for (Interval &position : state.position)
       position = Interval::unknown();
-  if (run_.dispatcher.kinds() & bitOf(EventKind::CallReturned))
-    run_.dispatcher.callReturned(step.unit(), step.block, step.outcome, step.before, state,
-                                 step.region().depth);
+  if (run_.listeners.want(EventKind::CallReturned))
+    run_.listeners.tell([&](FlowListener &listener) { listener.callReturned(step, state); });
   step.activation.add(passes.next, std::move(live));
 }
 

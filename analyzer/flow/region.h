@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/program/project.h"
-#include "analyzer/rule/collector.h"
+#include "analyzer/rule/path_node.h"
 
 #include <tuple>
 

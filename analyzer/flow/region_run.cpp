@@ -39,10 +39,9 @@ bool onlyDefines(const Block &block) {
 } // namespace
 
 RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry,
-                     StraightRuns *runs, const std::atomic<bool> *cancel)
+                     RunRecorder *recorder, const std::atomic<bool> *cancel)
     : run_(run), flow_(flow), region_(region), unit_(region.unit), cancel_(cancel),
-      activation_(region), recorder_(runs, unit_, run.dispatcher, run.collector),
-      lives_(std::move(entry)), at_(region.start) {}
+      activation_(region), recorder_(recorder), lives_(std::move(entry)), at_(region.start) {}
 
 Exits RegionRun::execute() {
   const CrashPlace place(unit_.source, at_);
@@ -99,9 +98,9 @@ bool RegionRun::isAtEnd() {
 /// The program has no block any more, and has not ended.
 void RegionRun::runOut() {
   const SourceRange where = activation_.lastBlock();
-  run_.collector.beginStop();
+  run_.visits.begin();
   for (Live &live : lives_) {
-    run_.collector.beginVisit(live.path);
+    run_.visits.visit(live.path);
     if (activation_.executedAny && !inForeignLanguage(*unit_.dialect, live.state))
       run_.issue(region_.kind == RegionKind::Main ? FlowIssue::MainRunsOut
                                                   : FlowIssue::SubprogramRunsOut,
@@ -110,21 +109,21 @@ void RegionRun::runOut() {
     if (region_.kind != RegionKind::Main)
       activation_.exit(std::move(live));
   }
-  run_.collector.endStop();
+  run_.endStop();
 }
 
 /// Goes over a run of blocks of which an earlier analysis knows what it does.
 bool RegionRun::takeOver() {
-  if (!recorder_.isOn())
+  if (!recorder_)
     return false;
   if (lives_.size() != 1 || !activation_.pending.isEmpty() || at_ < activation_.high) {
-    recorder_.interrupt();
+    interruptRecord();
     return false;
   }
   // What is not in step with the state begins anew with the next block.
   PlainRun present = synced_ ? plainRun_ : PlainRun();
-  const auto known = recorder_.takeOver(at_, lives_[0].state, present,
-                                        [&](const RunPlace &run) { return mayTakeOver(run); });
+  const auto known = recorder_->takeOver(at_, lives_[0].state, present,
+                                         [&](const RunPlace &run) { return mayTakeOver(run); });
   if (!known)
     return false;
   follow(*known);
@@ -138,7 +137,7 @@ bool RegionRun::takeOver() {
 /// A run is executed all the same where somebody wants to see what happens in it, and where a
 /// subprogram that was called begins in it.
 bool RegionRun::mayTakeOver(const RunPlace &known) const {
-  if (run_.observed && run_.observed->isIn(unit_.source.id(), known.begin, known.end))
+  if (run_.listeners.mustSee(unit_.source.id(), known.begin, known.end))
     return false;
   const auto target = run_.used.localSubprograms.lower_bound(known.begin);
   const auto finished = run_.used.finishedAhead.lower_bound(known.begin);
@@ -193,7 +192,7 @@ bool RegionRun::passOver() {
   if (block_.kind != BlockKind::Empty && !(isHead && block_.isEmpty() && block_.issues.empty()))
     return false;
   if (block_.kind != BlockKind::Empty || !block_.issues.empty())
-    recorder_.interrupt();
+    interruptRecord();
   // The closing mark of the tape: what follows it is no program.
   const bool closes = block_.kind == BlockKind::Tape && activation_.executedAny;
   at_ = closes ? region_.program.end : block_.next;
@@ -265,13 +264,13 @@ void RegionRun::forkAtGuards() {
 
 /// Executes the block for each of the states, which then leave it.
 void RegionRun::executeBlock() {
-  run_.collector.beginStop();
+  run_.visits.begin();
   Lives onward;
   const bool single = lives_.size() == 1;
   bool stays = false;
   for (Live &live : lives_) {
     executeFor(live);
-    tellRules(live);
+    tell(live);
     if (!goesOnWithNext(live))
       continue;
     if (!single) {
@@ -282,11 +281,14 @@ void RegionRun::executeBlock() {
     if (!outcome_.setupChanged)
       synced_ = &live.state;
   }
-  run_.collector.endStop();
+  run_.endStop();
   at_ = next_;
-  if (stays)
-    return recorder_.executed(block_, goesOn_);
-  recorder_.interrupt();
+  if (stays) {
+    if (recorder_)
+      recorder_->executed(block_, goesOn_);
+    return;
+  }
+  interruptRecord();
   lives_ = std::move(onward);
   synced_ = nullptr;
 }
@@ -309,24 +311,16 @@ void RegionRun::executeFor(Live &live) {
   // A cycle among the blocks of a contour reads none of its own.
   if (region_.kind == RegionKind::Profile && outcome_.flow.kind == FlowKind::Profile)
     outcome_.flow = Flow();
-  if (run_.watcher && !run_.stopped)
-    run_.watcher->executed(unit_, block_, outcome_, before_, live.state);
-  if (run_.observed && run_.observed->is(unit_.source.id(), at_))
-    run_.observed->note(before_, live);
 }
 
-void RegionRun::tellRules(Live &live) {
-  run_.collector.beginVisit(live.path);
+void RegionRun::tell(Live &live) {
+  run_.visits.visit(live.path);
   if (block_.number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
     runsInto(live);
   goesOn_ = plainRun_.goesOn(block_, outcome_, before_);
-  if (!goesOn_)
-    recorder_.goesOnNoMore(before_);
-  Dispatcher &rules = run_.dispatcher;
-  if (goesOn_)
-    rules.dispatchMove(unit_, block_, outcome_, before_, live.state, region_.depth);
-  else if (outcome_.kinds & rules.kinds())
-    rules.dispatch(unit_, block_, outcome_, before_, live.state, region_.depth);
+  if (recorder_ && !goesOn_)
+    recorder_->goesOnNoMore(before_);
+  run_.listeners.executed(stepOf(live), goesOn_, run_.stopped);
 }
 
 /// Plain flow comes to a numbered block: a local subprogram, or a profile along which a cycle

@@ -15,8 +15,8 @@ namespace ncvet {
 /// arrived before it is executed, save those over a backward jump.
 class RegionRun {
 public:
-  /// `runs`, when given, holds runs of blocks that need not be executed again.
-  RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry, StraightRuns *runs,
+  /// `recorder`, when given, knows runs of blocks that need not be executed again.
+  RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry, RunRecorder *recorder,
             const std::atomic<bool> *cancel);
 
   /// The states that leave the region.
@@ -37,7 +37,11 @@ private:
   void forkAtGuards();
   void executeBlock();
   void executeFor(Live &live);
-  void tellRules(Live &live);
+  void tell(Live &live);
+  void interruptRecord() {
+    if (recorder_)
+      recorder_->interrupt();
+  }
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
   Step stepOf(Live &live) { return {activation_, live, at_, before_, block_, outcome_}; }
@@ -49,7 +53,7 @@ private:
   FileUnit &unit_;
   const std::atomic<bool> *cancel_;
   Activation activation_;
-  RunRecorder recorder_;
+  RunRecorder *const recorder_;
   Lives lives_;            ///< that come to the block at `at_`
   uint32_t at_;            ///< the block that is executed next
   uint32_t next_ = 0;      ///< and the one after it in the text

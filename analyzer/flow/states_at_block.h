@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/observed_block.h"
+#include "analyzer/rule/analysis_limits.h"
 #include "analyzer/rule/selection.h"
 
 #include <atomic>

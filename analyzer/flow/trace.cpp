@@ -15,7 +15,7 @@ namespace ncvet {
 namespace {
 
 /// Makes motions of the blocks that are executed.
-class Tracer : public BlockWatcher {
+class Tracer : public FlowListener {
 public:
   Tracer(Project &project, FileUnit &unit, TraceSink &sink, TracedPath path)
       : project_(project), sink_(sink), corners_(project.dialect()), path_(project.dialect()),
@@ -24,10 +24,14 @@ public:
       compensated_.emplace(project.dialect(), habitsOf(project.dialect(), unit.machine));
   }
 
-  void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
-                const MachineState &before, const MachineState &after) override {
+  FlowInterest interest() const override { return {0, false, true, true}; }
+
+  void executed(const Step &step, bool /*continues*/) override {
     constexpr uint8_t readAsData = 1, run = 2;
-    const ExecutedBlock executed{*unit.dialect, unit.machine, block, outcome, before, after};
+    const FileUnit &unit = step.unit();
+    const Block &block = step.block;
+    const MachineState &before = step.before, &after = step.live.state;
+    const ExecutedBlock executed = step.executed();
     moves_.clear();
     appendMoves(executed, moves_);
     const uint64_t tag = uint64_t(unit.source.id()) << 32 | block.begin;
@@ -61,13 +65,13 @@ public:
       add(tag, move, corner, plane);
   }
 
-  void lost(SourceRange where, llvm::StringRef why) override {
+  void pathLost(SourceRange where, llvm::StringRef why) override {
     finish();
     sink_.lost(unitOf(where.file), where, why);
   }
 
-  /// Behind a contour the tool goes back to where the cycle began.
-  void profileEnds() override {
+  /// After a contour the tool goes back to where the cycle began.
+  void contourEnded() override {
     if (!cycle_)
       return;
     const auto write = [&](const Move &move) { add(cycleTag_, move, {}, {Axis::Z, Axis::X}); };
@@ -134,12 +138,10 @@ private:
 
 void trace(Project &project, FileUnit &unit, const AnalysisLimits &limits, TraceSink &sink,
            TracedPath path) {
-  const RuleSelection noRules{std::vector<bool>(allRules().size()),
-                              std::vector<bool>(allRules().size()),
-                              std::vector<std::optional<Severity>>(allRules().size()),
-                              {}};
   Tracer tracer(project, unit, sink, path);
-  Engine(project, unit, noRules, limits, nullptr).follow(tracer);
+  Engine engine(project, unit, limits, nullptr);
+  engine.listen(tracer);
+  engine.follow();
   tracer.finish();
 }
 

@@ -79,10 +79,12 @@ private:
     llvm::erase_if(outcome_.events,
                    [](const Event &event) { return !(bitOf(event.kind) & textEvents); });
     outcome_.kinds &= textEvents;
-    run_.collector.beginStop();
-    run_.collector.beginVisit(nullptr);
-    run_.dispatcher.dispatch(unit_, block_, outcome_, unknown_, state_, 0);
-    run_.collector.endStop();
+    run_.visits.begin();
+    run_.visits.visit(nullptr);
+    run_.listeners.tell([&](FlowListener &listener) {
+      listener.unreached(unit_, block_, outcome_, unknown_, state_);
+    });
+    run_.endStop();
   }
 
   FlowRun &run_;
@@ -101,7 +103,7 @@ private:
 } // namespace
 
 void inspectUnreached(FlowRun &run, StraightRuns *runs) {
-  if ((run.dispatcher.kinds() & textEvents) && !run.stopped && run.unit.dialect->loadsWhole)
+  if (run.listeners.wantAny(textEvents) && !run.stopped && run.unit.dialect->loadsWhole)
     UnreachedText(run, runs).inspect();
 }
 

@@ -20,26 +20,26 @@ constexpr unsigned worthIt = 2;
 
 } // namespace
 
-RunRecorder::RunRecorder(StraightRuns *runs, FileUnit &unit, const Dispatcher &dispatcher,
+RunRecorder::RunRecorder(StraightRuns &runs, FileUnit &unit, const Dispatcher &dispatcher,
                          const Collector &collector)
     : runs_(runs), unit_(unit), dispatcher_(dispatcher), collector_(collector),
-      whole_(runs ? &runs->straight : nullptr), stretch_(runs ? &runs->stretches : nullptr),
-      chains_(runs), memory_(unit.source.id()), moves_(unit.source.id()) {}
+      whole_(&runs.straight), stretch_(&runs.stretches), chains_(&runs), memory_(unit.source.id()),
+      moves_(unit.source.id()) {}
 
 std::optional<RunPlace> RunRecorder::takeOver(uint32_t offset, MachineState &state, PlainRun &plain,
                                               May may) {
   if (offset < executedEnd_)
     return std::nullopt;
   if (state.modalCalls || state.profile != 0) {
-    end();
+    interrupt();
     return std::nullopt;
   }
   auto place = takeWhole(offset, state, plain, may);
   if (!place && offset >= executedEnd_)
     place = takeStretch(offset, state, plain, may);
   if (place) {
-    runs_->taken.blocks += place->blocks;
-    ++runs_->taken.runs;
+    runs_.taken.blocks += place->blocks;
+    ++runs_.taken.runs;
   } else if (stretch_.isRecording()) {
     inFront_ = {offset, stateUse, unit_.index.looks(), plain};
   }
@@ -67,7 +67,7 @@ bool RunRecorder::mayBegin(uint32_t offset, MachineState &state, const PlainRun 
       return false;
     whole_.keep();
   }
-  if (pause_ > 0 && --pause_ > 0 && !chains_.isRecording() && !runs_->straight.find(offset))
+  if (pause_ > 0 && --pause_ > 0 && !chains_.isRecording() && !runs_.straight.find(offset))
     return false;
   remember();
   if (!memory_.isComparable()) {
@@ -182,7 +182,7 @@ void RunRecorder::collect(MachineState &state) {
   stateUse = {};
 }
 
-void RunRecorder::take(const Block &block, bool goesOn) {
+void RunRecorder::executed(const Block &block, bool goesOn) {
   const bool quiet = block.items.empty() && block.skip < 0;
   const bool clean = isClean(block, *unit_.dialect);
   if (whole_.isRecording()) {
@@ -202,7 +202,7 @@ void RunRecorder::take(const Block &block, bool goesOn) {
   }
 }
 
-void RunRecorder::end() {
+void RunRecorder::interrupt() {
   for (RunTrack *track : {&whole_, &stretch_})
     if (track->isRecording())
       track->keep();

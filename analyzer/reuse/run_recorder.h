@@ -7,23 +7,18 @@
 
 namespace ncvet {
 
-/// At work while the first program of a file is followed straight on. Without a store it does
-/// nothing.
+/// At work while the first program of a file is followed straight on.
 class RunRecorder {
 public:
-  RunRecorder(StraightRuns *runs, FileUnit &unit, const Dispatcher &dispatcher,
+  RunRecorder(StraightRuns &runs, FileUnit &unit, const Dispatcher &dispatcher,
               const Collector &collector);
 
-  bool isOn() const { return runs_; }
   /// Before the block at `offset`, which one state alone reaches: takes over what a known run
   /// from here does, of those that `may` allows. Nothing: the block is to be executed.
   std::optional<RunPlace> takeOver(uint32_t offset, MachineState &state, PlainRun &plain,
                                    llvm::function_ref<bool(const RunPlace &)> may);
   /// A block was executed, and the next one follows. `goesOn`: it only goes on as the one before.
-  void executed(const Block &block, bool goesOn) {
-    if (runs_)
-      take(block, goesOn);
-  }
+  void executed(const Block &block, bool goesOn);
   /// The block for which `takeOver` had nothing was executed, and is not one that only goes on;
   /// `before` is the state before it, and no rule has heard of it yet.
   void goesOnNoMore(MachineState &before) {
@@ -31,16 +26,11 @@ public:
       endStretchInFront(before);
   }
   /// What is being recorded is no run.
-  void interrupt() {
-    if (runs_)
-      end();
-  }
+  void interrupt();
 
 private:
   using May = llvm::function_ref<bool(const RunPlace &)>;
 
-  void take(const Block &block, bool goesOn);
-  void end();
   void collect(MachineState &state);
   bool mayBegin(uint32_t offset, MachineState &state, const PlainRun &plain);
   void rememberMoves();
@@ -50,7 +40,7 @@ private:
   std::optional<RunPlace> takeStretch(uint32_t offset, MachineState &state, PlainRun &plain,
                                       May may);
 
-  StraightRuns *runs_;
+  StraightRuns &runs_;
   FileUnit &unit_;
   const Dispatcher &dispatcher_;
   const Collector &collector_;

@@ -6,29 +6,10 @@
 #include "llvm/ADT/StringSet.h"
 
 #include <algorithm>
-#include <set>
 
 namespace ncvet {
 
 namespace {
-
-std::string describe(const PathNode &node) {
-  switch (node.kind) {
-  case PathNode::Kind::Call:
-    return "called here";
-  case PathNode::Kind::ModalCall:
-    return "after this block the modal call runs its program";
-  case PathNode::Kind::Jump:
-    return "when this jump is taken";
-  case PathNode::Kind::NoJump:
-    return "when this condition does not hold";
-  case PathNode::Kind::Skip:
-    return "when block skip is on";
-  case PathNode::Kind::LoopPass:
-    return "in a later pass of this loop";
-  }
-  return {};
-}
 
 void fillPath(Finding &finding, const PathNode *path) {
   const std::vector<PathStep> steps = stepsOf(path);
@@ -37,26 +18,22 @@ void fillPath(Finding &finding, const PathNode *path) {
 
 } // namespace
 
-std::vector<PathStep> stepsOf(const PathNode *path) {
-  std::vector<const PathNode *> nodes;
-  for (const PathNode *node = path; node; node = node->before)
-    nodes.push_back(node);
-  std::vector<PathStep> steps;
-  // A loop that is run for real takes the same jump in every pass: said once, it explains as much.
-  std::set<std::pair<FileId, uint32_t>> jumps;
-  for (const PathNode *node : llvm::reverse(nodes))
-    if (node->kind != PathNode::Kind::Jump ||
-        jumps.insert({node->range.file, node->range.begin}).second)
-      steps.push_back({node->range, describe(*node)});
-  return steps;
+Collector::Collector(const RuleSelection &selection, const Dialect &dialect,
+                     const AnalysisLimits &limits, Visits &visits)
+    : selection_(selection), dialect_(dialect), limits_(limits), perRule_(allRules().size()),
+      visits_(visits) {}
+
+Collector::Frame &Collector::frameOf(size_t depth) {
+  if (depth > frames_.size())
+    frames_.resize(depth);
+  return frames_[depth - 1];
 }
 
-Collector::Collector(const RuleSelection &selection, const Dialect &dialect,
-                     const AnalysisLimits &limits)
-    : selection_(selection), dialect_(dialect), limits_(limits), perRule_(allRules().size()) {}
-
-/// Notes a report of the frame's present visit; certain in one state is enough for that visit.
-void Collector::count(Frame &frame, const Key &key, bool certain) {
+/// Notes a report of the current visit of a stop; certain in one state is enough for that visit.
+void Collector::count(size_t depth, const Key &key, bool certain) {
+  visits_.noteReport(depth);
+  const unsigned visit = visits_.at(depth).visits;
+  Frame &frame = frameOf(depth);
   constexpr size_t few = 16;
   AtStop *known = nullptr;
   if (frame.reports.size() <= few) {
@@ -68,9 +45,9 @@ void Collector::count(Frame &frame, const Key &key, bool certain) {
     known = place == frame.places.end() ? frame.reports.end() : &frame.reports[place->second];
   }
   if (known == frame.reports.end())
-    return frame.reports.push_back({key, certain ? 1u : 0u, frame.visits});
-  if (known->lastVisit != frame.visits) {
-    known->lastVisit = frame.visits;
+    return frame.reports.push_back({key, certain ? 1u : 0u, visit});
+  if (known->lastVisit != visit) {
+    known->lastVisit = visit;
     known->certain += certain;
   }
 }
@@ -80,16 +57,16 @@ Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
   if (definiteOnly_ && !certain)
     return nullptr;
   const Key key{rule, range.file, range.begin, range.end};
-  Frame &frame = frames_[depth_ - 1];
-  count(frame, key, certain);
-  const unsigned length = frame.path ? frame.path->length : 0;
+  count(visits_.depth(), key, certain);
+  const PathNode *path = visits_.at(visits_.depth()).path;
+  const unsigned length = path ? path->length : 0;
   const auto found = entries_.find(key);
   if (found != entries_.end()) {
     found->second.uncalled &= uncalled_;
     // Known: a shorter way to it is the better explanation.
     if (length < found->second.pathLength) {
       found->second.pathLength = length;
-      fillPath(found->second.finding, frame.path);
+      fillPath(found->second.finding, path);
     }
     return nullptr;
   }
@@ -106,16 +83,19 @@ Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
   const auto table = dialect_.rules.find(allRules()[rule].info.id);
   if (table != dialect_.rules.end() && table->second.severity)
     finding.severity = *table->second.severity;
-  fillPath(finding, frame.path);
+  fillPath(finding, path);
   return &finding;
 }
 
 void Collector::settle() {
-  const Frame &frame = frames_[depth_ - 1];
-  for (const AtStop &at : frame.reports) {
-    const bool certain = at.certain >= frame.visits;
-    if (depth_ > 1) {
-      count(frames_[depth_ - 2], at.key, certain);
+  const size_t depth = visits_.depth();
+  const unsigned visits = visits_.at(depth).visits;
+  const Frame settled = std::move(frameOf(depth));
+  frameOf(depth) = Frame();
+  for (const AtStop &at : settled.reports) {
+    const bool certain = at.certain >= visits;
+    if (depth > 1) {
+      count(depth - 1, at.key, certain);
     } else if (certain) {
       const auto found = entries_.find(at.key);
       if (found != entries_.end())

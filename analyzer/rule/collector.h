@@ -1,58 +1,31 @@
 // Collects findings while programs run: one per rule and place, with the shortest path to it.
 #pragma once
 
+#include "analyzer/rule/analysis_limits.h"
 #include "analyzer/rule/selection.h"
+#include "analyzer/rule/visits.h"
 #include "formats/finding/finding.h"
 #include "formats/text/source_set.h"
 
-#include <deque>
 #include <unordered_map>
 
 namespace ncvet {
 
-/// A step of the way to a block; a list that grows at its head and is shared by all states.
-struct PathNode {
-  enum class Kind : uint8_t { Call, ModalCall, Jump, NoJump, Skip, LoopPass } kind;
-  SourceRange range;
-  int64_t number = 0;
-  unsigned length = 1;
-  const PathNode *before = nullptr;
-};
-
-/// The steps in words, from the begin of the way on.
-std::vector<PathStep> stepsOf(const PathNode *path);
-
-/// Findings of one analysis. A block may be looked at several times at one stop, once for each
-/// state that is kept apart (`beginStop`, then one `beginVisit` per state, then `endStop`): what
-/// every state breaks for certain is definite, the rest possible. Stops nest: what a called program
-/// is found to break for certain counts as a report of the visit that called it.
+/// Findings of one analysis. What every visit of a stop (see `Visits`) breaks for certain is
+/// definite, the rest possible. What a called program is found to break for certain counts as a
+/// report of the visit that called it.
 class Collector {
 public:
-  Collector(const RuleSelection &selection, const Dialect &dialect, const AnalysisLimits &limits);
+  Collector(const RuleSelection &selection, const Dialect &dialect, const AnalysisLimits &limits,
+            Visits &visits);
 
   /// Whether the user selected the rule, beyond what is on by default.
   bool isAsked(RuleId rule) const {
     return rule < selection_.asked.size() && selection_.asked[rule];
   }
 
-  void beginStop() {
-    if (++depth_ > frames_.size())
-      frames_.emplace_back();
-    if (!frames_[depth_ - 1].reports.empty()) {
-      frames_[depth_ - 1].reports.clear();
-      frames_[depth_ - 1].places.clear();
-    }
-    frames_[depth_ - 1].visits = 0;
-  }
-  void beginVisit(const PathNode *path) {
-    frames_[depth_ - 1].path = path;
-    ++frames_[depth_ - 1].visits;
-  }
-  void endStop() {
-    if (!frames_[depth_ - 1].reports.empty())
-      settle();
-    --depth_;
-  }
+  /// All visits of the current stop have been made.
+  void settle();
   /// While set, only what is certain counts: the entry state is not known.
   void setDefiniteOnly(bool on) { definiteOnly_ = on; }
   /// While set, nothing calls what is looked at: of a control that reads its text as it runs, an
@@ -91,23 +64,22 @@ private:
     unsigned lastVisit = 0; ///< the last visit that reported it
   };
 
+  /// What was reported at one stop.
   struct Frame {
     llvm::SmallVector<AtStop, 4> reports;
     std::unordered_map<Key, size_t, KeyHash> places; ///< of reports, when there are many of them
-    const PathNode *path = nullptr;
-    unsigned visits = 0;
   };
   bool stopsUncalled(RuleId rule) const;
-  void count(Frame &frame, const Key &key, bool certain);
-  void settle();
+  Frame &frameOf(size_t depth);
+  void count(size_t depth, const Key &key, bool certain);
 
   const RuleSelection &selection_;
   const Dialect &dialect_;
   const AnalysisLimits &limits_;
   std::unordered_map<Key, Entry, KeyHash> entries_;
   std::vector<unsigned> perRule_;
-  std::deque<Frame> frames_; ///< a deque: frames stay where they are while inner ones are added
-  size_t depth_ = 0;
+  Visits &visits_;
+  std::vector<Frame> frames_; ///< by the depth of their stop
   uint64_t reports_ = 0;
   bool definiteOnly_ = false;
   bool uncalled_ = false;

@@ -120,9 +120,9 @@ void Dispatcher::reportChanged(const Event &event) {
   }
 }
 
-void Dispatcher::tellMove(FileUnit &unit, const Block &block, const Outcome &outcome,
-                          const MachineState &before, const MachineState &after,
-                          unsigned callDepth) {
+void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
+                              const MachineState &before, const MachineState &after,
+                              unsigned callDepth) {
   prepare(unit, block, outcome, before, after, callDepth);
   for (const Event &event : outcome.events)
     for (const auto &[kind, listener] : everyBlock_)

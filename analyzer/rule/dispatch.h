@@ -15,15 +15,14 @@ public:
 
   /// Events of these kinds have listeners.
   uint32_t kinds() const { return kinds_; }
+  /// Some rule wants to know of moves that only go on as the block before.
+  bool wantsEveryMove() const { return !everyBlock_.empty(); }
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after, unsigned callDepth);
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
   /// to know of every move.
   void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
-                    const MachineState &before, const MachineState &after, unsigned callDepth) {
-    if (!everyBlock_.empty())
-      tellMove(unit, block, outcome, before, after, callDepth);
-  }
+                    const MachineState &before, const MachineState &after, unsigned callDepth);
   /// A `FlowIssue` event of its own, outside of what the block itself emitted.
   void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
                  const MachineState &before, const MachineState &after, unsigned callDepth,
@@ -70,8 +69,6 @@ private:
       return event.kind != EventKind::Motion || (moves & bitOf(event.motion));
     }
   };
-  void tellMove(FileUnit &unit, const Block &block, const Outcome &outcome,
-                const MachineState &before, const MachineState &after, unsigned callDepth);
   void reportChanged(const Event &event);
   void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
                const MachineState &before, const MachineState &after, unsigned callDepth);

@@ -1,4 +1,4 @@
-// Which rules run on a file, and within which budgets.
+// Which rules run on a file.
 #pragma once
 
 #include "formats/dialect/dialect.h"
@@ -26,16 +26,6 @@ struct RuleSelection {
   /// Every rule with its own default, changed by the dialect's table.
   static RuleSelection defaults(const Dialect &dialect);
   static RuleSelection everything();
-};
-
-/// Budgets, each with its reason. The defaults suit batch use.
-struct AnalysisLimits {
-  /// Blocks executed again (loops, calls), statements counted as several: one to two seconds.
-  uint64_t repeatedBlocks = 3'000'000;
-  /// Calls inside calls: no control allows more than ten, the rest is room for findings.
-  unsigned callDepth = 32;
-  /// Findings of one rule in one file: more are noise.
-  unsigned findingsPerRule = 1000;
 };
 
 } // namespace ncvet

@@ -20,28 +20,29 @@ constexpr size_t mostWords = 300;
 /// Blocks executed again before loops are given up: a fraction of a second.
 constexpr uint64_t repeatedBlocks = 300'000;
 
-class HintCollector : public BlockWatcher {
+class HintCollector : public FlowListener {
 public:
   HintCollector(const Snapshot &snapshot, uint32_t begin, uint32_t end, const HintOptions &options)
       : file_(snapshot.source().id()), begin_(begin), end_(end), options_(options) {}
 
-  void executed(const FileUnit &unit, const Block &block, const Outcome &outcome,
-                const MachineState &before, const MachineState &after) override {
-    if (unit.source.id() != file_ || block.end <= begin_ || block.begin >= end_ ||
-        outcome.foreign || block.words.size() > mostWords)
+  FlowInterest interest() const override { return {0, false, true, true}; }
+
+  void executed(const Step &step, bool /*continues*/) override {
+    const Block &block = step.block;
+    if (step.unit().source.id() != file_ || block.end <= begin_ || block.begin >= end_ ||
+        step.outcome.foreign || block.words.size() > mostWords)
       return;
-    const ExecutedBlock executed{*unit.dialect, unit.machine, block, outcome, before, after};
+    const ExecutedBlock executed = step.executed();
     for (const Word &word : block.words)
       words(executed, word);
     if (options_.on[size_t(HintKind::Variable)])
       for (const Item &item : block.items)
-        assignment(block, item, before);
+        assignment(block, item, step.before);
     if (options_.on[size_t(HintKind::Target)])
-      target(block, outcome);
+      target(block, step.outcome);
     if (options_.on[size_t(HintKind::Motion)])
       motion(executed);
   }
-  void lost(SourceRange, llvm::StringRef) override {}
 
   std::vector<InlayHint> hints() const {
     std::vector<InlayHint> all;
@@ -142,12 +143,10 @@ std::vector<InlayHint> inlayHints(Snapshot &snapshot, uint32_t begin, uint32_t e
                                   const HintOptions &options, const std::atomic<bool> *cancel) {
   AnalysisLimits limits = snapshot.setup().limits;
   limits.repeatedBlocks = std::min(limits.repeatedBlocks, repeatedBlocks);
-  RuleSelection none;
-  none.enabled.resize(allRules().size());
-  none.asked.resize(allRules().size());
-  none.severity.resize(allRules().size());
   HintCollector collector(snapshot, begin, end, options);
-  Engine(snapshot.project(), snapshot.unit(), none, limits, cancel).follow(collector);
+  Engine engine(snapshot.project(), snapshot.unit(), limits, cancel);
+  engine.listen(collector);
+  engine.follow();
   return collector.hints();
 }
 

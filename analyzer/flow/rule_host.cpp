@@ -1,0 +1,49 @@
+// The rules as listeners of a run.
+#include "analyzer/flow/rule_host.h"
+
+#include "analyzer/flow/activation.h"
+
+namespace ncvet {
+
+RuleHost::RuleHost(FileUnit &unit, const RuleSelection &rules, const AnalysisLimits &limits,
+                   Visits &visits)
+    : unit_(unit), collector_(rules, *unit.dialect, limits, visits),
+      dispatcher_(*unit.dialect, unit.machine, rules, collector_) {}
+
+FlowInterest RuleHost::interest() const {
+  return {dispatcher_.kinds(), dispatcher_.wantsEveryMove()};
+}
+
+void RuleHost::executed(const Step &step, bool continues) {
+  const unsigned depth = step.region().depth;
+  if (continues)
+    dispatcher_.dispatchMove(step.unit(), step.block, step.outcome, step.before, step.live.state,
+                             depth);
+  else
+    dispatcher_.dispatch(step.unit(), step.block, step.outcome, step.before, step.live.state,
+                         depth);
+}
+
+void RuleHost::problem(const Step &step, const FlowProblem &problem) {
+  dispatcher_.flowIssue(problem.kind, step.unit(), step.block, step.outcome, problem.before,
+                        problem.after, step.region().depth, problem.where, problem.related);
+}
+
+void RuleHost::callReturned(const Step &step, const MachineState &after) {
+  dispatcher_.callReturned(step.unit(), step.block, step.outcome, step.before, after,
+                           step.region().depth);
+}
+
+void RuleHost::entered(EntryState entry) {
+  collector_.setDefiniteOnly(entry != EntryState::Known);
+  collector_.setUncalled(entry == EntryState::Uncalled);
+}
+
+void RuleHost::unreached(FileUnit &unit, const Block &block, const Outcome &outcome,
+                         const MachineState &before, const MachineState &after) {
+  dispatcher_.dispatch(unit, block, outcome, before, after, 0);
+}
+
+void RuleHost::finished(const FileSummary &summary) { dispatcher_.finish(summary, unit_); }
+
+} // namespace ncvet

@@ -1,0 +1,37 @@
+// The rules as listeners of a run.
+#pragma once
+
+#include "analyzer/flow/flow_listener.h"
+#include "analyzer/rule/dispatch.h"
+
+namespace ncvet {
+
+/// Tells the selected rules what happens, and collects what they find.
+class RuleHost final : public FlowListener {
+public:
+  /// `visits` of the run that is listened to.
+  RuleHost(FileUnit &unit, const RuleSelection &rules, const AnalysisLimits &limits,
+           Visits &visits);
+
+  const Dispatcher &dispatcher() const { return dispatcher_; }
+  const Collector &collector() const { return collector_; }
+  /// All findings, sorted.
+  std::vector<Finding> take(const SourceSet &sources) { return collector_.take(sources); }
+
+  FlowInterest interest() const override;
+  void executed(const Step &step, bool continues) override;
+  void problem(const Step &step, const FlowProblem &problem) override;
+  void callReturned(const Step &step, const MachineState &after) override;
+  void entered(EntryState entry) override;
+  void stopEnded() override { collector_.settle(); }
+  void unreached(FileUnit &unit, const Block &block, const Outcome &outcome,
+                 const MachineState &before, const MachineState &after) override;
+  void finished(const FileSummary &summary) override;
+
+private:
+  FileUnit &unit_;
+  Collector collector_;
+  Dispatcher dispatcher_;
+};
+
+} // namespace ncvet
