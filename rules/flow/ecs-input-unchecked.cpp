@@ -25,7 +25,7 @@ public:
                         ctx.text(name));
       return;
     }
-    // Behind the target and the prompt stand the bounds.
+    // The bounds follow the target and the prompt.
     const auto arguments = block.argumentsOf(item);
     if (!arguments.empty())
       escape(item, arguments[0], range, ctx);
@@ -53,7 +53,8 @@ public:
   }
 
 private:
-  /// Who leaves the question gives no answer: the blocks behind the target do without it.
+  /// An operator who leaves the question gives no answer: the blocks after the target do without
+  /// it.
   static void escape(const Item &item, const Argument &target, SourceRange range,
                      RuleContext &ctx) {
     const uint64_t key = ctx.block().keyOf(item.target);

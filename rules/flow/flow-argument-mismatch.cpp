@@ -77,7 +77,7 @@ private:
             item.arguments >= spec.position &&
             isName(block.argumentsOf(item)[spec.position - 1], ctx))
           if (auto finding = ctx.report(*word))
-            finding.message("`{0}` ({1}) of `{2}` is a string: it stands in quotation marks",
+            finding.message("`{0}` ({1}) of `{2}` is a string: write it in quotation marks",
                             ctx.text(*word), spec.note, code.name);
     }
   }
@@ -111,7 +111,7 @@ private:
     return isLabel(first) && isLabel(second);
   }
 
-  /// Definitions stand in front of everything that runs, and what a program takes in front of them.
+  /// Definitions come before everything that runs, and the parameters of a program before them.
   void atDefinition(const Item &item, RuleContext &ctx) const {
     if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
         item.kind != ItemKind::Parameters)
@@ -132,7 +132,7 @@ private:
         finding
             .message(item.kind == ItemKind::Parameters
                          ? "`{0}` has to be the program's first block"
-                         : "`{0}` has to stand in front of the first block that runs",
+                         : "`{0}` has to come before the first block that runs",
                      ctx.text(range))
             .note(ctx.range(block), "this block comes before");
       return;

@@ -66,10 +66,9 @@ private:
   static void optional(SourceRange range, RuleContext &ctx) {
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
-          .message(
-              "`{0}` stands in an optional block: a key of the panel decides where the program "
-              "goes on",
-              ctx.text(range));
+          .message("`{0}` is in an optional block: a key of the panel decides where the program "
+                   "goes on",
+                   ctx.text(range));
   }
 
   /// A jump, call or repeat that may be left out, or whose target may be.

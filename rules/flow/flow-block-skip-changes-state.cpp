@@ -1,4 +1,4 @@
-// What runs behind a skippable block depends on the skip switch.
+// What runs after a skippable block depends on the skip switch.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/mode_reliance.h"
 
@@ -16,7 +16,7 @@ public:
                           StandardGroup::Units, StandardGroup::Compensation,
                           StandardGroup::LengthOffset, StandardGroup::WorkOffset,
                           StandardGroup::FeedMode, StandardGroup::SpeedMode, StandardGroup::Cycle});
-    if (atCause_) // the next motion code stands in most blocks
+    if (atCause_) // the next motion code is in most blocks
       watched_ &= ~groupMask(to.dialect(), {StandardGroup::Motion});
   }
 
@@ -40,8 +40,8 @@ public:
     }
     if (atCause_) {
       if (auto finding = ctx.report(ctx.blockRange()))
-        finding.message("this change of {0} stands in a block that can be skipped: a key at the "
-                        "panel decides what holds behind it",
+        finding.message("this change of {0} is in a block that can be skipped: a key at the "
+                        "panel decides what holds after it",
                         titleOf(changes, ctx.dialect()));
       return;
     }
@@ -78,8 +78,8 @@ private:
     };
     const auto report = [&](const char *what) {
       if (auto finding = ctx.report(ctx.blockRange()))
-        finding.message("this change of {0} stands in a block that can be skipped: a key at the "
-                        "panel decides what holds behind it",
+        finding.message("this change of {0} is in a block that can be skipped: a key at the "
+                        "panel decides what holds after it",
                         what);
     };
     if (before.switches.may != after.switches.may &&
@@ -94,7 +94,7 @@ private:
         return report(what);
   }
 
-  /// Whether a block behind works with the value before one gives it anew.
+  /// Whether a later block works with the value before one gives it anew.
   static bool worksWith(char letter, RuleContext &ctx) {
     constexpr unsigned lookAhead = 20;
     Block next;

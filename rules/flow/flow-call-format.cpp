@@ -31,7 +31,7 @@ public:
     const std::string cure = llvm::formatv("P{0}", number->mantissa).str();
     if (auto finding = ctx.report(*number))
       finding
-          .message("`{0}` behind `{1}` reads as a block number: write the target as `{2}`",
+          .message("`{0}` after `{1}` reads as a block number: write the target as `{2}`",
                    ctx.text(*number), ctx.text(*event.word), cure)
           .fix(FixSafety::Unsafe, llvm::formatv("write `{0}`", cure).str(),
                ctx.replace(ctx.range(*number), cure));

@@ -13,7 +13,7 @@ struct FlowConstantConditionMemory {
     unsigned ways = 0; ///< bit per way that was possible: below zero, zero, above zero
     bool known = true; ///< the value was one number every time
   };
-  /// A condition that the block in front of it decides.
+  /// A condition that the block before it decides.
   struct Decided {
     SourceRange range, variable;
     int64_t number = -1; ///< of its block
@@ -61,7 +61,8 @@ public:
         continue;
       if (auto finding = ctx.report(choice.range))
         finding.severity(Severity::Style)
-            .message("`{0}` goes one way only: what it looks at is {1} whenever it is reached",
+            .message("`{0}` takes one branch only: the value that it tests is {1} whenever it is "
+                     "reached",
                      ctx.text(choice.range),
                      choice.ways == 1   ? "below zero"
                      : choice.ways == 2 ? "zero"
@@ -81,7 +82,7 @@ private:
         (number.lo < 0 ? 1u : 0u) | (number.contains(0) ? 2u : 0u) | (number.hi > 0 ? 4u : 0u);
   }
 
-  /// A choice by sign that always goes one way.
+  /// A choice by sign that always takes one branch.
   void choice(const Item &item, RuleContext &ctx) const {
     const Block &block = ctx.block();
     const auto targets = block.argumentsOf(item);
@@ -120,7 +121,7 @@ private:
       finding.message("`{0}` never runs: it counts upwards by one", ctx.text(range));
   }
 
-  /// `R1=5` and behind it `IF R1>3`: nobody can have changed the value in between.
+  /// `R1=5` and then `IF R1>3`: nothing can have changed the value in between.
   void byBlockBefore(const Expression &condition, llvm::ArrayRef<ExpressionOp> operations,
                      const Item &item, RuleContext &ctx) const {
     uint64_t key = 0;
@@ -141,7 +142,7 @@ private:
     const Item *given = nullptr;
     for (const Item &other : before.items) {
       if (other.kind != ItemKind::Assignment)
-        return; // a jump, a call: another way leads here
+        return; // a jump, a call: another path leads here
       if (before.keyOf(other.target) == key)
         given = &other;
     }
@@ -183,7 +184,7 @@ private:
       return;
     const SourceRange range = ctx.range(condition);
     if (auto finding = ctx.report(range))
-      finding.message("this condition is always {0}: no variable stands in it",
+      finding.message("this condition is always {0}: it has no variable",
                       truth == Truth::Yes ? "true" : "false");
   }
 };

@@ -34,9 +34,9 @@ public:
         const SourceRange range{file.source.id(), block.labelBegin, block.labelEnd};
         if (auto finding = ctx.report(range))
           finding
-              .message("the label `{0}` stands at two blocks: a jump finds only one of them",
+              .message("the label `{0}` is at two blocks: a jump finds only one of them",
                        ctx.text(range))
-              .note(first, "it stands here too");
+              .note(first, "it is here too");
       }
   }
 };

@@ -68,7 +68,7 @@ private:
     const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message(
-          "`{0}`: once it leads back it always does, nothing on the way changes what it "
+          "`{0}`: once it leads back it always does, nothing on the path changes what it "
           "looks at",
           ctx.text(range));
   }
@@ -198,12 +198,12 @@ private:
         !staysInside(*back, here.begin, read, ctx))
       return;
     if (auto finding = ctx.report(ctx.range(here)))
-      finding.message("`{0}`: once it leads back it always does, nothing on the way changes what "
+      finding.message("`{0}`: once it leads back it always does, nothing on the path changes what "
                       "its condition looks at",
                       ctx.text(SourceRange{ctx.source().id(), condition.begin, item.end}));
   }
 
-  /// Whether a bracket of structured flow ends between two places that began in front of them.
+  /// Whether a bracket of structured flow ends between two places that began before them.
   static bool entersBracket(uint32_t from, uint32_t end, const RuleContext &ctx) {
     Block block;
     int depth = 0;
@@ -233,7 +233,7 @@ private:
            structure == Structure::Until;
   }
 
-  /// Whether the program gives each of the variables a value in front of the block: others may be
+  /// Whether the program gives each of the variables a value before the block: others may be
   /// changed from outside.
   static bool givenBefore(const std::set<uint64_t> &read, const ProgramInfo &program,
                           const Block &here, const RuleContext &ctx) {
@@ -306,7 +306,7 @@ private:
       if (inner.kind == ItemKind::Assignment &&
           (read.count(block.keyOf(inner.target)) || !block.keyOf(inner.target)))
         return true;
-    // What a code of the control leaves behind may be what is looked at.
+    // The condition may read what a code of the control leaves.
     return block.skip >= 0 ||
            findCode(ctx.dialect(), block,
                     {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind,

@@ -12,7 +12,7 @@ public:
     if (FlowIssue(event.number) != FlowIssue::RunsIntoSubprogram)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
-      finding.message("the program runs on into this subprogram: no `M30` stands in front of it")
+      finding.message("the program runs on into this subprogram: there is no `M30` before it")
           .fix(FixSafety::Unsafe, "insert `M30` before the subprogram",
                {{ctx.flowRange().file, ctx.flowRange().begin, ctx.flowRange().begin}, "M30\n"});
   }

@@ -79,7 +79,7 @@ private:
             continue;
           }
           const auto first = llvm::find_if(firsts, [&](const First &f) { return f.key == key; });
-          // An inner repeat that counts on by itself begins behind the first value.
+          // An inner repeat that counts on by itself begins after the first value.
           if (first == firsts.end() || !reads(block, item.value, key) ||
               llvm::any_of(sections, [&](const RepeatedSection &inner) {
                 return inner.holds(block.begin) && first->at < inner.first;
@@ -87,7 +87,7 @@ private:
             continue;
           if (auto finding = ctx.report(first->where))
             finding
-                .message("`{0}` stands in the section that is repeated: every pass counts from "
+                .message("`{0}` is in the section that is repeated: every pass counts from "
                          "this value again",
                          ctx.text(first->where))
                 .note(SourceRange{file.source.id(), item.begin, item.end}, "here it counts on")
@@ -112,7 +112,7 @@ private:
       for (const Item &item : block.items)
         if (item.kind == ItemKind::Call || item.kind == ItemKind::Jump ||
             (item.kind == ItemKind::Assignment && block.keyOf(item.target) == frame.counter))
-          return; // another program, or another way, may count
+          return; // another program, or another path, may count
       if (block.next <= at)
         break;
     }

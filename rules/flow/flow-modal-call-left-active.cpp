@@ -23,7 +23,7 @@ public:
     const Truth call = state.callsModally();
     if (cycle == Truth::No && call == Truth::No)
       return;
-    // Behind codes that nobody knows only what the program has begun itself is certain.
+    // After codes that nobody knows only what the program has begun itself is certain.
     if (state.may(Fact::UnknownCode) && cycle != Truth::Yes && call != Truth::Yes)
       return;
     if (auto finding = ctx.report(event, cycle == Truth::Yes || call == Truth::Yes))

@@ -1,4 +1,4 @@
-// A program end code stands in a called program.
+// A program end code is in a called program.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 

@@ -15,7 +15,7 @@ class FlowRepeatBounds final : public StatefulRule<FlowRepeatBoundsMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::FlowIssue, EventKind::Statement});
-    // A return that ends the program in front of its repeat: nothing follows the repeat then.
+    // A return that ends the program before its repeat: nothing follows the repeat then.
     if (to.option("ends", 0) != 0)
       to.onAction({Action::Return, Action::ProgramEnd, Action::ProgramEndRewind, Action::Reset});
   }
@@ -53,7 +53,7 @@ private:
         continue;
       if (auto finding = ctx.report(event))
         finding
-            .message("`{0}` stands inside a section that is repeated: no pass comes to its end",
+            .message("`{0}` is inside a section that is repeated: no pass comes to its end",
                      ctx.text(*event.word))
             .note(ctx.range(section), "the section is repeated here");
       return;

@@ -12,7 +12,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (FlowIssue(event.number) != FlowIssue::RepeatSame || !ctx.after().must(Fact::Cut))
       return;
-    // Where a counter of the section stands still, another rule says so.
+    // Where a counter of the section does not change, another rule says so.
     for (const RepeatedSection &section : repeatedSections(ctx.index()))
       if (section.at == ctx.block().begin && countedFrame(ctx.index(), ctx.dialect(), section).code)
         return;

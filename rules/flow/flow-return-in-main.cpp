@@ -22,7 +22,7 @@ public:
       memory().opened |= ctx.callDepth() == 0;
       return;
     }
-    // `/M99` in front of M30 is the usual switch between one part and many.
+    // `/M99` before M30 is the usual switch between one part and many.
     if (FlowIssue(event.number) != FlowIssue::ReturnInMain || ctx.block().skip >= 0)
       return;
     // Macros have numbers of their own range; their callers may be anywhere.

@@ -26,11 +26,11 @@ public:
       return;
     const std::string back = returnOf(ctx.dialect());
     if (endCode)
-      finding.message("`{0}` ends the job inside a called program: the way back is `{1}`",
+      finding.message("`{0}` ends the job inside a called program: `{1}` returns to the caller",
                       ctx.text(ctx.flowRange()), back);
     else
       finding.message("the called program ends without `{0}`: the control does not find back", back)
-          .fix(FixSafety::Unsafe, "insert `" + back + "` behind this block",
+          .fix(FixSafety::Unsafe, "insert `" + back + "` after this block",
                TextEdit{{ctx.flowRange().file, ctx.flowRange().end, ctx.flowRange().end},
                         "\n" + back});
   }

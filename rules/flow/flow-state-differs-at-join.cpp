@@ -1,4 +1,4 @@
-// A block is reached in different modes, depending on the way.
+// A block is reached in different modes, depending on the path.
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
 
@@ -56,7 +56,7 @@ public:
       here.said = true;
       if (auto finding = ctx.report(ctx.blockRange(), false))
         finding
-            .message("this block is reached with different states of {0}, depending on the way",
+            .message("this block is reached with different states of {0}, depending on the path",
                      ctx.dialect().groups[group].title)
             .note(state.origin.ofGroup(group), "one of them is set here");
       return;

@@ -92,14 +92,14 @@ private:
                       ctx.code(event).name);
   }
 
-  /// The section holds a repeat that leads back to in front of it.
+  /// The section holds a repeat that leads back to a place before it.
   static void crossed(const RepeatedSection &section, const RepeatedSection &inner,
                       const FileSummary &file, RuleContext &ctx) {
     const SourceRange where{file.source.id(), section.begin, section.end};
     const SourceRange other{file.source.id(), inner.begin, inner.end};
     if (auto finding = ctx.report(where))
       finding
-          .message("the section of `{0}` holds `{1}`, whose own section begins in front of it",
+          .message("the section of `{0}` holds `{1}`, whose own section begins before it",
                    ctx.text(where), ctx.text(other))
           .note(other, "the other repeat");
   }

@@ -53,8 +53,7 @@ public:
       ++group;
     if (auto finding = ctx.report(user))
       finding
-          .message("the {0} here is the one that the called program left behind",
-                   ctx.dialect().groups[group].title)
+          .message("the {0} here was set by the called program", ctx.dialect().groups[group].title)
           .note(after.origin.ofGroup(group), "set here and not set back")
           .note(ctx.blockRange(), "called here");
   }

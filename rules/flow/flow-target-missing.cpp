@@ -1,4 +1,4 @@
-// A call or jump code stands without the word that names its target.
+// A call or jump code has no word that names its target.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -19,7 +19,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (code.action == Action::CallLocal && block.has(letterAddress('N')))
       return;
-    // A call by name: the text behind the code is its target.
+    // A call by name: the text after the code is its target.
     for (const SyntaxIssue &issue : block.issues)
       if (issue.begin >= event.word->offset)
         return;

@@ -35,9 +35,9 @@ public:
 private:
   bool behindEnd_ = false; ///< … of the program too, which is another rule's business elsewhere
 
-  /// Reports what stands behind the end of a section that is executed, when it ends with a return
-  /// or a jump. What stands behind a program end is another rule's business, and a section that
-  /// nothing in front of it leads around was not analysed at all.
+  /// Reports what follows the end of a section that is executed, when it ends with a return
+  /// or a jump. What follows a program end is another rule's business, and a section that
+  /// nothing before it leads around was not analysed at all.
   void check(const FileSummary &file, const SourceRange &reached, RuleContext &ctx) const {
     const ProgramInfo &program = file.index.programAt(reached.end - 1);
     if (reached.end >= program.end)
@@ -59,7 +59,7 @@ private:
     }
   }
 
-  /// `END1` behind a jump out of the loop: nothing is lost.
+  /// `END1` after a jump out of the loop: nothing is lost.
   static bool onlyEndsLoop(const Block &block) {
     return block.words.empty() && llvm::all_of(block.items, [](const Item &item) {
              return item.kind == ItemKind::End || item.kind == ItemKind::Structure;

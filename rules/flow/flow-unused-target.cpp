@@ -69,8 +69,8 @@ private:
     return returns;
   }
 
-  /// Behind the blocks that run one after the other from the program's begin to one that ends it;
-  /// where something else ends them, the program's begin.
+  /// The place after the blocks that run one after the other from the program's begin to one that
+  /// ends it; where something else ends them, the program's begin.
   static uint32_t behindMainPart(const FileSummary &file, const ProgramInfo &program,
                                  const Dialect &dialect) {
     const SourceRange *const run = llvm::find_if(file.reached, [&](const SourceRange &range) {
@@ -85,7 +85,7 @@ private:
                : program.body;
   }
 
-  /// Sections behind the program's end that begin with a number and end with a return, and that no
+  /// Sections after the program's end that begin with a number and end with a return, and that no
   /// call names. Only where the control has local calls.
   static void localSections(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
     if (llvm::none_of(ctx.dialect().codes,

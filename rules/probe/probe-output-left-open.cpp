@@ -47,12 +47,12 @@ public:
   }
 
 private:
-  /// The next message takes the place of the one at hand, or the series ends.
+  /// The next message takes the place of the current one, or the series ends.
   void passesBy(RuleContext &ctx) const {
     if (memory().shown.end && !memory().said)
       if (auto finding = ctx.report(memory().shown))
         finding.message("this measurement only shows its result, and no stop keeps it on the "
-                        "screen: M0 or M1 behind it does");
+                        "screen: M0 or M1 after it does");
     memory().said |= memory().shown.end != 0;
     memory().shown = {};
   }

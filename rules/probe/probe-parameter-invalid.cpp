@@ -10,8 +10,8 @@ struct ProbeParameterInvalidMemory {
   SourceRange end;       ///< of the series; used up by the next feed move
   Origin feed;           ///< the feed of that moment
   Origin fast;           ///< a feed of which that was said
-  unsigned axes = 0;     ///< bit per word of the way along an axis
-  unsigned wanted = 0;   ///< bit per word of the way along an axis
+  unsigned axes = 0;     ///< bit per word of the move along an axis
+  unsigned wanted = 0;   ///< bit per word of the move along an axis
   SourceRange qualified; ///< the first measurement of the series that finds such errors
 };
 
@@ -30,7 +30,7 @@ public:
     to.on({EventKind::CycleRun, EventKind::ProgramEnd});
   }
 
-  /// Behind the series the feed of measuring may still be in force.
+  /// After the series the feed of measuring may still be in force.
   void on(const Event &event, RuleContext &ctx) const override {
     const Origin &feed = ctx.after().origin.of(StatePart::Feed);
     if (event.kind == EventKind::ProgramEnd)
@@ -65,13 +65,13 @@ public:
       if (auto finding = ctx.report(ctx.blockRange()))
         finding.severity(Severity::Warning)
             .message("this move feeds with an F from before the end of measuring: what holds "
-                     "behind it is not stated")
+                     "after it is not stated")
             .note(memory().end, "the series ends here");
     memory().end = {};
   }
 
 private:
-  /// A feed that was given behind the begin of the series.
+  /// A feed that was given after the series began.
   void tooFast(const CodeInfo &code, const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Origin &origin = state.origin.of(StatePart::Feed);

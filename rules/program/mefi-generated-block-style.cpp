@@ -97,7 +97,7 @@ private:
     checkOrder(*dialog, block, dialogs, text, id, ctx);
   }
 
-  /// The lines stand as the dialog writes them, and there are no others.
+  /// The lines are as the dialog writes them, and there are no others.
   static void checkOrder(const Dialog &dialog, const Block &block, const Dialogs &dialogs,
                          llvm::StringRef text, FileId id, RuleContext &ctx) {
     // Of the dialogs of other parts nobody knows the lines.
@@ -126,7 +126,7 @@ private:
         finding.message(at == dialogs.lines.end()
                             ? "`{0}` is nothing that the dialog writes: generated blocks are "
                               "changed in their dialog"
-                            : "`{0}` stands in another place than the dialog gives it: generated "
+                            : "`{0}` is in another place than the dialog gives it: generated "
                               "blocks are changed in their dialog",
                         text.slice(range.begin, range.end));
       return;

@@ -34,7 +34,7 @@ private:
           continue;
         report(
             first, again,
-            "N{0} stands twice, and a jump, call or profile names it: it may go to the wrong one",
+            "N{0} is used twice, and a jump, call or profile names it: it may go to the wrong one",
             Severity::Error, file, ctx);
         continue;
       }
@@ -47,12 +47,12 @@ private:
     // One report for all those that nothing refers to: numbers of long programs begin anew.
     if (plain)
       report(*plainFirst, *plain,
-             others == 1 ? "N{0} stands twice in the program"
-                         : "N{0} stands twice in the program, and {1} further numbers do",
+             others == 1 ? "N{0} is used twice in the program"
+                         : "N{0} is used twice in the program, and so are {1} further numbers",
              others == 1 ? unreferenced_ : Severity::Style, file, ctx, others - 1);
   }
 
-  /// Whether a program header stands between the two behind other words of its line, as in
+  /// Whether there is a program header between the two, after other words of its line, as in
   /// `M99 O0810`: dumps of a control's memory lack line ends.
   static bool otherProgramBetween(const NumberedBlock &first, const NumberedBlock &again,
                                   const FileSummary &file, const Dialect &dialect) {

@@ -1,4 +1,4 @@
-// Block numbers that do not ascend, or do not stand first in their block.
+// Block numbers that do not ascend, or are not first in their block.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -33,9 +33,8 @@ public:
         return;
     }
     if (auto finding = ctx.report(*event.word))
-      finding.message(
-          "`{0}` does not stand first in its block: searching for the number does not find it",
-          ctx.text(*event.word));
+      finding.message("`{0}` is not first in its block: searching for the number does not find it",
+                      ctx.text(*event.word));
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
@@ -44,7 +43,7 @@ public:
   }
 
 private:
-  /// Where a number begins a block wherever it stands, one behind other words hides it.
+  /// Where a number begins a block wherever it is, one after other words hides it.
   static void beginsInside(RuleContext &ctx) {
     const llvm::StringRef text = ctx.source().text();
     const Block &block = ctx.block();
@@ -105,8 +104,8 @@ private:
     };
     if (auto finding = ctx.report(numberAt(block)))
       finding
-          .message("N{0} stands behind N{1}: blocks run in the order in which they are written, "
-                   "never by their numbers",
+          .message("N{0} comes after N{1}: blocks run in the order of the text, "
+                   "not of their numbers",
                    block.number, before.number)
           .note(numberAt(before), "the higher number");
   }

@@ -1,4 +1,4 @@
-// Blocks behind the program's end that nothing reaches.
+// Blocks after the program's end that nothing reaches.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  /// The end of an IF or of a loop in which the end code stands: it does nothing by itself.
+  /// The end of an IF or of a loop in which the end code is: it does nothing by itself.
   static bool isOnlyBracket(const Block &block) {
     return block.words.empty() && !block.items.empty() &&
            llvm::all_of(block.items, [](const Item &item) {
@@ -85,8 +85,8 @@ private:
       finding
           .message(
               count == 1
-                  ? "this block behind `{0}` is never executed: no call, jump or profile reaches it"
-                  : "these {1} blocks behind `{0}` are never executed: no call, jump or profile "
+                  ? "this block after `{0}` is never executed: no call, jump or profile reaches it"
+                  : "these {1} blocks after `{0}` are never executed: no call, jump or profile "
                     "reaches them",
               ctx.text(end.code), count)
           .note(end.code, "the program ends here");

@@ -44,7 +44,7 @@ public:
     // Without a number it may be a part of a program that somebody joins.
     if (!fileIsProgram_ && !ctx.index().programAt(where.begin).hasHeader())
       finding.severity(Severity::Warning);
-    finding.message("the program runs out behind this block: no `{0}` ends it", end_);
+    finding.message("the program runs out after this block: no `{0}` ends it", end_);
     const llvm::StringRef rest = ctx.source().text().substr(where.end, 2);
     const llvm::StringRef lineEnd = rest.startswith("\r\n") ? "\r\n" : "\n";
     // Where a block goes on over its line's end, a new one has to be opened.

@@ -33,8 +33,8 @@ public:
     }
     if (memory().job.end && ctx.callDepth() == 0 && !state.may(Fact::UnknownCode)) {
       if (auto finding = ctx.report(event))
-        finding.message("the program ends behind `{0}` without a move of the tool axis: where the "
-                        "tool stands is not stated",
+        finding.message("the program ends after `{0}` without a move of the tool axis: it does not "
+                        "say where the tool is",
                         ctx.text(memory().job));
       return;
     }

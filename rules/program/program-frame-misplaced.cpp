@@ -1,4 +1,4 @@
-// A program's head or end stands in the wrong place, or more than once.
+// A program's head or end is in the wrong place, or more than once.
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
@@ -31,7 +31,7 @@ public:
       if (block.isEmpty())
         continue;
       if (auto finding = ctx.report(event))
-        finding.message("`{0}` stands behind other blocks: it opens a program",
+        finding.message("`{0}` comes after other blocks: it opens a program",
                         ctx.text(*event.word));
       return;
     }
@@ -59,9 +59,9 @@ private:
         if (action == Action::ProgramHead) {
           frame = true;
           if (head.end)
-            report(here, "`{0}` stands again: two programs lie in one file", head, ctx);
+            report(here, "`{0}` is repeated: two programs are in one file", head, ctx);
           else if (content)
-            report(here, "`{0}` stands behind other blocks: it opens a program", {}, ctx);
+            report(here, "`{0}` comes after other blocks: it opens a program", {}, ctx);
           head = here;
         } else if (action == Action::ProgramEnd || action == Action::ProgramEndRewind) {
           frame = true;
@@ -71,7 +71,7 @@ private:
         }
       }
       if (!frame && end.end && !block.isEmpty())
-        report(end, "`{0}` does not stand at the end of the program", {}, ctx);
+        report(end, "`{0}` is not at the end of the program", {}, ctx);
       // Where a number opens a block, one that holds nothing is a block too.
       const bool opened = ctx.dialect().lexical.blocksSpanLines && block.kind != BlockKind::Empty;
       content |= !frame && (opened || !block.isEmpty());

@@ -27,7 +27,7 @@ public:
     const llvm::StringRef text = ctx.source().text(ctx.block().begin, ctx.block().end);
     const auto mark = uint32_t(ctx.block().begin + text.rfind('%'));
     if (auto finding = ctx.report(SourceRange{ctx.source().id(), mark, mark + 1}))
-      finding.text("the tape mark `%` stands behind other words: it wants a line of its own")
+      finding.text("the tape mark `%` comes after other words: it needs its own line")
           .severity(Severity::Style);
   }
 

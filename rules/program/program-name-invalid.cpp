@@ -101,13 +101,13 @@ private:
       const llvm::StringRef name = ctx.text(range).split(':').first;
       if (name.trim().empty() && !ctx.text(range).empty()) {
         if (auto finding = ctx.report(range))
-          finding.message("a label without a name: what stands behind the colon is a remark");
+          finding.message("a label without a name: the text after the colon is a remark");
         continue;
       }
       const size_t letters = name.size() - name.count(' ');
       if (letters == 0)
         if (auto finding = ctx.report(range))
-          finding.message("a label without a name: what stands behind `:` is a remark");
+          finding.message("a label without a name: the text after `:` is a remark");
       if (letters == 0 || (letters <= labels_ && !name.trim().contains(' ')))
         continue;
       if (auto finding = ctx.report(range))
@@ -165,7 +165,7 @@ private:
       return;
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
-          .message("`{0}` stands in the file `{1}`: the control files it under the name of its "
+          .message("`{0}` is in the file `{1}`: the control files it under the name of its "
                    "header",
                    text, name);
   }
@@ -202,7 +202,7 @@ private:
     }
   }
 
-  /// The line behind the header says where the control files the program.
+  /// The line after the header says where the control files the program.
   static void storedElsewhere(const ProgramInfo &program, const FileSummary &file,
                               RuleContext &ctx) {
     const llvm::StringRef text = file.source.text().slice(program.headerEnd, program.end);

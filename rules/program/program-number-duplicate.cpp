@@ -4,7 +4,7 @@
 namespace ncvet {
 namespace {
 
-/// The header line of a listing repeats the program's own: nothing stands between the two.
+/// The header line of a listing repeats the program's own: nothing is between the two.
 bool isSame(const ProgramInfo &first, const ProgramInfo &second, const Reader &reader) {
   Block block;
   for (uint32_t at = first.begin; at < second.begin; at = block.next) {

@@ -41,10 +41,9 @@ public:
         ctx.after().isStated(group) || ctx.before().may(Fact::UnknownCode))
       return;
     if (auto finding = ctx.report(event, event.certain && !(ctx.after().mayBeStated(group))))
-      finding.message(
-          "`{0}` stands before the program has stated {1}: its unit is what the machine "
-          "was left in",
-          ctx.text(*event.word), modes(ctx.dialect(), group));
+      finding.message("`{0}` comes before the program states {1}: its unit is what the machine "
+                      "was left in",
+                      ctx.text(*event.word), modes(ctx.dialect(), group));
   }
 
 private:
