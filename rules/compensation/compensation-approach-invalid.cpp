@@ -90,7 +90,7 @@ private:
                       ctx.code(event).name, ctx.text(*flag));
   }
 
-  bool elements_ = false; ///< a bare word asks for an element behind it
+  bool elements_ = false; ///< a bare word asks for an element after it
   static void keep(const CodeInfo &code, const Event &event, RuleContext &ctx) {
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (!motion || !isArc(motion->action))
@@ -112,7 +112,7 @@ private:
       if (!foreign)
         continue;
       if (auto finding = ctx.report(event))
-        finding.message("`{0}` wants a block of its own, with I, J and K only; here it stands with "
+        finding.message("`{0}` needs its own block, with I, J and K only; here it is with "
                         "`{1}`",
                         code.name, ctx.text(word));
       return;

@@ -72,7 +72,7 @@ private:
     if (auto finding = ctx.report(ctx.blockRange(), !state.may(Fact::UnknownCode)))
       finding
           .message(
-              "the move that builds up compensation has no way in the plane, and the radius is "
+              "the move that builds up compensation has no length in the plane, and the radius is "
               "{0:f3} mm: the control stops",
               std::fabs(*radius))
           .note(state.origin.of(StatePart::Tool), "the tool is called here");

@@ -6,7 +6,7 @@ namespace ncvet {
 namespace {
 
 struct CompensationIdleBlocksMemory {
-  uint32_t behindInfeed = ~0u; ///< behind the last block that was one
+  uint32_t behindInfeed = ~0u; ///< after the last block that was one
   unsigned inARow = 0;
   uint32_t behindApproach = ~0u; ///< the block to come if it follows an approach and idle blocks
 };
@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  /// Moves of the infeed axis alone, one behind the other: the path has no next corner to turn to.
+  /// Moves of the infeed axis alone, one after the other: the path has no next corner to turn to.
   void infeed(RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const uint16_t axes = axesOf(ctx.dialect(), ctx.block());
@@ -65,7 +65,7 @@ private:
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
-  /// Whether nothing but remarks and blank lines stand between `behind` and the block.
+  /// Whether only remarks and blank lines are between the place and the block.
   static bool followsOn(uint32_t behind, const RuleContext &ctx) {
     constexpr unsigned most = 50; // lines
     Block block;
@@ -117,7 +117,7 @@ private:
           .note(state.origin.of(StatePart::Compensation), "compensation is switched on here");
   }
 
-  /// Looks ahead as the control does: only a compensated move behind the idle blocks is harmed.
+  /// Looks ahead as the control does: only a compensated move after the idle blocks is harmed.
   static bool contourGoesOn(RuleContext &ctx) {
     constexpr unsigned lookAhead = 12;
     Block block;

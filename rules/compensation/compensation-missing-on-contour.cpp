@@ -99,11 +99,11 @@ private:
         const ProfileBlock &place = on ? profile.blocks.front() : profile.blocks.back();
         if ((!on && !off) || &entry == &place)
           continue;
-        // In front of the last block the contour may go on without it.
+        // Before the last block the contour may go on without it.
         const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
         if (auto finding = ctx.report(at, event.certain))
           finding
-              .message("`{0}` stands inside of the contour of `{1}`: compensation goes {2} block",
+              .message("`{0}` is inside the contour of `{1}`: compensation goes {2} block",
                        ctx.code(use).name, ctx.code(event).name,
                        on ? "on in its first" : "off in its last")
               .note(ctx.blockRange(), "the cycle is called here");

@@ -55,7 +55,7 @@ private:
   void tell(Misfit what, const ContourTrail::Element &at, const Neighbours &neighbours,
             RuleContext &ctx) const {
     const double radius = std::fabs(at.left);
-    const char *does = "the control stops, or the tool cuts into what stands beside it";
+    const char *does = "the control stops, or the tool cuts into what is beside the path";
     const bool behind = stopsBehind_ && what != Misfit::Arc;
     auto finding = ctx.report(behind ? placeBehind(ctx) : at.range, at.certain);
     if (!finding)
@@ -69,8 +69,8 @@ private:
                       at.line.radius(), radius, does);
     else if (behind)
       finding
-          .message("the tool with its radius of {0:f3} mm does not get into the corner in front "
-                   "of this move: {1}",
+          .message("the tool with its radius of {0:f3} mm does not get into the corner before "
+                   "this move: {1}",
                    radius, does)
           .note(at.range, what == Misfit::Corner ? "the element before it ends too far off"
                                                  : "the element before it is too short");
@@ -85,7 +85,7 @@ private:
     finding.note(at.tool, "the tool is called here");
   }
 
-  /// The move at hand, or the code that has ended the contour in front of it.
+  /// The current move, or the code that has ended the contour before it.
   static SourceRange placeBehind(const RuleContext &ctx) {
     const Origin end = ctx.after().originOf(ctx.dialect(), StandardGroup::Compensation);
     return ctx.after().compensation & phaseOn || !end.known() ? ctx.blockRange() : end.range();

@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  /// Whether the block at hand is the one that makes the cycle active.
+  /// Whether the current block is the one that makes the cycle active.
   static bool writes(const Origin &origin, const RuleContext &ctx) {
     return origin.file == ctx.source().id() && origin.begin >= ctx.block().begin &&
            origin.begin < ctx.block().end;

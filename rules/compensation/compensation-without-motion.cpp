@@ -113,12 +113,12 @@ private:
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
-          .message("`{0}` stands in a block that goes on along the contour: the last piece is cut "
-                   "while compensation is taken away",
+          .message("`{0}` is in a block that goes on along the contour: compensation ends "
+                   "while the last piece is cut",
                    ctx.code(event).name);
   }
 
-  bool feeds_ = false;       ///< the contour begins at feed, and ends in front of the way out
+  bool feeds_ = false;       ///< the contour begins at feed, and ends before the retract
   bool cancelAlone_ = false; ///< the control wants its G40 without a move
   bool anyPlane_ = false;    ///< the machine's builder decides which plane holds at power-on
 
@@ -136,7 +136,7 @@ private:
     });
   }
 
-  /// The block behind this one gives coordinates in the plane, and no code of its own.
+  /// The block after this one gives coordinates in the plane, and no code of its own.
   static bool nextMovesInPlane(RuleContext &ctx) {
     Block next;
     return readNext(ctx, next) &&
@@ -158,7 +158,7 @@ private:
     if (!(after & waiting) || (off ? !(before & phaseOn) : (before & phaseOn)) || movesInPlane(ctx))
       return;
     // `G47 K`: it begins at the foot of the normal to the next element. `G46 K`: where it leads to
-    // may stand in the next block.
+    // may be in the next block.
     if (llvm::any_of(ctx.block().words,
                      [&](const Word &w) {
                        return w.has(wordNoValue) && (code.takes & maskOf(w.address));

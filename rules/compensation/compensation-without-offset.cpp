@@ -52,7 +52,7 @@ private:
       // Some older controls keep radii in the H table.
       if (state.must(Fact::UnknownCode) || (!lathe && ctx.block().has(letterAddress('H'))))
         return;
-      // Every contour behind one D0 suffers from it; the first says so.
+      // Every contour after one D0 suffers from it; the first says so.
       if (!lathe && number == 0 &&
           !memory().once.speaks(state.origin.of(StatePart::RadiusOffset), ctx))
         return;

@@ -72,7 +72,7 @@ private:
           .note(ctx.blockRange(), "this cut lies along Z");
   }
 
-  /// Looks at the first element behind the entry. Cut towards the chuck, an outside contour grows
+  /// Looks at the first element after the entry. Cut towards the chuck, an outside contour grows
   /// and a bore shrinks; only when the entry came from the same side is it taken for certain.
   static void onLathe(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before(), &after = ctx.after();
@@ -93,7 +93,7 @@ private:
     if (!(dz.hi < 0) || !(before.at(Axis::X).lo >= 0) || !(after.at(Axis::X).lo >= 0))
       return;
     SourceRange element = ctx.blockRange();
-    if (dx.lo == 0 && dx.hi == 0) { // along Z: the element behind it tells
+    if (dx.lo == 0 && dx.hi == 0) { // along Z: the element after it tells
       const auto behind = changeBehindAxial(ctx, element);
       if (!behind)
         return;
@@ -192,7 +192,7 @@ private:
                  dy = end[1].value() - memory().to[1].value();
     memory().known = false;
     if (dx == 0 && dy == 0)
-      return; // down behind the entry, which was made above the work
+      return; // down after the entry, which was made above the work
     const double ex = memory().from[0].value() - memory().to[0].value(),
                  ey = memory().from[1].value() - memory().to[1].value();
     const double left = dx * ey - dy * ex, along = dx * ex + dy * ey;

@@ -55,7 +55,7 @@ private:
       opposite(*word, axes[which], direction[which], way[which], ctx);
   }
 
-  /// By one coordinate: the way to it points against the angle.
+  /// By one coordinate: the path to it points against the angle.
   void opposite(const Word &word, Axis axis, double component, double way, RuleContext &ctx) const {
     // Where the next element ends such a line the coordinate is not its end.
     if (dialectEndsByNext(ctx) || (word.address == commaA && ctx.after().compensation != phaseOff))
@@ -144,9 +144,9 @@ private:
     const bool met = onArc(taken, *arc.start, *arc.end, *centre, clockwise);
     const char *message = nullptr;
     if (met && direction.dot(target - taken) < -shortest)
-      message = "`{0}` points away from the end of this line: its angle is that of the way from "
+      message = "`{0}` points away from the end of this line: its angle is that of the path from "
                 "the circle to that end";
-    // Meant is the point on the way that the circle's own words describe.
+    // The target is the point on the path that the circle's own words describe.
     else if (!met && onArc(other, *arc.start, *arc.end, *centre, clockwise) &&
              direction.dot(target - other) < 0)
       message = "`{0}` points from the end of this line back to the circle: the control leaves the "

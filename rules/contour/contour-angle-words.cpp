@@ -1,4 +1,4 @@
-// A line by angle has too many or too few coordinates, or stands in a block that is no line.
+// A line by angle has too many or too few coordinates, or is in a block that is no line.
 #include "analyzer/facts/corner_words.h"
 
 #include <bit>
@@ -46,8 +46,8 @@ public:
     if (arc || event.motion == MotionKind::Thread || (plain && event.motion == MotionKind::Rapid)) {
       if (auto finding = ctx.report(*angle))
         finding.message(
-            arc ? "`{0}` stands in an arc: an angle gives the direction of a straight line"
-                : "`{0}` stands in a move that is no feed line: a line by angle is a G01 block",
+            arc ? "`{0}` is in an arc: an angle gives the direction of a straight line"
+                : "`{0}` is in a move that is no feed line: a line by angle is a G01 block",
             ctx.text(*angle));
       return;
     }

@@ -1,4 +1,4 @@
-// A chamfer or rounding stands where the control does not take one.
+// A chamfer or rounding where the control does not allow one.
 #include "analyzer/facts/corner_words.h"
 #include "formats/dialect/control_facts.h"
 
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  /// Plain letters: between two moves along X and along Z, one behind the other.
+  /// Plain letters: between two moves along X and along Z, one after the other.
   void plainCorner(const Event &event, const Word &word, RuleContext &ctx) const {
     constexpr uint16_t x = 1u << unsigned(Axis::X), z = 1u << unsigned(Axis::Z);
     const uint16_t axes = event.axes & (x | z);
@@ -75,7 +75,7 @@ private:
     if (findCode(ctx.dialect(), next, {Action::Rapid})) {
       if (auto finding = ctx.report(word))
         finding.message(
-            "`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
+            "`{0}` asks for a corner before a rapid move: corners lie between feed moves",
             ctx.text(word));
       return;
     }
@@ -89,7 +89,7 @@ private:
       finding
           .message(then == axes
                        ? "`{0}` asks for a corner, but the next move goes on along the same axis"
-                       : "`{0}` asks for a corner in front of a slanting line: both moves have to "
+                       : "`{0}` asks for a corner before a slanting line: both moves have to "
                          "run along one axis",
                    ctx.text(word))
           .note(SourceRange{ctx.source().id(), next.words.front().offset,
@@ -127,13 +127,13 @@ private:
     if (rapid && (then & linear)) {
       if (auto finding = ctx.report(word))
         finding.message(
-            "`{0}` asks for a corner in front of a rapid move: corners lie between feed moves",
+            "`{0}` asks for a corner before a rapid move: corners lie between feed moves",
             ctx.text(word));
       return;
     }
     if (cycle) {
       if (auto finding = ctx.report(word))
-        finding.message("`{0}` asks for a corner in front of `{1}`: corners lie between feed moves",
+        finding.message("`{0}` asks for a corner before `{1}`: corners lie between feed moves",
                         ctx.text(word), cycle->name);
       return;
     }

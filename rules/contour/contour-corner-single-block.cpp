@@ -18,7 +18,7 @@ public:
     if (!word || !event.certain || event.motion == MotionKind::Rapid)
       return;
     if (auto finding = ctx.report(*word))
-      finding.message("`{0}`: in single-block mode the control stops behind this corner with an "
+      finding.message("`{0}`: in single-block mode the control stops after this corner with an "
                       "alarm",
                       ctx.text(*word));
   }

@@ -82,12 +82,12 @@ private:
     if (*taken > out->length() + tolerance_) {
       if (auto finding = ctx.report(word))
         finding
-            .message("`{0}` takes {1:f3} mm of the line behind it, and that one is {2:f3} mm long",
+            .message("`{0}` takes {1:f3} mm of the next line, which is {2:f3} mm long",
                      ctx.text(word), *taken, out->length())
-            .note(behind, "the line behind");
+            .note(behind, "the next line");
       return;
     }
-    // A corner at either end of the line behind.
+    // A corner at either end of the next line.
     const CornerRequest second = reader_->read(ahead.executed());
     if (second.kind == CornerRequest::Kind::None || !ahead.next() ||
         meetsElsewhere(ahead.block(), ctx))
@@ -99,10 +99,10 @@ private:
       return;
     if (auto finding = ctx.report(word))
       finding
-          .message("`{0}` and the corner at its other end take {1:f3} mm of the line behind, and "
-                   "it is {2:f3} mm long",
+          .message("`{0}` and the corner at its other end take {1:f3} mm of the next line, "
+                   "which is {2:f3} mm long",
                    ctx.text(word), *taken + *further, out->length())
-          .note(behind, "the line behind");
+          .note(behind, "the next line");
   }
 
   CornerAddresses corners_;

@@ -88,7 +88,7 @@ private:
   }
 
   CornerAddresses corners_;
-  unsigned between_ = 1; ///< blocks behind a corner by a plain letter of which one has to move
+  unsigned between_ = 1; ///< blocks after a corner by a plain letter of which one has to move
   bool plane_ = false;   ///< a move out of the plane is passed over like a block without a move
 };
 

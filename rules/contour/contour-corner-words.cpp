@@ -1,4 +1,4 @@
-// Chamfer and rounding stand together, have the wrong letter or the wrong sign.
+// Chamfer and rounding are in one block, have the wrong letter or the wrong sign.
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
 #include "formats/dialect/control_facts.h"

@@ -37,7 +37,7 @@ public:
       to.onAction({Action::Linear, Action::ArcCw, Action::ArcCcw});
     if (elements_)
       to.onAction({Action::DefineElement});
-    // The block behind names an over-determined element; only controls with an `I` operator do it.
+    // The next block names an over-determined element; only controls with an `I` operator do it.
     if ((cornerAddresses(to.dialect()).angle & maskOf(commaA)) &&
         to.dialect().facts->corners.intersects)
       to.onChange({EventKind::Motion, EventKind::Block});
@@ -64,7 +64,7 @@ public:
     if (ownOnly_)
       return;
     if (event.kind == EventKind::Block) {
-      // A line of which only the angle is given, in front of a circle.
+      // A line of which only the angle is given, before a circle.
       if (block.has(commaA) && !(axesOf(ctx, block) & plane))
         lineAndCircle(ctx);
       return;
@@ -133,7 +133,7 @@ private:
       finding.message("this element of the contour has no data, and the next one cannot give them");
   }
 
-  /// Two named elements, one behind the other, that have no point in common.
+  /// Two named elements, one after the other, that have no point in common.
   void joint(RuleContext &ctx) const {
     const Word *word = ctx.block().findAny(elements_);
     const ElementGeometry *element = word ? memory().table.find(*word) : nullptr;
@@ -145,7 +145,7 @@ private:
     if (alone && memory().last && memory().last->switches == element->switches &&
         !meet(*memory().last, *element))
       if (auto finding = ctx.report(*word))
-        finding.message("`{0}` and the element in front of it do not meet: they have no point in "
+        finding.message("`{0}` and the element before it do not meet: they have no point in "
                         "common",
                         ctx.text(*word));
     // Beside a code of compensation an element may be one that is only touched.
@@ -203,7 +203,7 @@ private:
   bool open_ = false;        ///< lines may be given by their direction
   bool ownOnly_ = false;     ///< no lines that are intersected by a comma word
   AddressMask elements_ = 0; ///< names of elements
-  /// What stands in front: the last block with a move.
+  /// The last block with a move before this one.
   static void previous(const Event &event, uint16_t plane, RuleContext &ctx) {
     Block last;
     if (!readPrevious(ctx, last))
@@ -226,10 +226,10 @@ private:
     const Interval angle = ctx.value(*angleWord);
     if (!angle.isConstant())
       return;
-    // The line before ran to where the tool stands now; its direction is that of its only axis.
+    // The line before ran to where the tool is now; its direction is that of its only axis.
     uint16_t moved = axesOf(ctx, last) & plane;
     if (std::popcount(unsigned(moved)) == 2) {
-      // `X10 Y0` behind `X0 Y0`: the start is not kept, only an unchanged coordinate would show.
+      // `X10 Y0` after `X0 Y0`: the start is not kept, only an unchanged coordinate would show.
       const auto start = startOf(ctx, last, plane);
       if (!start)
         return;
@@ -267,7 +267,7 @@ private:
           .note(ctx.range(last), "the line before");
   }
 
-  /// Which single axis changed in `last`, by looking at the block in front of it.
+  /// Which single axis changed in `last`, by looking at the block before it.
   static std::optional<uint16_t> startOf(const RuleContext &ctx, const Block &last,
                                          uint16_t plane) {
     if (last.begin == 0)
@@ -330,7 +330,7 @@ private:
               "second");
   }
 
-  /// The line at hand, by its angle, passes beside the circle of the next block.
+  /// The current line, by its angle, passes beside the circle of the next block.
   static void misses(const Block &next, SourceRange range, RuleContext &ctx) {
     const MachineState &state = ctx.after();
     const auto circle = writtenCircle(next, ctx);
@@ -352,7 +352,7 @@ private:
           .note(ctx.blockRange(), "the line");
   }
 
-  /// An arc, and behind it a circle or a line that is to be intersected with it.
+  /// An arc, and after it a circle or a line that is to be intersected with it.
   static void behindArc(const Event &event, uint16_t plane, RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     // A block with Q is itself the second one of two, and its centre is written otherwise.

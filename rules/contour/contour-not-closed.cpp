@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  /// From the way `a` `b` to the way `b` `c`, in radians, positive to the left.
+  /// From the line `a` `b` to the line `b` `c`, in radians, positive to the left.
   static double turn(const Point &a, const Point &b, const Point &c) {
     return angleBetween(b - a, c - b);
   }
@@ -136,7 +136,7 @@ public:
       return;
     if (auto finding = ctx.report(begin))
       finding.message("this contour does not end where it begins: it encloses nothing")
-          .note(ctx.blockRange(), "it ends in front of this block");
+          .note(ctx.blockRange(), "it ends before this block");
   }
 
 private:
@@ -189,8 +189,8 @@ private:
     if (const auto missing = round_ ? memory().outline.missing() : std::nullopt) {
       if (auto finding = ctx.report(memory().last))
         finding.severity(Severity::Warning)
-            .message("this contour ends {0:f3} mm in front of its first element: a rest stays "
-                     "there",
+            .message("this contour ends {0:f3} mm before its first element: material "
+                     "remains there",
                      *missing);
       return;
     }

@@ -98,7 +98,7 @@ private:
     case Action::FrameClear:
       if (!ctx.before().may(Fact::ContourBegun))
         if (auto finding = ctx.report(event))
-          finding.message("`{0}` in front of the first position of a contour: the cycle does not "
+          finding.message("`{0}` before the first position of a contour: the cycle does not "
                           "know where the contour begins",
                           ctx.code(event).name);
       return;

@@ -43,7 +43,7 @@ public:
     }
     if (event.kind != EventKind::Return)
       return LeftOnRule::on(event, ctx);
-    // What the profile's program calls gives pieces of it: the profile goes on behind the call.
+    // What the profile's program calls gives pieces of it: the profile goes on after the call.
     if (memory().begun && ctx.before().profile == 1 && ctx.callDepth() > memory().depth + 1)
       return;
     if (records_ && ctx.before().profile == 1 && memory().pieces && !memory().attached &&
@@ -58,7 +58,7 @@ public:
     if (!ctx.before().must(Fact::InContour) || ctx.before().may(Fact::Cut))
       return;
     if (auto finding = ctx.report(event))
-      finding.message("the contour ends here without an element behind its start: there is nothing "
+      finding.message("the contour ends here without an element after its start: there is nothing "
                       "to mill along");
   }
 
@@ -95,7 +95,7 @@ private:
         ctx.callDepth() == memory().depth && !ctx.before().may(Fact::UnknownCode))
       if (auto finding = ctx.report(event))
         finding
-            .message("no profile stands between `{0}` and `{1}`", ctx.text(memory().begin),
+            .message("there is no profile between `{0}` and `{1}`", ctx.text(memory().begin),
                      ctx.text(*event.word))
             .note(memory().begin, "the profile would begin here");
     memory().begun = action == Action::ProfileBegin;

@@ -14,7 +14,7 @@ struct EcsSectionProfileInvalidMemory {
   unsigned elements = 0; ///< elements of a profile
   bool section = false;  ///< one is being recorded
   Ends first;            ///< of the surface
-  Ends start;            ///< of the section at hand
+  Ends start;            ///< of the current section
   bool counts = false;   ///< the profile that is recorded has a greatest length
 };
 
@@ -59,7 +59,7 @@ private:
   static bool has(const CodeInfo &code) {
     return llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
   }
-  /// A profile that stands for itself, one of several of the same surface.
+  /// A profile of its own, one of several of the same surface.
   static bool isSection(const CodeInfo &code) {
     return code.action == Action::ProfileBegin && code.alone && has(code);
   }
@@ -101,7 +101,7 @@ private:
                       memory().elements, most_);
   }
 
-  /// The block that leaves the section: where it stands in front of it is the section's end.
+  /// The block that leaves the section: the place before it is the section's end.
   void atEnd(RuleContext &ctx) const {
     const auto plane = axes(ctx);
     if (!memory().section || !memory().start.known || !plane || ctx.before().profile != 1)

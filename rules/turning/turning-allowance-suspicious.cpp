@@ -63,7 +63,7 @@ private:
                                bool inside, const Profile &profile, RuleContext &ctx) {
     if (auto finding = ctx.report(word, event.certain))
       finding
-          .message("`{0}` is {1}, but `{2}` roughs {3}: the first passes lie behind the finished "
+          .message("`{0}` is {1}, but `{2}` roughs {3}: the first passes are beyond the finished "
                    "contour",
                    ctx.text(word), inside ? "positive" : "negative", cycle.name,
                    inside ? "inside" : "outside")

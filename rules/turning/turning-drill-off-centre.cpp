@@ -21,7 +21,7 @@ public:
     if (toolAxis(ctx.dialect(), state) != Axis::Z || !x.isConstant() ||
         std::fabs(x.value()) < 1e-3 || state.inMachineCoordinates(Axis::X))
       return;
-    // With a driven tool the main spindle stands.
+    // With a driven tool the main spindle does not turn.
     const auto live = ctx.machine().option("liveTools");
     const bool noLive = live && *live == "false";
     const bool mainTurns = before.spindle == spindleCw || before.spindle == spindleCcw;
@@ -31,7 +31,7 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain && noLive))
       finding
-          .message("`{0}` drills at X{1} while the main spindle turns: the drill does not stand on "
+          .message("`{0}` drills at X{1} while the main spindle turns: the drill is not on "
                    "its axis",
                    ctx.code(event).name, llvm::formatv("{0}", llvm::format("%g", x.value())).str())
           .note(before.origin.of(StatePart::Spindle), "the spindle is started here");

@@ -1,4 +1,4 @@
-// The profile of a turning cycle holds a code that may not stand there.
+// The profile of a turning cycle has a code that is not allowed there.
 #include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
 
@@ -25,14 +25,14 @@ public:
         if (!what && motionOnly_ && code.letter == 'G' && !contour(code) &&
             !(cycle.cycle == CycleKind::PatternRepeat &&
               (code.action == Action::SurfaceSpeed || code.action == Action::ConstantSpeed)))
-          what = "only moves, dwell and compensation may stand there";
+          what = "only moves, dwell and compensation are allowed there";
         if (!what)
           continue;
         const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
         if (auto finding = ctx.report(at, event.certain && entry.block.skip < 0))
           finding
-              .message("`{0}` stands in the profile of `{1}` in line {2}: {3}", code.name,
-                       cycle.name, ctx.source().lines().lineOf(ctx.block().begin), what)
+              .message("`{0}` is in the profile of `{1}` in line {2}: {3}", code.name, cycle.name,
+                       ctx.source().lines().lineOf(ctx.block().begin), what)
               .note(ctx.blockRange(), "the cycle that works along this profile");
       }
   }

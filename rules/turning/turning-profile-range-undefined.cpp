@@ -1,4 +1,4 @@
-// The blocks that a turning cycle names as its profile do not exist or stand in the wrong order.
+// The blocks that a turning cycle names as its profile do not exist or are in the wrong order.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -24,11 +24,10 @@ public:
         flow.code == noCode ? std::string("the cycle") : ctx.dialect().codes[flow.code].name;
     if (issue == FlowIssue::ProfileReversed) {
       if (auto finding = ctx.report(ctx.flowRange()))
-        finding.message(
-            flow.first == flow.last
-                ? "`{0}` names N{1} as the first and the last block of its profile"
-                : "`{0}` names a profile from N{1} to N{2}, but N{2} stands in front of N{1}",
-            name, flow.first, flow.last);
+        finding.message(flow.first == flow.last
+                            ? "`{0}` names N{1} as the first and the last block of its profile"
+                            : "`{0}` names a profile from N{1} to N{2}, but N{2} is before N{1}",
+                        name, flow.first, flow.last);
       return;
     }
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
@@ -41,7 +40,7 @@ public:
   }
 
 private:
-  /// Roughing goes on behind its contour; finishing may look back.
+  /// Roughing goes on after its contour; finishing may look back.
   static void inFront(const Event &event, RuleContext &ctx) {
     const Flow &flow = ctx.outcome().flow;
     if (flow.kind != FlowKind::Profile || event.code == noCode ||
@@ -54,7 +53,7 @@ private:
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding
-          .message("the contour N{1} to N{2} stands in front of `{0}`, which looks for it behind",
+          .message("the contour N{1} to N{2} is before `{0}`, which looks for it after itself",
                    ctx.code(event).name, flow.first, flow.last)
           .severity(Severity::Warning);
   }

@@ -18,7 +18,7 @@ public:
     if (ctx.dialect().profileRunsThrough) {
       if (auto finding = ctx.report(ctx.flowRange()))
         finding
-            .message("`{0}` runs N{1} to N{2} once more: behind the roughing cycle the control has "
+            .message("`{0}` runs N{1} to N{2} once more: after the roughing cycle the control has "
                      "finished along them already",
                      name, flow.first, flow.last)
             .note(first, "the profile begins here");
@@ -38,7 +38,7 @@ public:
       finding
           .message(
               behind
-                  ? "plain flow runs into the profile N{0} to N{1}: the control has gone on behind "
+                  ? "plain flow runs into the profile N{0} to N{1}: the control has gone on after "
                     "`{2}` of line {3}, and cuts the finished contour once more"
                   : "plain flow reaches the profile N{0} to N{1}: the finished contour is cut at "
                     "once, and `{2}` of line {3} cuts it again",

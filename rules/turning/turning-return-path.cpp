@@ -38,7 +38,7 @@ public:
     bool crosses = false;
     if (zFirst) {
       // Along Z at the last block's diameter, and then along X to the start: through every part of
-      // the contour that stands in the way.
+      // the contour in between.
       for (size_t i = 0; i < profile.lastCut; ++i) {
         const ProfileBlock &block = profile.blocks[i];
         if (!block.moves || !block.toZ.isConstant())
@@ -59,8 +59,8 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding
-          .message("behind its last block `{0}` returns {1} first, from X{2} Z{3} to X{4} Z{5}: "
-                   "that way "
+          .message("after its last block `{0}` returns {1} first, from X{2} Z{3} to X{4} Z{5}: "
+                   "that path "
                    "crosses the part",
                    cycle.name, zFirst ? "in Z" : "in X", text(x, ctx), text(z, ctx),
                    text(startX.value(), ctx), text(startZ.value(), ctx))
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  /// Whether the place lies in what an outside contour leaves standing: below both ends of an
+  /// Whether the place lies in what an outside contour leaves uncut: below both ends of an
   /// element that passes by it.
   static bool standsInside(const Profile &profile, double x, double z) {
     for (size_t i = 1; i < profile.lastCut; ++i) {

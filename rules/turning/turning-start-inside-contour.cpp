@@ -61,7 +61,7 @@ private:
         !ctx.after().inMachineCoordinates(Axis::Z) && startsBehindFront(profile, startZ.value())) {
       if (auto finding = ctx.report(event, event.certain))
         finding
-            .message("`{0}` starts at Z{1}, behind the front of its contour, which reaches from "
+            .message("`{0}` starts at Z{1}, inside its contour, which reaches from "
                      "Z{2} to Z{3}: every pass returns there at rapid",
                      code.name, text(startZ.value() / *unit), text(*profile.maxZ / *unit),
                      text(*profile.minZ / *unit))
@@ -93,8 +93,8 @@ private:
           .note(profile.blocks.front().range, "the profile begins here");
   }
 
-  /// A contour that is cut towards the chuck begins in front of the place, by more than the way
-  /// with which one starts before a face.
+  /// A contour that is cut towards the chuck begins before the place, by more than the distance
+  /// at which one starts before a face.
   static bool startsBehindFront(const Profile &profile, double z) {
     const ProfileBlock &head = profile.blocks.front(), &tail = profile.blocks[profile.lastCut - 1];
     return head.toZ.isConstant() && tail.toZ.isConstant() &&
@@ -119,14 +119,14 @@ private:
       return;
     if (auto finding = ctx.report(event, false))
       finding.message(
-          face ? "`{0}` starts at Z{1}, behind the face Z{2} that it cuts: the tool returns "
+          face ? "`{0}` starts at Z{1}, beyond the face Z{2} that it cuts: the tool returns "
                  "through it at rapid"
                : "`{0}` starts at X{1}, below the diameter X{2} that it turns, and then leaves "
                  "outwards: it returned through the part at rapid",
           code.name, text(start.value() / *unit), text(*end / *unit));
   }
 
-  /// Behind the passes the tool leaves straight outwards in X, which a boring bar could not do; and
+  /// After the passes the tool leaves straight outwards in X, which a boring bar could not do; and
   /// no later pass is larger.
   static bool leavesOutwards(const RuleContext &ctx, double diameter) {
     Block next;

@@ -30,8 +30,7 @@ public:
                      lineOf(ctx, before.originOf(ctx.dialect(), StandardGroup::Motion)))
             .note(before.originOf(ctx.dialect(), StandardGroup::Motion),
                   ctx.code(event).name + " becomes active here")
-            .fix(FixSafety::Unsafe, "insert G00 in front of it",
-                 ctx.insertBefore(range.begin, "G00 "));
+            .fix(FixSafety::Unsafe, "insert G00 before it", ctx.insertBefore(range.begin, "G00 "));
     } else if (event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
                event.number == 0) {
       if (auto finding = ctx.report(ctx.blockRange(), event.certain))
@@ -43,10 +42,10 @@ public:
   }
 
 private:
-  /// Reads the stroke along Z that was the last move in front of the block: nothing but switches
+  /// Reads the stroke along Z that was the last move before the block: nothing but switches
   /// between the two, or the call that leads here.
   static bool readStroke(const RuleContext &ctx, Block &stroke) {
-    uint32_t entry = ctx.block().begin; // nothing moves from here on to the block at hand
+    uint32_t entry = ctx.block().begin; // nothing moves from here on to the current block
     bool more = readPrevious(ctx, stroke);
     while (more && movesNothing(ctx.dialect(), stroke)) {
       entry = stroke.begin;
@@ -57,7 +56,7 @@ private:
     return ctx.callDepth() > 0 && readStrokeOfCaller(ctx, entry, !more, stroke);
   }
 
-  /// The stroke with which the thread began, when the call behind it leads to the blocks at hand.
+  /// The stroke with which the thread began, when the call after it leads to the current blocks.
   static bool readStrokeOfCaller(const RuleContext &ctx, uint32_t entry, bool fromHead,
                                  Block &stroke) {
     const Origin begun = ctx.before().originOf(ctx.dialect(), StandardGroup::Motion);

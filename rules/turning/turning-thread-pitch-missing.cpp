@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  /// Behind a move that cuts no thread, a stroke to another end than that of the thread whose lead
+  /// After a move that cuts no thread, a stroke to another end than that of the thread whose lead
   /// is in force begins a thread of its own.
   static void another(const Event &event, const CodeInfo &code, AddressMask lead,
                       RuleContext &ctx) {
