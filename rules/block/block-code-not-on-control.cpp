@@ -27,7 +27,7 @@ public:
     }
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
-    // `XI-4` reads as an X without a value and an I behind it.
+    // `XI-4` reads as an X without a value and an I after it.
     const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
     if (issue.kind != SyntaxIssueKind::MissingValue)
       return;

@@ -1,4 +1,4 @@
-// An address that may stand once stands twice in a block.
+// An address that is allowed once in a block is there twice.
 #include "analyzer/rule/rule.h"
 
 #include <set>
@@ -69,8 +69,8 @@ private:
     if (!finding)
       return;
     const bool same = ctx.text(first) == ctx.text(again);
-    finding.message(same ? "`{1}` stands twice in the block"
-                         : "`{1}` stands in the block beside `{0}`: one of them is lost",
+    finding.message(same ? "`{1}` is twice in the block"
+                         : "`{1}` is in the block beside `{0}`: one of them is lost",
                     ctx.text(first), ctx.text(again));
     finding.note(ctx.range(first), "the first of the two");
     finding.fix(same ? FixSafety::Safe : FixSafety::Unsafe, "delete the second word",

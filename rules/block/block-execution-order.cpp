@@ -40,7 +40,7 @@ private:
                    ctx.text(range));
   }
 
-  /// An M code beside a repeated cycle acts once, behind the first positioning.
+  /// An M code beside a repeated cycle acts once, after the first positioning.
   static void repeated(const Event &event, RuleContext &ctx) {
     if (event.code == noCode || !ctx.block().has(letterAddress('M')))
       return;
@@ -53,7 +53,7 @@ private:
       const Word &code = *ctx.block().find('M');
       if (auto finding = ctx.report(code, event.certain))
         finding.message(
-            "`{0}` acts once, behind the first positioning, not for every repeat of `{1}`",
+            "`{0}` acts once, after the first positioning, not for every repeat of `{1}`",
             ctx.text(code), ctx.text(*count));
     }
   }

@@ -67,7 +67,7 @@ private:
           .fix(FixSafety::Unsafe, ("write `" + code + "`").str(), ctx.replace(range, code.str()));
   }
 
-  /// `%` alone: here the sign stands in front of a program's name and kind.
+  /// `%` alone: here a program's name and kind follow the sign.
   static void tapeMarks(const FileSummary &file, RuleContext &ctx) {
     Block block;
     for (const uint32_t line : file.index.tapeMarks()) {
@@ -77,9 +77,8 @@ private:
       const auto at = uint32_t(file.source.text().find('%', line));
       const SourceRange mark{file.source.id(), at, at + 1};
       if (auto finding = ctx.report(mark))
-        finding.text(
-            "`%` alone is the tape mark of another control: here a name and its kind stand "
-            "behind it (`%_N_PLATE_MPF`)");
+        finding.text("`%` alone is the tape mark of another control: here a name and its kind "
+                     "follow it (`%_N_PLATE_MPF`)");
     }
   }
 

@@ -26,7 +26,7 @@ public:
     ctx.reportNotices(id, event);
     if (ctx.code(event).action == Action::Sleep && !hasTime(*event.word, ctx))
       if (auto finding = ctx.report(event))
-        finding.message("`{0}` has no time behind it: four digits, hours and minutes",
+        finding.message("`{0}` has no time after it: four digits, hours and minutes",
                         ctx.text(*event.word));
     // A bare axis letter is a word: reference returns name their axes so.
     const bool byName = namesAxes(ctx);
@@ -45,7 +45,7 @@ private:
     });
   }
 
-  /// The time of a sleep code is a comment of four digits behind it, a bare number or any word.
+  /// The time of a sleep code is a comment of four digits after it, a bare number or any word.
   static bool hasTime(const Word &code, const RuleContext &ctx) {
     const Block &block = ctx.block();
     for (const Comment &comment : block.comments) {

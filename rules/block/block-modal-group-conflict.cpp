@@ -5,7 +5,7 @@
 namespace ncvet {
 namespace {
 
-/// Codes that send control somewhere else or hold it: a block has one way to go on.
+/// Codes that send control somewhere else or hold it: a block has one next block.
 bool leadsElsewhere(Action action) {
   switch (action) {
   case Action::ProgramStop:
@@ -72,14 +72,14 @@ private:
       return nullptr;
     if (a.group != noGroup && a.group == b.group && dialect.groups[a.group].exclusive)
       return "`{0}` and `{1}` belong to one group: only one of them can be in force";
-    // An arc that is a code of the machine stands for one of the group.
+    // An arc that is a code of the machine counts as one of the group.
     if ((isArc(a.action) && a.group == noGroup && isMotion(b.action)) ||
         (isArc(b.action) && b.group == noGroup && isMotion(a.action)))
       return "`{0}` and `{1}` both say how the block moves";
     if (a.exclusive && b.exclusive)
       return "`{0}` and `{1}` are both actions of their own: a block executes one of them";
     if (leadsElsewhere(a.action) && leadsElsewhere(b.action))
-      return "`{0}` and `{1}` both say how the program goes on: a block has one way";
+      return "`{0}` and `{1}` both say how the program goes on: a block goes on to one place";
     if ((a.action == Action::CoolantOn && b.action == Action::CoolantOff) ||
         (a.action == Action::CoolantOff && b.action == Action::CoolantOn))
       return "`{0}` and `{1}` switch the same thing on and off";
@@ -105,7 +105,7 @@ private:
            code.group == dialect.group(StandardGroup::Cycle);
   }
 
-  bool sameTwice_ = false; ///< the control minds a code that stands twice, too
+  bool sameTwice_ = false; ///< the control also rejects a code that is there twice
 };
 
 } // namespace

@@ -31,11 +31,11 @@ public:
       if (item.kind == ItemKind::Call && item.begin != event.word->offset && !isMacro(item, ctx)) {
         const SourceRange call = ctx.range(item);
         if (auto finding = ctx.report(call))
-          finding.message("`{0}` stands in the block of `{1}`, which wants a block of its own",
+          finding.message("`{0}` is in the block of `{1}`, which needs its own block",
                           ctx.text(call), ctx.text(*event.word));
         return;
       }
-    // `G4 X2`: what is missing stands there under another letter, and another rule says so.
+    // `G4 X2`: what is missing is there under another letter, and another rule says so.
     if (!missingWords(ctx, event).empty())
       return;
     for (const Word &word : ctx.block().words) {
@@ -44,8 +44,8 @@ public:
       auto finding = ctx.report(word);
       if (!finding)
         return;
-      finding.message("`{0}` stands in the block of `{1}`, which wants a block of its own",
-                      ctx.text(word), ctx.text(*event.word));
+      finding.message("`{0}` is in the block of `{1}`, which needs its own block", ctx.text(word),
+                      ctx.text(*event.word));
       moveOut(finding, *event.word, own, ctx);
       return;
     }
@@ -78,7 +78,7 @@ private:
                       ctx.text(range));
   }
 
-  /// A name that the program defines as words: they stand in its place.
+  /// A name that the program defines as words: they take its place.
   static bool isMacro(const Item &call, const RuleContext &ctx) {
     const Defined *known = ctx.index().definition(
         ctx.index().programAt(ctx.block().begin),
@@ -86,7 +86,7 @@ private:
     return known && known->kind == ItemKind::Macro;
   }
 
-  /// The code goes into a block in front of this one, with the words that belong to it.
+  /// The code goes into a block before this one, with the words that belong to it.
   static void moveOut(FindingBuilder &finding, const Word &code, AddressMask own,
                       const RuleContext &ctx) {
     const auto goes = [&](const Word &w) { return &w == &code || own & maskOf(w.address); };

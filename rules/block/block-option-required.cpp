@@ -45,9 +45,8 @@ private:
       return;
     if (auto finding = ctx.report(lastTool, event.certain))
       finding
-          .message(
-              "`{0}` stands without `{1}`: it changes the tool only on a machine that is set up so",
-              ctx.text(lastTool), change_)
+          .message("`{0}` has no `{1}`: it changes the tool only on a machine that is set up so",
+                   ctx.text(lastTool), change_)
           .severity(Severity::Style);
   }
 

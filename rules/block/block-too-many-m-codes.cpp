@@ -37,8 +37,7 @@ private:
                               ? "`{0}` is the second M code of its block: the control executes one"
                               : "`{0}` is one M code too many: the control takes {1} in a block";
     finding.message(message, ctx.text(word), int(limit))
-        .fix(FixSafety::Unsafe, "put the code into a block of its own behind this one",
-             ctx.remove(word))
+        .fix(FixSafety::Unsafe, "move it to its own block after this one", ctx.remove(word))
         .edit(ctx.insertBlockAfter(ctx.text(word)));
   }
 };

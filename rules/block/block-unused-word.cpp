@@ -45,7 +45,7 @@ public:
         ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
         ctx.before().modalCalls)
       return;
-    // Behind another control's cycle its words go on (`X20 Y5`, `R-3.`): the code is the mistake.
+    // After another control's cycle its words go on (`X20 Y5`, `R-3.`): the code is the mistake.
     memory().foreign |= holdsForeignCode(ctx);
     if (memory().foreign)
       return;
@@ -97,8 +97,7 @@ private:
       const SourceRange range = ctx.range(item);
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Style)
-            .message("`{0}` stands beside `{1}`, which does not read it", ctx.text(range),
-                     cycle->name);
+            .message("`{0}` is beside `{1}`, which does not read it", ctx.text(range), cycle->name);
       return;
     }
   }
@@ -125,7 +124,7 @@ private:
       const GroupIndex group = dialect.group(which);
       if (group == noGroup)
         continue;
-      // Behind the block: a code of the block itself has replaced the one before.
+      // After the block: a code of the block itself has replaced the one before.
       const uint64_t active = ctx.before().group(group) | ctx.after().group(group);
       for (size_t i = 0; i < dialect.groups[group].members.size(); ++i) {
         if (!(active >> i & 1))

@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  /// What the address takes whatever stands beside it.
+  /// What the address takes whatever is beside it.
   static void ofAddress(const Event &event, RuleContext &ctx) {
     const AddressInfo &address = ctx.dialect().addresses[event.word->address];
     if (!(event.value.hi < address.least) && !(event.value.lo > address.most))
@@ -135,7 +135,7 @@ private:
     }
   }
 
-  /// A lower limit behind the upper one, unless the next block gives that anew.
+  /// A lower limit after the upper one, unless the next block gives that anew.
   static void above(const Word &word, double value, const Memory::Limit &upper,
                     const CodeInfo &code, CodeIndex upperCode, RuleContext &ctx) {
     Block next;

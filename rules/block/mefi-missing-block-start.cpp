@@ -20,11 +20,11 @@ public:
       return;
     if (auto finding = ctx.report(ctx.range(block.words.front())))
       finding.severity(Severity::Warning)
-          .message("this stands in front of the first `N`: it belongs to no block");
+          .message("this comes before the first `N`: it belongs to no block");
   }
 
 private:
-  /// A word behind a line end that says again what a line above it has said.
+  /// A word after a line end that repeats a word of a line above.
   static void merged(RuleContext &ctx) {
     const Block &block = ctx.block();
     const Dialect &dialect = ctx.dialect();

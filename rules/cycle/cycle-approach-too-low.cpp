@@ -25,7 +25,7 @@ public:
       return wayToHole(event, code, ctx);
     if (code.cycle != CycleKind::Pocket && code.cycle != CycleKind::Contour)
       return;
-    // The retraction plane is the first argument behind the name of the contour; the plane of the
+    // The retraction plane is the first argument after the name of the contour; the plane of the
     // part and the safety distance above it follow.
     std::array<const WordSpec *, 3> specs{};
     for (const WordSpec &spec : code.words)
@@ -44,7 +44,7 @@ public:
     if (!words[0] || !words[1] || !unit || !from.isConstant() ||
         ctx.before().inMachineCoordinates(tool))
       return;
-    // From anywhere above the part the way up is free.
+    // From anywhere above the part the path up is free.
     const Interval part = ctx.value(*words[1]);
     const Interval distance = words[2] ? ctx.value(*words[2]) : Interval::exactly(0);
     const Interval level = part + distance;
@@ -55,7 +55,7 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}` begins at {1}, below its retraction plane {2} and inside the safety "
-                      "distance: the way to its first point is not free",
+                      "distance: the path to its first point is not free",
                       code.name, llvm::formatv("{0}", llvm::format("%g", from.value() / *unit)),
                       ctx.text(*words[0]));
   }
@@ -67,7 +67,7 @@ private:
     });
   }
 
-  /// A drilling cycle whose planes are parameters goes to its hole at the level where it stands,
+  /// A drilling cycle whose planes are parameters goes to its hole at the level where it is,
   /// and only then to its start plane.
   static void wayToHole(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const Axis tool = toolAxis(ctx.dialect(), ctx.before());
@@ -83,7 +83,7 @@ private:
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding.severity(Severity::Warning)
-          .message("the way to this hole of `{0}` is made at {1}, below the start plane {2}",
+          .message("the path to this hole of `{0}` is made at {1}, below the start plane {2}",
                    code.name, number(from.value() / *unit), number(*start));
   }
 

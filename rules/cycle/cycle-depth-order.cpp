@@ -187,7 +187,7 @@ private:
       memory().said = now;
       return found ? ctx.report(*found, event.certain) : ctx.report(event, event.certain);
     };
-    // Where the tool comes from below, all planes stand the other way round.
+    // Where the tool comes from below, all planes are the other way round.
     const double up = comesFromBelow(state) ? -1 : 1;
     const auto isBelow = [&](double plane, double other) {
       return up * plane < up * other - tolerance;

@@ -23,7 +23,7 @@ struct CycleFeaturesOverlapMemory {
   Outline current;
   ElementTable elements;
   std::optional<Name> startName;
-  std::optional<ElementGeometry> circle; ///< of the profile at hand
+  std::optional<ElementGeometry> circle; ///< of the current profile
 };
 
 class CycleFeaturesOverlap final : public StatefulRule<CycleFeaturesOverlapMemory> {

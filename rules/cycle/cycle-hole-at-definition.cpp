@@ -46,7 +46,7 @@ public:
       const Interval &from = ctx.before().at(address.axis);
       if (!step.isConstant() || !from.isConstant() || step.value() == 0)
         return;
-      // Whoever stands a whole number of steps from the origin stands on a hole of the pattern.
+      // A tool a whole number of steps from the origin is on a hole of the pattern.
       const double steps = from.value() / (step.value() * *unit);
       if (steps < 0.5 || std::fabs(steps - std::round(steps)) > 1e-6)
         return;
@@ -55,8 +55,8 @@ public:
     if (!stepping || ctx.before().cycleActive(dialect) != Truth::No)
       return;
     if (auto finding = ctx.report(event, false))
-      finding.message("`{0}` makes its first of {1} holes one step away: the place where the tool "
-                      "stands gets none",
+      finding.message("`{0}` makes its first of {1} holes one step away: there is none at "
+                      "the tool's place",
                       code.name, *count);
   }
 
@@ -85,14 +85,14 @@ private:
         break;
     }
     if (!findCode(ctx.dialect(), first, {Action::ProgramHead}))
-      return; // a fragment is placed by what stands in front of it
+      return; // what comes before a fragment places it
     const char *const along = open == plane                     ? "its place"
                               : open == 1u << unsigned(Axis::X) ? "its X"
                               : open == 1u << unsigned(Axis::Y) ? "its Y"
                                                                 : "its Z";
     if (auto finding = ctx.report(event, event.certain))
       finding.severity(Severity::Warning)
-          .message("`{0}` makes its first hole where the tool happens to stand: no block has gone "
+          .message("`{0}` makes its first hole where the tool happens to be: no block has gone "
                    "to {1} before",
                    ctx.code(event).name, along);
   }

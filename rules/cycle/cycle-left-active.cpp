@@ -100,7 +100,7 @@ public:
       if (origin.file != ctx.source().id() || origin.begin < program.begin ||
           origin.begin >= program.end || callersEnd(*cycle, ctx))
         return;
-      // The caller's next motion code ends it: what stands behind the call decides.
+      // The caller's next motion code ends it: what follows the call decides.
       if (endsByMotion(*cycle, dialect) && ctx.callDepth() > 0)
         return;
       where = "at the return from this program";
@@ -150,7 +150,7 @@ private:
     return motion != noGroup && cycle.group == motion;
   }
 
-  /// Behind a call that has left such a cycle active the caller goes on, without a motion code, to
+  /// After a call that has left such a cycle active the caller goes on, without a motion code, to
   /// a place on the free side of the start: it positions, and cuts no further pass.
   static void behindCall(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
@@ -176,7 +176,7 @@ private:
       return;
     if (auto finding = ctx.report(wordsRange(ctx, next)))
       finding
-          .message("`{0}` of line {1} is still active behind the call: this position {2} again",
+          .message("`{0}` of line {1} is still active after the call: this position {2} again",
                    cycle->name, lineOf(ctx, origin), verbOf(cycle->cycle))
           .note(origin, cycle->name + " becomes active here");
   }
@@ -213,13 +213,13 @@ private:
       left->second.report(ctx);
   }
 
-  /// Only the return stands behind the call.
+  /// Only the return is after the call.
   static bool nothingBehind(RuleContext &ctx) {
     Block next;
     return !readNext(ctx, next) || findCode(ctx.dialect(), next, {Action::Return});
   }
 
-  /// Whether nothing but places in the plane stand between the call and the end of the cycle.
+  /// Whether only places in the plane are between the call and the end of the cycle.
   static bool endsBehindPlaces(RuleContext &ctx) {
     constexpr unsigned most = 200; // blocks that are read
     const Dialect &dialect = ctx.dialect();
@@ -280,7 +280,7 @@ private:
             (isMotion(code.action) && !dialect.cycleSurvivesMotion))
           return Behind::Ends;
       }
-      // Only codes that leave the tool where it is stand in front of the cycle's end.
+      // Only codes that leave the tool where it is are before the cycle's end.
       const bool idle = llvm::all_of(block.words, [&](const Word &word) {
         const CodeIndex index = codeOf(dialect, word);
         return index != noCode && waits(dialect.codes[index].action);

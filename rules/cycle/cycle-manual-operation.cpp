@@ -33,7 +33,7 @@ public:
     if (auto finding = ctx.report(event, event.certain))
       finding
           .message("`{0}` shifts the tool at the bottom, and with this tool no M19 has shown yet "
-                   "where its tip stands",
+                   "where its tip is",
                    code.name)
           .note(ctx.before().origin.of(StatePart::Tool), "the tool is changed here");
   }

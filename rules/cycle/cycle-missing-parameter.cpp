@@ -32,7 +32,7 @@ public:
         ctx.reportNotices(id, event);
       return;
     }
-    // A list of arguments that breaks off is one slip, not one for each argument behind it.
+    // A list of arguments that breaks off is one slip, not one for each argument after it.
     if (llvm::any_of(ctx.block().issues, [](const SyntaxIssue &issue) {
           return issue.kind == SyntaxIssueKind::UnbalancedBracket;
         }))

@@ -1,5 +1,5 @@
-// A cycle is set up without a hole and cancelled before it made one, or its data stand where they
-// are lost.
+// A cycle is set up without a hole and cancelled before it made one, or its data are in a place
+// where they are lost.
 #include "analyzer/facts/lookahead.h"
 
 #include <set>
@@ -102,7 +102,8 @@ private:
       Block block;
       for (uint32_t at = program.body; at < program.end; at = block.next) {
         ctx.index().read(at, block);
-        // A jump in front of the frame only leads past something: a loop round it closes behind it.
+        // A jump before the frame only leads past something: a loop round the frame closes after
+        // it.
         const bool behind = at >= ctx.block().begin;
         if (block.next <= at || llvm::any_of(block.items, [&](const Item &i) {
               return i.kind == ItemKind::Repeat || i.kind == ItemKind::Call ||
@@ -170,7 +171,7 @@ private:
       return;
     if (auto finding = ctx.report(memory().storedIn))
       finding.severity(Severity::Warning)
-          .text("parameters of a cycle are stored here, and no block behind calls the cycle")
+          .text("parameters of a cycle are stored here, and no later block calls the cycle")
           .note(ctx.blockRange(), "the program ends here");
   }
 
@@ -186,7 +187,7 @@ private:
           callParameters_.erase(spec.variable);
   }
 
-  /// The parameters of a call stand in a block that does not make it.
+  /// The parameters of a call are in a block that does not make it.
   void checkLooseParameters(RuleContext &ctx) const {
     const Block &block = ctx.block();
     if (callParameters_.empty() || block.items.empty() || !block.has(variableAddress))
@@ -255,9 +256,8 @@ private:
       return;
     if (auto finding = ctx.report(*word))
       finding
-          .message(
-              "`{0}` of `{1}` stands in a block that makes no hole: the control does not keep it",
-              ctx.text(*word), cycle->name)
+          .message("`{0}` of `{1}` is in a block that makes no hole: the control does not keep it",
+                   ctx.text(*word), cycle->name)
           .note(ctx.before().origin.of(StatePart::Cycle), cycle->name + " becomes active here");
   }
 };

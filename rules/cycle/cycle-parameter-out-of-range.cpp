@@ -32,7 +32,7 @@ public:
     // A later block of a modal cycle may give a word anew.
     if (event.kind == EventKind::CycleRun && ctx.codeWord(event))
       return;
-    // With one argument too many it is not known which of them stands in the wrong place.
+    // With one argument too many it is not known which of them is in the wrong place.
     if (const uint8_t most = ctx.code(event).arguments; most && ctx.block().argument(most + 1u))
       return;
     reportWordRanges(ctx, event, [](const CodeInfo &code, const WordSpec &spec, Breach) {
@@ -94,7 +94,7 @@ private:
       return;
     }
     if (llvm::all_of(digits, llvm::isDigit) && digits.size() != packedDigits) {
-      // With one zero left out in front the fields are still those that were meant.
+      // Without a leading zero the fields are still those that were meant.
       const bool leadingZero = digits.size() + 1 == packedDigits && digits.front() != '0';
       if (auto finding = ctx.report(*word, event.certain))
         finding

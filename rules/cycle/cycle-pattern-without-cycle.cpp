@@ -27,15 +27,14 @@ public:
     }
     if (modal_ && makesHole(code.cycle) && code.group == noGroup && positionsFollow(ctx))
       if (auto finding = ctx.report(event, event.certain))
-        finding.message(
-            "`{0}` drills here only: at the positions behind it nothing happens without "
-            "a modal call",
-            code.name);
+        finding.message("`{0}` drills here only: at the positions after it nothing happens without "
+                        "a modal call",
+                        code.name);
   }
 
 private:
   /// Two blocks and more of nothing but coordinates in the plane, to which the tool goes by rapid.
-  /// A further call behind them says that each hole has its own.
+  /// A further call after them says that each hole has its own.
   static bool positionsFollow(RuleContext &ctx) {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     Block next;

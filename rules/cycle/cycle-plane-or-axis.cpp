@@ -113,7 +113,7 @@ private:
     const ExpressionOp &first = ctx.block().operations[value.first];
     if (value.bad ||
         (value.count == 1 && first.op == Op::Number && first.value >= double(firstNamedVariable)))
-      return; // an axis stands for itself
+      return; // an axis names itself
     const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` names no axis: CFX, CFY, CFZ and their like do", ctx.text(range));
@@ -132,7 +132,7 @@ private:
           .message("`{0}` runs before the program has stated a plane", ctx.code(event).name);
   }
 
-  /// Work offset, plane and dimensions are programmed in front of the first cycle.
+  /// Work offset, plane and dimensions are programmed before the first cycle.
   void prepared(const Event &event, RuleContext &ctx) const {
     if (event.code == noCode || memory().said || ctx.callDepth() > 0 ||
         ctx.before().may(Fact::UnknownCode) || !ctx.block().has(argumentAddress))
@@ -156,7 +156,7 @@ private:
   }
 
   std::set<uint64_t> axes_; ///< keys of variables that hold an axis
-  bool stated_ = false;     ///< the program states the plane in front of its first cycle
+  bool stated_ = false;     ///< the program states the plane before its first cycle
   bool setup_ = false;
   bool wanted_ = false;
 };

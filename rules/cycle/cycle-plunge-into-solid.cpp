@@ -1,4 +1,4 @@
-// A tool is fed down where material stands.
+// A tool is fed down into material.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/gathered_list.h"
 #include "formats/dialect/measure.h"

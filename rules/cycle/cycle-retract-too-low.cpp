@@ -1,4 +1,4 @@
-// A cycle withdraws to a level inside the work, or below a clamp on the way to the next place.
+// A cycle withdraws to a level inside the work, or below a clamp on the path to the next place.
 #include "analyzer/rule/rule.h"
 #include "interp/cycles/cycle_moves.h"
 #include "interp/geometry/obstacle.h"
@@ -29,9 +29,10 @@ public:
             return leadsThrough(clamp, from, move.to) == Truth::Yes;
           })) {
         if (auto finding = ctx.report(event))
-          finding.message("on the way to this place `{0}` leads through a clamp: it goes across at "
-                          "{1:f3}",
-                          ctx.code(event).name, move.to[size_t(Axis::Z)].value());
+          finding.message(
+              "on the path to this place `{0}` leads through a clamp: it goes across at "
+              "{1:f3}",
+              ctx.code(event).name, move.to[size_t(Axis::Z)].value());
         return;
       }
       from = move.to;

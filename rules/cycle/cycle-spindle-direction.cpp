@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  /// Right-hand threads with the turret behind the axis: M03 towards -Z, M04 towards +Z.
+  /// Right-hand threads on a rear turret: M03 towards -Z, M04 towards +Z.
   static void threadHand(const Event &event, const CodeInfo &code, uint8_t spindle,
                          RuleContext &ctx) {
     const auto rear = ctx.machine().option("rearTurret");
@@ -71,7 +71,7 @@ private:
       return;
     if (auto finding = ctx.report(*word, event.certain))
       finding
-          .message("`{0}` cuts towards {1} with {2}: with the tools behind the axis that is a "
+          .message("`{0}` cuts towards {1} with {2}: on a rear turret that is a "
                    "left-hand thread",
                    code.name, towardsMinus ? "-Z" : "+Z", spindle == spindleCw ? "M03" : "M04")
           .severity(Severity::Warning)

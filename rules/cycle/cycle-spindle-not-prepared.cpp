@@ -21,7 +21,7 @@ public:
     if (!ctx.dialect().orientWords || !tapsByMove(code) ||
         ctx.after().may(Fact::OrientedSinceTool) || ctx.after().may(Fact::UnknownCode))
       return;
-    // Told at the first move; the way out of the thread says nothing new.
+    // Told at the first move; the retract from the thread says nothing new.
     const CodeInfo *motion = ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (motion && tapsByMove(*motion))
       return;

@@ -98,7 +98,7 @@ private:
 
   bool kept_ = false; ///< values that stay the same are reported too
 
-  /// A word that may stand beside the code, and of which the table says nothing more.
+  /// A word that may be beside the code, and of which the table says nothing more.
   static bool mayStandOnly(const WordSpec &spec) {
     return spec.need == Need::Optional && spec.role == Role::None && spec.note.empty();
   }

@@ -1,4 +1,4 @@
-// A code that is not known to cancel a drilling cycle stands while the cycle is active.
+// A code that is not known to cancel a drilling cycle, while the cycle is active.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
@@ -77,7 +77,7 @@ public:
     const std::string cancel = cancelOf(ctx.dialect(), *cycle);
     if (!goesOn_)
       finding.message(
-          "`{0}` stands while `{1}` of line {2} is active: it is not documented that it "
+          "`{0}` is written while `{1}` of line {2} is active: it is not documented that it "
           "cancels the cycle",
           code.name, cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)));
     else if (code.action == Action::Cycle)
@@ -86,9 +86,10 @@ public:
                    cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)), cancel);
     else
       finding.severity(isArc(code.action) ? std::optional(Severity::Error) : Severity::Warning)
-          .message("`{0}` stands while `{1}` of line {2} is active: the cycle goes on in what it "
-                   "changes",
-                   code.name, cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)));
+          .message(
+              "`{0}` is written while `{1}` of line {2} is active: the cycle goes on in what it "
+              "changes",
+              code.name, cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)));
     finding.note(before.origin.of(StatePart::Cycle), cycle->name + " becomes active here")
         .fix(FixSafety::Unsafe, "insert " + cancel + " before this block",
              ctx.insertBlockBefore(cancel));
@@ -157,7 +158,7 @@ private:
            llvm::any_of(code.words, [](const WordSpec &w) { return w.role == Role::Shift; });
   }
 
-  /// A later block of a cycle that goes on: its way to the hole, and its words.
+  /// A later block of a cycle that goes on: its path to the hole, and its words.
   void running(const CodeInfo &cycle, RuleContext &ctx) const {
     const Axis tool = toolAxis(ctx.dialect(), ctx.after());
     for (const Word &word : ctx.block().words) {
@@ -187,11 +188,11 @@ private:
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.severity(Severity::Warning)
-          .message("the way to this hole of `{0}` is made at feed: `{1}` is active", cycle.name,
+          .message("the path to this hole of `{0}` is made at feed: `{1}` is active", cycle.name,
                    motion->name);
   }
 
-  /// The block that calls the cycle: its way to the first hole.
+  /// The block that calls the cycle: its path to the first hole.
   void called(const Event &event, RuleContext &ctx) const {
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     if (event.code != noCode && makesHole(ctx.code(event).cycle) && motion &&
@@ -209,7 +210,7 @@ private:
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.severity(Severity::Error)
-          .message("the way to this hole of `{0}` is an arc: `{1}` is still in force", cycle.name,
+          .message("the path to this hole of `{0}` is an arc: `{1}` is still in force", cycle.name,
                    motion.name)
           .note(origin, "`" + motion.name + "` becomes active here");
   }

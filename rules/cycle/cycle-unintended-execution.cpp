@@ -8,7 +8,7 @@
 namespace ncvet {
 namespace {
 
-/// Blocks that are read behind a position to see whether the operation is over.
+/// Blocks that are read after a position to see whether the operation is over.
 constexpr unsigned lookahead = 12;
 /// Holes that are read back to know how far the holes of a list lie apart.
 constexpr unsigned lookback = 200;
@@ -39,7 +39,7 @@ public:
       if (ctx.before().cycleActive(ctx.dialect()) == Truth::Yes)
         if (auto finding = ctx.report(event))
           finding
-              .message("the tool changes while a modal call is on: the way to the change and back "
+              .message("the tool changes while a modal call is on: the path to the change and back "
                        "runs the cycle")
               .note(ctx.before().origin.of(StatePart::Cycle), "the modal call begins here");
       return;
@@ -98,8 +98,8 @@ private:
       report(event, code, ctx, true, "to a depth above its start level");
       return;
     }
-    // The way to a hole may well be written with its rapid code. Where the operation ends behind
-    // it, or where it leads far off, it reads like a way out.
+    // The path to a hole may well be written with its rapid code. Where the operation ends after
+    // it, or where it leads far off, it reads like a retract.
     if (code.firesInPlane && ctx.find({Action::Rapid})) {
       const bool alongTool = event.axes & toolBit;
       if (before.must(Fact::CycleRan) && (alongTool || endsWithoutCancel(ctx) || isFar(code, ctx)))
