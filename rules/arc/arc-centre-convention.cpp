@@ -96,7 +96,7 @@ private:
   static SourceRange valueRange(const Word &word, RuleContext &ctx) {
     return {ctx.source().id(), word.offset + 1, ctx.block().endOf(word)};
   }
-  /// As a machinist writes it: at most four decimals, no zeros behind the last.
+  /// As a machinist writes it: at most four decimals, no trailing zeros.
   static std::string shortNumber(double value) {
     std::string text = llvm::formatv("{0:f4}", value).str();
     text.erase(text.find_last_not_of('0') + 1);

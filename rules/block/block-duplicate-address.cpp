@@ -69,7 +69,7 @@ private:
     if (!finding)
       return;
     const bool same = ctx.text(first) == ctx.text(again);
-    finding.message(same ? "`{1}` is twice in the block"
+    finding.message(same ? "`{1}` is in the block twice"
                          : "`{1}` is in the block beside `{0}`: one of them is lost",
                     ctx.text(first), ctx.text(again));
     finding.note(ctx.range(first), "the first of the two");

@@ -28,7 +28,7 @@ public:
     if (entryArcs_ && !off)
       finding.severity(Severity::Warning)
           .message("compensation is switched on by `{0}` in an arc (`{1}`): the tool's centre, not "
-                   "its edge, is at the begin of the arc, and the control changes it",
+                   "its edge, is at the start of the arc, and the control changes it",
                    code.name, motion.name);
     else
       finding.message(

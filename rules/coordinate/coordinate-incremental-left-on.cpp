@@ -32,7 +32,7 @@ public:
     if (state.active(ctx.dialect(), StandardGroup::Distance) == groupUnset)
       return;
     const Truth on = state.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental});
-    // What the program has switched on itself is on, whatever codes nobody knows stand around it.
+    // What the program has switched on itself is on, whatever unknown codes are around it.
     if (on == Truth::No || (on != Truth::Yes && state.may(Fact::UnknownCode)))
       return;
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::Distance);
@@ -61,7 +61,7 @@ private:
     const Origin on = before.originOf(ctx.dialect(), StandardGroup::Distance);
     const Origin &tool = before.origin.of(StatePart::Tool);
     if (cycle) {
-      // Behind a modal call the positions may be distances.
+      // After a modal call the positions may be distances.
       if (ctx.code(event).group != noGroup || !makesHole(ctx.code(event).cycle) ||
           before.modalCalls)
         return;

@@ -27,7 +27,7 @@ public:
                      ctx.code(event).name, how)
             .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                   "`" + ctx.code(event).name + "` becomes active here")
-            .fix(FixSafety::Unsafe, "write `G00` in front of it",
+            .fix(FixSafety::Unsafe, "write `G00` before it",
                  ctx.insertBefore(use->word->offset, "G00 "));
       return;
     }

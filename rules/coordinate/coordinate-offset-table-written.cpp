@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  /// Blocks that a program runs again: sections that it repeats, and what lies in front of a jump
+  /// Blocks that a program runs again: sections that it repeats, and what lies before a jump
   /// that leads back.
   struct Passes {
     uint32_t first, behind;

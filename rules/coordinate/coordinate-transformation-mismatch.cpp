@@ -9,7 +9,7 @@ namespace ncvet {
 namespace {
 
 struct CoordinateTransformationMismatchMemory {
-  double greatest = 0; ///< of the words of rotary axes on the surface at hand
+  double greatest = 0; ///< of the words of rotary axes on the current surface
   SourceRange at;      ///< the last word with it
 };
 

@@ -32,7 +32,7 @@ public:
       if (!drove || (before.mayBeStated(group)))
         return;
     }
-    // The way back belongs to the change that was reported.
+    // The change back belongs to the change that was reported.
     if (stated && memory().back == std::pair(code.action, ctx.source().id()))
       return;
     auto finding = ctx.report(event);

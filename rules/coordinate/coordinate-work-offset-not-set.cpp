@@ -42,7 +42,7 @@ public:
     const std::string offset = firstOffset(ctx.dialect());
     finding
         .message("`{0}` is driven before the program has selected a work offset", ctx.text(*word))
-        .fix(FixSafety::Unsafe, "write `" + offset + "` in front of it",
+        .fix(FixSafety::Unsafe, "write `" + offset + "` before it",
              ctx.insertBefore(word->offset, offset + " "));
   }
 

@@ -62,7 +62,7 @@ private:
             event.motion == MotionKind::ArcCcw);
   }
 
-  /// The mode was switched behind the F, in the same text.
+  /// The mode was switched after the F, in the same text.
   static bool isCarried(RuleContext &ctx) {
     if (!ctx.after().must(Fact::FeedCarried) || ctx.after().may(Fact::UnknownCode))
       return false;

@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  /// A move with inverse time feed has the time of its own way, or none: the F of another block
+  /// A move with inverse time feed has the time of its own path, or none: the F of another block
   /// does not count for it. True when that is said.
   bool lacksItsTime(const Event &event, RuleContext &ctx) const {
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||

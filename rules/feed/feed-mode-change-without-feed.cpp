@@ -104,7 +104,7 @@ private:
   bool afterTap_ = false;
   bool forgets_ = false; ///< see `GroupInfo::forgetsFeed`
 
-  /// Whether the code at `mode` was not in force already: another one stands between F and it, or
+  /// Whether the code at `mode` was not in force already: there is another one between F and it, or
   /// the program had stated another before.
   static bool changed(const Origin &mode, const RuleContext &ctx) {
     Block block;

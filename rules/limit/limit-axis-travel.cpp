@@ -90,7 +90,7 @@ private:
                   to = state.commons.get(travelTo()[axis]);
       if (!from.isConstant() && !to.isConstant())
         continue;
-      // The length of the tool has a say in where its axis stands.
+      // The length of the tool has a say in where its axis is.
       if (address.axis == toolAxis(ctx.dialect(), state) &&
           !state.inMachineCoordinates(address.axis))
         continue;
@@ -199,7 +199,7 @@ private:
     }
   }
 
-  /// Machine coordinate of an axis behind the block; unknown where tool data or a transformation
+  /// Machine coordinate of an axis after the block; unknown where tool data or a transformation
   /// have a say in it.
   static Interval inMachine(Axis axis, const RuleContext &ctx) {
     const MachineState &state = ctx.after();

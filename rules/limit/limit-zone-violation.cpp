@@ -126,7 +126,7 @@ public:
   }
 
 private:
-  /// Whether a straight way between two known places crosses the box. At rapid only a move of one
+  /// Whether a straight path between two known places crosses the box. At rapid only a move of one
   /// axis is sure to be straight.
   static bool leadsThrough(const Event &event, const Zone &zone, const RuleContext &ctx) {
     const bool straight =
@@ -145,7 +145,7 @@ private:
 
   static bool crosses(const Zone &zone, const std::array<double, 3> &from,
                       const std::array<double, 3> &to) {
-    double enters = 0, leaves = 1; // shares of the way
+    double enters = 0, leaves = 1; // shares of the path
     for (unsigned axis = 0; axis < 3; ++axis) {
       if (!zone.min[axis] || !zone.max[axis])
         return false;

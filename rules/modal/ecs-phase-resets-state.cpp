@@ -35,17 +35,16 @@ public:
         continue;
       if (auto finding = ctx.report(event))
         finding
-            .message(
-                "`{0}` resets the {1}, which the program has set: the blocks behind it have to "
-                "state it again",
-                ctx.text(*event.word), group.title)
+            .message("`{0}` resets the {1}, which the program has set: the blocks after it have to "
+                     "state it again",
+                     ctx.text(*event.word), group.title)
             .note(before.origin.ofGroup(i), "it is set here");
       return;
     }
   }
 
 private:
-  /// A move behind the mark without a motion code, where another one than the initial was in force.
+  /// A move after the mark without a motion code, where another one than the initial was in force.
   static bool motion(const Event &event, RuleContext &ctx) {
     const GroupIndex index = ctx.dialect().group(StandardGroup::Motion);
     if (index == noGroup)
@@ -64,7 +63,7 @@ private:
                              next.endOf(next.words.back())};
       if (auto finding = ctx.report(move))
         finding
-            .message("`{0}` has no motion code behind a mark that resets: it is driven with `{1}`",
+            .message("`{0}` has no motion code after a mark that resets: it is driven with `{1}`",
                      ctx.text(move), ctx.dialect().codes[group.members[group.initial]].name)
             .note(ctx.range(*event.word), "the mark");
       return true;
@@ -72,7 +71,7 @@ private:
     return false;
   }
 
-  /// A code of the group stands in the next blocks, in front of a move.
+  /// One of the next blocks has a code of the group, before a move.
   static bool restated(GroupIndex group, RuleContext &ctx) {
     Block next;
     bool more = readNext(ctx, next);

@@ -8,7 +8,7 @@ namespace {
 
 struct ModalPathModeAdviceMemory {
   unsigned inARow = 0;
-  uint32_t behind = ~0u; ///< behind the last block that moved
+  uint32_t behind = ~0u; ///< after the last block that moved
   bool said = false;
 };
 

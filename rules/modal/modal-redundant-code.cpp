@@ -68,7 +68,7 @@ private:
   }
 
   /// Whether the code that has switched it off may be left out: by the block skip, or by a jump to
-  /// a block behind it. What is redundant behind it is then needed on the other way.
+  /// a block after it. What is redundant after it is then needed on the other path.
   static bool otherWayLeadsHere(const Origin &off, RuleContext &ctx) {
     constexpr unsigned lookBack = 200; // blocks
     if (!off.known() || off.file != ctx.source().id() || off.begin >= ctx.block().begin)
@@ -89,7 +89,7 @@ private:
     return false;
   }
 
-  /// As for compensation: only behind a cycle that has ended.
+  /// As for compensation: only after a cycle that has ended.
   static void cycleOffAgain(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before();
     const CodeInfo &code = ctx.code(event);
@@ -159,7 +159,7 @@ private:
 
   bool wanted_ = false;
   bool rapidFeed_ = false;   ///< a feed in a rapid block is advised against
-  bool neverCalled_ = false; ///< a cancel in front of every cycle is advised against
+  bool neverCalled_ = false; ///< a cancel before every cycle is advised against
 };
 
 } // namespace

@@ -1,11 +1,11 @@
-// Axis words stand before any motion code of the program.
+// Axis words come before any motion code of the program.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {
 
 struct MotionModeNotSetMemory {
-  bool reported = false; ///< the blocks behind it say the same thing again
+  bool reported = false; ///< the blocks after it say the same thing again
 };
 
 class MotionModeNotSet final : public StatefulRule<MotionModeNotSetMemory> {
@@ -32,12 +32,11 @@ public:
     const bool ended = ctx.after().isStated(group); // a code has ended the one in force
     if (auto finding = ctx.report(*word))
       finding
-          .message(ended ? "`{0}` stands where no motion code is in force: the control stops"
-                         : "`{0}` stands before any motion code: the power-on mode decides "
+          .message(ended ? "`{0}` moves while no motion code is in force: the control stops"
+                         : "`{0}` comes before any motion code: the power-on mode decides "
                            "between rapid and feed",
                    ctx.text(*word))
-          .fix(FixSafety::Unsafe, "write `G0` in front of it",
-               ctx.insertBefore(word->offset, "G0 "));
+          .fix(FixSafety::Unsafe, "write `G0` before it", ctx.insertBefore(word->offset, "G0 "));
   }
 
 private:
@@ -52,10 +51,9 @@ private:
     memory().reported = true;
     if (auto finding = ctx.report(*word))
       finding
-          .message("`{0}` stands before any motion code: it runs as `{1}`", ctx.text(*word),
+          .message("`{0}` comes before any motion code: it runs as `{1}`", ctx.text(*word),
                    ctx.code(event).name)
-          .fix(FixSafety::Unsafe, "write `G0` in front of it",
-               ctx.insertBefore(word->offset, "G0 "));
+          .fix(FixSafety::Unsafe, "write `G0` before it", ctx.insertBefore(word->offset, "G0 "));
   }
 
   bool implicit_ = false;

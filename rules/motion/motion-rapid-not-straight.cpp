@@ -22,7 +22,7 @@ public:
     if (before.may(Fact::AwayFromPart) || !x.isConstant() || !z.isConstant() || !to.isConstant() ||
         !(to.value() > x.value()) || !(z.value() <= -depth_))
       return;
-    // On the centre line behind the face only a drill stands; else the tool list tells.
+    // On the centre line beyond the face the tool can only be a drill; else the tool list tells.
     const auto tool = ctx.machine().tools.find(before.tool);
     const llvm::StringRef kind =
         tool == ctx.machine().tools.end() ? llvm::StringRef() : llvm::StringRef(tool->second.kind);

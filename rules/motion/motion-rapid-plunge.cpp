@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  /// The way down leads through a clamp.
+  /// The path down leads through a clamp.
   static bool intoClamp(const Event &event, RuleContext &ctx) {
     if (!ctx.after().frames.empty() || ctx.before().machineAxes || ctx.after().machineAxes ||
         llvm::none_of(ctx.machine().clamps, [&](const Stock &clamp) {

@@ -28,7 +28,7 @@ public:
         before.must(Fact::CutSinceTool) && !before.may(Fact::AwayFromPart) &&
         !before.may(Fact::UnknownCode))
       if (auto finding = ctx.report(event))
-        finding.message("a rotary axis turns at rapid behind a cut: the tool was not taken away "
+        finding.message("a rotary axis turns at rapid after a cut: the tool was not taken away "
                         "in between");
     if (!(event.axes & plane) || staysInPlane(before, after))
       return;
@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  /// Through a clamp, or through stock into which nothing has cut yet. A way that leads down is
+  /// Through a clamp, or through stock into which nothing has cut yet. A path that leads down is
   /// another rule's.
   static bool throughObstacle(const Event &event, RuleContext &ctx) {
     const MachineProfile &machine = ctx.machine();
@@ -69,7 +69,7 @@ private:
     return true;
   }
 
-  /// The tool stands there already: post-processors repeat the point at which the next pass begins.
+  /// The tool is there already: post-processors repeat the point at which the next pass begins.
   static bool staysInPlane(const MachineState &before, const MachineState &after) {
     return llvm::all_of(std::array{Axis::X, Axis::Y}, [&](Axis axis) {
       const Interval &from = before.at(axis), &to = after.at(axis);

@@ -84,11 +84,11 @@ private:
   static void stands(SourceRange range, RuleContext &ctx) {
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Style)
-          .message("this block moves nothing: the tool stands there already");
+          .message("this block moves nothing: the tool is there already");
   }
 
-  /// Whether the blocks that brought these axes to where they are stand in front of this one, with
-  /// nothing in between that another way may lead to: in a loop the first pass moves.
+  /// Whether the blocks that brought these axes to their places come before this one, with
+  /// nothing in between that another path may lead to: in a loop the first pass moves.
   static bool comesFromFront(uint16_t axes, RuleContext &ctx) {
     constexpr unsigned lookBack = 50; // blocks
     if (ctx.block().hasLabel())

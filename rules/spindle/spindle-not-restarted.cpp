@@ -1,5 +1,4 @@
-// A cut behind rigid tapping, a tool change or an oriented stop, which have left the spindle
-// standing.
+// A cut after rigid tapping, a tool change or an oriented stop, which have stopped the spindle.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
@@ -54,12 +53,12 @@ public:
       if (const CodeInfo *stop = stoppedBy(ctx))
         finding
             .message(
-                "`{0}` cuts behind `{1}`, which has stopped the spindle: nothing starts it again",
+                "`{0}` cuts after `{1}`, which has stopped the spindle: nothing starts it again",
                 code.name, stop->name)
             .note(ctx.before().origin.of(StatePart::Spindle), "the spindle is stopped here");
       else
         finding
-            .message("`{0}` cuts behind rigid tapping: the tapping cycle has stopped the spindle "
+            .message("`{0}` cuts after rigid tapping: the tapping cycle has stopped the spindle "
                      "and nothing starts it again",
                      code.name)
             .note(ctx.before().origin.of(StatePart::Cycle), "the tapping cycle is called here");
@@ -85,7 +84,7 @@ private:
                                                                     : nullptr;
   }
 
-  /// A tapping cycle turns the spindle round, and nothing says which way it turns behind it.
+  /// A tapping cycle turns the spindle round, and nothing says which way it turns after it.
   void directionAfterTap(const Event &event, RuleContext &ctx) const {
     if (event.code == noCode)
       return;
@@ -106,7 +105,7 @@ private:
       return;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.severity(Severity::Style)
-          .message("`{0}` cuts behind tapping: which way the spindle turns after its reversal is "
+          .message("`{0}` cuts after tapping: which way the spindle turns after its reversal is "
                    "not certain",
                    code.name)
           .note(memory().tap, "the tapping cycle runs here");
@@ -132,7 +131,7 @@ private:
       return;
     if (auto finding = ctx.report(cause.range(), event.certain))
       finding
-          .message("`{0}` stops the spindle as well, and nothing starts it again in front of the "
+          .message("`{0}` stops the spindle as well, and nothing starts it again before the "
                    "next cut",
                    ctx.text(cause.range()))
           .note(ctx.blockRange(), "the cut");

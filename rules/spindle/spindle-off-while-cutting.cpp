@@ -1,4 +1,4 @@
-// A feed move or a cutting cycle while the spindle stands.
+// A feed move or a cutting cycle while the spindle does not turn.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
@@ -48,11 +48,11 @@ public:
                (!event.axes && code.group != noGroup && !code.firesOnEveryBlock)) {
       return; // without axis words a modal cycle sets modes only
     }
-    // Behind rigid tapping another rule speaks.
+    // After rigid tapping another rule speaks.
     if (ctx.before().may(Fact::SpindleStoppedByTap))
       return;
-    // M05 stops behind the block's move, M03 starts before it; a hole in a block that moves nowhere
-    // is made behind everything.
+    // M05 stops after the block's move, M03 starts before it; a hole in a block that moves nowhere
+    // is made after everything.
     const bool behind = event.kind == EventKind::CycleRun && code.firesOnEveryBlock && !event.axes;
     const MachineState &state =
         ctx.find({Action::SpindleStop}) && !behind ? ctx.before() : ctx.after();
@@ -73,7 +73,7 @@ public:
     const Origin &origin = state.origin.of(StatePart::Spindle);
     const bool nothingSaid = !state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
                              !state.may(Fact::SpindleStated);
-    // What stands in front of a fragment may have started the spindle.
+    // What ran before a fragment may have started the spindle.
     if (nothingSaid && hasHead_ && (!memory().unsaid.speaks(origin, ctx) || isFragment(ctx)))
       return;
     if (!memory().once.speaks(origin, ctx))
@@ -94,7 +94,7 @@ public:
                                                 {Action::FeedPerRevolution}) == Truth::Yes;
       finding
           .message("`{0}` cuts while the spindle {1}{2}", code.name,
-                   state.may(Fact::SpindleStated) ? "stands" : "was never started",
+                   state.may(Fact::SpindleStated) ? "is stopped" : "was never started",
                    perRevolution ? ": with feed per revolution the machine waits for ever"
                                  : ": the tool breaks at the first contact")
           .note(origin, "the spindle is stopped here");

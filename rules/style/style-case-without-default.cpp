@@ -1,4 +1,4 @@
-// A choice by value without a way for every other value.
+// A choice by value without a branch for every other value.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {

@@ -20,8 +20,8 @@ public:
       return;
     const SourceRange range = ctx.range(*shown);
     if (auto finding = ctx.report(range))
-      finding.message("`{0}` is shown to the operator while the block runs: a remark for the "
-                      "programmer stands in braces",
+      finding.message("`{0}` is shown to the operator while the block runs: write a remark for "
+                      "the programmer in braces",
                       ctx.source().displayText(ctx.text(range)));
   }
 

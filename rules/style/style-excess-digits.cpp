@@ -1,4 +1,4 @@
-// More digits behind the point than the control resolves.
+// More decimal places than the control resolves.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -29,7 +29,7 @@ public:
       if (word.decimals <= digits || trailingZeros(word) >= word.decimals - digits)
         continue;
       if (auto finding = ctx.report(word))
-        finding.message("`{0}` has {1} digits behind the point: the control rounds it to {2}",
+        finding.message("`{0}` has {1} decimal places: the control rounds it to {2}",
                         ctx.text(word), unsigned(word.decimals), digits);
     }
   }

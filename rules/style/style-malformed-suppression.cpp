@@ -13,9 +13,8 @@ public:
     for (const Suppression &suppression : summary.index.suppressions(rulesCalled)) {
       if (suppression.verb == SuppressionVerb::Unknown) {
         if (auto finding = ctx.report(suppression.verbRange))
-          finding.text(
-              "the comment suppresses nothing: behind `ncvet:` stands `allow`, `off`, `on` "
-              "or `allow-file`");
+          finding.text("the comment suppresses nothing: write `allow`, `off`, `on` or "
+                       "`allow-file` after `ncvet:`");
         continue;
       }
       if (suppression.names.empty())

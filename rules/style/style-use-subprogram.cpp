@@ -70,7 +70,7 @@ private:
       if (auto finding = ctx.report(range(before, file)))
         finding
             .message(
-                "the {0} blocks from here on stand in the program again: a subprogram keeps them "
+                "the {0} blocks from here on are repeated in the program: a subprogram keeps them "
                 "in one place",
                 length)
             .note(range(at, file), "here");

@@ -1,4 +1,4 @@
-// An expression that the control groups in another way than it looks.
+// An expression that the control groups otherwise than it looks.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -22,7 +22,7 @@ public:
                       "comparison in brackets",
                       text);
     else if (text[0] == '-' && !text.contains("**"))
-      finding.message("`{0}` is subtracted from what stands before the blank: write it without the "
+      finding.message("`{0}` is subtracted from the value before the blank: write it without the "
                       "blank, or as a word of its own",
                       text);
     else

@@ -72,7 +72,7 @@ private:
           .message("`{0}` gives `{1}` no value: a parameter is set with `=`, and keeps its old "
                    "value without it",
                    text, name)
-          .fix(FixSafety::Unsafe, "write `=` behind the parameter",
+          .fix(FixSafety::Unsafe, "write `=` after the parameter",
                ctx.replace({range.file, range.begin + uint32_t(name.size()),
                             range.end - uint32_t(value.size())},
                            "="));
@@ -86,7 +86,7 @@ private:
     const SourceRange sign{range.file, range.end - 1, range.end};
     if (auto finding = ctx.report(range))
       finding
-          .message(instruction ? "`{0}` is an instruction: its arguments stand behind `:`"
+          .message(instruction ? "`{0}` is an instruction: its arguments follow `:`"
                                : "`{0}` is a variable: it takes its value with `=`",
                    text.drop_front().drop_back().trim())
           .fix(FixSafety::Unsafe, instruction ? "write `:`" : "write `=`",

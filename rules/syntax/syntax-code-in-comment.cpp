@@ -65,10 +65,9 @@ private:
     const SourceRange range{file.source.id(), from,
                             from + uint32_t(line.substr(words).rtrim().size())};
     if (auto finding = ctx.report(range))
-      finding.message(
-          "`{0}` stands in a comment that runs to the end of its line: the control does "
-          "not execute it",
-          ctx.text(range));
+      finding.message("`{0}` is in a comment that runs to the end of its line: the control does "
+                      "not execute it",
+                      ctx.text(range));
   }
 
   void look(const FileSummary &file, uint32_t open, RuleContext &ctx) const {
@@ -89,7 +88,7 @@ private:
         }))
       return;
     if (auto finding = ctx.report(SourceRange{file.source.id(), open, end}))
-      finding.message("`{0}` stands in a comment: the control does not execute it", code);
+      finding.message("`{0}` is in a comment: the control does not execute it", code);
   }
 };
 

@@ -21,7 +21,7 @@ public:
           ctx.block().repeatsIssue(size_t(event.number)))
         return;
       if (auto finding = ctx.report(range))
-        finding.message("`{0}` has no address in front of it", ctx.text(range));
+        finding.message("`{0}` has no address before it", ctx.text(range));
       return;
     }
     if (issue.kind != SyntaxIssueKind::MissingValue || mayStandBare(issue, ctx))
@@ -33,7 +33,7 @@ public:
         return;
     }
     if (auto finding = ctx.report(range))
-      finding.message("`{0}` has no value behind it", ctx.text(range));
+      finding.message("`{0}` has no value after it", ctx.text(range));
   }
 
 private:

@@ -86,7 +86,7 @@ private:
                       ctx.text(word));
   }
 
-  /// `<%NHL=2.5>`: the mark in front of the name says that it holds whole numbers.
+  /// `<%NHL=2.5>`: the mark before the name says that it holds whole numbers.
   static void variable(const Item &item, RuleContext &ctx) {
     const SourceRange name{ctx.source().id(), item.nameBegin, item.nameEnd};
     if (item.kind != ItemKind::Assignment || item.value == noExpression ||
@@ -104,7 +104,7 @@ private:
 
   double codes_ = 0; ///< codes are whole numbers too: 1 all, 2 those that exist
 
-  /// `G84.2` is a code with its digit behind the point; an unknown code has its own rule.
+  /// `G84.2` is a code with its digit after the point; an unknown code has its own rule.
   bool isCode(const Word &word, const RuleContext &ctx) const {
     if (ctx.dialect().addresses[word.address].kind != AddressKind::Code || word.decimals == 0)
       return false;

@@ -1,4 +1,4 @@
-// A letter that looks like a digit stands inside a number.
+// A letter that looks like a digit is inside a number.
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -48,7 +48,7 @@ public:
           word.address == keywordAddress) // what defines an element begins where its name does
         continue;
       const char before = all[word.offset - 1];
-      // Behind the block's number the name of an element stands as well without a space: `N40O5`.
+      // The name of an element may follow the block's number without a space: `N40O5`.
       const bool element = ctx.dialect().elementWords & maskOf(word.address) && block.number >= 0 &&
                            word.offset == block.numberEnd;
       if ((inNumber(before) && !element) || before == '-')

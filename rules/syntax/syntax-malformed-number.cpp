@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  /// `X 44.`: words whose number does not stand right behind its address.
+  /// `X 44.`: words whose number is not right after its address.
   static void blanksInWords(const FileSummary &file, RuleContext &ctx) {
     const llvm::StringRef text = file.source.text();
     Block block;
@@ -86,7 +86,7 @@ private:
       }
   }
 
-  bool tight_ = false; ///< numbers stand right behind their addresses
+  bool tight_ = false; ///< numbers are right after their addresses
 };
 
 } // namespace

@@ -34,7 +34,7 @@ public:
           finding.text("a `(` inside a comment: the interpreter stops here");
         return;
       }
-      // With nothing behind the `)` the comment is read whole, but for one more bracket.
+      // With nothing after the `)` the comment is read whole, but for one more bracket.
       if (ctx.source().text(issue.end, ctx.block().end).trim().empty())
         return;
       // Who writes brackets into comments does it throughout.

@@ -1,4 +1,4 @@
-// A tool change where the tool stands in the work or too low.
+// A tool change while the tool is in the work or too low.
 #include "analyzer/facts/lookahead.h"
 
 #include <cmath>
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  /// On a lathe a drilling cycle ends at its R, in front of the face: nothing has moved since then.
+  /// On a lathe a drilling cycle ends at its R, before the face: nothing has moved since then.
   static void behindHole(const Event &event, RuleContext &ctx) {
     if (!ctx.dialect().isLathe() || ctx.before().may(Fact::AtMachinePosition) ||
         ctx.dialect().group(StandardGroup::ReturnLevel) != noGroup)
@@ -53,7 +53,7 @@ private:
       if (cycle && makesHole(cycle->cycle)) {
         if (auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode)))
           finding
-              .message("the tool is changed in front of the hole, where `{0}` left it: the next "
+              .message("the tool is changed close to the hole, where `{0}` left it: the next "
                        "one may hit part, chuck or clamps",
                        cycle->name)
               .note(wordsRange(ctx, block), "the hole is drilled here");
@@ -81,7 +81,7 @@ private:
     if (!more || !isPlain(block) || !liftsOff(dialect, block))
       return;
     const SourceRange lift = wordsRange(ctx, block);
-    // The cut in front of it: its motion code, and the last X that it gives.
+    // The cut before it: its motion code, and the last X that it gives.
     constexpr unsigned furthest = 20; // blocks
     std::optional<double> cut;
     bool feeds = false;

@@ -16,7 +16,7 @@ public:
     if (auto finding = ctx.report(event)) {
       const std::string word = ctx.text(*event.word).str();
       finding
-          .message("`{0}` stands in a block that moves: whether the machine changes or moves "
+          .message("`{0}` is in a block that moves: whether the machine changes or moves "
                    "first is not certain",
                    word)
           .fix(FixSafety::Unsafe, "change the tool in a block of its own, before the move",

@@ -20,11 +20,11 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const bool again = before.may(Fact::ToolCalled);
-    // Behind a change that named nothing the next one is the same mistake.
+    // After a change that named nothing the next one is the same mistake.
     const bool named = !again || (eachNamed_ && !memory().nameless.inForce(before));
     memory().nameless.see(event, ctx);
     if (ctx.block().has(letterAddress('T')) || before.preselected != notSet || !named ||
-        before.may(Fact::UnknownCode)) // a T in front waits for the change
+        before.may(Fact::UnknownCode)) // an earlier T waits for the change
       return;
     if (auto finding = ctx.report(event)) {
       finding.message(again ? "`{0}` changes the tool, but no `T` has named one since the change "

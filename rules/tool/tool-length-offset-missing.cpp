@@ -30,7 +30,7 @@ public:
     if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode || event.number == 1 ||
         event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
       return;
-    // Cancelled on purpose in this block, on the way up.
+    // Cancelled on purpose in this block, on the retract.
     if (ctx.find({Action::LengthOff}))
       return;
     const bool certain =

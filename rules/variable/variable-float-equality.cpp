@@ -23,7 +23,7 @@ public:
     bool variable = false;
     for (size_t i = 0; i < operations.size(); ++i) {
       variable |= operations[i].op == Op::Variable || operations[i].op == Op::ElementAt;
-      // A number right in front of its comparison.
+      // A number right before its comparison.
       const bool equal =
           i > 0 && (operations[i].op == Op::Equal || operations[i].op == Op::NotEqual);
       if (!equal || operations[i - 1].op != Op::Number || !variable ||
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  /// The middle way of a choice by sign is one for equality.
+  /// The middle branch of a choice by sign is one for equality.
   static void choice(const Item &item, RuleContext &ctx) {
     const Block &block = ctx.block();
     const auto targets = block.argumentsOf(item);
@@ -63,7 +63,7 @@ private:
     const SourceRange range = ctx.range(condition);
     if (auto finding = ctx.report(range))
       finding.message(
-          "`{0}` may miss zero by its last digit: the way for zero, `{1}`, is not taken then",
+          "`{0}` may miss zero by its last digit: the branch for zero, `{1}`, is not taken then",
           ctx.text(range), textOf(targets[1]));
   }
 
@@ -80,7 +80,7 @@ private:
            });
   }
 
-  /// Whether the last assignment in front of the block computes the variable so.
+  /// Whether the last assignment before the block computes the variable so.
   static bool comesFromFraction(uint64_t variable, RuleContext &ctx) {
     bool fraction = false;
     Block block;

@@ -121,7 +121,7 @@ private:
     }
   }
 
-  /// `FIELD[2,5]`: `rest` begins behind the bracket. Only numbers are looked at.
+  /// `FIELD[2,5]`: `rest` begins after the bracket. Only numbers are looked at.
   static void element(uint32_t offset, llvm::StringRef array, llvm::StringRef rest,
                       RuleContext &ctx) {
     const size_t close = rest.find_first_of("[]\r\n;");
@@ -165,7 +165,7 @@ private:
   }
 
   int64_t greatest_ = 0;
-  bool numbered_ = false;                      ///< variables have numbers behind `#`
+  bool numbered_ = false;                      ///< variables have numbers after `#`
   int64_t reservedFrom_ = 0, reservedTo_ = -1; ///< of the control itself
 };
 

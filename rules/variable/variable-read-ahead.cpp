@@ -1,4 +1,4 @@
-// An actual value is read before the moves in front of it are done.
+// An actual value is read before the moves before it are done.
 #include "analyzer/facts/preprocessor_reads.h"
 
 namespace ncvet {
@@ -29,12 +29,12 @@ private:
       return;
     const SourceRange range = ctx.range(value);
     if (auto finding = ctx.report(range))
-      finding.message("`{0}` is read while the moves in front of it still run: `STOPRE` makes the "
+      finding.message("`{0}` is read while the moves before it still run: `STOPRE` makes the "
                       "control wait for them",
                       ctx.text(range));
   }
 
-  /// A move stands in front, in plain order, and nothing that waits for it.
+  /// A move comes before, in plain order, and nothing that waits for it.
   static bool movesBefore(RuleContext &ctx) {
     constexpr unsigned lookBack = 20;
     Block block;

@@ -82,7 +82,7 @@ private:
                       ctx.text(range));
   }
 
-  /// Key of a variable with a number behind its letter.
+  /// Key of a variable with a number after its letter.
   static uint64_t keyOf(llvm::StringRef name) {
     int64_t index = 0;
     return name.size() > 1 && !name.drop_front().getAsInteger(10, index)
