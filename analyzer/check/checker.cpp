@@ -199,7 +199,7 @@ const std::string &nameOf(const SourceFile &file) {
 
 } // namespace
 
-/// What a crash leaves behind can be neither used nor given back.
+/// What a crash leaves can be neither used nor given back.
 void CheckMemory::abandon() {
   new CheckMemory(std::move(*this)); // on purpose without an owner
   *this = CheckMemory();

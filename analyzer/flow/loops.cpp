@@ -10,7 +10,7 @@ namespace {
 /// Visits of a loop head with joined states before bounds that still move are given up.
 constexpr unsigned visitsBeforeWidening = 8;
 /// Passes of a loop in which something unknown decides where to go: as likely as not it decides on
-/// the way out, and the loop has no number of passes at all. So many are run, fewer when they are
+/// the exit, and the loop has no number of passes at all. So many are run, fewer when they are
 /// long.
 constexpr unsigned maxForkedVisits = 128, minForkedVisits = 4;
 constexpr uint64_t maxForkedSteps = 1000; ///< blocks, those of called programs included

@@ -112,7 +112,7 @@ void Structures::countedEnd(Step &step, uint32_t headAt,
   const Truth again = count(head, step.live.state);
   if (again == Truth::Unknown)
     step.activation.heads[head.next].abstract = true;
-  // (the condition of `decide` is the way on)
+  // (the condition of `decide` leads on)
   decide(step, opposite(again), head.next, true);
 }
 

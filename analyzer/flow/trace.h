@@ -18,7 +18,7 @@ class TraceSink {
 public:
   virtual ~TraceSink() = default;
   virtual void moved(const TracedMove &traced) = 0;
-  /// Behind `where` only the run itself decides what happens.
+  /// After `where` only the run itself decides what happens.
   virtual void lost(const FileUnit &unit, SourceRange where, llvm::StringRef why) = 0;
 };
 

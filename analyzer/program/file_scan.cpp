@@ -24,7 +24,7 @@ bool endsLinesByLineFeed(llvm::StringRef text, uint32_t begin) {
 }
 
 /// Calls `visit(lineBegin, firstContent)` for every line of [begin, end) that is not blank. The
-/// pages that lie after are given back on the way.
+/// pages that lie after are given back meanwhile.
 template <typename Visit>
 void eachLine(const SourceFile &source, uint32_t begin, size_t end, bool lineFeeds, Visit visit) {
   const llvm::StringRef text = source.text();

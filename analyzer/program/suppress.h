@@ -36,7 +36,7 @@ struct Suppression {
 /// Calls its argument with the place of each colon of a text, ascending.
 using EachColon = llvm::function_ref<void(llvm::function_ref<void(uint32_t)>)>;
 
-/// The rules that a name in small letters stands for; none: no rule has it.
+/// The rules that a name in small letters means; none: no rule has it.
 using RulesOfName = std::vector<RuleId> (*)(llvm::StringRef name);
 
 /// All suppression comments of a file, in their order. Reads only the blocks around the comments.

@@ -1,4 +1,4 @@
-// Records the runs of one kind: from where, up to where, and with what on the way.
+// Records the runs of one kind: from where, up to where, and with what in between.
 #include "analyzer/reuse/run_recording.h"
 
 namespace ncvet {

@@ -44,7 +44,7 @@ public:
       finding_->message = std::move(message);
     return *this;
   }
-  /// Severity of this finding when the table or the case at hand has another than the rule.
+  /// Severity of this finding where the table or this case has another than the rule.
   FindingBuilder &severity(std::optional<Severity> severity) {
     if (finding_ && severity)
       finding_->severity = *severity;
@@ -180,7 +180,7 @@ public:
     return use == codes().end() ? nullptr : use->word;
   }
   const Outcome &outcome() const { return *outcome_; }
-  /// State on entry of the block, and behind it.
+  /// State on entry of the block, and after it.
   const MachineState &before() const { return *before_; }
   const MachineState &after() const { return *after_; }
   /// Number of calls between the main program and this block.
@@ -216,7 +216,7 @@ public:
   /// The block's words, without leading blanks, number and trailing comment or blanks.
   SourceRange blockRange() const;
 
-  /// `certain` false: the rule is broken on some of the paths that the state stands for.
+  /// `certain` false: the rule is broken on some of the paths that the state represents.
   FindingBuilder report(SourceRange range, bool certain = true);
   FindingBuilder report(const Word &word, bool certain = true) {
     return report(range(word), certain);
@@ -231,9 +231,9 @@ public:
 
   // Edits for fixes.
   TextEdit replace(SourceRange range, llvm::StringRef text) const { return {range, text.str()}; }
-  /// Removes the word and the blanks in front of it.
+  /// Removes the word and the blanks before it.
   TextEdit remove(const Word &word) const;
-  /// A new line in front of the block, with the block's own line end.
+  /// A new line before the block, with the block's own line end.
   TextEdit insertBlockBefore(llvm::StringRef text) const;
   TextEdit insertBlockAfter(llvm::StringRef text) const;
   TextEdit insertBefore(uint32_t offset, llvm::StringRef text) const {
@@ -284,7 +284,7 @@ struct FileSummary {
 class Gathered {
 public:
   virtual ~Gathered() = default;
-  /// The text in front of it has changed.
+  /// The text before it has changed.
   virtual void move(const TextChange &change) = 0;
 };
 

@@ -16,7 +16,7 @@
 
 namespace ncvet {
 
-/// The memories of all rules at one place of a run, one behind the other. Two that are equal let
+/// The memories of all rules at one place of a run, one after the other. Two that are equal let
 /// the rules go on in the same way. Places in the analysed file move with its text.
 class RuleMemory {
 public:

@@ -20,7 +20,7 @@ struct RuleSettings {
   std::vector<Number> options;
 };
 
-/// Ids of the rules that `name` stands for; an error with a near name when there is none.
+/// Ids of the rules that `name` means; an error with a near name when there is none.
 llvm::Expected<std::vector<RuleId>> rulesNamed(llvm::StringRef name);
 
 /// The same; empty when there is none.

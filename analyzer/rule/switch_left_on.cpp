@@ -7,7 +7,7 @@ namespace ncvet {
 
 namespace {
 
-/// The block that switches `info` off, from the table's `off`: a block as it stands, or a code
+/// The block that switches `info` off, from the table's `off`: a block as text, or a code
 /// "with zeros" or of a mirror, which takes each axis that may be on. Empty when the table names no
 /// code of this control.
 std::string offBlock(const SwitchInfo &info, uint16_t axes, const Dialect &dialect) {

@@ -17,7 +17,7 @@ constexpr AddressId commaA = 26;     ///< `,A`
 constexpr AddressId commaC = 27;     ///< `,C`
 constexpr AddressId commaR = 28;     ///< `,R`
 constexpr AddressId firstNamed = 29; ///< first address of several letters
-/// Words that no letters open. They may stand more than once in a block.
+/// Words that no letters open. They may occur more than once in a block.
 constexpr AddressId variableAddress = 60; ///< a value given to a variable: `<ENT=-10>`, `R30=2`
 constexpr AddressId argumentAddress = 61; ///< an argument of a call: each in `CYCLE81(50,0,2,-8)`
 constexpr AddressId keywordAddress = 62;  ///< a code that is a word of its own: `TRANS`, `<MIR:ON>`

@@ -86,7 +86,7 @@ std::optional<CycleKind> parseCycleKind(llvm::StringRef text);
 
 /// When a notice, a word requirement or a variant applies. Every part that is given must hold.
 struct Condition {
-  AddressMask has = 0;   ///< all of these addresses stand in the block
+  AddressMask has = 0;   ///< all of these addresses are in the block
   AddressMask any = 0;   ///< at least one of these (0: no condition)
   AddressMask lacks = 0; ///< none of these
   /// (group, members): the group's state before the block is certainly one of the members.
@@ -106,15 +106,15 @@ struct Condition {
   std::vector<ValueTest> broken;     ///< each of these tests is broken
   uint32_t on = 0;                   ///< switches that certainly are on before the block
   uint32_t off = 0;                  ///< switches that certainly are off
-  AddressMask before = 0;            ///< one of these stands in front of the code
-  AddressMask behind = 0;            ///< one of these stands behind the code
-  std::optional<bool> spindleTurns;  ///< the spindle certainly turns, or stands, before the block
+  AddressMask before = 0;            ///< one of these is before the code
+  AddressMask behind = 0;            ///< one of these is after the code
+  std::optional<bool> spindleTurns;  ///< the spindle certainly turns, or does not, before the block
   std::vector<std::string> toolKind; ///< the tool in use is known to be one of these
   std::vector<std::string> otherToolKind; ///< … is known, and none of these
   Formula formula; ///< of the words of the code that the condition belongs to
 };
 
-/// A fact of the table that a rule reports as it stands.
+/// A fact of the table that a rule reports in the table's words.
 struct Notice {
   std::string rule; ///< id of the canonical rule
   std::optional<Severity> severity;
@@ -206,12 +206,12 @@ enum class Need : uint8_t {
   First     ///< in the block that makes the code active; later blocks keep the value
 };
 
-/// One word of a code's format, or several that stand for each other (`X|U`).
+/// One word of a code's format, or several of which each will do (`X|U`).
 struct WordSpec {
   AddressMask any = 0;
   unsigned position = 0;   ///< from 1: an argument of the code's call instead; 0: not one
   uint64_t variable = 0;   ///< `variableKey` of a variable that the code reads instead; 0: none
-  uint64_t orVariable = 0; ///< one that may stand for it; 0: none
+  uint64_t orVariable = 0; ///< one that may replace it; 0: none
   std::string name;        ///< of that argument or variable: "RTP", "ENT"
   bool text = false;       ///< the argument is a string
   std::string characters;  ///< that the string may have, with ranges: "A-Z0-9"; empty: all
@@ -269,7 +269,7 @@ struct CodeInfo {
   std::string name;    ///< as messages show it: "G01", "G84.2", "M03"
   std::string title;   ///< "linear feed", lower case
   char letter = 'G';   ///< 0: a code that is a word of its own
-  uint16_t number = 0; ///< number times ten plus the digit behind the point: G84.2 is 842
+  uint16_t number = 0; ///< number times ten plus the digit after the point: G84.2 is 842
   GroupIndex group = noGroup;
   uint8_t bit = 0; ///< member number within the group
   Action action = Action::None;
@@ -277,7 +277,7 @@ struct CodeInfo {
   FrameKind frame = FrameKind::None; ///< of frame-set and frame-add; None: nothing is known of it
   std::vector<FrameStep> frameSteps; ///< of a frame of steps, the outermost first
   Formula frameWhen;                 ///< the steps are right only then; empty: always
-  Formula losesPlace;        ///< when it holds, no position is known behind the code; empty: never
+  Formula losesPlace;        ///< when it holds, no position is known after the code; empty: never
   bool cancelsCycle = false; ///< ends an active canned cycle of the group "cycle"
   SpindleNeed spindle = SpindleNeed::Any;
   bool needsFeed = false;  ///< a feed must be in force
@@ -293,15 +293,15 @@ struct CodeInfo {
   bool exclusive = false;         ///< one-shot action: only one such code per block
   std::string family;             ///< of cycles and what cancels them; empty: all are one
   bool firesInPlane = false;      ///< runs with every move in the plane, in its own block too
-  bool stopsSpindle = false;      ///< the spindle stands behind it, unless its block starts it
+  bool stopsSpindle = false;      ///< the spindle is stopped after it, unless its block starts it
   bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
   bool returns = false;      ///< the tool comes back to where the move began
   bool waits = false;        ///< a modal cycle that does not run in its own block
   bool cancelsCalls = false; ///< ends a modal call of a program too
-  /// What runs behind moves runs behind a motion code without coordinates too.
+  /// What runs after moves runs after a motion code without coordinates too.
   bool firesByMotionCode = false;
   bool isProgram = false;  ///< a program of the control: one of the same name hides it
-  bool endsMotion = false; ///< no motion code is in force behind it
+  bool endsMotion = false; ///< no motion code is in force after it
   bool foreign = false;    ///< another control's code: here it is none
   int32_t storedAt = 0;    ///< first variable of the place to which it leads or that it stores
   uint8_t arguments = 0;   ///< most arguments that its call takes; 0: not limited

@@ -76,7 +76,7 @@ struct AddressInfo {
   AddressUnit unit = AddressUnit::None;
   Axis axis = Axis::Count;   ///< for axes and increments
   bool diameter = false;     ///< value is a diameter (X of a lathe)
-  bool repeatable = false;   ///< may stand more than once in a block
+  bool repeatable = false;   ///< may occur more than once in a block
   bool corner = false;       ///< asks for a chamfer or rounding to the next move
   bool rounding = false;     ///< … a rounding
   bool linesOnly = false;    ///< … between two straight lines only
@@ -109,7 +109,7 @@ enum class Arithmetic : uint8_t {
           ///< bracket holds operators
 };
 
-/// Which numbered variables are whose. Those behind the common ones belong to the control.
+/// Which numbered variables are whose. Those after the common ones belong to the control.
 struct VariableRanges {
   int32_t lastLocal = 33;   ///< `#1` up to here belong to the running program
   int32_t lastCommon = 999; ///< from there up to here all programs share them
@@ -128,7 +128,7 @@ struct ZeroVariables {
   int32_t presetOn = 0; ///< 1 where that shift is in force
   int32_t length = 0;   ///< of the length offset in force
 
-  /// Behind the axes of a work offset: its angle in the XY plane.
+  /// After the axes of a work offset: its angle in the XY plane.
   int32_t rotation(int32_t system) const { return systems + system * step + 9; }
 };
 
@@ -155,9 +155,9 @@ struct Lexical {
   bool structures = true; ///< FOR, WHILE, DEF and the like are known where the reader knows them
   /// O-words control the flow: `o100 sub`, `o<name> call [1]`, `o101 if [..]`; IF and GOTO do not.
   bool flowWords = false;
-  /// Assignments take effect behind the words of their block.
+  /// Assignments take effect after the words of their block.
   bool assignsBehind = false;
-  bool freeNumbers = false; ///< blanks may stand in numbers, and block numbers may have decimals
+  bool freeNumbers = false; ///< numbers may have blanks, and block numbers may have decimals
   Arithmetic arithmetic = Arithmetic::MacroB;
   bool blocksSpanLines = false;    ///< a block ends where the next one begins, not with its line
   bool commaSeparates = false;     ///< commas separate arguments
@@ -211,10 +211,10 @@ struct Dialect {
   bool abstract = false; ///< a base of others only
   MachineKind machine = MachineKind::Mill;
   bool toolChangeByT = false;       ///< the T word itself changes the tool; else M06 does
-  bool profileRunsThrough = false;  ///< behind a roughing cycle the control runs the profile itself
+  bool profileRunsThrough = false;  ///< after a roughing cycle the control runs the profile itself
   bool cycleSurvivesMotion = false; ///< a motion code does not end a drilling cycle
   bool emptyBlocksRun = false;      ///< an active cycle runs in blocks without words too
-  bool callsModally = false;        ///< some code makes a program run behind every later move
+  bool callsModally = false;        ///< some code makes a program run after every later move
   bool endReturns = false;          ///< a program end inside a called program leads back
   bool offsetsOfTool = false;       ///< length and radius belong to the tool, not to numbers
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
@@ -267,7 +267,7 @@ struct Dialect {
   AddressMask switchWords = 0;     ///< turn a switch on or off
   AddressMask cornerWords = 0;     ///< ask for a chamfer or rounding
   AddressMask known = 0;           ///< all addresses of this control
-  AddressMask repeatable = 0;      ///< may stand more than once in a block
+  AddressMask repeatable = 0;      ///< may occur more than once in a block
   AddressMask whole = 0;           ///< take whole numbers
   AddressMask pointAdvised = 0;    ///< in some code at least, a decimal point is advised
   /// Axis words, codes and the words that always act by themselves (F, S, T, tool offsets).

@@ -98,7 +98,7 @@ private:
       if (!sum(depth))
         return false;
       if (sign.swapped) {
-        // The right operand goes in front of the left one.
+        // The right operand goes before the left one.
         const size_t left = leftOperand(right);
         std::rotate(formula.steps.begin() + ptrdiff_t(left),
                     formula.steps.begin() + ptrdiff_t(right), formula.steps.end());
@@ -108,7 +108,7 @@ private:
     }
     return true;
   }
-  /// First step of the operand that ends in front of step `end`.
+  /// First step of the operand that ends before step `end`.
   size_t leftOperand(size_t end) const {
     int wanted = 1;
     size_t at = end;

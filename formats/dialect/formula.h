@@ -29,7 +29,7 @@ enum class FormulaOp : uint8_t {
   Feed,          ///< F in force before the block
   Speed,         ///< S in force before the block
   Length,        ///< characters of word `index` of the code's format
-  Here,          ///< whether that word stands in the block itself
+  Here,          ///< whether that word is in the block itself
   Bare,          ///< whether the block's word with address `index` has no value
   Note,          ///< characters of the block's comment for the operator; 0: there is none
   Place,         ///< of axis `index` before the block
@@ -73,7 +73,7 @@ struct Formula {
   bool empty() const { return steps.empty(); }
 };
 
-/// What a name in a formula stands for; none: it is not known.
+/// What a name in a formula means; none: it is not known.
 struct FormulaName {
   FormulaOp word = FormulaOp::Word; ///< `Word` or `Address`
   uint16_t index = 0;

@@ -138,7 +138,7 @@ bool nestsTooDeep(llvm::StringRef text) {
   unsigned depth = 0;
   for (size_t at = 0; at < text.size(); ++at) {
     switch (text[at]) {
-    case '"': // to the closing quote: one behind an odd number of backslashes is part of the text
+    case '"': // to the closing quote: one after an odd number of backslashes is part of the text
       for (at = text.find('"', at + 1); at != llvm::StringRef::npos; at = text.find('"', at + 1)) {
         size_t slashes = at;
         while (text[slashes - 1] == '\\')

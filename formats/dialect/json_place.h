@@ -1,4 +1,4 @@
-// Where in a JSON text a value stands: looked for only when an error is to be reported.
+// The place of a value in a JSON text: looked for only when an error is to be reported.
 #pragma once
 
 #include "llvm/ADT/ArrayRef.h"
@@ -10,7 +10,7 @@
 
 namespace ncvet {
 
-/// One step of the way from the document's root to a value: a key or an array index.
+/// One step of the path from the document's root to a value: a key or an array index.
 struct JsonStep {
   std::string key;
   size_t index = 0;

@@ -156,8 +156,8 @@ JsonPath JsonReader::pathOf(const Json &at) const {
 }
 
 std::string JsonReader::placeOf(JsonPath path) const {
-  // The most derived file that holds the place wins. What a variant inherits stands in its code;
-  // what nothing holds stands in the nearest enclosing value.
+  // The most derived file that holds the place wins. What a variant inherits is in its code;
+  // what nothing holds is in the nearest enclosing value.
   while (true) {
     for (size_t index = layers_.size(); index-- > 0;)
       for (const JsonPath &way : {path, withShortCode(path)})

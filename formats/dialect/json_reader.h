@@ -33,7 +33,7 @@ public:
   /// Layers from base to the most derived; the root must outlive the reader and not change.
   JsonReader(llvm::ArrayRef<JsonLayer> layers, const Json &root) : layers_(layers), root_(&root) {}
 
-  /// Values of `overlay` are reported as standing at `path` of the document; null ends it.
+  /// Values of `overlay` are reported as if they were at `path` of the document; null ends it.
   void setOverlay(const Json *overlay, JsonPath path = {});
 
   void fail(const Json &at, const llvm::Twine &message);

@@ -22,7 +22,7 @@ enum class Measure : uint8_t {
   LeastCut,      ///< radius: no pass takes less
   LastCut,       ///< radius: what the last pass takes, or all finishing passes
   FinishPasses,  ///< passes at the finishing allowance, or without infeed
-  RunOut,        ///< length of the way out of the thread along it, in leads
+  RunOut,        ///< length of the retract from the thread along it, in leads
   RunOutAngle,   ///< degrees
   FlankAngle,    ///< degrees between the flanks; the infeed follows half of it
   ConstantDepth, ///< not 0: each pass is as deep as the first
@@ -60,7 +60,7 @@ enum class Measure : uint8_t {
   Pockets, ///< 0: all is cut, 1: but the pockets, 2: these alone
   Across,  ///< not 0: levels run along X
   // threads from place to place
-  Lead,  ///< of the thread, behind the place `index()` where that is one of a chain
+  Lead,  ///< of the thread, after the place `index()` where that is one of a chain
   Inside ///< 1: the thread is cut in a bore
 };
 llvm::ArrayRef<llvm::StringLiteral> measureNames();

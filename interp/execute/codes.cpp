@@ -143,7 +143,7 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
   }
 }
 
-/// What the code leaves behind for the formulas of later ones.
+/// What the code leaves for the formulas of later ones.
 void Execution::applyStores(const CodeInfo &code) {
   for (const Store &store : code.stores) {
     uint64_t variable = store.variable;

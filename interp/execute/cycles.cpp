@@ -326,7 +326,7 @@ bool Execution::patternPlaces(const CodeInfo &code) {
   return true;
 }
 
-/// Where a cycle leaves the tool that works where it stands: at the place of its axis words, at its
+/// Where a cycle leaves the tool that works where it is: at the place of its axis words, at its
 /// depth. A depth that is a distance counts for each of its repeats.
 void Execution::endDownHere(const CodeInfo &code) {
   const Axis tool = toolAxis(dialect_, state_);
@@ -379,7 +379,7 @@ void Execution::endOfCall(const CodeInfo &code) {
     for (unsigned i = 0; i < axisCount; ++i)
       if (plane >> i & 1)
         state_.position[i] = Interval::unknown();
-  if (code.cycle == CycleKind::Pattern) { // somewhere, but not where the tool stands
+  if (code.cycle == CycleKind::Pattern) { // somewhere, but not where the tool is
     outcome_.holes.push_back(state_.position);
     return;
   }

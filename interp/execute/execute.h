@@ -13,12 +13,12 @@ class Executor {
 public:
   Executor(const Dialect &dialect, const MachineProfile &machine, FileId file);
 
-  /// Whether the rest of the block behind an `IF [..]` is executed; `Yes` for blocks without one.
-  /// A jump behind the condition is not meant: its condition goes into the flow.
+  /// Whether the rest of the block after an `IF [..]` is executed; `Yes` for blocks without one.
+  /// A jump after the condition is not meant: its condition goes into the flow.
   Truth guard(const Block &block, const MachineState &state) const;
 
   /// Executes `block`. `before` must equal `state` on entry; it is what rules and conditions look
-  /// at. With `guardHolds` false only what stands in front of the block's IF is executed.
+  /// at. With `guardHolds` false only what is before the block's IF is executed.
   void execute(const Block &block, const MachineState &before, MachineState &state,
                Outcome &outcome, bool guardHolds = true) const;
 

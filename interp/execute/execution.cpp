@@ -128,7 +128,7 @@ void Execution::run(bool guardHolds) {
   if (!block_.expressions.empty())
     unsetReads();
   resolveCodes();
-  // Modes first, then what they give a meaning to: an F behind G98 is a feed per minute.
+  // Modes first, then what they give a meaning to: an F after G98 is a feed per minute.
   for (const CodeUse &use : outcome_.codes)
     applyModes(use);
   technologyWords();

@@ -256,7 +256,7 @@ private:
   }
   Interval value(const Word &word) const { return assignedWordValue(word, block_, state_); }
   const CodeInfo &info(const CodeUse &use) const { return dialect_.codes[use.code]; }
-  /// Whether a code stays in force behind its block.
+  /// Whether a code stays in force after its block.
   bool isModal(const CodeInfo &code) const {
     return code.group != noGroup && !dialect_.groups[code.group].oneShot;
   }
@@ -271,14 +271,14 @@ private:
   Outcome &outcome_;
   ConditionContext context_;
 
-  /// Assignments that take effect behind the block's words: the variable and its value.
+  /// Assignments that take effect after the block's words: the variable and its value.
   llvm::SmallVector<std::pair<int64_t, Value>, 2> pending_;
 
   CodeUse motionCode_; ///< motion or modal cycle code of the block
   CodeUse actionCode_; ///< one-shot code that takes the block's axis words
   bool machineMove_ = false;
   bool cancelled_ = false;    ///< the block ends the active cycle
-  bool callsModally_ = false; ///< the block makes a program run behind every later move
+  bool callsModally_ = false; ///< the block makes a program run after every later move
 };
 
 } // namespace ncvet

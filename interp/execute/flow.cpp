@@ -27,7 +27,7 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
     flow.end = block_.endOf(*p);
     const Interval number = value(*p);
     flow.target = valueOf(number);
-    // Four-digit controls pack the count in front of the number: P51000 runs O1000 five times.
+    // Four-digit controls pack the count before the number: P51000 runs O1000 five times.
     if (!macro && number.isConstant() && number.value() > 9999 && !block_.has(letterAddress('L')) &&
         dialect_.limits.programDigitsMax == 4) {
       const auto packed = int64_t(number.value());
@@ -68,7 +68,7 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
   }
 }
 
-/// G66 P: the call that was in force before runs behind the moves of this one's program.
+/// G66 P: the call that was in force before runs after the moves of this one's program.
 void Execution::callModally(const CodeUse &use) {
   callProgram(use, true);
   Flow &flow = outcome_.flow;
@@ -125,7 +125,7 @@ bool Execution::motionCodeAlone() const {
   return motion;
 }
 
-/// Whether the modal call in force runs behind this block.
+/// Whether the modal call in force runs after this block.
 Truth Execution::firesModalCall() const {
   const ModalCall &call = *state_.modalCalls;
   if (callsModally_ || before_.modalCalls != state_.modalCalls) // the block that makes it

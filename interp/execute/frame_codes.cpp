@@ -173,7 +173,7 @@ std::optional<Frame> Execution::frameOf(const CodeInfo &code) const {
   return std::nullopt;
 }
 
-/// The map that the table's steps make of the block and what stands before it.
+/// The map that the table's steps make of the block and what is before it.
 std::optional<Frame> Execution::frameOfSteps(const CodeInfo &code) const {
   const Interval unit = lengthFactor();
   if (!unit.isConstant() || dialect_.isLathe() || // X may be a diameter

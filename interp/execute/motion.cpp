@@ -302,7 +302,7 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   afterMove(kind == MotionKind::Rapid, axes);
 }
 
-/// The facts that a move leaves behind.
+/// The facts that a move leaves.
 void Execution::afterMove(bool rapid, uint16_t axes) {
   constexpr uint64_t asked =
       bitOf(Fact::InContour) | bitOf(Fact::PolarRadiusSet) | bitOf(Fact::PlungedUncompensated);
@@ -330,7 +330,7 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
 }
 
 /// Keeps the level from which a mill's tool was fed in, and the area in which it has cut. The tool
-/// stands along Z whatever the plane: arcs in G18 and G19 lead in and out.
+/// is along Z whatever the plane: arcs in G18 and G19 lead in and out.
 void Execution::trackDepth(bool rapid) {
   constexpr Axis tool = Axis::Z;
   const Interval &from = before_.at(tool), &to = state_.at(tool);
@@ -417,7 +417,7 @@ uint16_t Execution::axesMovedBy(const CodeInfo &motion, uint16_t axes) const {
     axes = planeAxes(dialect_, state_);
   if (!axes || !isMotion(motion.action) || motion.places[0].empty())
     return axes;
-  // Angle and radius may be letters of further axes, which stand still.
+  // Angle and radius may be letters of further axes, which do not move.
   const uint16_t tool = bit(toolAxis(dialect_, state_));
   return uint16_t((axes & tool) | (axes & ~tool ? planeAxes(dialect_, state_) : 0));
 }

@@ -28,7 +28,7 @@ void Execution::structure(size_t index) {
   case Structure::Return:
     return giveBack(item);
   case Structure::ElseIf:
-    if (!before_.seeksBranch) // the branch in front of it has run
+    if (!before_.seeksBranch) // the branch before it has run
       return;
     break;
   case Structure::Times: {

@@ -162,7 +162,7 @@ void Execution::turnAnything(const CodeUse &) {
   state_.liveTool = spindleAny;
 }
 
-/// Whether a code of the block sets the spindle going, in front of another one or behind it.
+/// Whether a code of the block sets the spindle going, before another one or after it.
 bool Execution::startsSpindle() const {
   return llvm::any_of(outcome_.codes, [&](const CodeUse &use) {
     return info(use).action == Action::SpindleCw || info(use).action == Action::SpindleCcw;
@@ -246,7 +246,7 @@ void Execution::toolWord(const Word &word) {
       return;
     }
     if (dialect_.isLathe() && tool == state_.tool && tool != notKnown && offset == 0) {
-      state_.toolOffset = 0; // T0100 behind T0101: the offset is cancelled
+      state_.toolOffset = 0; // T0100 after T0101: the offset is cancelled
       return;
     }
     changeTool(tool, offset, word, noCode);

@@ -1,4 +1,4 @@
-// Boxes that are in the way of a tool: stock and clamps of the machine profile.
+// Boxes that a tool may hit: stock and clamps of the machine profile.
 #pragma once
 
 #include "formats/dialect/machine.h"

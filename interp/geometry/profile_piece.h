@@ -35,7 +35,7 @@ struct ProfilePiece {
     const double chord = (to - from).norm();
     return arc ? std::min(chord, radius()) : chord;
   }
-  /// Whether it leads in the direction of the cut all the way.
+  /// Whether all of it leads in the direction of the cut.
   bool isSteady() const;
   /// Whether the ray from an arc's centre to `point` meets the arc.
   bool spans(const Point &point) const;

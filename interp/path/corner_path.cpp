@@ -16,7 +16,7 @@ bool isCut(const Move &move) { return move.kind == MoveKind::Linear || move.kind
 
 Vector directionOf(double degrees) { return unitVector(degrees * radiansPerDegree); }
 
-/// The way of a line by its angle: the words tell which of the two directions is meant.
+/// The direction of a line by its angle: the words tell which of the two directions is meant.
 Vector directionAlong(const ContourPlane &plane, const CornerRequest &line, const Vector &from) {
   const Vector direction = directionOf(*line.angle);
   const auto partly = plane.partly(line.said);

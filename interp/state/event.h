@@ -154,8 +154,8 @@ struct Outcome {
   bool plainMove = false;
   Truth callsModally = Truth::No; ///< whether the modal call in force runs after this block
   bool foreign = false;           ///< the block is another control's language: nothing is known
-  /// The point that the words give where the motion does not end there: on the way to the reference
-  /// point, and of a line by its angle. Of no meaning in other blocks.
+  /// The point that the words give where the motion does not end there: on the path to the
+  /// reference point, and of a line by its angle. Of no meaning in other blocks.
   std::array<Interval, axisCount> via;
   /// Places at which a drilling cycle runs in this block, one after the other.
   llvm::SmallVector<std::array<Interval, axisCount>, 1> holes;

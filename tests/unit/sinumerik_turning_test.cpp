@@ -67,7 +67,7 @@ TEST(SinumerikTurning, AThreadIsCutPassByPass) {
               ElementsAre("3 thread X20.4 Z-32", "3 thread X20.151 Z-32", "3 thread X19.961 Z-32",
                           "3 thread X19.8 Z-32", "3 thread X19.7 Z-32", "3 thread X19.7 Z-32"));
   ASSERT_GE(moves.size(), 3u);
-  EXPECT_EQ(moves[1], "3 rapid Z5") << "the run-in lies in front of the thread";
+  EXPECT_EQ(moves[1], "3 rapid Z5") << "the run-in lies before the thread";
   EXPECT_EQ(moves[2], "3 rapid X20.4 Z5");
   EXPECT_EQ(moves.back(), "4 rapid X30 Z10");
 }
