@@ -10,41 +10,47 @@
 
 namespace ncvet::test {
 
-/// What an editor is to do: programs in a folder of their own, and the plan that its script reads.
+/// What an editor is to do in one session: steps, each with programs in a folder of their own, and
+/// the plan that its script reads.
 class EditorPlan {
 public:
-  EditorPlan(const std::string &step, const std::string &dialect) : dialect_(dialect) {
-    plan_ = {{"step", step},
-             {"ncvet", NCVET_BINARY},
+  explicit EditorPlan(const std::string &dialect) : dialect_(dialect) {
+    plan_ = {{"ncvet", NCVET_BINARY},
              {"result", (shop_->path() / "result").string()},
              {"settings", {{"dialect", dialect}}},
-             {"programs", nlohmann::json::array()}};
-    shop_->file(".git/HEAD", ""); // one workspace: one server for all programs
+             {"steps", nlohmann::json::array()}};
   }
 
+  /// Begins a step, to which everything that follows belongs.
+  void begin(const std::string &step) {
+    folder_ = "step-" + std::to_string(plan_["steps"].size());
+    shop_->file(folder_ + "/.git/HEAD", ""); // one workspace: one server for its programs
+    plan_["steps"].push_back({{"step", step}, {"programs", nlohmann::json::array()}});
+  }
   /// A program that is opened. Programs of one name lie in folders of their own.
   std::string add(const std::string &name, const std::string &text) {
-    std::string folder = "programs";
+    std::string folder = folder_ + "/programs";
     for (unsigned i = 1; std::filesystem::exists(shop_->path() / folder / name); ++i)
-      folder = "programs-" + std::to_string(i);
+      folder = folder_ + "/programs-" + std::to_string(i);
     shop_->file(folder + "/" + name, text);
     const std::string path = (shop_->path() / folder / name).string();
-    plan_["programs"].push_back({{"path", path}, {"dialect", dialect_}});
+    step()["programs"].push_back({{"path", path}, {"dialect", dialect_}});
     return path;
   }
   /// A file that is there but not opened.
   std::string beside(const std::string &name, const std::string &text) {
-    shop_->file("programs/" + name, text);
-    return (shop_->path() / "programs" / name).string();
+    shop_->file(folder_ + "/programs/" + name, text);
+    return (shop_->path() / folder_ / "programs" / name).string();
   }
+  /// What else the step's function in the script reads.
   template <typename T>
   void set(const char *key, T value) {
-    plan_[key] = std::move(value);
+    step()[key] = std::move(value);
   }
-  bool empty() const { return plan_["programs"].empty(); }
 
   /// The file with the plan, to be read by the editor's script.
-  std::string write() {
+  std::string write(const char *plugin) {
+    plan_["plugin"] = plugin;
     shop_->file("plan.json", plan_.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return (shop_->path() / "plan.json").string();
   }
@@ -59,7 +65,10 @@ public:
   }
 
 private:
+  nlohmann::json &step() { return plan_["steps"].back(); }
+
   std::string dialect_;
+  std::string folder_; ///< of the step
   std::unique_ptr<Shop> shop_ = std::make_unique<Shop>();
   nlohmann::json plan_;
 };
@@ -120,9 +129,11 @@ inline std::vector<std::filesystem::path> corpusOf(const std::string &dialect, s
   return some;
 }
 
-/// Adds programs of a control: up to `most` of the pages, up to `most` of the corpus, and all
-/// golden ones.
-inline void addPrograms(EditorPlan &plan, const std::string &dialect, size_t most) {
+/// Adds a step with programs of a control: up to `most` of the pages, up to `most` of the corpus,
+/// and all golden ones.
+inline void addPrograms(EditorPlan &plan, const char *step, const std::string &dialect,
+                        size_t most) {
+  plan.begin(step);
   namespace fs = std::filesystem;
   std::vector<PageProgram> pages;
   for (PageProgram &page : allPagePrograms())

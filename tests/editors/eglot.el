@@ -2,9 +2,9 @@
 
 ;;; Commentary:
 
-;; `emacs --batch -q -l eglot.el'.  The plan, a JSON file that the variable NCVET_PLAN names, says which step is to
-;; be done with which programs; what went wrong is written into its `result', a line each, and the last line is
-;; `done'.
+;; `emacs --batch -q -l eglot.el'.  The plan, a JSON file that the variable NCVET_PLAN names, says which steps are to
+;; be done one after the other, and with which programs; what went wrong is written into its `result', a line each,
+;; and the last line is `done'.
 
 ;;; Code:
 
@@ -16,8 +16,10 @@
 (require 'xref)
 
 (defvar plan (let ((json-object-type 'plist)) (json-read-file (getenv "NCVET_PLAN"))))
+(defvar step nil "What is being done: a part of the plan.")
 (defvar said nil)
-(defun say-wrong (format &rest words) (push (apply #'format format words) said))
+(defun say-wrong (format &rest words)
+  (push (concat (plist-get step :step) ": " (apply #'format format words)) said))
 
 (load (plist-get plan :plugin))
 (setq ncvet-path (plist-get plan :ncvet)
@@ -104,7 +106,7 @@
 
 (defun step-open ()
   "What is shown of programs that are opened is what the command line says of them."
-  (seq-do (lambda (program) (with-program program (compare program "as it is opened"))) (plist-get plan :programs)))
+  (seq-do (lambda (program) (with-program program (compare program "as it is opened"))) (plist-get step :programs)))
 
 (defun step-edit ()
   "It stays so while lines are deleted, doubled and typed."
@@ -120,7 +122,7 @@
                              (lambda () (delete-region (point-min) (line-beginning-position 3)))))
            (funcall edit)
            (when (settle) (compare program "after an edit"))))))
-   (plist-get plan :programs)))
+   (plist-get step :programs)))
 
 (defun mends-p (action rule)
   "Whether ACTION is the fix of a finding of RULE."
@@ -130,7 +132,7 @@
 (defun line-text () (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
 
 (defun alike (rule line)
-  "How many findings of RULE stand in lines of this text: an edit above them does not change it."
+  "How many findings of RULE are in lines of this text: an edit above them does not change it."
   (save-excursion
     (seq-count (lambda (one)
                  (goto-char (flymake-diagnostic-beg one))
@@ -160,7 +162,7 @@
                      (compare program (plist-get action :title)))
                    (setq mended (1+ mended))
                    (throw 'done nil))))))))
-     (plist-get plan :programs))
+     (plist-get step :programs))
     (when (= mended 0) (say-wrong "no program has a finding with a fix"))))
 
 (defun hover ()
@@ -170,56 +172,60 @@
     (and answer (eglot--hover-info (plist-get answer :contents) (plist-get answer :range)))))
 
 (defun go-to-place ()
-  "To the plan's line and column, which counts bytes."
+  "To the step's line and column, which counts bytes."
   (goto-char (point-min))
-  (forward-line (1- (plist-get plan :line)))
-  (goto-char (byte-to-position (+ (position-bytes (point)) (plist-get plan :column)))))
+  (forward-line (1- (plist-get step :line)))
+  (goto-char (byte-to-position (+ (position-bytes (point)) (plist-get step :column)))))
 
 (defun step-hoverAt ()
-  "The hover of the plan's place holds the words of `expect'."
-  (with-program (elt (plist-get plan :programs) 0)
+  "The hover of the step's place holds the words of `expect'."
+  (with-program (elt (plist-get step :programs) 0)
     (go-to-place)
     (let ((text (or (hover) "")))
       (seq-do (lambda (word)
                 (unless (string-match-p (regexp-quote word) text) (say-wrong "the hover lacks %s in %s" word text)))
-              (plist-get plan :expect)))))
+              (plist-get step :expect)))))
 
 (defun step-columns ()
-  "The plan's finding stands under the text that it is about."
-  (with-program (elt (plist-get plan :programs) 0)
-    (let ((one (seq-find (lambda (each) (equal (rule-of each) (plist-get plan :rule))) (flymake-diagnostics))))
+  "The step's finding is under the text that it is about."
+  (with-program (elt (plist-get step :programs) 0)
+    (let ((one (seq-find (lambda (each) (equal (rule-of each) (plist-get step :rule))) (flymake-diagnostics))))
       (if (not one)
-          (say-wrong "there is no finding of %s" (plist-get plan :rule))
+          (say-wrong "there is no finding of %s" (plist-get step :rule))
         (let ((text (buffer-substring-no-properties (flymake-diagnostic-beg one) (flymake-diagnostic-end one))))
-          (unless (equal text (plist-get plan :text)) (say-wrong "it stands under %s" text)))))))
+          (unless (equal text (plist-get step :text)) (say-wrong "it is under %s" text)))))))
 
 (defun step-definition ()
-  "From the plan's place to its target."
-  (with-program (elt (plist-get plan :programs) 0)
+  "From the step's place to its target."
+  (with-program (elt (plist-get step :programs) 0)
     (go-to-place)
     (let* ((found (xref-backend-definitions 'eglot (xref-backend-identifier-at-point 'eglot)))
            (place (and found (xref-item-location (car found))))
-           (target (plist-get plan :target)))
+           (target (plist-get step :target)))
       (unless (and place
                    (file-equal-p (xref-location-group place) (plist-get target :path))
                    (equal (xref-location-line place) (plist-get target :line)))
         (say-wrong "the definition is at %s" place)))))
 
 (defun step-rename ()
-  "The plan's place is renamed to `name'; `after' is the text then."
-  (with-program (elt (plist-get plan :programs) 0)
+  "The step's place is renamed to `name'; `after' is the text then."
+  (with-program (elt (plist-get step :programs) 0)
     (go-to-place)
-    (eglot-rename (plist-get plan :name))
-    (unless (equal (buffer-string) (plist-get plan :after)) (say-wrong "the text is\n%s" (buffer-string)))))
+    (eglot-rename (plist-get step :name))
+    (unless (equal (buffer-string) (plist-get step :after)) (say-wrong "the text is\n%s" (buffer-string)))))
 
-(condition-case problem
-    (funcall (intern (concat "step-" (plist-get plan :step))))
-  (error (say-wrong "%s" (error-message-string problem))))
+(seq-do
+ (lambda (one)
+   (setq step one)
+   (condition-case problem
+       (funcall (intern (concat "step-" (plist-get step :step))))
+     (error (say-wrong "%s" (error-message-string problem))))
+   (dolist (buffer (buffer-list)) (with-current-buffer buffer (set-buffer-modified-p nil)))
+   (ignore-errors (eglot-shutdown-all)))
+ (plist-get plan :steps))
 (push "done" said)
 (let ((coding-system-for-write 'utf-8))
   (write-region (concat (string-join (nreverse said) "\n") "\n") nil (plist-get plan :result) nil 'quiet))
-(dolist (buffer (buffer-list)) (with-current-buffer buffer (set-buffer-modified-p nil)))
-(ignore-errors (eglot-shutdown-all))
 (kill-emacs 0)
 
 ;;; eglot.el ends here

@@ -19,12 +19,12 @@ bool haveEglot() {
   return have;
 }
 
-/// Runs one step of tests/editors/eglot.el.
+/// Does the steps by tests/editors/eglot.el.
 void runEglot(EditorPlan &plan) {
   if (!haveEglot())
     GTEST_SKIP() << "Emacs or Eglot is absent: the language server is not tried with them";
-  plan.set("plugin", NCVET_SOURCE_DIR "/lsp/editors/emacs/ncvet.el");
-  const std::string file = plan.write(), home = (plan.folder() / "home").string();
+  const std::string file = plan.write(NCVET_SOURCE_DIR "/lsp/editors/emacs/ncvet.el"),
+                    home = (plan.folder() / "home").string();
   std::filesystem::create_directories(home);
   const int status =
       runOuter({"env", "NCVET_PLAN=" + file, "HOME=" + home, "XDG_CACHE_HOME=" + home, "emacs",
@@ -35,51 +35,18 @@ void runEglot(EditorPlan &plan) {
 
 class EglotWith : public testing::TestWithParam<std::string> {};
 
-TEST_P(EglotWith, ShowsWhatTheCommandLineSays) {
-  EditorPlan plan("open", GetParam());
-  addPrograms(plan, GetParam(), 4);
-  runEglot(plan);
-}
-
-TEST_P(EglotWith, ShowsItAfterEveryEdit) {
-  EditorPlan plan("edit", GetParam());
-  addPrograms(plan, GetParam(), 2);
-  runEglot(plan);
-}
-
-TEST_P(EglotWith, MendsFindings) {
-  EditorPlan plan("fix", GetParam());
-  addPrograms(plan, GetParam(), 40);
+/// One session does all steps: what it shows is what the command line says, as a program is opened
+/// and after every edit; fixes end their findings.
+TEST_P(EglotWith, DoesWhatAUserDoes) {
+  EditorPlan plan(GetParam());
+  addPrograms(plan, "open", GetParam(), 4);
+  addPrograms(plan, "edit", GetParam(), 2);
+  addPrograms(plan, "fix", GetParam(), 40);
+  addJourneys(plan, GetParam());
   runEglot(plan);
 }
 
 INSTANTIATE_TEST_SUITE_P(Controls, EglotWith, testing::ValuesIn(controls()), controlName);
-
-class EglotJump : public testing::TestWithParam<Jump> {};
-TEST_P(EglotJump, LeadsToTheDefinition) {
-  EditorPlan plan = planOf(GetParam());
-  runEglot(plan);
-}
-INSTANTIATE_TEST_SUITE_P(All, EglotJump, testing::ValuesIn(jumps),
-                         [](const auto &jump) { return std::string(jump.param.name); });
-
-class EglotRenaming : public testing::TestWithParam<Renaming> {};
-TEST_P(EglotRenaming, ChangesEveryPlace) {
-  EditorPlan plan = planOf(GetParam());
-  runEglot(plan);
-}
-INSTANTIATE_TEST_SUITE_P(All, EglotRenaming, testing::ValuesIn(renamings),
-                         [](const auto &renaming) { return std::string(renaming.param.name); });
-
-TEST(Eglot, TellsTheState) {
-  EditorPlan plan = planOfState();
-  runEglot(plan);
-}
-
-TEST(Eglot, CountsColumnsBehindCommentsInAnyScript) {
-  EditorPlan plan = planOfColumns();
-  runEglot(plan);
-}
 
 } // namespace
 } // namespace ncvet::test

@@ -1,10 +1,10 @@
 -- Drives Neovim as a user would, without a screen: `nvim --headless -u NONE -c 'luafile neovim.lua'`. The plan, a
--- JSON file that the variable NCVET_PLAN names, says which step is to be done with which programs; what went wrong
--- is written into its `result`, a line each, and the last line is `done`.
+-- JSON file that the variable NCVET_PLAN names, says which steps are to be done one after the other, and with which
+-- programs; what went wrong is written into its `result`, a line each, and the last line is `done`.
 local plan = vim.fn.json_decode(table.concat(vim.fn.readfile(os.getenv('NCVET_PLAN')), '\n'))
 
-local said = {}
-local function fail(...) table.insert(said, table.concat(vim.tbl_map(tostring, { ... }), ' ')) end
+local said, doing = {}, ''
+local function fail(...) table.insert(said, doing .. ': ' .. table.concat(vim.tbl_map(tostring, { ... }), ' ')) end
 local function finish()
   table.insert(said, 'done')
   vim.fn.writefile(said, plan.result)
@@ -124,8 +124,8 @@ end
 local steps = {}
 
 -- What is shown of programs that are opened is what the command line says of them.
-function steps.open()
-  for _, program in ipairs(plan.programs) do
+function steps.open(step)
+  for _, program in ipairs(step.programs) do
     local buffer = open(program.path)
     if not buffer then return end
     compare(program.path, shown(buffer), checked(program.path, program.dialect))
@@ -134,8 +134,8 @@ function steps.open()
 end
 
 -- It stays so while lines are deleted, doubled, typed and brought back.
-function steps.edit()
-  for _, program in ipairs(plan.programs) do
+function steps.edit(step)
+  for _, program in ipairs(step.programs) do
     local buffer = open(program.path)
     if not buffer then return end
     local count = vim.api.nvim_buf_line_count(buffer)
@@ -179,7 +179,7 @@ local function act(line, column)
   return chosen
 end
 
--- How many findings of a rule stand in lines of this text: an edit above them does not change it.
+-- How many findings of a rule are in lines of this text: an edit above them does not change it.
 local function alike(buffer, rule, line)
   local count = 0
   for _, one in ipairs(vim.diagnostic.get(buffer)) do
@@ -190,9 +190,9 @@ end
 
 -- Applies an action to one finding each of a few programs, and sees the finding gone. `fits`: whether an action that
 -- is about the finding is the one.
-local function applyActions(most, fits)
+local function applyActions(step, most, fits)
   local applied = 0
-  for _, program in ipairs(plan.programs) do
+  for _, program in ipairs(step.programs) do
     local buffer = open(program.path)
     if not buffer then return end
     for _, one in ipairs(vim.diagnostic.get(buffer)) do
@@ -218,19 +218,19 @@ local function applyActions(most, fits)
 end
 
 -- Some findings are mended by their own fix.
-function steps.fix()
-  applyActions(4, function(action) return action.isPreferred ~= nil end)
+function steps.fix(step)
+  applyActions(step, 4, function(action) return action.isPreferred ~= nil end)
 end
 
 -- Some findings are silenced by a comment.
-function steps.allow()
-  applyActions(4, function(action) return action.title:find('^Allow .* here$') end)
+function steps.allow(step)
+  applyActions(step, 4, function(action) return action.title:find('^Allow .* here$') end)
 end
 
 -- Every block of which the machine's state is known tells it.
-function steps.hover()
+function steps.hover(step)
   local told = 0
-  for _, program in ipairs(plan.programs) do
+  for _, program in ipairs(step.programs) do
     local buffer = open(program.path)
     if not buffer then return end
     for line = 1, vim.api.nvim_buf_line_count(buffer) do
@@ -246,11 +246,11 @@ function steps.hover()
   if told == 0 then fail('nothing is said anywhere') end
 end
 
--- `expect`: words that the hover of the plan's place holds.
-function steps.hoverAt()
-  local buffer = open(plan.programs[1].path)
+-- `expect`: words that the hover of the step's place holds.
+function steps.hoverAt(step)
+  local buffer = open(step.programs[1].path)
   if not buffer then return end
-  place(plan.line, plan.column)
+  place(step.line, step.column)
   vim.lsp.buf.hover()
   local text = ''
   await('the window of the hover', function()
@@ -261,45 +261,45 @@ function steps.hoverAt()
     end
     return text ~= ''
   end)
-  for _, word in ipairs(plan.expect) do
+  for _, word in ipairs(step.expect) do
     if not text:find(word, 1, true) then fail('the hover lacks', word, 'in', text) end
   end
 end
 
--- The plan's finding stands in the bytes that it is about, although characters stand before it that UTF-16 counts
--- in other ways.
-function steps.columns()
-  local buffer = open(plan.programs[1].path)
+-- The step's finding is at the bytes that it is about, although there are characters before it that UTF-16 counts
+-- differently.
+function steps.columns(step)
+  local buffer = open(step.programs[1].path)
   if not buffer then return end
   for _, one in ipairs(vim.diagnostic.get(buffer)) do
-    if ruleOf(one) == plan.rule then
+    if ruleOf(one) == step.rule then
       local marked = lineAt(buffer, one.lnum):sub(one.col + 1, one.end_col)
-      if marked ~= plan.text then fail('stands under', marked, 'and not under', plan.text) end
+      if marked ~= step.text then fail('is at', marked, 'and not at', step.text) end
       return
     end
   end
-  fail('there is no finding of', plan.rule)
+  fail('there is no finding of', step.rule)
 end
 
--- From the plan's place to its target.
-function steps.definition()
-  local buffer = open(plan.programs[1].path)
+-- From the step's place to its target.
+function steps.definition(step)
+  local buffer = open(step.programs[1].path)
   if not buffer then return end
-  place(plan.line, plan.column)
+  place(step.line, step.column)
   vim.lsp.buf.definition()
   await('the jump', function()
-    return vim.fn.resolve(vim.api.nvim_buf_get_name(0)) == vim.fn.resolve(plan.target.path)
-      and vim.api.nvim_win_get_cursor(0)[1] == plan.target.line
+    return vim.fn.resolve(vim.api.nvim_buf_get_name(0)) == vim.fn.resolve(step.target.path)
+      and vim.api.nvim_win_get_cursor(0)[1] == step.target.line
   end)
 end
 
--- The plan's place is renamed to `name`; `after` is the text then.
-function steps.rename()
-  local buffer = open(plan.programs[1].path)
+-- The step's place is renamed to `name`; `after` is the text then.
+function steps.rename(step)
+  local buffer = open(step.programs[1].path)
   if not buffer then return end
-  place(plan.line, plan.column)
-  vim.lsp.buf.rename(plan.name)
-  if not await('the new name', function() return text(buffer) .. '\n' == plan.after end) then fail(text(buffer)) end
+  place(step.line, step.column)
+  vim.lsp.buf.rename(step.name)
+  if not await('the new name', function() return text(buffer) .. '\n' == step.after end) then fail(text(buffer)) end
 end
 
 vim.g.ncvet = { path = plan.ncvet, settings = plan.settings }
@@ -308,6 +308,16 @@ vim.opt.swapfile = false
 vim.opt.fixendofline = false
 vim.opt.fileencodings = 'utf-8,latin1'
 vim.cmd('runtime plugin/ncvet.lua')
-local ok, problem = xpcall(steps[plan.step], debug.traceback)
-if not ok then fail(problem) end
+-- A typist's pauses are nobody's here: Neovim would wait 150 ms after each edit.
+local start = vim.lsp.start_client
+vim.lsp.start_client = function(config)
+  return start(vim.tbl_extend('force', config, { flags = { debounce_text_changes = 0 } }))
+end
+for _, step in ipairs(plan.steps) do
+  doing = step.step
+  local ok, problem = xpcall(function() steps[step.step](step) end, debug.traceback)
+  if not ok then fail(problem) end
+  vim.cmd('silent! %bwipeout!')
+  vim.lsp.stop_client(vim.lsp.get_active_clients())
+end
 finish()
