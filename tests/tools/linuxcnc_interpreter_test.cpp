@@ -78,7 +78,11 @@ protected:
   /// Compares one program that lies in `folder`.
   void compare(const fs::path &folder, const std::string &program, const std::string &title,
                Tally &tally) {
-    const Rs274Run run = interpreter_->run(folder, program, tools());
+    compare(interpreter_->run(folder, program, tools()), folder, program, title, tally);
+  }
+
+  static void compare(const Rs274Run &run, const fs::path &folder, const std::string &program,
+                      const std::string &title, Tally &tally) {
     if (!run.accepted)
       return;
     if (tapsAside(textOf(folder / program))) {
@@ -95,23 +99,29 @@ protected:
       tally.differences.push_back(title + ": " + difference);
   }
 
-  /// Does `what` with a program on the machine of `machineText`.
+  /// The machine of `machineText`, read once.
+  struct Machine {
+    std::shared_ptr<const Dialect> dialect;
+    MachineProfile profile;
+  };
+  static const Machine &machine() {
+    static const Machine known = [] {
+      const std::string text = machineText();
+      return Machine{llvm::cantFail(overlay(dialectNamed("linuxcnc"), "machine.json", text)),
+                     llvm::cantFail(parseMachineProfile("machine.json", text))};
+    }();
+    return known;
+  }
+
+  /// Does `what` with a program on that machine.
   static void withFile(const fs::path &path, llvm::function_ref<void(Project &, FileUnit &)> what) {
-    static const std::string text = machineText();
-    auto machine = parseMachineProfile("machine.json", text);
-    auto overlaid = overlay(dialectNamed("linuxcnc"), "machine.json", text);
-    if (!machine || !overlaid) {
-      ADD_FAILURE() << (machine ? "" : llvm::toString(machine.takeError()))
-                    << (overlaid ? "" : llvm::toString(overlaid.takeError()));
-      return;
-    }
     SourceSet sources;
     auto source = sources.open(path.string(), path.filename().string());
     if (!source) {
       ADD_FAILURE() << llvm::toString(source.takeError());
       return;
     }
-    Project project(sources, *overlaid, *machine);
+    Project project(sources, machine().dialect, machine().profile);
     what(project, project.unit(**source));
   }
 
@@ -131,7 +141,11 @@ protected:
   /// Compares what is said of one program.
   void judge(const fs::path &folder, const std::string &program, const std::string &title,
              Verdicts &verdicts) {
-    const Rs274Run run = interpreter_->run(folder, program, tools());
+    judge(interpreter_->run(folder, program, tools()), folder, program, title, verdicts);
+  }
+
+  static void judge(const Rs274Run &run, const fs::path &folder, const std::string &program,
+                    const std::string &title, Verdicts &verdicts) {
     if (!run.finished)
       return;
     const std::string text = textOf(folder / program);
@@ -344,8 +358,9 @@ TEST_F(LinuxCncInterpreter, CompensatedContoursAreFollowedAndJudgedAlike) {
     if (only)
       std::cout << text;
     std::ofstream(folder.path() / "made.ngc") << text;
-    compare(folder.path(), "made.ngc", "seed " + std::to_string(seed), tally);
-    judge(folder.path(), "made.ngc", "seed " + std::to_string(seed), verdicts);
+    const Rs274Run run = interpreter_->run(folder.path(), "made.ngc", tools());
+    compare(run, folder.path(), "made.ngc", "seed " + std::to_string(seed), tally);
+    judge(run, folder.path(), "made.ngc", "seed " + std::to_string(seed), verdicts);
   }
   report("compensated programs", tally);
   report("compensated programs", verdicts);
