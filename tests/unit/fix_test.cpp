@@ -17,14 +17,21 @@ Session sessionFor(const PageProgram &program) {
   return Session(std::move(options));
 }
 
-std::map<RuleId, unsigned> countsOf(Session &session, const std::string &text) {
+struct Found {
+  std::map<RuleId, unsigned> counts; ///< of findings
+  bool fixable = false;              ///< one of them has a fix
+};
+
+Found check(Session &session, const std::string &text) {
   SourceSet sources;
   const FileOutcome outcome = checkFile(session, sources, sources.add("a.nc", text));
   EXPECT_EQ("", outcome.error);
-  std::map<RuleId, unsigned> counts;
-  for (const CheckedFinding &checked : outcome.findings)
-    ++counts[checked.finding.rule];
-  return counts;
+  Found found;
+  for (const CheckedFinding &checked : outcome.findings) {
+    ++found.counts[checked.finding.rule];
+    found.fixable |= checked.finding.fix.has_value();
+  }
+  return found;
 }
 
 std::string fixed(Session &session, const std::string &text, bool unsafe) {
@@ -38,12 +45,16 @@ TEST_P(FixLaws, NoNewFindingAndNothingLeftForASecondTime) {
   const PageProgram &program = GetParam();
   Session session = sessionFor(program);
   const std::string &text = program.files[0].text;
-  const auto before = countsOf(session, text);
+  const Found before = check(session, text);
+  if (!before.fixable)
+    return; // most programs, and some loop until the analysis gives up
   for (const bool unsafe : {false, true}) {
     const std::string once = fixed(session, text, unsafe);
-    for (const auto &[rule, count] : countsOf(session, once)) {
-      const auto old = before.find(rule);
-      EXPECT_LE(count, old == before.end() ? 0 : old->second)
+    if (once == text)
+      continue;
+    for (const auto &[rule, count] : check(session, once).counts) {
+      const auto old = before.counts.find(rule);
+      EXPECT_LE(count, old == before.counts.end() ? 0 : old->second)
           << allRules()[rule].info.id.str() << "\n"
           << once;
     }
