@@ -107,6 +107,16 @@ TEST_F(SinumerikReading, ComparisonsBindWeakest) {
             std::vector{SyntaxIssueKind::AmbiguousExpression});
 }
 
+/// By these priorities `A==1 AND B==1` is `(A==(1 AND B))==1`: true where both are 1 or both are 0.
+TEST_F(SinumerikReading, ComparisonsJoinedByAndAreDecidedByThePriorities) {
+  const auto blocks = blocksOf("R1=(1==1 AND 1==1)\nR1=(1==1 AND 0==1)\nR1=(0==1 AND 1==1)\n"
+                               "R1=(0==1 AND 0==1)\nR1=(0==1) AND (0==1)\n");
+  const double wanted[] = {1, 0, 0, 1, 0};
+  ASSERT_EQ(blocks.size(), std::size(wanted));
+  for (size_t i = 0; i < blocks.size(); ++i)
+    EXPECT_EQ(valueOf(blocks[i], blocks[i].items[0].value), wanted[i]) << i;
+}
+
 TEST_F(SinumerikReading, JumpsMayStandSeveralInABlock) {
   const Block block = blockOf("N120 IF R1==1 GOTOF DONE IF R1==2 GOTOB N100\n");
   ASSERT_EQ(block.items.size(), 4u);

@@ -39,6 +39,17 @@ std::vector<std::string> traceOf(const char *dialect, const std::vector<test::Pr
   return written.lines;
 }
 
+/// The control computes a comparison's result like any number: the condition has one answer.
+TEST(Trace, ABranchIsChosenByComparisonsJoinedByAnd) {
+  const auto moves = [](const std::string &second) {
+    return traceOf("sinumerik", {{"PART.MPF", "G17 G90 G0 X0 Y0 Z5\nR1=1 R2=" + second +
+                                                  "\nIF (R1 == 1 AND R2 == 1)\nX1\nELSE\nX2\n"
+                                                  "ENDIF\nM30\n"}});
+  };
+  EXPECT_THAT(moves("1"), ElementsAre("1 rapid X0 Y0 Z5", "4 rapid X1 Y0 Z5", "8 end"));
+  EXPECT_THAT(moves("0"), ElementsAre("1 rapid X0 Y0 Z5", "6 rapid X2 Y0 Z5", "8 end"));
+}
+
 /// Every block with a motion runs the program that `MCALL` names; its own motions do not.
 TEST(Trace, ModalCallsRunBehindMoves) {
   EXPECT_THAT(traceOf("sinumerik", {{"PART.MPF", "G17 G90 G0 X0 Y0 Z20\n"
