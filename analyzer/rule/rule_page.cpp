@@ -16,6 +16,40 @@ std::optional<double> numberOf(const PageJson &object, const char *key) {
   return found->get<double>();
 }
 
+/// A heading, a paragraph or a fenced program of a page, with the empty lines after it.
+struct PagePiece {
+  enum Kind : uint8_t { Heading, Paragraph, Program };
+  Kind kind = Paragraph;
+  bool kept = true;
+  llvm::StringRef text;
+};
+
+std::vector<PagePiece> piecesOf(llvm::StringRef body) {
+  std::vector<PagePiece> pieces;
+  bool fenced = false, ended = true; // inside a fence; an empty line has ended the piece
+  while (!body.empty()) {
+    const size_t end = body.find('\n');
+    const llvm::StringRef line = body.take_front(end == llvm::StringRef::npos ? end : end + 1);
+    body = body.drop_front(line.size());
+    const bool empty = line.trim().empty(), program = !fenced && line.startswith("```nc ");
+    if (program || (ended && !empty)) {
+      PagePiece &piece = pieces.emplace_back();
+      piece.kind = program                ? PagePiece::Program
+                   : line.startswith("#") ? PagePiece::Heading
+                                          : PagePiece::Paragraph;
+      piece.text = line.take_front(0);
+    }
+    if (pieces.empty())
+      pieces.emplace_back().text = line.take_front(0); // empty lines at the head
+    if (line.startswith("```"))
+      fenced = !fenced;
+    ended = !fenced && (empty || line.startswith("```"));
+    llvm::StringRef &text = pieces.back().text;
+    text = llvm::StringRef(text.data(), text.size() + line.size());
+  }
+  return pieces;
+}
+
 } // namespace
 
 RulePage readRulePage(const RuleInfo &info) {
@@ -55,24 +89,24 @@ std::string withProgramsOf(llvm::StringRef dialect, llvm::StringRef body) {
   const std::string fence = ("```nc " + dialect + " ").str();
   if (!body.contains(fence))
     return body.str();
-  std::string kept;
-  bool inside = false, drop = false; // a fenced program; of another control
-  while (!body.empty()) {
-    const size_t end = body.find('\n');
-    const llvm::StringRef line = body.take_front(end == llvm::StringRef::npos ? end : end + 1);
-    body = body.drop_front(line.size());
-    const bool closes = inside && line.startswith("```");
-    if (!inside && line.startswith("```nc ")) {
-      inside = true;
-      drop = !line.startswith(fence);
+  std::vector<PagePiece> pieces = piecesOf(body);
+  // From the end: a paragraph introduces the programs after it, and goes when all of them do.
+  bool introduces = false, allDropped = true;
+  for (PagePiece &piece : llvm::reverse(pieces)) {
+    if (piece.kind == PagePiece::Program) {
+      piece.kept = piece.text.startswith(fence);
+      allDropped = (!introduces || allDropped) && !piece.kept;
+      introduces = true;
+      continue;
     }
-    if (!drop)
-      kept += line;
-    else if (closes)
-      body.consume_front("\n"); // the empty line behind the program goes with it
-    if (closes)
-      inside = drop = false;
+    if (piece.kind == PagePiece::Paragraph && introduces)
+      piece.kept = !allDropped;
+    introduces = false;
   }
+  std::string kept;
+  for (const PagePiece &piece : pieces)
+    if (piece.kept)
+      kept += piece.text;
   return kept;
 }
 

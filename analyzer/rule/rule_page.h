@@ -31,7 +31,8 @@ struct RulePage {
 /// empty.
 RulePage readRulePage(const RuleInfo &info);
 
-/// The page's text with the programs of one control only; as it is when it has none of them.
+/// The page's text with the programs of one control only, without the paragraphs that introduce
+/// others alone; unchanged when it has none of them.
 std::string withProgramsOf(llvm::StringRef dialect, llvm::StringRef body);
 
 } // namespace ncvet

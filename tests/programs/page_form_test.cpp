@@ -51,5 +51,17 @@ TEST(RulePageForm, ItsWordsAreThoseOfAPlainEnglish) {
   }
 }
 
+TEST(PageOfOneControl, LeavesOutTheProgramsOfOthersAndWhatIntroducesOnlyThem) {
+  const std::string other = "```nc haas-mill wrong\nM30\n```\n\n",
+                    own = "```nc ecs wrong\nM30\n\n# no heading\n```\n\n";
+  EXPECT_EQ(withProgramsOf("ecs", "# rule\n\nA paragraph.\n\n## Wrong\n\n" + other + own +
+                                      "Of another:\n\n" + other + "Of two:\n\n" + other + own +
+                                      "Of its own\nin two lines:\n\n" + own +
+                                      "## Limits\n\nThe end.\n"),
+            "# rule\n\nA paragraph.\n\n## Wrong\n\n" + own + "Of two:\n\n" + own +
+                "Of its own\nin two lines:\n\n" + own + "## Limits\n\nThe end.\n");
+  EXPECT_EQ(withProgramsOf("mefi", "Of another:\n\n" + other), "Of another:\n\n" + other);
+}
+
 } // namespace
 } // namespace ncvet::test
