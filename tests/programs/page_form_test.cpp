@@ -1,5 +1,7 @@
-// Every rule's page has the same sections in the same order, and lists the options that it has.
+// Every rule's page has the same sections in the same order, and lists the options that it has;
+// pages and sources are written in plain words.
 #include "analyzer/rule/rule_page.h"
+#include "tests/support/outer_program.h"
 #include "tests/support/plain_words.h"
 #include "tests/support/rule_pages.h"
 
@@ -49,6 +51,44 @@ TEST(RulePageForm, ItsWordsAreThoseOfAPlainEnglish) {
     EXPECT_EQ(std::vector<std::string>(), hardWords(entry.info.help)) << entry.info.id.str();
     EXPECT_EQ(std::vector<std::string>(), hardWords(entry.info.summary)) << entry.info.id.str();
   }
+}
+
+/// Comments, messages and other texts of a source. A single word in quotes is a name.
+std::string textsOf(llvm::StringRef source) {
+  std::string texts, quoted;
+  while (!source.empty()) {
+    llvm::StringRef line;
+    std::tie(line, source) = source.split('\n');
+    bool inside = false; // of quotation marks
+    for (; !line.empty(); line = line.drop_front()) {
+      if (!inside && line.startswith("//")) {
+        texts += line.ltrim('/').str() + ' ';
+        break;
+      }
+      if (inside && line.startswith("\\"))
+        line = line.drop_front();
+      else if (inside && line[0] != '"')
+        quoted += line[0];
+      else if (line[0] == '"')
+        inside = !inside;
+      if (!inside && llvm::StringRef(quoted).contains(' '))
+        texts += quoted + ' ';
+      if (!inside)
+        quoted.clear();
+    }
+  }
+  return texts;
+}
+
+TEST(Sources, AreWrittenInPlainWords) {
+  namespace fs = std::filesystem;
+  for (const char *room : {"analyzer", "formats", "interp", "lsp", "rules"})
+    for (const auto &file : fs::recursive_directory_iterator(fs::path(NCVET_SOURCE_DIR) / room)) {
+      const fs::path &path = file.path();
+      if (path.extension() != ".cpp" && path.extension() != ".h")
+        continue;
+      EXPECT_EQ(std::vector<std::string>(), hardWords(textsOf(contentsOf(path)))) << path;
+    }
 }
 
 TEST(PageOfOneControl, LeavesOutTheProgramsOfOthersAndWhatIntroducesOnlyThem) {
