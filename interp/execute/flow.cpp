@@ -1,4 +1,5 @@
 // Calls, returns and ends: what a block's codes say about where control goes.
+#include "formats/dialect/packed_call.h"
 #include "interp/execute/execution.h"
 #include "interp/value/macro_argument.h"
 
@@ -27,12 +28,13 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
     flow.end = block_.endOf(*p);
     const Interval number = value(*p);
     flow.target = valueOf(number);
-    // Four-digit controls pack the count before the number: P51000 runs O1000 five times.
-    if (!macro && number.isConstant() && number.value() > 9999 && !block_.has(letterAddress('L')) &&
-        dialect_.limits.programDigitsMax == 4) {
-      const auto packed = int64_t(number.value());
-      flow.target = Value::of(double(packed % 10000));
-      flow.repeat = Value::of(double(packed / 10000));
+    if (!macro && number.isConstant()) {
+      const PackedCall call =
+          unpackCall(dialect_, int64_t(number.value()), block_.has(letterAddress('L')));
+      if (call.digits) {
+        flow.target = Value::of(double(call.program));
+        flow.repeat = Value::of(double(call.runs));
+      }
     }
   }
   if (const Word *l = block_.find('L')) {

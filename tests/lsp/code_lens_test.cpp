@@ -21,6 +21,7 @@ std::string lensesOf(llvm::StringRef dialect, llvm::StringRef program) {
 TEST(CodeLens, ProgramsCountTheirCallers) {
   EXPECT_EQ(lensesOf("fanuc-0m", "O1\nM98 P20\nG65 P20 A1.\nM30\nO20\nM99\nO30\nM99\n"),
             "5: 2 callers\n7: no callers in this file\n");
+  EXPECT_EQ(lensesOf("nct-104m", "%O0001\nM98 P30020\nM30\n%O0020\nM99\n"), "4: 1 caller\n");
   EXPECT_EQ(lensesOf("sinumerik", "%_N_MAIN_MPF\nPART\nM30\n%_N_PART_SPF\nRET\n"), "4: 1 caller\n");
   EXPECT_EQ(lensesOf("linuxcnc", "o<a> sub\nG0 X1\no<a> endsub\no<a> call\nM2\n"), "1: 1 caller\n");
   EXPECT_EQ(lensesOf("haas-lathe", "O1\nM97 P100\nM30\nN100 G00 X1.\nM99\n"), "4: 1 caller\n");

@@ -2,6 +2,7 @@
 #include "lsp/features/showing/code_lens.h"
 
 #include "analyzer/check/contour_report.h"
+#include "formats/dialect/packed_call.h"
 #include "interp/evaluate/condition.h"
 #include "lsp/features/number_text.h"
 
@@ -119,7 +120,8 @@ private:
       case Action::MacroCall:
       case Action::MacroModal:
         if (const Word *p = callees ? target(block, dialect_.codes[index]) : nullptr)
-          note(numbered_[p->mantissa], {file_, word.offset, block.endOf(*p)});
+          note(numbered_[calledNumber(block, *p, dialect_.codes[index].action)],
+               {file_, word.offset, block.endOf(*p)});
         break;
       case Action::CallLocal:
         localCall(block, word, dialect_.codes[index]);
@@ -137,6 +139,11 @@ private:
         if (const Word *word = wordFor(block, spec); word && word->isNumber() && word->isWhole())
           return word;
     return nullptr;
+  }
+
+  int64_t calledNumber(const Block &block, const Word &word, Action action) const {
+    const bool counted = action != Action::CallProgram || block.has(letterAddress('L'));
+    return unpackCall(dialect_, word.mantissa, counted).program;
   }
 
   void localCall(const Block &block, const Word &word, const CodeInfo &code) {
