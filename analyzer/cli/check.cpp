@@ -187,9 +187,7 @@ void Check::addFindings() {
       all.push_back(std::move(checked));
     }
   const auto place = [&](const CheckedFinding &checked) {
-    const Finding &finding = checked.finding;
-    return std::tuple(llvm::StringRef(sources_.get(finding.range.file).display()),
-                      finding.range.begin, finding.rule, finding.range.end);
+    return placeInReport(report_, checked.finding);
   };
   // What is found in a program that several others call is told once: where every caller breaks the
   // rule first, then the one that is checked first.

@@ -2,6 +2,7 @@
 #include "analyzer/rule/collector.h"
 
 #include "analyzer/rule/rule_table.h"
+#include "formats/finding/finding_order.h"
 
 #include "llvm/ADT/StringSet.h"
 
@@ -126,9 +127,9 @@ std::vector<Finding> Collector::take(const SourceSet &sources) {
     all.push_back(std::move(finding));
   }
   entries_.clear();
-  llvm::sort(all, [](const Finding &a, const Finding &b) {
-    return std::tie(a.range.file, a.range.begin, a.rule, a.range.end) <
-           std::tie(b.range.file, b.range.begin, b.rule, b.range.end);
+  const auto itself = [](auto number) { return number; };
+  llvm::sort(all, [&](const Finding &a, const Finding &b) {
+    return placeInOrder(a, itself, itself) < placeInOrder(b, itself, itself);
   });
   // Of two rules that would say the same thing of one block, the one that names the cause speaks.
   std::vector<Finding> kept;

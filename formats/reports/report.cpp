@@ -1,6 +1,7 @@
 // Reports: the list of formats, the order of output, and what the writers share.
 #include "formats/reports/report.h"
 
+#include "formats/finding/finding_order.h"
 #include "formats/reports/writers.h"
 
 #include <algorithm>
@@ -8,16 +9,19 @@
 
 namespace ncvet {
 
+std::tuple<llvm::StringRef, uint32_t, llvm::StringRef, uint32_t>
+placeInReport(const Report &report, const Finding &finding) {
+  // Of one file, byte offsets are in the order of lines and columns.
+  return placeInOrder(
+      finding, [&](FileId file) { return llvm::StringRef(report.sources->get(file).display()); },
+      [&](RuleId rule) { return report.rules[rule].id; });
+}
+
 void sortReport(Report &report) {
   std::stable_sort(report.findings.begin(), report.findings.end(),
                    [&](const Finding &a, const Finding &b) {
-                     const auto key = [&](const Finding &finding) {
-                       // Of one file, byte offsets are in the order of lines and columns.
-                       return std::tuple(llvm::StringRef(fileOf(report, finding.range).display()),
-                                         finding.range.begin, report.rules[finding.rule].id,
-                                         finding.range.end, llvm::StringRef(finding.message));
-                     };
-                     return key(a) < key(b);
+                     const auto left = placeInReport(report, a), right = placeInReport(report, b);
+                     return left != right ? left < right : a.message < b.message;
                    });
   std::stable_sort(report.files.begin(), report.files.end(),
                    [](const FileReport &a, const FileReport &b) { return a.path < b.path; });

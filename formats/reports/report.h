@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ncvet {
@@ -55,6 +56,9 @@ struct Report {
 
 /// Brings everything into the order of output: findings by path, line, column and rule.
 void sortReport(Report &report);
+/// What orders the findings of a report, see `placeInOrder`: names of the file and of the rule.
+std::tuple<llvm::StringRef, uint32_t, llvm::StringRef, uint32_t>
+placeInReport(const Report &report, const Finding &finding);
 
 /// Writes a report, sorted before, in one format. Suppressed findings and those of the baseline
 /// appear in SARIF only, marked as what they are; the other formats leave them out.
