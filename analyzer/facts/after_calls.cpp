@@ -2,6 +2,7 @@
 #include "analyzer/facts/after_calls.h"
 
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/references.h"
 
 namespace ncvet {
 
@@ -13,24 +14,21 @@ constexpr uint32_t longest = 200000;
 constexpr unsigned lookAhead = 60;
 
 /// Whether the block calls the program with this number; `once` tells that it does so one time.
-bool calls(const Dialect &dialect, const Block &block, int64_t number, bool &once) {
-  if (!findCode(dialect, block, {Action::CallProgram}))
+bool calls(const ReferenceReader &references, const RuleContext &ctx, const Block &block,
+           int64_t number, bool &once) {
+  if (!findCode(ctx.dialect(), block, {Action::CallProgram}))
     return false;
-  const Word *target = block.find('P');
-  // A number that is not known here may be this one.
-  if (!target || !target->isNumber()) {
-    once = false;
-    return target != nullptr;
-  }
-  auto called = int64_t(target->value());
-  const Word *count = block.find('L');
-  once = !count || (count->isNumber() && count->value() == 1);
-  // Four-digit controls pack the count before the number.
-  if (called > 9999 && !count && dialect.limits.programDigitsMax == 4) {
-    once = called / 10000 == 1;
-    called %= 10000;
-  }
-  return called == number;
+  bool found = false;
+  references.words(block, ctx.source().text(), [&](const Reference &call) {
+    if (call.kind != ReferenceKind::Call)
+      return;
+    const bool untold = call.to == ReferredKind::UntoldProgram; // it may be this one
+    if (!untold && (call.to != ReferredKind::Program || call.number != number))
+      return;
+    found = true;
+    once = !untold && call.runs == 1;
+  });
+  return found;
 }
 
 /// Whether the blocks after `block` end the mode before one relies on it.
@@ -55,6 +53,7 @@ bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begi
   if (own.number < 0 || ctx.source().text().size() > longest)
     return false;
   bool called = false;
+  const ReferenceReader references(ctx.dialect());
   Block block;
   for (const ProgramInfo &program : index.programs())
     for (uint32_t at = program.body; at < program.end; at = block.next) {
@@ -62,7 +61,7 @@ bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begi
       if (block.next <= at)
         return false;
       bool once = true;
-      if (!calls(ctx.dialect(), block, own.number, once))
+      if (!calls(references, ctx, block, own.number, once))
         continue;
       begin();
       if (!once || !endsBehind(index, block, judge))

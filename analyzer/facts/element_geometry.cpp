@@ -18,7 +18,6 @@ constexpr double parallel = 1e-6;
 /// The number after an address in the words of a definition, which the reader keeps as one text;
 /// none where it is missing or computed.
 std::optional<double> numberOf(llvm::StringRef text, llvm::StringRef address) {
-  text = text.take_until([](char c) { return c == '\'' || c == '{' || c == '('; });
   for (size_t at = text.find_insensitive(address); at != llvm::StringRef::npos;
        at = text.find_insensitive(address, at + 1)) {
     if (at > 0 && llvm::isAlpha(text[at - 1]))
@@ -35,9 +34,14 @@ std::optional<double> numberOf(llvm::StringRef text, llvm::StringRef address) {
 
 /// Whether a definition has no other letters than these: more of them say something else.
 bool madeOf(llvm::StringRef text, llvm::StringRef letters) {
-  text = text.take_until([](char c) { return c == '\'' || c == '{' || c == '('; });
   return llvm::all_of(
       text, [&](char c) { return !llvm::isAlpha(c) || letters.contains(llvm::toUpper(c)); });
+}
+
+/// The words of a definition, to its comment.
+llvm::StringRef definitionText(const Word &word, const RuleContext &ctx) {
+  const llvm::StringRef text = ctx.text(word).split('=').second;
+  return text.take_until([](char c) { return c == '\'' || c == '{' || c == '('; });
 }
 
 /// Distance of a point from a line, in millimetres.
@@ -74,10 +78,10 @@ std::optional<ElementGeometry> definedElement(const RuleContext &ctx) {
   if (!definition || !definition->word || !unit || !state.frames.empty() ||
       planeAxes(ctx.dialect(), state) != (1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y)))
     return std::nullopt;
-  const llvm::StringRef text = ctx.text(*definition->word).split('=').second;
+  const llvm::StringRef text = definitionText(*definition->word, ctx);
   const bool circle = numberOf(text, "R").has_value();
   const auto x = numberOf(text, circle ? "I" : "X"), y = numberOf(text, circle ? "J" : "Y");
-  const bool line = !circle && text.contains_insensitive("RC");
+  const bool line = !circle && madeOf(text, "GXYRC") && !madeOf(text, "GXY");
   if (!x || !y || !madeOf(text, circle ? "GIJR" : line ? "GXYRC" : "GXY"))
     return std::nullopt;
   ElementGeometry element;

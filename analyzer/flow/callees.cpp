@@ -1,21 +1,34 @@
 // The programs that calls name.
 #include "analyzer/flow/callees.h"
 
+#include "analyzer/program/references.h"
+
 namespace ncvet {
 
 namespace {
 
-/// First block after the bracket that opens the subprogram `label`, and the program that holds it.
-std::optional<uint32_t> subprogramBody(const FileUnit &unit, llvm::StringRef label,
-                                       const ProgramInfo *&program) {
-  for (const ProgramInfo &one : unit.index.programs())
-    if (const auto at = unit.index.label(one, label, one.begin)) {
-      Block block;
-      unit.reader->read(*at, block);
-      program = &one;
-      return block.next;
-    }
-  return std::nullopt;
+Reference referenceTo(ReferredKind kind, llvm::StringRef name) {
+  Reference reference;
+  reference.to = kind;
+  reference.text = name;
+  return reference;
+}
+
+Reference referenceTo(ReferredKind kind, int64_t number) {
+  Reference reference;
+  reference.to = kind;
+  reference.number = number;
+  return reference;
+}
+
+/// The callee begins where the program does.
+bool enter(Callee &callee, const std::optional<ReferredPlace> &place) {
+  if (place) {
+    callee.unit = place->unit;
+    callee.program = place->program;
+    callee.start = place->begin;
+  }
+  return place.has_value();
 }
 
 } // namespace
@@ -58,11 +71,9 @@ std::optional<Callee> Callees::named(const Step &step, const Item &item, Callee 
 std::optional<Callee> Callees::external(const Step &step, const Item &item, llvm::StringRef name,
                                         SourceRange range, Callee callee) {
   FileUnit &unit = step.unit();
-  std::tie(callee.unit, callee.program) = run_.project.findProgram(unit, name);
-  if (callee.program) {
-    callee.start = callee.program->body;
+  if (enter(callee,
+            resolveProgram(run_.project, unit, referenceTo(ReferredKind::NamedProgram, name))))
     return callee;
-  }
   const Defined *known = unit.index.definition(step.region().program, name);
   const CodeIndex own = unit.dialect->keyword(name);
   if (item.external || (known && known->kind == ItemKind::Macro) ||
@@ -75,7 +86,8 @@ std::optional<Callee> Callees::external(const Step &step, const Item &item, llvm
 std::optional<Callee> Callees::local(const Step &step, Callee callee) {
   callee.number = int64_t(step.outcome.flow.target.number.value());
   run_.used.numbers.insert(callee.number);
-  const auto offset = step.unit().index.block(*callee.program, callee.number, step.at);
+  const auto offset = resolveBlock(step.unit().index, *callee.program,
+                                   referenceTo(ReferredKind::Block, callee.number), step.at);
   if (!offset)
     return missing(FlowIssue::UnknownBlock, step, step.flowRange());
   callee.start = *offset;
@@ -90,54 +102,48 @@ std::optional<Callee> Callees::numbered(const Step &step, Callee callee) {
   const Flow &flow = step.outcome.flow;
   callee.number = int64_t(flow.target.number.value());
   run_.used.programs.insert(callee.number);
-  std::tie(callee.unit, callee.program) = run_.project.findProgram(step.unit(), callee.number);
-  if (!callee.program)
+  if (!enter(callee, resolveProgram(run_.project, step.unit(),
+                                    referenceTo(ReferredKind::Program, callee.number))))
     return missing(FlowIssue::UnknownProgram, step, step.flowRange());
-  callee.start = callee.program->body;
   if (flow.startAt.isConstant()) {
     const auto first = int64_t(flow.startAt.number.value());
     if (callee.unit == &run_.unit)
       run_.used.numbers.insert(first);
-    if (const auto offset = callee.unit->index.block(*callee.program, first, callee.program->begin))
+    if (const auto offset =
+            resolveBlock(callee.unit->index, *callee.program,
+                         referenceTo(ReferredKind::Block, first), callee.program->begin))
       callee.start = *offset;
   }
   return callee;
 }
 
 bool Callees::findBracketed(Callee &callee, llvm::StringRef name) {
-  auto body = subprogramBody(*callee.unit, name, callee.program);
-  if (!body) {
-    std::tie(callee.unit, callee.program) = run_.project.findProgram(*callee.unit, name);
-    if (callee.program)
-      body = subprogramBody(*callee.unit, name, callee.program);
-  }
-  if (!body)
+  if (!enter(callee, resolveProgram(run_.project, *callee.unit,
+                                    referenceTo(ReferredKind::Subprogram, name))))
     return false;
   if (callee.unit == &run_.unit)
-    run_.used.bracketed.insert(*body);
-  callee.start = *body;
+    run_.used.bracketed.insert(callee.start);
   callee.kind = RegionKind::LocalSubprogram;
   return true;
 }
 
 std::optional<Callee> Callees::findModal(FileUnit &unit, const ModalCall &call, const Block &made,
                                          const Item *&item) {
-  Project::Found found{nullptr, nullptr};
-  if (call.program >= 0) {
-    found = run_.project.findProgram(unit, call.program);
-  } else {
+  Callee callee{&unit, nullptr, 0, RegionKind::Subprogram,
+                call.program >= 0 ? call.program : notSet};
+  Reference reference = referenceTo(ReferredKind::Program, call.program);
+  if (call.program < 0) {
     for (const Item &one : made.items)
       if (one.kind == ItemKind::Call && one.modal)
         item = &one;
     if (!item)
       return std::nullopt;
     const SourceFile &maker = run_.project.sources().get(call.file);
-    found = run_.project.findProgram(unit, maker.text(item->nameBegin, item->nameEnd));
+    reference = referenceTo(ReferredKind::NamedProgram, maker.text(item->nameBegin, item->nameEnd));
   }
-  if (!found.second)
+  if (!enter(callee, resolveProgram(run_.project, unit, reference)))
     return std::nullopt;
-  return Callee{found.first, found.second, found.second->body, RegionKind::Subprogram,
-                call.program >= 0 ? call.program : notSet};
+  return callee;
 }
 
 } // namespace ncvet

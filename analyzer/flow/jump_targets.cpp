@@ -10,22 +10,7 @@ namespace {
 /// A jump to a number that is not known may go to any block with a number, when these are few.
 constexpr size_t maxComputedTargets = 64;
 
-Search searchOf(JumpKind kind) {
-  return kind == JumpKind::Forward    ? Search::Forward
-         : kind == JumpKind::Backward ? Search::Backward
-                                      : Search::Anywhere;
-}
-
 } // namespace
-
-/// The targets of a choice by value have their directions each for itself.
-JumpKind searchKind(const Item &item, const Argument &target) {
-  return item.jump != JumpKind::ByValue ? item.jump
-         : target.separator == 'F'      ? JumpKind::Forward
-         : target.separator == 'B'      ? JumpKind::Backward
-         : target.separator == 'C'      ? JumpKind::IfFound
-                                        : JumpKind::Anywhere;
-}
 
 void JumpTargets::tooMany(const Step &step) {
   run_.cut(step.blockRange(), "a computed jump may lead to too many blocks");
@@ -95,9 +80,12 @@ std::optional<uint32_t> JumpTargets::resolveNumber(const Step &step, FileUnit &u
                            ? Value::vacant()
                            : evaluate(block, target.expression, step.live.state, nullptr);
   if (target.kind == ArgumentKind::BlockNumber && number.isConstant()) {
-    const auto wanted = std::llround(number.number.value());
-    run_.used.numbers.insert(wanted);
-    return unit.index.block(program, wanted, from, searchOf(kind));
+    Reference reference;
+    reference.to = ReferredKind::Block;
+    reference.search = searchOf(kind);
+    reference.number = std::llround(number.number.value());
+    run_.used.numbers.insert(reference.number);
+    return resolveBlock(unit.index, program, reference, from);
   }
   computed = true;
   run_.issue(number.isVacant() ? FlowIssue::NoTarget : FlowIssue::ComputedTarget, step,
@@ -118,9 +106,12 @@ std::optional<uint32_t> JumpTargets::resolve(const Step &step, FileUnit &unit,
   const SourceFile &source = step.unit().source;
   std::optional<uint32_t> offset;
   if (target.kind == ArgumentKind::Label) {
-    const llvm::StringRef text = source.text(target.begin, target.end);
-    run_.used.labels.insert(unit.reader->labelKey(text));
-    offset = unit.index.label(program, text, from, searchOf(kind));
+    Reference reference;
+    reference.to = ReferredKind::Label;
+    reference.search = searchOf(kind);
+    reference.text = source.text(target.begin, target.end);
+    run_.used.labels.insert(unit.reader->labelKey(reference.text));
+    offset = resolveBlock(unit.index, program, reference, from);
   } else if (target.kind == ArgumentKind::Name) {
     return std::nullopt; // no place at all: how it is written is a rule's business
   } else {

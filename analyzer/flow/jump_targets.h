@@ -2,11 +2,9 @@
 #pragma once
 
 #include "analyzer/flow/loops.h"
+#include "analyzer/program/references.h"
 
 namespace ncvet {
-
-/// Direction in which the target `target` of a jump `item` is looked for.
-JumpKind searchKind(const Item &item, const Argument &target);
 
 /// Finds blocks by number and label, and goes on at many where only the run knows which.
 class JumpTargets {

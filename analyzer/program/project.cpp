@@ -1,6 +1,9 @@
 // The files of one analysis: the current program and those that it calls from elsewhere.
 #include "analyzer/program/project.h"
 
+#include "analyzer/program/block_reading.h"
+#include "analyzer/program/program_names.h"
+
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -29,14 +32,23 @@ int64_t numberOfName(llvm::StringRef name) {
 }
 
 /// `EXTERN NAME`: the program says that it calls one of its own.
-bool declares(llvm::StringRef text, llvm::StringRef name) {
+bool declares(const FileUnit &unit, llvm::StringRef name) {
   constexpr llvm::StringLiteral word = "EXTERN";
+  const llvm::StringRef text = unit.source.text();
+  // A reader of its own: this one is asked while the unit's reads a block.
+  std::unique_ptr<Reader> reader;
+  Block block;
   for (size_t at = text.find_insensitive(word); at != llvm::StringRef::npos;
        at = text.find_insensitive(word, at + 1)) {
-    const llvm::StringRef behind = text.drop_front(at + word.size()).ltrim(" \t");
-    if (behind.startswith_insensitive(name) &&
-        (behind.size() == name.size() ||
-         !(llvm::isAlnum(behind[name.size()]) || behind[name.size()] == '_')))
+    if (!text.drop_front(at + word.size()).ltrim(" \t").startswith_insensitive(name))
+      continue;
+    if (!reader)
+      reader = makeReader(*unit.dialect, text);
+    readBlockAt(unit.source, *reader, uint32_t(at), block);
+    if (llvm::any_of(block.items, [&](const Item &item) {
+          return item.kind == ItemKind::Declaration &&
+                 unit.source.text(item.nameBegin, item.nameEnd).equals_insensitive(name);
+        }))
       return true;
   }
   return false;
@@ -176,23 +188,11 @@ Project::Found Project::findProgram(FileUnit &from, int64_t number) {
       [number](const FileIndex &index) { return index.find(number); });
 }
 
-/// `SHAFT` of `_N_SHAFT_SPF`: a program as a control with folders stores it; else the name.
-static llvm::StringRef withoutStoreMarks(llvm::StringRef name) {
-  llvm::StringRef bare = name;
-  const bool marked =
-      bare.consume_front_insensitive("_N_") &&
-      (bare.consume_back_insensitive("_SPF") || bare.consume_back_insensitive("_MPF"));
-  return marked && !bare.empty() ? bare : name;
-}
-
 Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
   if (const ProgramInfo *program = from.index.find(name))
     return {&from, program};
-  // Only the name counts: the control has folders of its own.
-  const size_t slash = name.find_last_of("/\\");
-  if (slash != llvm::StringRef::npos)
-    name = name.drop_front(slash + 1);
-  if (const llvm::StringRef bare = withoutStoreMarks(name); bare.size() < name.size()) {
+  if (const llvm::StringRef bare = bareProgramName(name, *from.dialect);
+      bare.size() < name.size()) {
     name = bare;
     if (const ProgramInfo *program = from.index.find(name))
       return {&from, program};
@@ -218,10 +218,9 @@ bool Project::hidesProgram(FileUnit &from, llvm::StringRef name) {
     const auto same = [&](const std::string &one) { return ending.equals_insensitive(one); };
     if (dialect_->mainExtensions.empty() && dialect_->subprogramExtensions.empty())
       return ending.empty() || llvm::any_of(dialect_->extensions, same);
-    return llvm::any_of(dialect_->mainExtensions, same) ||
-           llvm::any_of(dialect_->subprogramExtensions, same);
+    return isProgramEnding(ending, *dialect_);
   };
-  bool hides = from.index.find(name) || declares(from.source.text(), name);
+  bool hides = from.index.find(name) || declares(from, name);
   for (const std::string &folder : foldersOf(from)) {
     if (hides)
       break;

@@ -1,21 +1,38 @@
 // The sections of a program that statements of it repeat, as the text says it.
 #include "analyzer/program/repeated_sections.h"
 
+#include "analyzer/program/references.h"
 #include "interp/evaluate/condition.h"
 
 namespace ncvet {
 
+namespace {
+
 std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block,
-                                   const Argument &argument, uint32_t from) {
-  const ProgramInfo &program = index.programAt(from);
-  if (argument.kind == ArgumentKind::Label)
-    return index.label(program, index.source().text(argument.begin, argument.end), from);
-  if (argument.kind != ArgumentKind::BlockNumber || argument.expression >= block.expressions.size())
-    return std::nullopt;
-  const Expression &number = block.expressions[argument.expression];
-  if (number.bad || number.count != 1 || block.operations[number.first].op != Op::Number)
-    return std::nullopt;
-  return index.block(program, int64_t(block.operations[number.first].value), from);
+                                   const Argument &argument, uint32_t from, Search search) {
+  Reference reference;
+  reference.search = search;
+  if (argument.kind == ArgumentKind::Label) {
+    reference.to = ReferredKind::Label;
+    reference.text = index.source().text(argument.begin, argument.end);
+  } else {
+    if (argument.kind != ArgumentKind::BlockNumber ||
+        argument.expression >= block.expressions.size())
+      return std::nullopt;
+    const Expression &number = block.expressions[argument.expression];
+    if (number.bad || number.count != 1 || block.operations[number.first].op != Op::Number)
+      return std::nullopt;
+    reference.to = ReferredKind::Block;
+    reference.number = int64_t(block.operations[number.first].value);
+  }
+  return resolveBlock(index, index.programAt(block.begin), reference, from);
+}
+
+} // namespace
+
+std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block, const Item &item,
+                                   const Argument &argument) {
+  return blockNamed(index, block, argument, block.begin, searchOf(searchKind(item, argument)));
 }
 
 std::vector<RepeatedSection> repeatedSections(const FileIndex &index) {
@@ -28,8 +45,11 @@ std::vector<RepeatedSection> repeatedSections(const FileIndex &index) {
       if (item.kind != ItemKind::Repeat || item.arguments != 2)
         continue;
       const auto places = block.argumentsOf(item);
-      const auto from = blockNamed(index, block, places[0], block.begin);
-      const auto to = blockNamed(index, block, places[1], block.begin);
+      const auto from = blockNamed(index, block, item, places[0]);
+      // The end is looked for from the begin on.
+      const auto to =
+          from ? blockNamed(index, block, places[1], std::max(*from, 1u) - 1, Search::Anywhere)
+               : from;
       if (!from || !to || *to < *from || *to >= block.begin)
         continue;
       reader.read(*to, last);

@@ -15,10 +15,10 @@ struct RepeatedSection {
   bool holds(uint32_t offset) const { return first <= offset && offset < behind; }
 };
 
-/// The block that an argument of a jump or repeat names, looked for from the block at `from`; none:
-/// it is not there, or it is computed.
-std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block,
-                                   const Argument &argument, uint32_t from);
+/// The block that an argument of `item`, a jump, a repeat or an input of `block`, names, looked for
+/// as the control does; none: it is not there, or it is computed.
+std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block, const Item &item,
+                                   const Argument &argument);
 
 /// All repeats with two bounds before which their section ends, in text order. Reads the file.
 std::vector<RepeatedSection> repeatedSections(const FileIndex &index);

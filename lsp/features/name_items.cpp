@@ -31,21 +31,14 @@ void NamePass::item(const Item &item) {
     if (item.structure == Structure::For)
       return assignment(item);
     return bracket(item);
-  case ItemKind::Call:
-    return call(item);
-  case ItemKind::Jump:
-    return jump(item);
-  case ItemKind::Repeat:
-    return repeat(item);
   case ItemKind::Input:
     if (item.target != noExpression)
       assignment(item);
-    if (item.arguments)
-      target(block_.argumentsOf(item)[0], NameUse::Jump, JumpKind::Anywhere, program_);
-    return;
+    break;
   default:
-    return;
+    break;
   }
+  references_.item(block_, item, text_, [this](const Reference &one) { reference(one); });
 }
 
 /// The variable that an item writes.
@@ -104,84 +97,6 @@ void NamePass::bracket(const Item &item) {
     scope_ = uint32_t(scopes_.size());
     scopes_.push_back({block_.begin, scopes_[program_].end, program_});
   }
-}
-
-void NamePass::call(const Item &item) {
-  if (item.nameEnd <= item.nameBegin)
-    return untold(&UntoldNames::call, item.begin);
-  if (!item.positional)
-    return addProgram(NameUse::Call, item.nameBegin, item.nameEnd);
-  add(NameKind::Subprogram, NameUse::Call,
-      labelKeyOf(*unit_.reader, text_.slice(item.nameBegin, item.nameEnd)), item.nameBegin,
-      item.nameEnd, wholeFile);
-}
-
-std::optional<int64_t> NamePass::constant(uint16_t expression) const {
-  if (expression >= block_.expressions.size())
-    return std::nullopt;
-  const Expression &e = block_.expressions[expression];
-  if (e.count != 1 || block_.operations[e.first].op != Op::Number)
-    return std::nullopt;
-  const double value = block_.operations[e.first].value;
-  if (!(value >= 0 && value < 1e15) || value != double(int64_t(value)))
-    return std::nullopt;
-  return int64_t(value);
-}
-
-/// One place that a jump, a repeat or an answer leads to.
-void NamePass::target(const Argument &target, NameUse use, JumpKind kind, uint32_t scope) {
-  const Search search = kind == JumpKind::Forward    ? Search::Forward
-                        : kind == JumpKind::Backward ? Search::Backward
-                                                     : Search::Anywhere;
-  if (target.kind == ArgumentKind::Label) {
-    if (target.end > target.begin)
-      add(NameKind::Label, use, labelKeyOf(*unit_.reader, text_.slice(target.begin, target.end)),
-          target.begin, target.end, scope)
-          .search = search;
-    return;
-  }
-  if (target.kind != ArgumentKind::BlockNumber && target.kind != ArgumentKind::Expression)
-    return;
-  const auto number = constant(target.expression);
-  if (!number || target.kind != ArgumentKind::BlockNumber)
-    return untold(&UntoldNames::target, target.begin);
-  const uint32_t begin = firstDigit(target.begin, target.end);
-  add(NameKind::Block, use, uint64_t(*number), begin, endOfDigits(begin), scope).search = search;
-}
-
-void NamePass::jump(const Item &item) {
-  uint32_t scope = program_;
-  if (item.nameEnd > item.nameBegin) {
-    const llvm::StringRef name = text_.slice(item.nameBegin, item.nameEnd);
-    addProgram(NameUse::Jump, item.nameBegin, item.nameEnd);
-    scope = programOf(programKey(name));
-  }
-  const llvm::ArrayRef<Argument> all = block_.argumentsOf(item);
-  for (size_t i = 0; i < all.size(); ++i)
-    // Of pairs of a constant and its target, the last target alone.
-    if (item.jump != JumpKind::ByValue || i % 2 == 1 || i + 1 == all.size())
-      target(all[i], NameUse::Jump, item.jump, scope);
-  if (!all.empty() || item.value == noExpression)
-    return;
-  const auto number = constant(item.value);
-  if (!number) {
-    const bool empty = item.value < block_.expressions.size() &&
-                       block_.expressions[item.value].end <= block_.expressions[item.value].begin;
-    if (!empty)
-      untold(&UntoldNames::target, item.begin);
-    return;
-  }
-  const Expression &e = block_.expressions[item.value];
-  const uint32_t begin = firstDigit(block_.operations[e.first].offset, e.end);
-  add(NameKind::Block, NameUse::Jump, uint64_t(*number), begin, endOfDigits(begin), program_);
-}
-
-void NamePass::repeat(const Item &item) {
-  const llvm::ArrayRef<Argument> places = block_.argumentsOf(item);
-  if (!places.empty())
-    target(places[0], places.size() > 1 ? NameUse::First : NameUse::Jump, item.jump, program_);
-  if (places.size() > 1)
-    target(places[1], NameUse::Last, JumpKind::Anywhere, program_);
 }
 
 /// The range of the variable's name that begins at `offset`, without its marks.

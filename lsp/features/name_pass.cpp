@@ -7,45 +7,7 @@
 
 namespace ncvet::lsp {
 
-/// What each code of the table names, its variants included.
-void NamePass::prepare() {
-  codes_.resize(dialect_.codes.size());
-  const auto take = [](CodeNames &names, const CodeInfo &code) {
-    if (names.action == Action::None)
-      names.action = code.action;
-    for (const WordSpec &spec : code.words) {
-      if (spec.role == Role::ProfileFirst)
-        names.first |= spec.any;
-      else if (spec.role == Role::ProfileLast)
-        names.last |= spec.any;
-      else if (spec.role == Role::Sequence && !spec.position)
-        names.sequence |= spec.any;
-      else if (spec.role == Role::Program && spec.text && spec.position)
-        names.contour = spec.position;
-    }
-  };
-  for (size_t i = 0; i < codes_.size(); ++i) {
-    CodeNames &names = codes_[i];
-    take(names, dialect_.codes[i]);
-    for (const Variant &variant : dialect_.codes[i].variants)
-      take(names, dialect_.codes[variant.code]);
-    switch (names.action) {
-    case Action::CallProgram:
-    case Action::MacroCall:
-    case Action::MacroModal:
-    case Action::CallLocal:
-    case Action::Return:
-    case Action::ConditionalJump:
-      names.any = true;
-      break;
-    default:
-      names.any = names.first || names.last || names.sequence || names.contour;
-    }
-  }
-}
-
 FoundNames NamePass::find() {
-  prepare();
   const auto programs = unit_.index.programs();
   for (const ProgramInfo &program : programs) {
     const auto index = uint32_t(scopes_.size());
@@ -124,12 +86,9 @@ void NamePass::numberAndLabel() {
 }
 
 void NamePass::addProgram(NameUse use, uint32_t begin, uint32_t end) {
-  llvm::StringRef name = text_.slice(begin, end);
-  const size_t slash = name.find_last_of("/\\"); // only the name counts
-  if (slash != llvm::StringRef::npos) {
-    begin += uint32_t(slash + 1);
-    name = name.drop_front(slash + 1);
-  }
+  const llvm::StringRef name = bareProgramName(text_.slice(begin, end), dialect_);
+  begin = uint32_t(name.begin() - text_.begin());
+  end = begin + uint32_t(name.size());
   const uint64_t key = programKey(name);
   if (use != NameUse::Definition && macros_.contains({program_, key}))
     add(NameKind::Macro, NameUse::Read, key, begin, end, program_);
@@ -138,113 +97,67 @@ void NamePass::addProgram(NameUse use, uint32_t begin, uint32_t end) {
 }
 
 void NamePass::words() {
-  constexpr AddressMask codes = maskOf('G') | maskOf('M') | maskOf(keywordAddress);
   if (block_.has(letterAddress('T')))
     for (const Word &word : block_.words)
       if (word.address == letterAddress('T'))
         tool(word);
   if (block_.hasAny(dialect_.elementWords))
     elements();
-  if (!block_.hasAny(codes))
-    return;
-  for (const Word &word : block_.words)
-    if (const CodeIndex index = codeOf(dialect_, word); index != noCode && codes_[index].any)
-      code(word, codes_[index]);
+  references_.words(block_, text_, [this](const Reference &one) { reference(one); });
 }
 
-void NamePass::code(const Word &word, const CodeNames &names) {
-  switch (names.action) {
-  case Action::CallProgram:
-  case Action::MacroCall:
-  case Action::MacroModal:
-    calledProgram();
-    break;
-  case Action::CallLocal:
-    callsLocally_[program_] = true;
-    // An N word after the code is taken as the target too.
-    blocksOf(block_.has(letterAddress('P')) ? maskOf('P') : maskOf('N'), NameUse::Call);
-    break;
-  case Action::Return:
-    blocksOf(maskOf('P'), NameUse::Return);
-    break;
-  case Action::ConditionalJump:
-    blocksOf(names.sequence ? names.sequence : maskOf('P'), NameUse::Jump);
-    break;
-  default:
-    break;
+static NameUse useOf(ReferenceKind kind) {
+  switch (kind) {
+  case ReferenceKind::Call:
+    return NameUse::Call;
+  case ReferenceKind::Jump:
+    return NameUse::Jump;
+  case ReferenceKind::Return:
+    return NameUse::Return;
+  case ReferenceKind::First:
+    return NameUse::First;
+  case ReferenceKind::Last:
+    return NameUse::Last;
   }
-  if (names.first | names.last) {
-    blocksOf(names.first, NameUse::First);
-    blocksOf(names.last, NameUse::Last);
-  }
-  if (names.contour)
-    contour(word, names);
+  return NameUse::Read;
 }
 
-/// `M98 P1000`, `G65 P9010`; Q is the block at which the program begins.
-void NamePass::calledProgram() {
-  const Word *const p = block_.find('P');
-  if (!p)
+void NamePass::reference(const Reference &reference) {
+  const NameUse use = useOf(reference.kind);
+  const auto begin = uint32_t(reference.text.begin() - text_.begin());
+  const uint32_t end = begin + uint32_t(reference.text.size());
+  const uint32_t scope = reference.inCalled ? called_ : program_;
+  switch (reference.to) {
+  case ReferredKind::Program:
+    called_ = programOf(uint64_t(reference.number));
+    add(NameKind::Program, use, uint64_t(reference.number), begin, end, wholeFile);
     return;
-  if (!p->isNumber() || !p->isWhole() || p->mantissa < 0)
-    return untold(&UntoldNames::call, p->offset);
-  const uint32_t end = block_.endOf(*p);
-  uint32_t begin = firstDigit(p->offset, end);
-  int64_t number = p->mantissa;
-  const bool macro = llvm::any_of(block_.words, [&](const Word &word) {
-    const CodeIndex code = codeOf(dialect_, word);
-    return code != noCode &&
-           (codes_[code].action == Action::MacroCall || codes_[code].action == Action::MacroModal);
-  });
-  // Where numbers have four digits, those before them say how often it runs.
-  if (!macro && number > 9999 && !block_.has(letterAddress('L')) &&
-      dialect_.limits.programDigitsMax == 4 && end - begin > 4) {
-    number %= 10000;
-    begin = end - 4;
-  }
-  add(NameKind::Program, NameUse::Call, uint64_t(number), begin, end, wholeFile);
-  const Word *const q = macro ? nullptr : block_.find('Q');
-  if (q && q->isNumber() && q->isWhole() && q->mantissa >= 0)
-    add(NameKind::Block, NameUse::First, uint64_t(q->mantissa),
-        firstDigit(q->offset, block_.endOf(*q)), block_.endOf(*q), programOf(uint64_t(number)));
-}
-
-/// Blocks of this program that words with these addresses number.
-void NamePass::blocksOf(AddressMask mask, NameUse use) {
-  const Word *const word = block_.findAny(mask);
-  if (!word || word->has(wordNoValue))
+  case ReferredKind::NamedProgram:
+    called_ = programOf(programKey(bareProgramName(reference.text, dialect_)));
+    return addProgram(use, begin, end);
+  case ReferredKind::Subprogram:
+    add(NameKind::Subprogram, use, labelKeyOf(*unit_.reader, reference.text), begin, end,
+        wholeFile);
     return;
-  if (!word->isNumber() || !word->isWhole() || word->mantissa < 0) {
+  case ReferredKind::Label:
+    add(NameKind::Label, use, labelKeyOf(*unit_.reader, reference.text), begin, end, scope).search =
+        reference.search;
+    return;
+  case ReferredKind::Block:
+    if (use == NameUse::Call)
+      callsLocally_[program_] = true;
     if (use == NameUse::Return)
-      untoldReturn_ = std::min(untoldReturn_, word->offset);
-    return untold(&UntoldNames::target, word->offset);
-  }
-  const uint32_t end = block_.endOf(*word);
-  if (use == NameUse::Return)
-    returns_.push_back({all_.size(), program_});
-  add(NameKind::Block, use, uint64_t(word->mantissa), firstDigit(word->offset, end), end, program_);
-}
-
-/// `CYCLE95("CONTOUR", …)`, `CYCLE95("BEGIN:END", …)`
-void NamePass::contour(const Word &word, const CodeNames &names) {
-  for (const Item &item : block_.items) {
-    if (item.kind != ItemKind::Instruction || item.begin != word.offset ||
-        item.arguments < names.contour)
-      continue;
-    const Argument &argument = block_.argumentsOf(item)[names.contour - 1];
-    if (argument.kind != ArgumentKind::Text)
-      continue;
-    const llvm::StringRef name = text_.slice(argument.begin, argument.end);
-    const size_t colon = name.find(':');
-    if (colon == llvm::StringRef::npos) {
-      addProgram(NameUse::Call, argument.begin, argument.end);
-      continue;
-    }
-    const uint32_t middle = argument.begin + uint32_t(colon);
-    add(NameKind::Label, NameUse::First, labelKeyOf(*unit_.reader, name.take_front(colon)),
-        argument.begin, middle, program_);
-    add(NameKind::Label, NameUse::Last, labelKeyOf(*unit_.reader, name.drop_front(colon + 1)),
-        middle + 1, argument.end, program_);
+      returns_.push_back({all_.size(), program_});
+    add(NameKind::Block, use, uint64_t(reference.number), begin, end, scope).search =
+        reference.search;
+    return;
+  case ReferredKind::UntoldProgram:
+    return untold(&UntoldNames::call, begin);
+  case ReferredKind::UntoldBlock:
+    callsLocally_[program_] = callsLocally_[program_] || use == NameUse::Call;
+    if (use == NameUse::Return)
+      untoldReturn_ = std::min(untoldReturn_, begin);
+    return untold(&UntoldNames::target, begin);
   }
 }
 

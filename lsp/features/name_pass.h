@@ -1,6 +1,7 @@
 // One pass over the blocks of a file that gathers its names.
 #pragma once
 
+#include "analyzer/program/references.h"
 #include "lsp/features/occurrence.h"
 
 #include "llvm/ADT/DenseSet.h"
@@ -17,21 +18,12 @@ struct FoundNames {
   std::vector<UntoldNames> untold; ///< by program
 };
 
-/// What a code's words name.
-struct CodeNames {
-  Action action = Action::None;
-  AddressMask first = 0, last = 0; ///< blocks of a profile
-  AddressMask sequence = 0;        ///< a block to jump to
-  unsigned contour = 0;            ///< argument that names a contour's program, from 1; 0: none
-  bool any = false;
-};
-
 /// Reads the names of a file's blocks, one block after the other: all that the engine would follow
 /// or evaluate, as the reader gives it.
 class NamePass {
 public:
   explicit NamePass(const FileUnit &unit)
-      : unit_(unit), dialect_(*unit.dialect), text_(unit.source.text()) {}
+      : unit_(unit), dialect_(*unit.dialect), text_(unit.source.text()), references_(dialect_) {}
 
   FoundNames find();
 
@@ -41,25 +33,17 @@ private:
     uint32_t program;
   };
 
-  void prepare();
   void block();
   void header();
   void numberAndLabel();
   void words();
-  void code(const Word &word, const CodeNames &names);
-  void calledProgram();
-  void blocksOf(AddressMask mask, NameUse use);
-  void contour(const Word &word, const CodeNames &names);
+  void reference(const Reference &reference);
   void tool(const Word &word);
   void elements();
   void item(const Item &item);
   void assignment(const Item &item);
   void parameters(const Item &item);
   void bracket(const Item &item);
-  void call(const Item &item);
-  void jump(const Item &item);
-  void repeat(const Item &item);
-  void target(const Argument &target, NameUse use, JumpKind kind, uint32_t scope);
   void operations();
   void finishBlock(size_t first);
   void resolveReturns();
@@ -102,8 +86,6 @@ private:
     return begin;
   }
   std::pair<uint32_t, uint32_t> variableAt(uint32_t offset) const;
-  /// The whole number that an expression is; none when it is computed.
-  std::optional<int64_t> constant(uint16_t expression) const;
   uint32_t scopeOf(const ProgramInfo *program) const {
     return uint32_t(program - unit_.index.programs().begin());
   }
@@ -116,10 +98,10 @@ private:
   const FileUnit &unit_;
   const Dialect &dialect_;
   const llvm::StringRef text_;
+  const ReferenceReader references_;
   std::vector<Occurrence> all_;
   std::vector<Scope> scopes_;
   std::vector<UntoldNames> untold_;
-  std::vector<CodeNames> codes_;
   llvm::DenseMap<uint64_t, uint32_t> programs_; ///< by key: by number or by name
   std::vector<Return> returns_;
   uint32_t untoldReturn_ = UntoldNames::nowhere; ///< a return to a computed block of the caller
@@ -129,6 +111,7 @@ private:
   Block block_;
   uint32_t program_ = 0;
   uint32_t scope_ = 0;
+  uint32_t called_ = otherFile; ///< scope of the program that the last reference names
 };
 
 } // namespace ncvet::lsp

@@ -54,7 +54,7 @@ private:
         if (item.kind != ItemKind::Jump || item.nameEnd > item.nameBegin)
           continue;
         for (const Argument &target : block.argumentsOf(item))
-          if (const auto to = blockNamed(ctx.index(), block, target, block.begin);
+          if (const auto to = blockNamed(ctx.index(), block, item, target);
               to && *to <= block.begin)
             passes.push_back({*to, block.next, {file, item.begin, item.end}});
       }

@@ -58,7 +58,7 @@ private:
   static void escape(const Item &item, const Argument &target, SourceRange range,
                      RuleContext &ctx) {
     const uint64_t key = ctx.block().keyOf(item.target);
-    const auto to = blockNamed(ctx.index(), ctx.block(), target, ctx.block().begin);
+    const auto to = blockNamed(ctx.index(), ctx.block(), item, target);
     if (!key || !to || ctx.before().commons.given(key) != Truth::No)
       return;
     constexpr unsigned readable = 20;

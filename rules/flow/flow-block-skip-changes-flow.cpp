@@ -82,7 +82,7 @@ private:
       return;
     Block named;
     for (const Argument &target : block.argumentsOf(item)) {
-      const auto at = blockNamed(ctx.index(), block, target, block.begin);
+      const auto at = blockNamed(ctx.index(), block, item, target);
       if (!at)
         continue;
       ctx.index().read(*at, named);

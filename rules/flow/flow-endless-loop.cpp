@@ -51,7 +51,7 @@ private:
     if (evaluate(here, item.condition, ctx.before(), nullptr).isConstant())
       return;
     for (const Argument &target : targets) {
-      if (const auto to = blockNamed(ctx.index(), here, target, here.begin); to && *to < here.begin)
+      if (const auto to = blockNamed(ctx.index(), here, item, target); to && *to < here.begin)
         back = std::max(back.value_or(0), *to); // the shortest way back
     }
     if (read.empty() || !back || here.begin - *back > readable)
@@ -185,7 +185,7 @@ private:
         item.nameEnd > item.nameBegin || item.jump == JumpKind::Forward || here.items.size() != 2 ||
         !memory().seen.insert({ctx.source().id(), item.begin}).second)
       return;
-    const auto back = blockNamed(ctx.index(), here, here.argumentsOf(item)[0], here.begin);
+    const auto back = blockNamed(ctx.index(), here, item, here.argumentsOf(item)[0]);
     if (!back || *back >= here.begin || here.begin - *back > readable)
       return;
     if (entersBracket(*back, here.begin, ctx)) // another rule's matter

@@ -70,7 +70,7 @@ private:
         (item.kind == ItemKind::Jump && item.nameEnd > item.nameBegin))
       return;
     for (const Argument &argument : ctx.block().argumentsOf(item))
-      if (const auto to = blockNamed(ctx.index(), ctx.block(), argument, ctx.block().begin))
+      if (const auto to = blockNamed(ctx.index(), ctx.block(), item, argument))
         memory().targets.try_emplace({ctx.source().id(), *to});
   }
 

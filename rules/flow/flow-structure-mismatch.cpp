@@ -115,7 +115,7 @@ private:
         if (item.kind != ItemKind::Jump)
           continue;
         for (const Argument &target : block.argumentsOf(item)) {
-          const auto to = blockNamed(file.index, block, target, block.begin);
+          const auto to = blockNamed(file.index, block, item, target);
           if (!to || section.holds(*to) || *to == section.behind || *to == section.at)
             continue;
           const SourceRange where{file.source.id(), target.begin, target.end};

@@ -2,6 +2,7 @@
 #include "lsp/features/navigation/definition.h"
 
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/references.h"
 
 namespace ncvet::lsp {
 
@@ -40,6 +41,48 @@ std::optional<NameTarget> targetIn(Snapshot &snapshot, FileUnit &unit, const Occ
   return NameTarget{&unit, &unit.index.programAt(found->begin), names.range(*found)};
 }
 
+/// Offset of the block of `program` that `one` names, found as the engine finds it from the block
+/// at `from`; `text`: its spelling.
+std::optional<uint32_t> offsetIn(const FileIndex &index, const ProgramInfo &program,
+                                 const Occurrence &one, llvm::StringRef text, uint32_t from) {
+  Reference reference;
+  reference.to = one.kind == NameKind::Label ? ReferredKind::Label : ReferredKind::Block;
+  reference.search = one.search;
+  reference.number = int64_t(one.key);
+  reference.text = text;
+  return resolveBlock(index, program, reference, from);
+}
+
+/// The name of that block.
+std::optional<NameTarget> blockIn(Snapshot &snapshot, FileUnit &unit, const ProgramInfo &program,
+                                  const Occurrence &one, llvm::StringRef text, uint32_t from) {
+  const auto at = offsetIn(unit.index, program, one, text, from);
+  if (!at)
+    return std::nullopt;
+  Block block;
+  unit.reader->read(*at, block);
+  const Names &names = snapshot.names(unit);
+  for (const Occurrence &other : names.within(*at, block.next))
+    if (other.kind == one.kind && other.key == one.key && other.use == NameUse::Definition)
+      return NameTarget{&unit, &program, names.range(other)};
+  return std::nullopt;
+}
+
+/// A block of a program of this file.
+std::optional<NameTarget> blockHere(Snapshot &snapshot, FileUnit &unit, const Occurrence &one) {
+  const Names &names = snapshot.names(unit);
+  const auto programs = unit.index.programs();
+  if (one.use == NameUse::Definition || one.scope >= programs.size())
+    return targetIn(snapshot, unit, one);
+  uint32_t from = one.begin;
+  // The last block of a section is looked for from its first one on.
+  if (const Occurrence *first = one.use == NameUse::Last ? names.firstOf(one) : nullptr)
+    if (const auto begin =
+            offsetIn(unit.index, programs[first->scope], *first, names.text(*first), first->begin))
+      from = std::max(*begin, 1u) - 1;
+  return blockIn(snapshot, unit, programs[one.scope], one, names.text(one), from);
+}
+
 /// A block of a program of another file, which the block of `one` names beside it.
 std::optional<NameTarget> blockElsewhere(Snapshot &snapshot, FileUnit &from,
                                          const Occurrence &one) {
@@ -53,11 +96,8 @@ std::optional<NameTarget> blockElsewhere(Snapshot &snapshot, FileUnit &from,
     const auto program = programTarget(snapshot, from, first[i]);
     if (!program)
       continue;
-    const Names &other = snapshot.names(*program->unit);
-    Occurrence probe = one;
-    probe.scope = other.programAt(program->program->begin);
-    probe.begin = probe.end = program->program->begin;
-    return targetIn(snapshot, *program->unit, probe);
+    return blockIn(snapshot, *program->unit, *program->program, one, names.text(one),
+                   program->program->begin);
   }
   return std::nullopt;
 }
@@ -73,6 +113,8 @@ std::optional<NameTarget> targetOf(Snapshot &snapshot, FileUnit &from, const Occ
     return blockElsewhere(snapshot, from, one);
   if (one.kind == NameKind::Program)
     return programTarget(snapshot, from, one);
+  if (one.kind == NameKind::Block || one.kind == NameKind::Label)
+    return blockHere(snapshot, from, one);
   if (const auto here = targetIn(snapshot, from, one))
     return here;
   if (one.kind != NameKind::Subprogram)
