@@ -1,14 +1,22 @@
 // Where control goes after a block.
 #include "analyzer/flow/block_flow.h"
 
+#include "analyzer/program/references.h"
+
 namespace ncvet {
 
-void BlockFlow::leave(Step &step) {
+/// Jumps in the text of another control are not seen: an end there may be passed.
+bool BlockFlow::mayBePassed(const Step &step) {
   const FileUnit &unit = step.unit();
   const ProgramInfo &program = step.region().program;
-  // Jumps in the text of another control are not seen: this block may be passed.
-  if (step.outcome.foreign &&
-      unit.source.text(program.begin, program.end).contains_insensitive("GOTO"))
+  const auto [known, fresh] = foreignJumps_.try_emplace({unit.source.id(), program.begin});
+  if (fresh)
+    known->second = namesForeignJump(unit, program);
+  return known->second;
+}
+
+void BlockFlow::leave(Step &step) {
+  if (step.outcome.foreign && step.outcome.flow.kind != FlowKind::Next && mayBePassed(step))
     step.activation.add(step.block.next, step.live);
   switch (step.outcome.flow.kind) {
   case FlowKind::Next:

@@ -24,6 +24,7 @@ public:
   void callModally(Step &step) { calls_.callModally(step); }
 
 private:
+  bool mayBePassed(const Step &step);
   void endProgram(Step &step);
   void returnFrom(Step &step);
 
@@ -38,6 +39,7 @@ private:
   Calls calls_;
   Sections sections_;
   Contours contours_;
+  std::map<std::pair<FileId, uint32_t>, bool> foreignJumps_; ///< by file and begin of the program
 };
 
 } // namespace ncvet

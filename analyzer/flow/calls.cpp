@@ -32,11 +32,7 @@ bool Calls::mayEnter(const Step &step, const Callee &callee) {
   const SourceRange where = step.flowRange();
   if (recurs(region, callee)) {
     // Without a condition nothing ends it; with one it is followed until the control's levels end.
-    const ProgramInfo &program = *callee.program;
-    const llvm::StringRef body = callee.unit->source.text(program.begin, program.end);
-    const bool conditional = body.contains_insensitive("IF") ||
-                             body.contains_insensitive("WHILE") ||
-                             body.contains_insensitive("GOTO");
+    const bool conditional = run_.shape(*callee.unit, *callee.program).branches;
     if (!conditional || region.depth + 1 >= run_.limits.callDepth) {
       run_.issue(FlowIssue::Recursion, step, where,
                  {callee.unit->source.id(), callee.start, callee.start + 1});

@@ -19,14 +19,33 @@ struct Open {
   std::vector<uint32_t> breaks, continues;
 };
 
+bool isBranch(const Item &item) {
+  switch (item.kind) {
+  case ItemKind::If:
+  case ItemKind::While:
+  case ItemKind::Jump:
+    return true;
+  case ItemKind::Input: // the operator's answer may lead elsewhere
+    return item.arguments != 0;
+  case ItemKind::Structure:
+    return item.structure == Structure::If || item.structure == Structure::ElseIf ||
+           item.structure == Structure::While || item.structure == Structure::Until ||
+           item.structure == Structure::For || item.structure == Structure::Times;
+  default:
+    return false;
+  }
+}
+
 class ShapeReader {
 public:
   FlowShape read(const Reader &reader, uint32_t begin, uint32_t end) {
     Block block;
     for (uint32_t at = begin; at < end; at = block.next) {
       reader.read(at, block);
-      for (const Item &item : block.items)
+      for (const Item &item : block.items) {
+        shape_.branches |= isBranch(item);
         bracket(item, at, block.next);
+      }
     }
     for (const Open &left : open_)
       leftOpen(left);

@@ -22,6 +22,8 @@ struct FlowShape {
   llvm::DenseMap<uint32_t, uint32_t> duplicates;
   std::vector<uint32_t> mismatched; ///< brackets without their partner
   unsigned depth = 0;               ///< of the deepest nesting
+  /// The program holds a condition or a jump: not every run of it comes by the same blocks.
+  bool branches = false;
 };
 
 FlowShape readShape(const Reader &reader, uint32_t begin, uint32_t end);

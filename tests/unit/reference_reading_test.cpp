@@ -67,6 +67,38 @@ std::vector<std::string> problemsOf(const char *dialect, const std::string &prog
   return found;
 }
 
+/// Words in comments and names are no conditions.
+TEST(ReferenceReading, RecursionIsSilencedByConditionsAlone) {
+  const auto program = [](const std::string &body) {
+    return "O0001\nG90 G17 G21 G54\nM98 P9100\nM30\nO9100\n" + body + "M98 P9100\nM99\n";
+  };
+  const auto recursion = Contains(HasSubstr("flow-recursion"));
+  EXPECT_THAT(problemsOf("fanuc-0m", program("G0 X1.\n")), recursion);
+  EXPECT_THAT(problemsOf("fanuc-0m", program("(SHIFT, NO GOTO, NO WHILE)\nG0 X1.\n")), recursion);
+  EXPECT_THAT(problemsOf("fanuc-0m", "O0001\nG90 G17 G21 G54\n#500=0\nM98 P9100\nM30\nO9100\n"
+                                     "#500=#500+1\nIF[#500GT1]GOTO10\nM98 P9100\nN10 M99\n"),
+              Not(recursion));
+}
+
+const std::string otherLanguage = "N10 G54 G17 G71 G90 G94\nN20 T1 D1 M6\nG291\n";
+
+/// What follows an end in another language is reached only where a jump may pass the end.
+TEST(ReferenceReading, EndsInAnotherLanguageArePassedByJumpsAlone) {
+  const auto unreachable = Contains(HasSubstr("flow-unreachable-block"));
+  const std::string end = "M30\nX10\nX20\nX30\n";
+  EXPECT_THAT(problemsOf("sinumerik", otherLanguage + "X5 ; NO GOTO HERE\n" + end), unreachable);
+  EXPECT_THAT(problemsOf("sinumerik", otherLanguage + "IF[#1EQ1]GOTO10\n" + end), Not(unreachable));
+}
+
+/// A long text in another language: whether it jumps is found out once.
+TEST(ReferenceReading, LongTextsInAnotherLanguageCostInProportion) {
+  std::string program = otherLanguage;
+  for (unsigned i = 0; i < 200'000; ++i)
+    program += "X1\n";
+  EXPECT_THAT(problemsOf("sinumerik", program + "G290\nM30\n"),
+              Not(Contains(HasSubstr("flow-unreachable-block"))));
+}
+
 /// A program of the project hides a cycle where the file declares it, not where a comment does.
 TEST(ReferenceReading, DeclarationsInCommentsDeclareNothing) {
   const std::string head = "N10 G54 G17 G71 G90 G94\nN20 T1 D1 M6\nN30 S2000 M3\n"
