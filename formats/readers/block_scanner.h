@@ -68,27 +68,34 @@ protected:
     block_.numberEnd = offset(at_);
   }
 
-  /// The sign of a number that is not as usual, perhaps a dash of a word processor or with blanks
-  /// after it; whether it is a minus. `begin` is the word's begin.
-  bool takeSign(Word &word, const char *begin) {
-    bool negative = false;
+  /// The sign of a number that is not as usual, perhaps a dash of a word processor; whether it is
+  /// a minus.
+  bool takeSignMark(Word &word) {
     if (const unsigned bytes = typographicMinus(at_, end_)) {
       issue(SyntaxIssueKind::TypographicMinus, at_, at_ + bytes);
-      negative = true;
       at_ += bytes;
-    } else if (*at_ == '-' || *at_ == '+') {
-      negative = *at_ == '-';
-      if (!negative)
-        word.flags |= wordPlus;
-      ++at_;
-      const char *const digits = behindBlanks(at_);
-      if (digits > at_ && digits < end_ && (isNumberDigit(*digits) || *digits == '.')) {
-        issue(SyntaxIssueKind::BlankInNumber, begin, digits + 1);
-        at_ = digits;
-      }
-    }
-    if (negative)
       word.flags |= wordMinus;
+    } else if (*at_ == '-' || *at_ == '+') {
+      word.flags |= *at_++ == '-' ? wordMinus : wordPlus;
+    }
+    return word.has(wordMinus);
+  }
+  /// Steps over blanks between a sign and its number. `begin` is the word's begin.
+  void takeBlanksAfterSign(const char *begin, bool allowed = false) {
+    const char *const digits = behindBlanks(at_);
+    if (digits == at_ || digits == end_ || (!isNumberDigit(*digits) && *digits != '.'))
+      return;
+    if (!allowed)
+      issue(SyntaxIssueKind::BlankInNumber, begin, digits + 1);
+    at_ = digits;
+  }
+  /// The sign with the blanks after it, which a dash of a word processor may not have; whether it
+  /// is a minus. `begin` is the word's begin.
+  bool takeSign(Word &word, const char *begin) {
+    const bool plain = *at_ == '-' || *at_ == '+';
+    const bool negative = takeSignMark(word);
+    if (plain)
+      takeBlanksAfterSign(begin);
     return negative;
   }
   /// Its digits, of which more than a mantissa holds are dropped, and its point, perhaps a comma

@@ -1,0 +1,133 @@
+// Statements of Macro B: IF, GOTO, WHILE, DO, END, output, and assignments.
+#include "formats/readers/iso/iso_scanner.h"
+
+namespace ncvet {
+
+bool IsoScanner::takeKeyword(llvm::StringRef word) {
+  if (!isKeyword(word))
+    return false;
+  at_ += word.size();
+  return true;
+}
+
+/// The number of a loop, perhaps with blanks before it; 0 when there is none.
+uint8_t IsoScanner::loopNumber() {
+  skipBlanks();
+  return uint8_t(takeWhole(UINT8_MAX));
+}
+
+/// A statement that begins with a letter; false, with nothing read, when there is none here.
+bool IsoScanner::scanStatement() {
+  switch (*at_ & ~32) {
+  case 'I':
+    return scanIf();
+  case 'T':
+    return takeKeyword("THEN");
+  case 'G':
+    return scanGoto();
+  case 'W':
+    return scanWhile();
+  case 'D':
+    return scanOutputLine("DPRNT") || scanLoopMark("DO", ItemKind::Do);
+  case 'E':
+    return scanLoopMark("END", ItemKind::End);
+  case 'P':
+    return scanOutputWord("POPEN") || scanOutputWord("PCLOS");
+  case 'B':
+    return scanOutputLine("BPRNT");
+  case 'S':
+    return scanOutputLine("SETVN");
+  default:
+    return false;
+  }
+}
+
+bool IsoScanner::scanIf() {
+  const char *const begin = at_;
+  if (!takeKeyword("IF"))
+    return false;
+  skipBlanks();
+  if (at_ >= end_ || *at_ != '[') {
+    at_ = begin;
+    return false;
+  }
+  Item item = itemAt(ItemKind::If, begin);
+  item.condition = operand();
+  add(item);
+  return true;
+}
+
+bool IsoScanner::scanGoto() {
+  Item item = itemAt(ItemKind::Jump, at_);
+  if (!takeKeyword("GOTO") && !takeKeyword("GO TO"))
+    return false;
+  skipBlanks();
+  item.value = operand();
+  add(item);
+  return true;
+}
+
+/// `WHILE [..] DO 1`
+bool IsoScanner::scanWhile() {
+  Item item = itemAt(ItemKind::While, at_);
+  if (!takeKeyword("WHILE"))
+    return false;
+  skipBlanks();
+  item.condition = operand();
+  skipBlanks();
+  if (takeKeyword("DO"))
+    item.loop = loopNumber();
+  add(item);
+  return true;
+}
+
+/// `DO 1`, `END 1`
+bool IsoScanner::scanLoopMark(llvm::StringRef keyword, ItemKind kind) {
+  Item item = itemAt(kind, at_);
+  if (!takeKeyword(keyword))
+    return false;
+  item.loop = loopNumber();
+  add(item);
+  return true;
+}
+
+/// `POPEN`, `PCLOS`
+bool IsoScanner::scanOutputWord(llvm::StringRef keyword) {
+  Item item = itemAt(ItemKind::Output, at_);
+  if (!takeKeyword(keyword))
+    return false;
+  add(item);
+  return true;
+}
+
+/// `DPRNT[..]`: the rest of the line is its text.
+bool IsoScanner::scanOutputLine(llvm::StringRef keyword) {
+  Item item = itemAt(ItemKind::Output, at_);
+  if (!isKeyword(keyword))
+    return false;
+  at_ = lineEnd();
+  add(item);
+  return true;
+}
+
+/// `#1 = …`, `#[#2 + 1] = …`
+void IsoScanner::scanAssignment() {
+  const char *const begin = at_;
+  Item item = itemAt(ItemKind::Assignment, begin);
+  item.target = expression(MacroExpression::Form::VariableNumber);
+  // What it is called, without its marks.
+  const bool marked = begin + 1 < at_ && begin[1] == '<';
+  item.nameBegin = offset(begin) + (marked ? 2 : 1);
+  item.nameEnd = std::max(item.nameBegin, offset(at_) - (marked ? 1 : 0));
+  skipBlanks();
+  if (at_ < end_ && *at_ == '=') {
+    ++at_;
+    item.value = expression(MacroExpression::Form::Full);
+    return add(item);
+  }
+  issue(SyntaxIssueKind::BadStatement, begin, at_ > begin ? at_ : begin + 1);
+  if (at_ == begin)
+    ++at_;
+}
+
+} // namespace ncvet

@@ -1,0 +1,90 @@
+// Words of word-address blocks whose value is no plain number.
+#include "formats/readers/iso/iso_scanner.h"
+
+namespace ncvet {
+
+/// Three letters and more in a row are no addresses: one issue for all of it. Bare axis letters,
+/// which a reference return may name together, are left alone.
+bool IsoScanner::scanUnknownWord() {
+  const char *const begin = at_;
+  const char *p = at_;
+  bool axes = true;
+  while (p < end_ && isLetter(*p))
+    axes &= llvm::StringRef("XYZABCUVW").contains(char(*p++ & ~32));
+  if (p - begin < 3 || axes)
+    return false;
+  while (p < end_ && (isLetter(*p) || isNumberDigit(*p) || *p == '_'))
+    ++p;
+  at_ = p;
+  issue(SyntaxIssueKind::UnknownWord, begin, p);
+  return true;
+}
+
+/// A variable, a bracket, or a function where it may be without brackets around it: `XSIN[30]`.
+bool IsoScanner::opensExpression(const char *p) const {
+  if (p < end_ && (*p == '#' || *p == '['))
+    return true;
+  if (lexical_.arithmetic != Arithmetic::Ngc)
+    return false;
+  const char *const name = p;
+  while (p < end_ && isLetter(*p))
+    ++p;
+  return p - name > 1 && behindBlanks(p) < end_ && *behindBlanks(p) == '[';
+}
+
+/// Whether the signs that are here belong to an expression.
+bool IsoScanner::signsExpression() const {
+  if (!lexical_.macro)
+    return false;
+  const bool several = lexical_.arithmetic == Arithmetic::Ngc;
+  const auto isSign = [](char c) { return c == '-' || c == '+'; };
+  unsigned signs = 0;
+  const char *p = at_;
+  for (; p < end_ && (isLineBlank(*p) || (isSign(*p) && (several || signs == 0))); ++p)
+    signs += isSign(*p);
+  return signs > 1 || opensExpression(p);
+}
+
+/// A number with blanks or a plus before it, an expression, or nothing.
+void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
+  Word word;
+  word.address = address;
+  word.offset = offset(begin);
+  skipBlanks();
+  if (lexical_.incrementOperator && at_ + 1 < end_ && (*at_ | 32) == 'i' &&
+      (isNumberDigit(at_[1]) || at_[1] == '-' || at_[1] == '+' || at_[1] == '.')) {
+    word.flags |= wordIncremental;
+    ++at_;
+  }
+  if (numberFollows() && !signsExpression()) {
+    if (!scanNumber(word, begin))
+      word.flags |= wordMalformed | wordNoValue;
+    return addNumber(word, begin);
+  }
+  if (lexical_.macro && at_ < end_ && (opensExpression(at_) || *at_ == '-' || *at_ == '+')) {
+    word.mantissa = operand();
+    word.flags |= wordExpression;
+    return append(word);
+  }
+  at_ = begin + (*begin == ',' ? 2 : 1);
+  word.flags |= wordNoValue;
+  word.length = lengthFrom(begin);
+  issue(SyntaxIssueKind::MissingValue, begin, at_);
+  append(word);
+}
+
+/// `,R2` and its like; elsewhere a comma is no character of the language.
+void IsoScanner::scanComma() {
+  const char *const begin = at_++;
+  const char letter = at_ < end_ ? char(*at_ & ~32) : '\0';
+  const AddressId address = letter == 'A'   ? commaA
+                            : letter == 'C' ? commaC
+                            : letter == 'R' ? commaR
+                                            : noAddress;
+  if (address == noAddress)
+    return issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+  ++at_;
+  scanWord(address, begin);
+}
+
+} // namespace ncvet
