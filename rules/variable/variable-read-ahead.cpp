@@ -34,6 +34,14 @@ private:
                       ctx.text(range));
   }
 
+  /// Whether the control waits for its moves at the block.
+  static bool waits(const Block &block, const Dialect &dialect) {
+    const CodeIndex wait = dialect.keyword("STOPRE");
+    return wait != noCode && llvm::any_of(block.words, [&](const Word &word) {
+             return codeOf(dialect, word) == wait;
+           });
+  }
+
   /// A move comes before, in plain order, and nothing that waits for it.
   static bool movesBefore(RuleContext &ctx) {
     constexpr unsigned lookBack = 20;
@@ -43,7 +51,7 @@ private:
     for (unsigned i = 0; i < lookBack && at > program.body; ++i) {
       at = ctx.source().lines().lineBegin(at - 1);
       ctx.index().read(at, block);
-      if (block.hasLabel() || ctx.text(ctx.range(block)).contains_insensitive("STOPRE"))
+      if (block.hasLabel() || waits(block, ctx.dialect()))
         return false;
       if (block.hasAny(ctx.dialect().axisWords))
         return llvm::none_of(block.items,

@@ -99,6 +99,18 @@ TEST(ReferenceReading, LongTextsInAnotherLanguageCostInProportion) {
               Not(Contains(HasSubstr("flow-unreachable-block"))));
 }
 
+/// A move runs on while a value is read, unless the control is told to wait by a code.
+TEST(ReferenceReading, CommentsDoNotMakeTheControlWait) {
+  const auto program = [](const std::string &line) {
+    return "N10 G54 G17 G71 G90 G94\nN20 T1 D1 M6\nN30 S2000 M3\nN40 G0 X0 Y0\nN50 Z5\n"
+           "N60 G1 X50 F100\n" +
+           line + "N70 R1=$AA_IW[X]\nN200 G0 Z50 M5\nN210 M30\n";
+  };
+  const auto early = Contains(HasSubstr("variable-read-ahead"));
+  EXPECT_THAT(problemsOf("sinumerik", program("R2=1 ; NO STOPRE HERE\n")), early);
+  EXPECT_THAT(problemsOf("sinumerik", program("STOPRE\n")), Not(early));
+}
+
 /// A program of the project hides a cycle where the file declares it, not where a comment does.
 TEST(ReferenceReading, DeclarationsInCommentsDeclareNothing) {
   const std::string head = "N10 G54 G17 G71 G90 G94\nN20 T1 D1 M6\nN30 S2000 M3\n"
