@@ -6,7 +6,7 @@
 #include "analyzer/cli/progress.h"
 #include "analyzer/setup/input_files.h"
 #include "formats/finding/fingerprint.h"
-#include "formats/reports/report.h"
+#include "formats/reports/report_formats.h"
 #include "formats/text/crash_guard.h"
 #include "formats/text/diff.h"
 

@@ -2,7 +2,7 @@
 #include "analyzer/cli/check_options.h"
 
 #include "formats/dialect/json_reader.h"
-#include "formats/reports/report.h"
+#include "formats/reports/report_formats.h"
 #include "formats/text/failure.h"
 
 #include "llvm/Support/Process.h"

@@ -1,15 +1,12 @@
 // Report as JSON, version 1: all that is known of the findings, one finding a line.
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/writers.h"
-#include "formats/text/json_text.h"
 
 #include <nlohmann/json.hpp>
 
 namespace ncvet {
 
 using Json = nlohmann::ordered_json; // keys in the order of insertion
-
-void dumpJson(const Json &value, llvm::raw_ostream &out) { out << jsonText(value); }
 
 namespace {
 

@@ -1,8 +1,7 @@
-// Reports: the list of formats, the order of output, and what the writers share.
+// Reports: the order of output.
 #include "formats/reports/report.h"
 
 #include "formats/finding/finding_order.h"
-#include "formats/reports/writers.h"
 
 #include <algorithm>
 #include <tuple>
@@ -34,65 +33,6 @@ void sortReport(Report &report) {
                      return std::tie(a.path, a.line, a.rule, a.fingerprint) <
                             std::tie(b.path, b.line, b.rule, b.fingerprint);
                    });
-}
-
-llvm::ArrayRef<ReportFormat> reportFormats() {
-  static constexpr ReportFormat formats[] = {
-      {"text", "for people: message, program line and marked range"},
-      {"json", "all of it, version 1"},
-      {"sarif", "SARIF 2.1.0, for code scanning and viewers"},
-      {"gcc", "one line a finding, for editors and build tools"},
-      {"checkstyle", "XML, for continuous integration servers"},
-  };
-  return formats;
-}
-
-std::unique_ptr<ReportWriter> makeReportWriter(llvm::StringRef format,
-                                               const ReportOptions &options) {
-  if (format == "text")
-    return makeTextWriter(options);
-  if (format == "json")
-    return makeJsonWriter();
-  if (format == "sarif")
-    return makeSarifWriter();
-  if (format == "gcc")
-    return makeGccWriter();
-  if (format == "checkstyle")
-    return makeCheckstyleWriter();
-  return nullptr;
-}
-
-const SourceFile &fileOf(const Report &report, const SourceRange &range) {
-  return report.sources->get(range.file);
-}
-
-LineColumn positionOf(const Report &report, const SourceRange &range) {
-  return fileOf(report, range).position(range.begin);
-}
-
-Region regionOf(const Report &report, const SourceRange &range) {
-  const SourceFile &file = fileOf(report, range);
-  const LineColumn begin = file.position(range.begin);
-  return {begin, file.position(std::max(range.begin, range.end))};
-}
-
-std::string validText(const Report &report, const SourceRange &range, llvm::StringRef text) {
-  return isValidUtf8(text) ? text.str() : fileOf(report, range).displayText(text);
-}
-
-std::string oneLine(llvm::StringRef text) {
-  std::string out;
-  out.reserve(text.size());
-  for (const char byte : text) {
-    const auto code = static_cast<unsigned char>(byte);
-    if (code < 0x20)
-      appendUtf8(out, 0x2400u + code); // Unicode's pictures of control characters
-    else if (code == 0x7F)
-      appendUtf8(out, 0x2421);
-    else
-      out.push_back(byte);
-  }
-  return out;
 }
 
 } // namespace ncvet

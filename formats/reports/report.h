@@ -1,4 +1,4 @@
-// Reports: what a run has to say, and the writers that say it in one format each.
+// Reports: what a run has to say, and the interface of those who write it.
 #pragma once
 
 #include "formats/finding/finding.h"
@@ -6,7 +6,6 @@
 
 #include "llvm/Support/raw_ostream.h"
 
-#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -71,17 +70,5 @@ public:
 struct ReportOptions {
   bool color = false; ///< of the formats only `text` has colours
 };
-
-struct ReportFormat {
-  llvm::StringRef name;
-  llvm::StringRef summary; ///< a few words for a list of formats
-};
-
-/// All formats, the default one first.
-llvm::ArrayRef<ReportFormat> reportFormats();
-
-/// The writer of a format; null when there is no format of that name.
-std::unique_ptr<ReportWriter> makeReportWriter(llvm::StringRef format,
-                                               const ReportOptions &options = {});
 
 } // namespace ncvet

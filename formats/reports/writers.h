@@ -5,6 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <memory>
+
 namespace ncvet {
 
 std::unique_ptr<ReportWriter> makeTextWriter(const ReportOptions &options);

@@ -2,7 +2,7 @@
 // reported, the same ones each time, and fixes that fit.
 #include "analyzer/check/checker.h"
 #include "analyzer/check/fix.h"
-#include "formats/reports/report.h"
+#include "formats/reports/report_formats.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sessions.h"
 

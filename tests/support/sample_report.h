@@ -1,7 +1,7 @@
 // A report with one of everything, for the tests of the writers.
 #pragma once
 
-#include "formats/reports/report.h"
+#include "formats/reports/report_formats.h"
 
 #include "llvm/Support/raw_ostream.h"
 
