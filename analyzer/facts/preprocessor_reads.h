@@ -38,7 +38,7 @@ void eachPrepared(const Event &event, const RuleContext &ctx, Visit visit) {
           visit(block.expressions[size_t(word.mantissa)]);
     return;
   }
-  const Item &item = block.items[size_t(event.number)];
+  const Item &item = block.items[event.item()];
   if (item.kind == ItemKind::Assignment && item.value != noExpression)
     visit(block.expressions[item.value]);
   const bool decides = item.kind == ItemKind::If || item.kind == ItemKind::Structure ||

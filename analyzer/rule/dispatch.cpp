@@ -141,7 +141,7 @@ void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
   context_.flowRelated_ = related;
   Event event;
   event.kind = EventKind::FlowIssue;
-  event.number = int64_t(issue);
+  event.setFlowIssue(issue);
   for (const Listener &listener : byKind_[size_t(EventKind::FlowIssue)]) {
     context_.rule_ = listener.id;
     listener.rule->on(event, context_);

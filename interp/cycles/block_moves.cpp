@@ -89,7 +89,7 @@ private:
     switch (event.kind) {
     case EventKind::ToolChange:
       add(MoveKind::Tool).value =
-          event.number >= 0 ? Interval::exactly(double(event.number)) : Interval::unknown();
+          event.tool() >= 0 ? Interval::exactly(double(event.tool())) : Interval::unknown();
       return;
     case EventKind::SpindleChange: {
       Move &move = add(MoveKind::Spindle);
@@ -98,7 +98,7 @@ private:
       return;
     }
     case EventKind::Dwell:
-      add(MoveKind::Dwell).value = event.value;
+      add(MoveKind::Dwell).value = event.seconds();
       return;
     case EventKind::Motion:
       return motion(event);

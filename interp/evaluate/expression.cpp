@@ -39,7 +39,7 @@ public:
       if (!known)
         operand(op);
       else if (!stack_.apply(*known) && outcome_)
-        outcome_->emit(EventKind::DomainError).number = op.offset;
+        outcome_->emit(EventKind::DomainError).setPlace(op.offset);
     }
     return stack_.result();
   }
@@ -61,7 +61,7 @@ void ExpressionEvaluator::operand(const ExpressionOp &op) {
     return stack_.push(Value::vacant());
   case Op::Variable:
     if (outcome_ && isUnset(state_, op.value))
-      outcome_->emit(EventKind::UnsetRead).number = op.offset;
+      outcome_->emit(EventKind::UnsetRead).setPlace(op.offset);
     return stack_.push(readVariable(state_, int64_t(op.value)));
   case Op::ElementAt:
   case Op::ElementKey: {

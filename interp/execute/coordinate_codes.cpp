@@ -18,7 +18,7 @@ void Execution::machineMove(uint16_t axes) {
   event.axes = axes;
   event.motion = motion && motion->action == Action::Linear ? MotionKind::Feed : MotionKind::Rapid;
   event.code = motion ? CodeIndex(motion - dialect_.codes.data()) : noCode;
-  event.number = 1; // in machine coordinates
+  event.setInMachineCoordinates();
   state_.fedFrom.forget();
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address))
@@ -101,9 +101,10 @@ bool Execution::dwell(const CodeUse &use, uint16_t) {
   event.code = use.code;
   event.word = block_.findAny(info(use).takes);
   if (event.word) {
-    event.value = value(*event.word);
-    if (dialect_.dwellInMilliseconds && event.word->isNumber() && !event.word->has(wordPoint))
-      event.value = event.value * 0.001;
+    const Interval time = value(*event.word);
+    const bool milliseconds =
+        dialect_.dwellInMilliseconds && event.word->isNumber() && !event.word->has(wordPoint);
+    event.setSeconds(milliseconds ? time * 0.001 : time);
   }
   return !dialect_.dwellBesideMove;
 }

@@ -107,7 +107,7 @@ void Execution::run(bool guardHolds) {
     return foreignBlock();
   outcome_.emit(EventKind::Block);
   for (size_t i = 0; i < block_.issues.size(); ++i)
-    outcome_.emit(EventKind::Syntax).number = int64_t(i);
+    outcome_.emit(EventKind::Syntax).setIssue(i);
   if ((block_.addresses & ~dialect_.plain) | (block_.repeated & ~dialect_.repeatable) |
           (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole) ||
       block_.skip > int8_t(dialect_.lexical.skipLevels))
@@ -154,7 +154,7 @@ void Execution::unsetReads() {
     for (uint32_t i = 0; i < expression.count; ++i) {
       const ExpressionOp &op = block_.operations[expression.first + i];
       if (op.op == Op::Variable && isUnset(state_, op.value))
-        outcome_.emit(EventKind::UnsetRead).number = op.offset;
+        outcome_.emit(EventKind::UnsetRead).setPlace(op.offset);
     }
   }
 }
@@ -171,7 +171,7 @@ void Execution::wordIssues() {
     if (!word)
       return;
     Event &event = outcome_.emit(EventKind::WordIssue);
-    event.number = int64_t(issue);
+    event.setWordIssue(issue);
     event.word = word;
   };
   emit(WordIssue::Unknown, block_.addresses & ~dialect_.known);
@@ -179,7 +179,7 @@ void Execution::wordIssues() {
   emit(WordIssue::NoPoint, block_.pointless & dialect_.pointAdvised);
   emit(WordIssue::PointInWhole, block_.pointed & dialect_.whole);
   if (block_.skip > int8_t(dialect_.lexical.skipLevels))
-    outcome_.emit(EventKind::WordIssue).number = int64_t(WordIssue::SkipLevel);
+    outcome_.emit(EventKind::WordIssue).setWordIssue(WordIssue::SkipLevel);
   emit(WordIssue::NumberInside, block_.addresses & maskOf('N'));
   emit(WordIssue::Special, block_.addresses & dialect_.known & ~dialect_.plain);
 }
@@ -195,7 +195,7 @@ void Execution::wordDomains() {
       evaluate(block_, uint16_t(word.mantissa), state_, &computed);
   for (const Event &event : computed.events)
     if (event.kind == EventKind::DomainError)
-      outcome_.emit(EventKind::DomainError).number = event.number;
+      outcome_.emit(EventKind::DomainError).setPlace(event.place());
 }
 
 void Execution::resolveCodes() {

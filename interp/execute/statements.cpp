@@ -72,11 +72,11 @@ void Execution::assign(const Item &item) {
     else
       state_.locals.forget();
     state_.commons.forget();
-    event.number = notKnown;
+    event.setVariable(notKnown);
     return;
   }
   const int64_t variable = std::llround(number.number.value());
-  event.number = variable;
+  event.setVariable(variable);
   if (dialect_.lexical.assignsBehind) {
     if (isUnset(state_, double(variable))) // its name exists from here on
       writeVariable(state_, variable, Value::of(0));
@@ -118,7 +118,7 @@ void Execution::define(const Item &item) {
 bool Execution::runItems(bool guardHolds) {
   state_.seeksBranch = false;
   for (size_t i = 0; i < block_.items.size(); ++i)
-    outcome_.emit(EventKind::Statement).number = int64_t(i);
+    outcome_.emit(EventKind::Statement).setItem(i);
   Guard guard;
   guard.holds = guardHolds;
   for (size_t i = 0; i < block_.items.size(); ++i)

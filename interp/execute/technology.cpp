@@ -73,7 +73,7 @@ void Execution::feedWord(const Word &word, bool lead) {
     state_.clear(Fact::FeedIsLead);
   Event &event = outcome_.emit(EventKind::FeedWord);
   event.word = &word;
-  event.value = state_.feed;
+  event.setWordValue(state_.feed);
 }
 
 void Execution::speedWord(const Word &word, bool limit) {
@@ -82,13 +82,12 @@ void Execution::speedWord(const Word &word, bool limit) {
   outcome_.setupChanged = true;
   Event &event = outcome_.emit(EventKind::SpeedWord);
   event.word = &word;
-  event.value = value(word);
+  event.setSpeed(value(word), limit);
   if (limit) {
-    state_.speedLimit = event.value;
+    state_.speedLimit = event.speed();
     state_.set(Fact::SpeedLimitSet);
-    event.certain = false; // not a speed
   } else {
-    state_.speed = event.value;
+    state_.speed = event.speed();
     state_.origin.set(StatePart::Speed, originOf(word));
     state_.set(Fact::SpeedSet);
     state_.set(Fact::SpeedSinceMode);
@@ -119,7 +118,7 @@ void Execution::offsetWord(const Word &word, bool cycleTakesD) {
   state_.origin.set(isD ? StatePart::RadiusOffset : StatePart::LengthOffset, originOf(word));
   Event &event = outcome_.emit(EventKind::OffsetWord);
   event.word = &word;
-  event.value = number;
+  event.setWordValue(number);
 }
 
 /// Words that set something without a code: a limit of the speed, a position of the spindle.
@@ -190,7 +189,7 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
   Event &event = outcome_.emit(EventKind::ToolChange);
   event.word = &word;
   event.code = by;
-  event.number = tool;
+  event.setTool(tool);
   state_.tool = tool;
   if (dialect_.offsetsOfTool)
     state_.lengthOffset = notSet;
@@ -222,7 +221,7 @@ void Execution::toolWord(const Word &word) {
   const Interval number = value(word);
   Event &event = outcome_.emit(EventKind::ToolWord);
   event.word = &word;
-  event.value = number;
+  event.setWordValue(number);
   int32_t tool = notKnown, offset = notKnown;
   if (number.isConstant() && number.value() >= 0 && number.value() < 1e8) {
     const auto whole = int32_t(number.value());

@@ -4,38 +4,40 @@
 #include "formats/readers/block.h"
 #include "interp/state/state.h"
 
+#include <cassert>
+
 namespace ncvet {
 
 enum class EventKind : uint8_t {
   Block,            ///< a block with content is executed
   Code,             ///< a G or M code of the table; `code`, `word`
   UnknownCode,      ///< a G or M code that is in no table; `word`
-  ToolWord,         ///< a T word; `value`
-  ToolChange,       ///< the tool in use changes; `word` is the T word or the code
-  FeedWord,         ///< F; `value`
-  SpeedWord,        ///< S; `value`
-  OffsetWord,       ///< H or D; `word`, `value`
-  Motion,           ///< axes move by one of the motion codes; `motion`, `axes`, `code`
+  ToolWord,         ///< a T word; `word`, `toolNumber()`
+  ToolChange,       ///< the tool in use changes; `word` is the T word or the code, `tool()`
+  FeedWord,         ///< F; `word`, `feed()`
+  SpeedWord,        ///< S; `word`, `speed()`, `limitsSpeed()`
+  OffsetWord,       ///< H or D; `word`, `offset()`
+  Motion,           ///< axes move by one of the motion codes; `motion`, `axes`, `code`,
+                    ///< `inMachineCoordinates()`
   CycleStart,       ///< a cycle becomes active, or is called; `code`
   CycleRun,         ///< a cycle executes; `code`, `axes`
   CycleCancel,      ///< an active cycle ends; `code` is the cycle, `by` what ended it
   CompensationMove, ///< the move that engages or cancels compensation; `code`: G41, G42 or G40
   CoordinateChange, ///< shift, work offset, transformation; `code`
   SpindleChange,    ///< M03, M04, M05, M19 and their like; `code`
-  Dwell,            ///< `value` is the time in seconds
+  Dwell,            ///< `code`, `word`, `seconds()`
   Call,             ///< a subprogram or macro is called; `code`
   CallReturned,     ///< the called program came back: the state before the call, and after it
   Return,           ///< M99 and its like
   ProgramEnd,       ///< the program ends here: M30, M02, end of file
-  Statement,        ///< an item of the block, before any of it is executed; `number` is its index
-  Assignment,       ///< a variable is written; `number`, `value`
-  UnsetRead,        ///< a variable that the program has not given a value is read; `number` is the
-                    ///< place in the text
-  VacantRead,       ///< a variable that was never set is used in arithmetic
-  DomainError,      ///< a value outside a function's domain: division by zero, root of a negative
-  Syntax,           ///< the reader found something; `number` is the index of the issue
-  WordIssue, ///< a word of the block wants a look; `number` is a `WordIssue`, `word` the first one
-  FlowIssue, ///< control cannot go where the block says; `number` is a `FlowIssue`
+  Statement,        ///< an item of the block, before any of it is executed; `item()`
+  Assignment,       ///< a variable is written; `variable()`
+  UnsetRead,        ///< a variable that the program has not given a value is read; `place()`
+  DomainError,      ///< a value outside a function's domain: division by zero, root of a negative;
+                    ///< `place()`
+  Syntax,           ///< the reader found something; `issue()`
+  WordIssue,        ///< a word of the block wants a look; `wordIssue()`, `word` the first one
+  FlowIssue,        ///< control cannot go where the block says; `flowIssue()`
   Count
 };
 static_assert(unsigned(EventKind::Count) <= 32);
@@ -87,7 +89,8 @@ enum class FlowIssue : uint8_t {
 enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Reference };
 constexpr uint8_t bitOf(MotionKind kind) { return uint8_t(1u << unsigned(kind)); }
 
-/// Something that happens in a block. Lives only while the block is looked at.
+/// Something that happens in a block. Lives only while the block is looked at. What only some kinds
+/// have is read by the functions; each asserts that the event is of a kind that has it.
 struct Event {
   EventKind kind = EventKind::Block;
   MotionKind motion = MotionKind::Rapid;
@@ -96,9 +99,90 @@ struct Event {
   CodeIndex by = noCode;
   bool certain = true; ///< false: it happens on some of the paths that the state represents
   const Word *word = nullptr;
-  int64_t number = 0;
-  Interval value;
+
+  /// `Statement`: index in `Block::items`.
+  size_t item() const { return size_t(number(bitOf(EventKind::Statement))); }
+  /// `Syntax`: index in `Block::issues`.
+  size_t issue() const { return size_t(number(bitOf(EventKind::Syntax))); }
+  ncvet::WordIssue wordIssue() const {
+    return ncvet::WordIssue(number(bitOf(EventKind::WordIssue)));
+  }
+  ncvet::FlowIssue flowIssue() const {
+    return ncvet::FlowIssue(number(bitOf(EventKind::FlowIssue)));
+  }
+  /// `UnsetRead`, `DomainError`: offset in the text of the variable or the operator.
+  uint32_t place() const { return uint32_t(number(hasPlace)); }
+  /// `Assignment`: key of the variable; `notKnown` where the program computes which one it is.
+  int64_t variable() const { return number(bitOf(EventKind::Assignment)); }
+  /// `ToolChange`: the new tool; negative where it is not known.
+  int64_t tool() const { return number(bitOf(EventKind::ToolChange)); }
+  /// True for a `Motion` of one block in machine coordinates (G53); false for events of all other
+  /// kinds.
+  bool inMachineCoordinates() const { return kind == EventKind::Motion && number_ != 0; }
+  /// `SpeedWord`: true when the word is the limit of the spindle speed, not a speed.
+  bool limitsSpeed() const { return number(bitOf(EventKind::SpeedWord)) != 0; }
+
+  /// `ToolWord`, `FeedWord`, `SpeedWord`, `OffsetWord`: the value of `word`.
+  const Interval &wordValue() const { return value(hasWordValue); }
+  /// `ToolWord`: as written, on a lathe with the digits of the offset (101 for T0101).
+  const Interval &toolNumber() const { return value(bitOf(EventKind::ToolWord)); }
+  /// `FeedWord`: in the unit of the active feed mode.
+  const Interval &feed() const { return value(bitOf(EventKind::FeedWord)); }
+  /// `SpeedWord`: in 1/min, or a cutting speed where the active mode takes one.
+  const Interval &speed() const { return value(bitOf(EventKind::SpeedWord)); }
+  /// `OffsetWord`: number of the offset.
+  const Interval &offset() const { return value(bitOf(EventKind::OffsetWord)); }
+  /// `Dwell`: the time; of no meaning without `word`.
+  const Interval &seconds() const { return value(bitOf(EventKind::Dwell)); }
+
+  void setItem(size_t index) { setNumber(bitOf(EventKind::Statement), int64_t(index)); }
+  void setIssue(size_t index) { setNumber(bitOf(EventKind::Syntax), int64_t(index)); }
+  void setWordIssue(ncvet::WordIssue issue) {
+    setNumber(bitOf(EventKind::WordIssue), int64_t(issue));
+  }
+  void setFlowIssue(ncvet::FlowIssue issue) {
+    setNumber(bitOf(EventKind::FlowIssue), int64_t(issue));
+  }
+  void setPlace(uint32_t offset) { setNumber(hasPlace, offset); }
+  void setVariable(int64_t key) { setNumber(bitOf(EventKind::Assignment), key); }
+  void setTool(int64_t tool) { setNumber(bitOf(EventKind::ToolChange), tool); }
+  void setInMachineCoordinates() { setNumber(bitOf(EventKind::Motion), 1); }
+  void setSpeed(const Interval &speed, bool limits) {
+    setNumber(bitOf(EventKind::SpeedWord), limits);
+    value_ = speed;
+  }
+  void setWordValue(const Interval &value) {
+    assert(bitOf(kind) & hasWordValue);
+    value_ = value;
+  }
+  void setSeconds(const Interval &time) {
+    assert(kind == EventKind::Dwell);
+    value_ = time;
+  }
+
+private:
+  static constexpr uint32_t hasPlace = bitOf(EventKind::UnsetRead) | bitOf(EventKind::DomainError);
+  static constexpr uint32_t hasWordValue = bitOf(EventKind::ToolWord) | bitOf(EventKind::FeedWord) |
+                                           bitOf(EventKind::SpeedWord) |
+                                           bitOf(EventKind::OffsetWord);
+
+  int64_t number([[maybe_unused]] uint32_t kinds) const {
+    assert(bitOf(kind) & kinds && "events of this kind have no such number");
+    return number_;
+  }
+  const Interval &value([[maybe_unused]] uint32_t kinds) const {
+    assert(bitOf(kind) & kinds && "events of this kind have no such value");
+    return value_;
+  }
+  void setNumber([[maybe_unused]] uint32_t kinds, int64_t number) {
+    assert(bitOf(kind) & kinds && "events of this kind have no such number");
+    number_ = number;
+  }
+
+  int64_t number_ = 0;
+  Interval value_;
 };
+static_assert(sizeof(Event) <= 48, "every block emits several");
 
 /// A G or M code of the block, with its variant resolved.
 struct CodeUse {

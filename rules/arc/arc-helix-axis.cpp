@@ -17,7 +17,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    if (event.code == noCode || event.number || !event.certain || !(event.axes & ~plane) ||
+    if (event.code == noCode || event.inMachineCoordinates() || !event.certain ||
+        !(event.axes & ~plane) ||
         ctx.after().active(ctx.dialect(), StandardGroup::Plane) == groupUnset)
       return;
     const bool turned = compensated_ && turnsUnderCompensation(ctx);

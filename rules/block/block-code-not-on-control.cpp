@@ -16,7 +16,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement) {
-      const Item &item = ctx.block().items[size_t(event.number)];
+      const Item &item = ctx.block().items[event.item()];
       const SourceRange range = ctx.range(item);
       if (item.kind == ItemKind::Structure || item.kind == ItemKind::Definition ||
           item.kind == ItemKind::Parameters || item.kind == ItemKind::Declaration)
@@ -28,7 +28,7 @@ public:
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     // `XI-4` reads as an X without a value and an I after it.
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     if (issue.kind != SyntaxIssueKind::MissingValue)
       return;
     for (const Word &word : ctx.block().words) {

@@ -20,8 +20,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Assignment)
-      return parameterAgain(uint64_t(event.number), ctx);
-    if (WordIssue(event.number) != WordIssue::Repeated)
+      return parameterAgain(uint64_t(event.variable()), ctx);
+    if (event.wordIssue() != WordIssue::Repeated)
       return;
     // Arguments of a macro call may be given in several sets of I, J and K.
     if (ctx.find({Action::MacroCall, Action::MacroModal}))

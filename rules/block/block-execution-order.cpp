@@ -18,7 +18,7 @@ public:
     if (event.kind == EventKind::CycleRun)
       return repeated(event, ctx);
     if (event.kind == EventKind::Statement)
-      return jump(ctx.block().items[size_t(event.number)], ctx);
+      return jump(ctx.block().items[event.item()], ctx);
     ctx.reportNotices(id, event);
     if (ctx.code(event).action == Action::CycleCancel)
       cancelWithAxes(event, ctx);

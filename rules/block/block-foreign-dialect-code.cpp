@@ -24,7 +24,7 @@ public:
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
     if (event.kind == EventKind::Syntax) {
-      const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+      const SyntaxIssue &issue = ctx.block().issues[event.issue()];
       const SourceRange range = ctx.range(issue);
       if (variantNames_)
         return variantName(issue, range, ctx);
@@ -35,7 +35,7 @@ public:
                           ctx.text(range));
       return;
     }
-    if (isoSigns_ && WordIssue(event.number) == WordIssue::Unknown) {
+    if (isoSigns_ && event.wordIssue() == WordIssue::Unknown) {
       for (const Word &word : ctx.block().words)
         if (!(ctx.dialect().known & maskOf(word.address)) && isIsoSign(ctx.text(word)))
           if (auto finding = ctx.report(word))
@@ -44,7 +44,7 @@ public:
                             ctx.text(word));
       return;
     }
-    if (WordIssue(event.number) == WordIssue::Special)
+    if (event.wordIssue() == WordIssue::Special)
       programNumber(ctx);
   }
 

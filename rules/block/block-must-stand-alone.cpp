@@ -17,7 +17,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return atStatement(ctx.block().items[size_t(event.number)], size_t(event.number), ctx);
+      return atStatement(ctx.block().items[event.item()], event.item(), ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if (!code.alone)

@@ -36,8 +36,8 @@ public:
       return;
     }
     if (event.kind == EventKind::Assignment)
-      return parameter(uint64_t(event.number), ctx);
-    if (WordIssue(event.number) != WordIssue::Special)
+      return parameter(uint64_t(event.variable()), ctx);
+    if (event.wordIssue() != WordIssue::Special)
       return;
     // What an unknown code or another control's takes is not known either; the letters of a macro
     // call are arguments.

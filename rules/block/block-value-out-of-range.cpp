@@ -67,7 +67,7 @@ private:
   /// What the address takes whatever is beside it.
   static void ofAddress(const Event &event, RuleContext &ctx) {
     const AddressInfo &address = ctx.dialect().addresses[event.word->address];
-    if (!(event.value.hi < address.least) && !(event.value.lo > address.most))
+    if (!(event.wordValue().hi < address.least) && !(event.wordValue().lo > address.most))
       return;
     const auto number = [](double bound) {
       return llvm::formatv("{0}", llvm::format("%g", bound)).str();
@@ -81,7 +81,7 @@ private:
   }
 
   static void skipLevel(const Event &event, RuleContext &ctx) {
-    if (WordIssue(event.number) != WordIssue::SkipLevel)
+    if (event.wordIssue() != WordIssue::SkipLevel)
       return;
     const Block &block = ctx.block();
     const llvm::StringRef text = ctx.source().text(block.begin, block.end).ltrim();

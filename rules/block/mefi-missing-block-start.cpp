@@ -15,7 +15,7 @@ public:
     const Block &block = ctx.block();
     if (event.kind == EventKind::Block)
       return merged(ctx);
-    const SyntaxIssue &issue = block.issues[size_t(event.number)];
+    const SyntaxIssue &issue = block.issues[event.issue()];
     if (issue.kind != SyntaxIssueKind::OutsideBlock || block.words.empty())
       return;
     if (auto finding = ctx.report(ctx.range(block.words.front())))

@@ -159,7 +159,7 @@ private:
     if (ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn)
       return;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    if (!(event.axes & plane) || event.number == 1 || event.code == noCode ||
+    if (!(event.axes & plane) || event.inMachineCoordinates() || event.code == noCode ||
         ctx.after().profile == 1 || (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
     for (unsigned i = 0; i < axisCount; ++i) {

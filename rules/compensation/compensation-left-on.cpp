@@ -66,9 +66,8 @@ private:
   static void runsOut(const Event &event, RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.flowRange().begin);
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    if (FlowIssue(event.number) != FlowIssue::MainRunsOut ||
-        program.kind != ProgramKind::Subprogram || active == Truth::No ||
-        !switchedOnIn(program, ctx))
+    if (event.flowIssue() != FlowIssue::MainRunsOut || program.kind != ProgramKind::Subprogram ||
+        active == Truth::No || !switchedOnIn(program, ctx))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), active == Truth::Yes && event.certain)) {
       finding.message("the program ends with {0} still on", nameOf(ctx));

@@ -79,8 +79,8 @@ private:
     const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                       event.motion == MotionKind::ArcCcw;
     if (!cuts || event.code == noCode || before.compensation != phaseOn ||
-        after.compensation != phaseOn || before.may(Fact::CompensatedCut) || event.number == 1 ||
-        before.may(Fact::UnknownCode))
+        after.compensation != phaseOn || before.may(Fact::CompensatedCut) ||
+        event.inMachineCoordinates() || before.may(Fact::UnknownCode))
       return;
     const uint16_t plane = uint16_t(1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z));
     if (planeAxes(ctx.dialect(), after) != plane)

@@ -16,8 +16,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (!event.certain || event.code == noCode || event.number != 0 || ctx.before().profile == 1 ||
-        ctx.before().may(Fact::UnknownCode))
+    if (!event.certain || event.code == noCode || event.inMachineCoordinates() ||
+        ctx.before().profile == 1 || ctx.before().may(Fact::UnknownCode))
       return;
     if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
       circleAndLine(event, ctx);

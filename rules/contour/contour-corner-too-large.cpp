@@ -26,7 +26,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(words_);
-    if (!word || !event.certain || event.number != 0 || ctx.before().profile == 1 ||
+    if (!word || !event.certain || event.inMachineCoordinates() || ctx.before().profile == 1 ||
         ctx.before().may(Fact::UnknownCode) || !asksForCorner(ctx, *word))
       return;
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;

@@ -73,7 +73,7 @@ public:
 private:
   /// A plain R in the block of a line, where corners have a comma.
   void withoutComma(const Event &event, RuleContext &ctx) const {
-    if (!isLine(ctx, event) || event.code == noCode || event.number != 0 ||
+    if (!isLine(ctx, event) || event.code == noCode || event.inMachineCoordinates() ||
         ctx.code(event).action != Action::Linear || takenByOther(ctx, nothing_) ||
         ctx.before().may(Fact::UnknownCode))
       return;

@@ -356,7 +356,7 @@ private:
   static void behindArc(const Event &event, uint16_t plane, RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     // A block with Q is itself the second one of two, and its centre is written otherwise.
-    if (dialect.isLathe() || ctx.block().has(letterAddress('Q')) || event.number != 0 ||
+    if (dialect.isLathe() || ctx.block().has(letterAddress('Q')) || event.inMachineCoordinates() ||
         ctx.after().compensation == phaseOff || !ctx.after().frames.empty())
       return;
     Block next;

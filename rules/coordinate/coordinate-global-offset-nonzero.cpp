@@ -17,7 +17,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (memory().reported || event.number || event.motion == MotionKind::Reference)
+    if (memory().reported || event.inMachineCoordinates() || event.motion == MotionKind::Reference)
       return;
     memory().reported = true;
     // With measuring of type B the common offset in X belongs to the tool setting arm.

@@ -21,7 +21,7 @@ public:
       return early(event, ctx);
     // A subprogram's end ends a main program too.
     if (event.kind == EventKind::FlowIssue &&
-        (FlowIssue(event.number) != FlowIssue::ReturnInMain ||
+        (event.flowIssue() != FlowIssue::ReturnInMain ||
          ctx.index().programAt(ctx.block().begin).kind != ProgramKind::Main))
       return;
     // Where the end of a called program only returns, the caller goes on: another rule's matter.
@@ -65,10 +65,11 @@ private:
       if (ctx.code(event).group != noGroup || !makesHole(ctx.code(event).cycle) ||
           before.modalCalls)
         return;
-    } else if (!event.axes || event.number || event.motion == MotionKind::Reference ||
-               !before.must(Fact::ToolCalled) || before.may(Fact::MovedSinceTool) ||
-               !ctx.block().hasAny(ctx.dialect().axisWords) || !on.known() || !tool.known() ||
-               on.file != tool.file || on.begin > tool.begin || ctx.find({Action::Incremental})) {
+    } else if (!event.axes || event.inMachineCoordinates() ||
+               event.motion == MotionKind::Reference || !before.must(Fact::ToolCalled) ||
+               before.may(Fact::MovedSinceTool) || !ctx.block().hasAny(ctx.dialect().axisWords) ||
+               !on.known() || !tool.known() || on.file != tool.file || on.begin > tool.begin ||
+               ctx.find({Action::Incremental})) {
       return;
     }
     const CodeInfo *code = before.activeCode(ctx.dialect(), StandardGroup::Distance);

@@ -16,9 +16,10 @@ public:
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (next_)
       return behind(event, ctx);
-    if (event.number || event.motion == MotionKind::Reference || event.motion == MotionKind::Skip ||
-        !event.axes || !before.must(Fact::AtMachinePosition) || (event.axes & before.machineAxes) ||
-        !before.machineAxes || before.must(Fact::ReferenceReturned))
+    if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
+        event.motion == MotionKind::Skip || !event.axes || !before.must(Fact::AtMachinePosition) ||
+        (event.axes & before.machineAxes) || !before.machineAxes ||
+        before.must(Fact::ReferenceReturned))
       return;
     // The retract axes of the machine: all of a lathe, the tool axis of a mill.
     const auto likely = ctx.dialect().isLathe()
@@ -39,8 +40,9 @@ private:
   /// The very next block goes on with another axis, as far as no work goes.
   void behind(const Event &event, RuleContext &ctx) const {
     Block previous;
-    if (event.number || event.motion == MotionKind::Reference || !ctx.codes().empty() ||
-        !readPrevious(ctx, previous) || !findCode(ctx.dialect(), previous, {Action::MachineMove}) ||
+    if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
+        !ctx.codes().empty() || !readPrevious(ctx, previous) ||
+        !findCode(ctx.dialect(), previous, {Action::MachineMove}) ||
         (axesOf(ctx.dialect(), previous) & event.axes))
       return;
     for (unsigned axis = 0; axis < axisCount; ++axis)

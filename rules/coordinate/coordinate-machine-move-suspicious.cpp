@@ -14,7 +14,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.number != 1)
+    if (!event.inMachineCoordinates())
       return;
     const CodeUse *use = ctx.find({Action::MachineMove});
     if (!use)

@@ -21,7 +21,7 @@ public:
       ctx.reportNotices(id, event);
       return again(event, ctx);
     }
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Assignment)
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};

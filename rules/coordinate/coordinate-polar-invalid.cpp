@@ -27,7 +27,7 @@ public:
       goesOn(event, ctx);
     if (ctx.block().hasAny(words_))
       return byWords(event, ctx);
-    if (event.number || event.motion == MotionKind::Reference ||
+    if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
         after.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
       return;
     // The first axis of the plane carries the radius, the second the angle.
@@ -91,7 +91,8 @@ private:
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (!motion || !isPolar(*motion, ctx.dialect()) || (event.axes & plane) != plane ||
-        event.number || ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion) != motion)
+        event.inMachineCoordinates() ||
+        ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion) != motion)
       return;
     for (const CodeUse &use : ctx.codes())
       if (isMotion(ctx.code(use).action) || ctx.code(use).action == Action::MachineMove)

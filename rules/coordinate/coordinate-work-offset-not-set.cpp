@@ -19,7 +19,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
     if (memory().reported || state.must(Fact::WorkOffsetStated) ||
-        event.motion == MotionKind::Reference || event.number || !event.axes)
+        event.motion == MotionKind::Reference || event.inMachineCoordinates() || !event.axes)
       return;
     // A preset makes a coordinate system of its own; increments need none.
     if (state.origin.of(StatePart::Preset).known() || state.may(Fact::UnknownCode))

@@ -49,7 +49,7 @@ public:
       return;
     }
     if (event.kind == EventKind::Statement) {
-      memory().assigns |= ctx.block().items[size_t(event.number)].kind == ItemKind::Assignment;
+      memory().assigns |= ctx.block().items[event.item()].kind == ItemKind::Assignment;
       return;
     }
     if (event.kind == EventKind::Code) {

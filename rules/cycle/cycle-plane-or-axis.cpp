@@ -55,7 +55,7 @@ public:
       return;
     }
     if (event.kind == EventKind::Statement)
-      return axis(ctx.block().items[size_t(event.number)], ctx);
+      return axis(ctx.block().items[event.item()], ctx);
     if (setup_)
       prepared(event, ctx);
     if (stated_)

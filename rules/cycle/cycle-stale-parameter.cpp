@@ -29,7 +29,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return assigned(ctx.block().items[size_t(event.number)], ctx);
+      return assigned(ctx.block().items[event.item()], ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     for (const WordSpec &spec : code.words) {

@@ -48,7 +48,7 @@ public:
         !(makesHole(cycle->cycle) || cycle->firesInPlane) || ctx.find({Action::CycleCancel}))
       return;
     if (event.kind == EventKind::Statement)
-      return assigned(ctx.block().items[size_t(event.number)], *cycle, ctx);
+      return assigned(ctx.block().items[event.item()], *cycle, ctx);
     if (event.kind == EventKind::CycleRun) {
       if (makesHole(cycle->cycle))
         running(*cycle, ctx);

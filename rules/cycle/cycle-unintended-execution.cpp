@@ -79,7 +79,7 @@ private:
     const MachineState &before = ctx.before(), &after = ctx.after();
     const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
     const CodeUse *use = ctx.find({Action::MachineMove});
-    if (event.number != 1 || !use || !cycle || !makesHole(cycle->cycle) ||
+    if (!event.inMachineCoordinates() || !use || !cycle || !makesHole(cycle->cycle) ||
         before.cycleActive(ctx.dialect()) != Truth::Yes ||
         after.cycleActive(ctx.dialect()) != Truth::Yes || before.may(Fact::UnknownCode))
       return;

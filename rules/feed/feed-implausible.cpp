@@ -23,7 +23,7 @@ public:
     // An F that was fit for its mode may be unfit for the one that is in force at the cut.
     if (carried && (!cuts(event) || ctx.block().has(letterAddress('F')) || !isCarried(ctx)))
       return;
-    const Interval value = carried ? state.feed.get() : event.value;
+    const Interval value = carried ? state.feed.get() : event.feed();
     if (!value.isConstant() || value.value() <= 0 || state.may(Fact::FeedIsLead) || isLead(ctx))
       return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);

@@ -9,9 +9,9 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::FeedWord); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (!(event.value.hi <= 0))
+    if (!(event.feed().hi <= 0))
       return;
-    const bool negative = event.value.hi < 0;
+    const bool negative = event.feed().hi < 0;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}`: {1}", ctx.text(*event.word),
                       negative

@@ -12,7 +12,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
-    const Item &item = block.items[size_t(event.number)];
+    const Item &item = block.items[event.item()];
     if (item.kind != ItemKind::Input)
       return;
     const SourceRange range = ctx.range(item);

@@ -20,10 +20,10 @@ public:
     case EventKind::Code:
       return atCode(event, ctx);
     case EventKind::Statement:
-      wordsBeside(ctx.block().items[size_t(event.number)], ctx);
-      return atDefinition(ctx.block().items[size_t(event.number)], ctx);
+      wordsBeside(ctx.block().items[event.item()], ctx);
+      return atDefinition(ctx.block().items[event.item()], ctx);
     case EventKind::Syntax: {
-      const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+      const SyntaxIssue &issue = ctx.block().issues[event.issue()];
       const SourceRange range = ctx.range(issue);
       if (issue.kind == SyntaxIssueKind::MissingArgument ||
           issue.kind == SyntaxIssueKind::TooManyArguments) {
@@ -142,7 +142,7 @@ private:
   static void atCall(const Event &event, RuleContext &ctx) {
     const char *what = nullptr;
     std::optional<Severity> severity;
-    switch (FlowIssue(event.number)) {
+    switch (event.flowIssue()) {
     case FlowIssue::TooManyArguments:
       what = ctx.flowRelated().end
                  ? "`{0}` has more arguments than the program takes"

@@ -21,7 +21,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return statement(ctx.block().items[size_t(event.number)], ctx);
+      return statement(ctx.block().items[event.item()], ctx);
     ctx.reportNotices(id, event);
     if (statements_ && ends(ctx.code(event).action)) {
       if (ctx.block().skip >= 0)

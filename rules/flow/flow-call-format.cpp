@@ -15,9 +15,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return atStatement(ctx.block().items[size_t(event.number)], ctx);
+      return atStatement(ctx.block().items[event.item()], ctx);
     if (event.kind == EventKind::WordIssue) {
-      if (WordIssue(event.number) == WordIssue::Special)
+      if (event.wordIssue() == WordIssue::Special)
         number(ctx);
       return;
     }

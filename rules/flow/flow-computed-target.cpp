@@ -12,7 +12,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (FlowIssue(event.number) != FlowIssue::ComputedTarget)
+    if (event.flowIssue() != FlowIssue::ComputedTarget)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message(

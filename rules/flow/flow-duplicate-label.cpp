@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (FlowIssue(event.number) != FlowIssue::DuplicateLabel)
+    if (event.flowIssue() != FlowIssue::DuplicateLabel)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding

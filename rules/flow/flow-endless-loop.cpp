@@ -18,7 +18,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement) {
-      const auto index = size_t(event.number);
+      const size_t index = event.item();
       const Item &item = ctx.block().items[index];
       if (item.kind == ItemKind::Structure && item.structure == Structure::While)
         return bracketed(item, ctx);
@@ -29,7 +29,7 @@ public:
         return whileTrue(ctx.block().items[index - 1], item, ctx);
       return backwards(item, ctx);
     }
-    if (FlowIssue(event.number) != FlowIssue::EndlessLoop)
+    if (event.flowIssue() != FlowIssue::EndlessLoop)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");

@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (FlowIssue(event.number) != FlowIssue::RunsIntoSubprogram)
+    if (event.flowIssue() != FlowIssue::RunsIntoSubprogram)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("the program runs on into this subprogram: there is no `M30` before it")

@@ -15,7 +15,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     memory().counts |= item.kind == ItemKind::Structure && item.structure == Structure::For;
     memory().repeats |= item.kind == ItemKind::Repeat;
   }

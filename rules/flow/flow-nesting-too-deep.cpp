@@ -46,10 +46,10 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement) {
-      memory().structures |= ctx.block().items[size_t(event.number)].kind == ItemKind::Structure;
+      memory().structures |= ctx.block().items[event.item()].kind == ItemKind::Structure;
       return;
     }
-    if (FlowIssue(event.number) != FlowIssue::TooDeep)
+    if (event.flowIssue() != FlowIssue::TooDeep)
       return;
     auto finding = ctx.report(ctx.flowRange(), event.certain);
     if (!finding)

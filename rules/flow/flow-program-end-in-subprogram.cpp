@@ -27,7 +27,7 @@ public:
         returns(memory().first = ctx.range(*event.word), event, ctx);
       return;
     }
-    if (FlowIssue(event.number) != FlowIssue::EndInSubprogram)
+    if (event.flowIssue() != FlowIssue::EndInSubprogram)
       return;
     if (ctx.dialect().endReturns)
       return returns(ctx.flowRange(), event, ctx);

@@ -24,14 +24,14 @@ public:
     if (event.kind == EventKind::Code)
       return atEnd(event, ctx);
     if (event.kind == EventKind::FlowIssue) {
-      if (FlowIssue(event.number) == FlowIssue::RepeatBounds)
+      if (event.flowIssue() == FlowIssue::RepeatBounds)
         if (auto finding = ctx.report(ctx.flowRange(), event.certain))
           finding.message("`{0}` lies inside the section that it repeats, or the section ends "
                           "before it begins",
                           ctx.text(ctx.flowRange()));
       return;
     }
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Repeat || !item.single || item.arguments < 2)
       return;
     const SourceRange range = ctx.range(item);

@@ -19,7 +19,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return atStatement(ctx.block().items[size_t(event.number)], ctx);
+      return atStatement(ctx.block().items[event.item()], ctx);
     const Word *count = ctx.block().find('L');
     if (!count || count->has(wordNoValue))
       return;

@@ -10,7 +10,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (FlowIssue(event.number) != FlowIssue::RepeatSame || !ctx.after().must(Fact::Cut))
+    if (event.flowIssue() != FlowIssue::RepeatSame || !ctx.after().must(Fact::Cut))
       return;
     // Where a counter of the section does not change, another rule says so.
     for (const RepeatedSection &section : repeatedSections(ctx.index()))

@@ -23,7 +23,7 @@ public:
       return;
     }
     // `/M99` before M30 is the usual switch between one part and many.
-    if (FlowIssue(event.number) != FlowIssue::ReturnInMain || ctx.block().skip >= 0)
+    if (event.flowIssue() != FlowIssue::ReturnInMain || ctx.block().skip >= 0)
       return;
     // Macros have numbers of their own range; their callers may be anywhere.
     constexpr int64_t firstMacro = 8000;

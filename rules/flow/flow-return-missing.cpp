@@ -14,7 +14,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const auto issue = FlowIssue(event.number);
+    const auto issue = event.flowIssue();
     const bool endCode = issue == FlowIssue::EndInSubprogram && endCounts_;
     // A file that says itself to be a subprogram needs its return without a caller too.
     const bool alone = issue == FlowIssue::MainRunsOut &&

@@ -31,7 +31,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return target(ctx.block().items[size_t(event.number)], ctx);
+      return target(ctx.block().items[event.item()], ctx);
     if (memory().targets.empty() || ctx.callDepth() > 0)
       return;
     const auto at = memory().targets.find({ctx.source().id(), ctx.block().begin});

@@ -20,10 +20,10 @@ public:
     if (event.kind == EventKind::Code)
       return restores(event, ctx);
     if (event.kind == EventKind::Statement) {
-      memory().repeats |= ctx.block().items[size_t(event.number)].kind == ItemKind::Repeat;
+      memory().repeats |= ctx.block().items[event.item()].kind == ItemKind::Repeat;
       return;
     }
-    if (FlowIssue(event.number) == FlowIssue::RepeatOverlap) {
+    if (event.flowIssue() == FlowIssue::RepeatOverlap) {
       if (auto finding = ctx.report(ctx.flowRange(), event.certain))
         finding
             .message("`{0}` repeats a part of a bracket of structured flow",
@@ -31,7 +31,7 @@ public:
             .note(ctx.flowRelated(), "the bracket begins here");
       return;
     }
-    if (FlowIssue(event.number) == FlowIssue::StructureOpen) {
+    if (event.flowIssue() == FlowIssue::StructureOpen) {
       if (auto finding = ctx.report(ctx.flowRange(), event.certain))
         finding.severity(Severity::Warning)
             .message(loops(ctx) ? "`{0}` has no end: nothing repeats what follows"
@@ -40,7 +40,7 @@ public:
                      ctx.text(ctx.flowRange()));
       return;
     }
-    if (FlowIssue(event.number) == FlowIssue::IntoStructure) {
+    if (event.flowIssue() == FlowIssue::IntoStructure) {
       if (auto finding = ctx.report(ctx.flowRange(), event.certain))
         finding
             .message("`{0}` leads into a bracket of structured flow from outside: its head never "
@@ -49,7 +49,7 @@ public:
             .note(ctx.flowRelated(), "it leads here");
       return;
     }
-    if (FlowIssue(event.number) != FlowIssue::StructureMismatch ||
+    if (event.flowIssue() != FlowIssue::StructureMismatch ||
         (ctx.outcome().flow.kind != FlowKind::Structure && ctx.outcome().flow.loop == 0))
       return; // an END without a number is no statement of this control
     auto finding = ctx.report(ctx.flowRange(), event.certain);

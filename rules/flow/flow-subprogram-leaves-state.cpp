@@ -68,7 +68,7 @@ private:
                                            : ctx.blockRange();
     const ProgramInfo &program = ctx.index().programAt(where.begin);
     if (ctx.callDepth() > 0 || program.kind != ProgramKind::Subprogram ||
-        (out && FlowIssue(event.number) != FlowIssue::MainRunsOut) || givesBack(program, ctx))
+        (out && event.flowIssue() != FlowIssue::MainRunsOut) || givesBack(program, ctx))
       return;
     const Dialect &dialect = ctx.dialect();
     const MachineState &state = ctx.after();

@@ -13,7 +13,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const auto issue = FlowIssue(event.number);
+    const auto issue = event.flowIssue();
     const Flow &flow = ctx.outcome().flow;
     const bool local = flow.kind == FlowKind::CallLocal;
     if (issue != FlowIssue::UnknownProgram && !(issue == FlowIssue::UnknownBlock && local))

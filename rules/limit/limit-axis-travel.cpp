@@ -144,20 +144,21 @@ private:
 
   static void speed(const Event &event, RuleContext &ctx) {
     const MachineProfile &machine = ctx.machine();
-    // A surface speed is no speed of the spindle; the clamp (`certain` false) is one.
-    if (event.certain && ctx.dialect().group(StandardGroup::SpeedMode) != noGroup &&
+    // A surface speed is no speed of the spindle; the limit is one.
+    if (!event.limitsSpeed() && ctx.dialect().group(StandardGroup::SpeedMode) != noGroup &&
         ctx.after().active(ctx.dialect(), StandardGroup::SpeedMode) != groupUnset &&
         ctx.after().isActive(ctx.dialect(), StandardGroup::SpeedMode, {Action::SurfaceSpeed}) !=
             Truth::No)
       return;
-    if (!event.value.isConstant())
+    if (!event.speed().isConstant())
       return;
-    const double value = event.value.value();
+    const double value = event.speed().value();
     if (machine.spindleMax && value > *machine.spindleMax) {
       if (auto finding = ctx.report(event))
         finding.message("`{0}`: the spindle of this machine turns at {1} 1/min at most",
                         ctx.text(*event.word), *machine.spindleMax);
-    } else if (machine.spindleMin && value > 0 && value < *machine.spindleMin && event.certain) {
+    } else if (machine.spindleMin && value > 0 && value < *machine.spindleMin &&
+               !event.limitsSpeed()) {
       if (auto finding = ctx.report(event))
         finding.message("`{0}`: the spindle of this machine turns at {1} 1/min at least",
                         ctx.text(*event.word), *machine.spindleMin);
@@ -166,12 +167,12 @@ private:
 
   static void feed(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (!ctx.machine().feedMax || !event.value.isConstant() ||
+    if (!ctx.machine().feedMax || !event.feed().isConstant() ||
         state.isActive(ctx.dialect(), StandardGroup::FeedMode, {Action::FeedPerMinute}) !=
             Truth::Yes ||
         state.activeAction(ctx.dialect(), StandardGroup::Units) == Action::Inch)
       return;
-    if (event.value.value() > *ctx.machine().feedMax)
+    if (event.feed().value() > *ctx.machine().feedMax)
       if (auto finding = ctx.report(event))
         finding.message("`{0}`: the axes of this machine feed at {1} mm/min at most",
                         ctx.text(*event.word), *ctx.machine().feedMax);

@@ -13,14 +13,13 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
-    // `event.certain` false: the word is the clamp itself.
-    if (!event.certain || !state.must(Fact::SpeedLimitSet) || !state.speedLimit->isConstant())
+    if (event.limitsSpeed() || !state.must(Fact::SpeedLimitSet) || !state.speedLimit->isConstant())
       return;
     if (!always_ && (ctx.dialect().group(StandardGroup::SpeedMode) == noGroup ||
                      state.isActive(ctx.dialect(), StandardGroup::SpeedMode,
                                     {Action::ConstantSpeed}) != Truth::Yes))
       return;
-    if (!(event.value.lo > state.speedLimit->value()))
+    if (!(event.speed().lo > state.speedLimit->value()))
       return;
     if (auto finding = ctx.report(event))
       finding.message(

@@ -82,7 +82,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.number || event.motion == MotionKind::Reference)
+    if (event.inMachineCoordinates() || event.motion == MotionKind::Reference)
       return;
     const MachineState &state = ctx.after();
     const auto zone = zoneInForce(groups_, state, ctx);

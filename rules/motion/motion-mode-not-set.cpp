@@ -44,9 +44,10 @@ private:
   void powerOn(const Event &event, RuleContext &ctx) const {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
     const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
-    if (group == noGroup || (ctx.after().mayBeStated(group)) || !word || event.number ||
-        event.motion == MotionKind::Reference || ctx.after().may(Fact::UnknownCode) ||
-        event.code == noCode || ctx.callDepth() > 0 || ctx.before().profile)
+    if (group == noGroup || (ctx.after().mayBeStated(group)) || !word ||
+        event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
+        ctx.after().may(Fact::UnknownCode) || event.code == noCode || ctx.callDepth() > 0 ||
+        ctx.before().profile)
       return;
     memory().reported = true;
     if (auto finding = ctx.report(*word))

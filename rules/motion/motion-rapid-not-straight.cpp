@@ -15,7 +15,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     constexpr uint16_t both = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-    if (event.number || event.axes != both)
+    if (event.inMachineCoordinates() || event.axes != both)
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();
     const Interval &x = before.at(Axis::X), &z = before.at(Axis::Z), &to = after.at(Axis::X);

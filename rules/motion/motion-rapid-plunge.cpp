@@ -24,7 +24,7 @@ public:
     // With a stock it is the end that counts, wherever the tool comes from.
     const bool down =
         top_ || !ctx.machine().clamps.empty() ? (event.axes & tool) != 0 : event.axes == tool;
-    if (!down || event.number || !from.isConstant() || !to.isConstant() ||
+    if (!down || event.inMachineCoordinates() || !from.isConstant() || !to.isConstant() ||
         ctx.before().inMachineCoordinates(Axis::Z) || ctx.after().inMachineCoordinates(Axis::Z) ||
         to.value() >= from.value() || ctx.before().may(Fact::UnknownCode))
       return;

@@ -16,7 +16,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.number || !event.certain)
+    if (event.inMachineCoordinates() || !event.certain)
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();
     constexpr Axis tool = Axis::Z; // arcs in G18 and G19 do not turn the spindle

@@ -33,7 +33,7 @@ public:
     if (event.motion != MotionKind::Rapid)
       return;
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
-    if (event.number || !event.axes || (event.axes & ~plane))
+    if (event.inMachineCoordinates() || !event.axes || (event.axes & ~plane))
       return;
     if (!changesToolNext(ctx))
       return;
@@ -62,8 +62,8 @@ public:
 private:
   /// A feed move of coordinates alone that ends where it begins.
   void nowhere(const Event &event, RuleContext &ctx) const {
-    if (event.motion != MotionKind::Feed || event.number || event.code == noCode || !event.axes ||
-        (ctx.block().addresses & ~ctx.dialect().axisWords) || ctx.before().profile ||
+    if (event.motion != MotionKind::Feed || event.inMachineCoordinates() || event.code == noCode ||
+        !event.axes || (ctx.block().addresses & ~ctx.dialect().axisWords) || ctx.before().profile ||
         ctx.after().compensation != phaseOff)
       return;
     for (unsigned i = 0; i < axisCount; ++i)

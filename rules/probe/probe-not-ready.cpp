@@ -32,7 +32,7 @@ public:
       }
       return;
     case EventKind::FlowIssue: // a program that is not there may do it
-      memory().lost |= FlowIssue(event.number) == FlowIssue::UnknownProgram;
+      memory().lost |= event.flowIssue() == FlowIssue::UnknownProgram;
       return;
     case EventKind::CycleStart:
       if (event.code != noCode && ctx.code(event).cycle == CycleKind::Measure)

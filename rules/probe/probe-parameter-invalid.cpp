@@ -57,7 +57,7 @@ public:
       memory().feed = feed;
       return;
     }
-    if (!memory().end.end || event.code == noCode || event.number ||
+    if (!memory().end.end || event.code == noCode || event.inMachineCoordinates() ||
         ctx.block().begin < memory().end.begin)
       return;
     if (feed.known() && feed.begin == memory().feed.begin && feed.file == memory().feed.file &&

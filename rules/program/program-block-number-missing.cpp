@@ -25,7 +25,7 @@ public:
     finding.message("the block of `{0}` has no number: a restart at this tool cannot find it",
                     ctx.text(*event.word));
     // A number that nothing else has, after the tool's own.
-    const int64_t tool = event.number > 0 ? event.number : 1;
+    const int64_t tool = event.tool() > 0 ? event.tool() : 1;
     const ProgramInfo &program = ctx.index().programAt(block.begin);
     int64_t number = tool * 100;
     while (ctx.index().block(program, number, 0))

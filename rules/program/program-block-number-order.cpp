@@ -18,7 +18,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Block)
       return beginsInside(ctx);
-    if (WordIssue(event.number) != WordIssue::NumberInside)
+    if (event.wordIssue() != WordIssue::NumberInside)
       return;
     // A local call may name its target so.
     if (ctx.find({Action::CallLocal, Action::MacroCall, Action::MacroModal}))

@@ -31,7 +31,7 @@ public:
       return;
     }
     // Where a program has a head, a text without one is a fragment.
-    if (FlowIssue(event.number) != FlowIssue::MainRunsOut || (hasHead_ && !memory().headSeen))
+    if (event.flowIssue() != FlowIssue::MainRunsOut || (hasHead_ && !memory().headSeen))
       return;
     if (tapeMarkEnds_ && ctx.index().tapeMarks().size() > 1)
       return;

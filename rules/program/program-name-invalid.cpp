@@ -25,7 +25,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Return)
       return atReturn(ctx);
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     if (labels_ && item.kind == ItemKind::Call)
       return calledName({ctx.source().id(), item.nameBegin, item.nameEnd}, ctx);
     if (item.kind != ItemKind::Definition)

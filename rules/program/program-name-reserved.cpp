@@ -18,7 +18,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return library(event, ctx);
-    const Item &call = ctx.block().items[size_t(event.number)];
+    const Item &call = ctx.block().items[event.item()];
     if (call.kind == ItemKind::Definition)
       return variable(call, ctx);
     if (call.kind != ItemKind::Call || call.nameBegin == call.nameEnd)

@@ -48,7 +48,7 @@ private:
   }
 
   void atSpeed(const Event &event, RuleContext &ctx) const {
-    if (!event.certain || !event.value.isConstant())
+    if (event.limitsSpeed() || !event.speed().isConstant())
       return;
     const MachineState &state = ctx.after();
     if (state.activeAction(ctx.dialect(), StandardGroup::SpeedMode) != Action::SurfaceSpeed)
@@ -57,7 +57,7 @@ private:
     const bool inch =
         state.active(ctx.dialect(), StandardGroup::Units) != groupUnset &&
         state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) != Truth::No;
-    if (event.value.value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1))
+    if (event.speed().value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1))
       return;
     if (auto finding = ctx.report(event)) {
       const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);

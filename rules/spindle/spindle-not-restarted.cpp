@@ -35,7 +35,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Motion) {
       if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-          event.motion == MotionKind::Skip || event.number == 1)
+          event.motion == MotionKind::Skip || event.inMachineCoordinates())
         return;
     } else if (code.spindle == SpindleNeed::StartsItself || code.spindle == SpindleNeed::Any ||
                code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
@@ -116,7 +116,7 @@ private:
   void stopped(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Origin &cause = state.origin.of(StatePart::Spindle);
-    if (!wanted_ || event.code == noCode || event.number == 1 || !cause.known() ||
+    if (!wanted_ || event.code == noCode || event.inMachineCoordinates() || !cause.known() ||
         cause.file != ctx.source().id() || state.spindle != spindleOriented ||
         state.may(Fact::UnknownCode))
       return;

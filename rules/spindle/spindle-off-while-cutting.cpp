@@ -28,8 +28,8 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Motion) {
       if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-          event.motion == MotionKind::Skip || event.number == 1 || !(event.axes & linear) ||
-          code.spindle == SpindleNeed::StartsItself)
+          event.motion == MotionKind::Skip || event.inMachineCoordinates() ||
+          !(event.axes & linear) || code.spindle == SpindleNeed::StartsItself)
         return; // a rotary axis alone positions, or the work turns against a wheel
       // `G1 X` without a number moves nothing.
       if (llvm::none_of(ctx.block().words,

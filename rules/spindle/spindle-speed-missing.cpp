@@ -85,13 +85,13 @@ private:
   }
 
   static void atSpeed(const Event &event, RuleContext &ctx) {
-    if (!event.certain || !event.value.isConstant() || event.value.value() > 0)
+    if (event.limitsSpeed() || !event.speed().isConstant() || event.speed().value() > 0)
       return;
     constexpr uint8_t turning = spindleCw | spindleCcw;
     const bool stops = ctx.find({Action::SpindleStop, Action::SpindleOrient});
     const bool runs = ctx.after().spindle && !(ctx.after().spindle & ~turning);
     // `M05 S0` is a habit and does no harm.
-    if (event.value.value() == 0 && (stops || !runs))
+    if (event.speed().value() == 0 && (stops || !runs))
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));

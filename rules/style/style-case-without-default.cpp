@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Jump || item.jump != JumpKind::ByValue || item.arguments % 2 ||
         !item.arguments)
       return;

@@ -16,7 +16,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::UnsetRead)
       return systemVariable(event, ctx);
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Assignment)
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
@@ -54,7 +54,7 @@ private:
   }
 
   static void systemVariable(const Event &event, RuleContext &ctx) {
-    const auto begin = uint32_t(event.number);
+    const auto begin = event.place();
     const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
     if (!text.startswith("#"))
       return;

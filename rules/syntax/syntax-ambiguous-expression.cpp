@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     if (issue.kind != SyntaxIssueKind::AmbiguousExpression)
       return;
     const SourceRange range = ctx.range(issue);

@@ -28,8 +28,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return instruction(ctx.block().items[size_t(event.number)], ctx);
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+      return instruction(ctx.block().items[event.item()], ctx);
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     const SourceRange where = ctx.range(issue);
     // `R2.` beside another control's code is a word of that control.
     if (issue.kind == SyntaxIssueKind::MissingEquals) {

@@ -13,7 +13,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     if (issue.kind != SyntaxIssueKind::DecimalComma)
       return;
     const SourceRange range = ctx.range(issue);

@@ -19,9 +19,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
-      return separators(ctx.block().items[size_t(event.number)], ctx);
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
-    if (ctx.block().repeatsIssue(size_t(event.number)))
+      return separators(ctx.block().items[event.item()], ctx);
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
+    if (ctx.block().repeatsIssue(event.issue()))
       return;
     const char *what = nullptr;
     switch (issue.kind) {

@@ -13,12 +13,12 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     const SourceRange range = ctx.range(issue);
     if (issue.kind == SyntaxIssueKind::MissingAddress) {
       // A sleep code takes its time as a bare number.
       if (ctx.find({Action::Sleep}) || holdsForeignCode(ctx) ||
-          ctx.block().repeatsIssue(size_t(event.number)))
+          ctx.block().repeatsIssue(event.issue()))
         return;
       if (auto finding = ctx.report(range))
         finding.message("`{0}` has no address before it", ctx.text(range));
@@ -27,8 +27,8 @@ public:
     if (issue.kind != SyntaxIssueKind::MissingValue || mayStandBare(issue, ctx))
       return;
     // The first such word of a block speaks for the others.
-    for (int64_t i = 0; i < event.number; ++i) {
-      const SyntaxIssue &other = ctx.block().issues[size_t(i)];
+    for (size_t i = 0; i < event.issue(); ++i) {
+      const SyntaxIssue &other = ctx.block().issues[i];
       if (other.kind == SyntaxIssueKind::MissingValue && !mayStandBare(other, ctx))
         return;
     }

@@ -29,9 +29,9 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     if (event.kind == EventKind::Statement)
-      return variable(block.items[size_t(event.number)], ctx);
+      return variable(block.items[event.item()], ctx);
     if (event.kind == EventKind::Syntax) {
-      const SyntaxIssue &issue = block.issues[size_t(event.number)];
+      const SyntaxIssue &issue = block.issues[event.issue()];
       if (issue.kind == SyntaxIssueKind::RealForInteger) {
         const SourceRange range = ctx.range(issue);
         if (auto finding = ctx.report(range))
@@ -53,7 +53,7 @@ public:
     if (event.kind == EventKind::ToolWord)
       return computed(*event.word, ctx);
     if (event.kind == EventKind::WordIssue) {
-      if (WordIssue(event.number) != WordIssue::PointInWhole ||
+      if (event.wordIssue() != WordIssue::PointInWhole ||
           ctx.find({Action::MacroCall, Action::MacroModal}))
         return;
       for (const Word &word : block.words)

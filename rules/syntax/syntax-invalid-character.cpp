@@ -15,12 +15,12 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::Syntax); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     const SourceRange range = ctx.range(issue);
     const std::string text = ctx.source().displayText(ctx.text(range));
     switch (issue.kind) {
     case SyntaxIssueKind::InvalidCharacter:
-      if (ctx.block().repeatsIssue(size_t(event.number)))
+      if (ctx.block().repeatsIssue(event.issue()))
         return;
       if (auto finding = ctx.report(range))
         finding.message("`{0}` cannot be read by the control outside comments", text);

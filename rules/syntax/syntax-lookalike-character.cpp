@@ -30,7 +30,7 @@ public:
     const Block &block = ctx.block();
     if (event.kind == EventKind::Syntax) {
       // `XO.5`, `GO1`: the address lacks its value because the number begins with a letter.
-      const SyntaxIssue &issue = block.issues[size_t(event.number)];
+      const SyntaxIssue &issue = block.issues[event.issue()];
       if (issue.kind != SyntaxIssueKind::MissingValue || issue.end + 1 >= all.size())
         return;
       if (digitFor(all[issue.end]) && inNumber(all[issue.end + 1]))
@@ -40,7 +40,7 @@ public:
         report(startOf(issue.begin, all), issue.begin, ctx); // `X1O.`
       return;
     }
-    if (WordIssue(event.number) != WordIssue::Special)
+    if (event.wordIssue() != WordIssue::Special)
       return;
     for (const Word &word : block.words) {
       const char letter = all[word.offset];

@@ -12,7 +12,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (WordIssue(event.number) != WordIssue::NoPoint)
+    if (event.wordIssue() != WordIssue::NoPoint)
       return;
     // With this setting the control reads whole numbers as they are meant.
     if (const auto reading = ctx.machine().option("decimalPoint");

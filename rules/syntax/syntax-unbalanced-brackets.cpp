@@ -12,7 +12,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     const char *what = nullptr;
     switch (issue.kind) {
     case SyntaxIssueKind::UnbalancedBracket:

@@ -17,7 +17,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     const SourceRange range = ctx.range(issue);
     switch (issue.kind) {
     case SyntaxIssueKind::UnclosedComment:

@@ -35,7 +35,7 @@ public:
       return;
     }
     if (event.kind == EventKind::Syntax) {
-      const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+      const SyntaxIssue &issue = ctx.block().issues[event.issue()];
       if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
         return;
       const SourceRange range = ctx.range(issue);
@@ -47,7 +47,7 @@ public:
         finding.message("`{0}`: no address of this control is written so", ctx.text(range));
       return;
     }
-    if (WordIssue(event.number) != WordIssue::Unknown)
+    if (event.wordIssue() != WordIssue::Unknown)
       return;
     // The letters of a macro call are arguments, whatever they mean elsewhere.
     if (ctx.find({Action::MacroCall, Action::MacroModal}) || holdsForeignCode(ctx))

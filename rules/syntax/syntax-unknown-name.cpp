@@ -44,7 +44,7 @@ public:
       return misspelt(event, ctx);
     if (event.kind == EventKind::Block || event.kind == EventKind::Code)
       return element(ctx);
-    const SyntaxIssue &issue = ctx.block().issues[size_t(event.number)];
+    const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     if (issue.kind != SyntaxIssueKind::UnknownWord)
       return;
     const SourceRange range = ctx.range(issue);
@@ -75,8 +75,8 @@ private:
   /// A value for a name that a main program does not define. What it is called by may have defined
   /// it, and so may the machine's own definitions.
   void undefined(const Event &event, RuleContext &ctx) const {
-    const auto key = uint64_t(event.number);
-    if (event.number < int64_t(firstNamedVariable) || ctx.callDepth() > 0 || isSubprogram(ctx))
+    const auto key = uint64_t(event.variable());
+    if (event.variable() < int64_t(firstNamedVariable) || ctx.callDepth() > 0 || isSubprogram(ctx))
       return;
     const FileId file = ctx.source().id();
     if (!memory().spoken.insert(key).second)
@@ -106,7 +106,7 @@ private:
   void misspelt(const Event &event, RuleContext &ctx) const {
     if (ctx.callDepth() > 0 || isSubprogram(ctx))
       return;
-    const auto begin = uint32_t(event.number);
+    const auto begin = event.place();
     const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
       return llvm::isAlnum(c) || c == '_';
     });
@@ -175,11 +175,11 @@ private:
   /// A value for a name that no cycle reads, where only cycles read names.
   void parameter(const Event &event, RuleContext &ctx) const {
     if (known_.empty() || !ctx.block().has(variableAddress) ||
-        event.number < int64_t(firstNamedVariable) || known_.count(uint64_t(event.number)))
+        event.variable() < int64_t(firstNamedVariable) || known_.count(uint64_t(event.variable())))
       return;
     for (const Item &item : ctx.block().items)
       if (item.kind == ItemKind::Assignment &&
-          ctx.block().keyOf(item.target) == uint64_t(event.number) &&
+          ctx.block().keyOf(item.target) == uint64_t(event.variable()) &&
           isParameter(item, ctx.block()) &&
           !instructions_.count(
               ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}).upper()) &&

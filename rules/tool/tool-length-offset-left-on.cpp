@@ -22,7 +22,8 @@ public:
       break;
     default:
       // Only machine moves along the tool axis depend on it.
-      if (event.number != 1 || !(event.axes >> unsigned(toolAxis(ctx.dialect(), ctx.after())) & 1))
+      if (!event.inMachineCoordinates() ||
+          !(event.axes >> unsigned(toolAxis(ctx.dialect(), ctx.after())) & 1))
         return;
       where = "the tool axis goes to a machine position";
     }

@@ -27,8 +27,9 @@ public:
     if (event.kind == EventKind::Motion && !(event.axes >> unsigned(tool) & 1))
       return;
     const bool called = state.must(Fact::ToolCalled) || state.preselected > 0;
-    if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode || event.number == 1 ||
-        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
+    if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode ||
+        event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
+        event.motion == MotionKind::Skip)
       return;
     // Cancelled on purpose in this block, on the retract.
     if (ctx.find({Action::LengthOff}))

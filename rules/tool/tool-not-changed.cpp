@@ -62,7 +62,7 @@ private:
   }
 
   static int64_t numberOf(const Event &event) {
-    return event.value.isConstant() ? int64_t(event.value.value()) : 0;
+    return event.toolNumber().isConstant() ? int64_t(event.toolNumber().value()) : 0;
   }
 
   /// Another tool is named before this one was changed in.

@@ -13,10 +13,10 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (!ctx.machine().hasTools || !event.value.isConstant() || event.value.value() < 0 ||
-        event.value.value() > 1e8)
+    if (!ctx.machine().hasTools || !event.wordValue().isConstant() ||
+        event.wordValue().value() < 0 || event.wordValue().value() > 1e8)
       return;
-    const auto number = int(event.value.value());
+    const auto number = int(event.wordValue().value());
     const Word &word = *event.word;
     if (event.kind == EventKind::OffsetWord) {
       check(word, number, "offset", ctx);

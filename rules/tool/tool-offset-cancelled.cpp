@@ -27,7 +27,7 @@ public:
       return;
     }
     // A machine position needs no offset, nor does the reference point.
-    if (state.toolOffset != 0 || state.tool <= 0 || event.number == 1 ||
+    if (state.toolOffset != 0 || state.tool <= 0 || event.inMachineCoordinates() ||
         event.motion == MotionKind::Reference || event.code == noCode ||
         ctx.before().toolOffset != 0)
       return;
@@ -50,7 +50,7 @@ private:
     const MachineState &state = ctx.after();
     const GroupIndex group = ctx.dialect().lengthByTool;
     const auto tool = uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state)));
-    if (!(event.axes & tool) || event.kind != EventKind::Motion || event.number == 1 ||
+    if (!(event.axes & tool) || event.kind != EventKind::Motion || event.inMachineCoordinates() ||
         state.may(Fact::UnknownCode))
       return;
     for (const CodeIndex member : ctx.dialect().groups[group].members) {
@@ -72,7 +72,7 @@ private:
     const MachineState &state = ctx.before();
     const bool cuts = event.kind == EventKind::CycleRun ||
                       (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
-    if (!cuts || event.number == 1 || ctx.after().radiusOffset != 0 ||
+    if (!cuts || event.inMachineCoordinates() || ctx.after().radiusOffset != 0 ||
         state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
         !memory().once.speaks(ctx.after().origin.of(StatePart::RadiusOffset), ctx))
       return;

@@ -17,9 +17,9 @@ public:
     const MachineState &state = ctx.after();
     const Word &word = *event.word;
     if (event.kind == EventKind::ToolWord) {
-      if (!event.value.isConstant() || event.value.value() < 100)
+      if (!event.toolNumber().isConstant() || event.toolNumber().value() < 100)
         return;
-      const auto whole = int64_t(event.value.value());
+      const auto whole = int64_t(event.toolNumber().value());
       const int64_t tool = whole / 100, offset = whole % 100;
       if (tool == offset || offset == 0 || tool > 99)
         return;
@@ -33,8 +33,8 @@ public:
       return;
     }
     const int32_t tool = state.tool != notSet ? state.tool : state.preselected;
-    if (!event.value.isConstant() || tool <= 0 || event.value.value() == 0 ||
-        event.value.value() == tool)
+    if (!event.offset().isConstant() || tool <= 0 || event.offset().value() == 0 ||
+        event.offset().value() == tool)
       return;
     if (auto finding = ctx.report(word)) {
       finding

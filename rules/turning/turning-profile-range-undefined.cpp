@@ -16,7 +16,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun)
       return inFront(event, ctx);
-    const auto issue = FlowIssue(event.number);
+    const auto issue = event.flowIssue();
     if (issue != FlowIssue::ProfileMissing && issue != FlowIssue::ProfileReversed)
       return;
     const Flow &flow = ctx.outcome().flow;

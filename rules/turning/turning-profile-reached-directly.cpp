@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (FlowIssue(event.number) != FlowIssue::ProfileReached)
+    if (event.flowIssue() != FlowIssue::ProfileReached)
       return;
     const Flow &flow = ctx.outcome().flow;
     const std::string name =

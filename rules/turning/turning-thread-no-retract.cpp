@@ -32,7 +32,7 @@ public:
                   ctx.code(event).name + " becomes active here")
             .fix(FixSafety::Unsafe, "insert G00 before it", ctx.insertBefore(range.begin, "G00 "));
     } else if (event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
-               event.number == 0) {
+               !event.inMachineCoordinates()) {
       if (auto finding = ctx.report(ctx.blockRange(), event.certain))
         finding
             .message(

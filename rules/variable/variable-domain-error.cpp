@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::DomainError); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const auto at = uint32_t(event.number);
+    const auto at = event.place();
     SourceRange range{ctx.source().id(), at, at + 1};
     for (const Expression &expression : ctx.block().expressions)
       if (expression.begin <= at && at < expression.end)

@@ -13,7 +13,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
-    const Item &item = block.items[size_t(event.number)];
+    const Item &item = block.items[event.item()];
     if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
       return choice(item, ctx);
     if (item.condition == noExpression || item.kind == ItemKind::Jump)

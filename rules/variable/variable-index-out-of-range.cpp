@@ -28,13 +28,13 @@ public:
     if (event.kind == EventKind::Block)
       return numbered_ ? numbersRead(ctx) : elements(ctx);
     if (event.kind == EventKind::UnsetRead) {
-      const auto begin = uint32_t(event.number);
+      const auto begin = event.place();
       const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
         return llvm::isAlnum(c);
       });
       return parameter(name, {ctx.source().id(), begin, uint32_t(begin + name.size())}, ctx);
     }
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     const SourceRange place{ctx.source().id(), item.nameBegin, item.nameEnd};
     if (item.kind == ItemKind::Assignment && numbered_)
       return numbered(item, ctx);

@@ -16,7 +16,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     // A value that is kept is wanted for what it is worth; others may be signals to wait for.
     const bool kept = event.kind == EventKind::Statement &&
-                      ctx.block().items[size_t(event.number)].kind == ItemKind::Assignment;
+                      ctx.block().items[event.item()].kind == ItemKind::Assignment;
     eachPrepared(event, ctx, [&](const Expression &value) { look(value, !kept, ctx); });
   }
 

@@ -35,14 +35,14 @@ public:
     if (ctx.callDepth() > 0 || !isMain(ctx) ||
         ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
       return;
-    const llvm::StringRef text = ctx.source().text(uint32_t(event.number), ctx.block().end);
+    const llvm::StringRef text = ctx.source().text(event.place(), ctx.block().end);
     const llvm::StringRef name =
         text.take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
     int64_t index = 0;
     // What a code of the control gives its value: without the code it has that of another program.
     if (stored_.count(variableKey(name)) || stored_.count(keyOf(name))) {
-      const SourceRange range{ctx.source().id(), uint32_t(event.number),
-                              uint32_t(event.number + int64_t(name.size()))};
+      const SourceRange range{ctx.source().id(), event.place(),
+                              uint32_t(event.place() + name.size())};
       if (memory().reported.insert(-1).second)
         if (auto finding = ctx.report(range))
           finding.message("`{0}` is read, and nothing in the program has given it a value", name);
@@ -56,8 +56,8 @@ public:
     if ((greatest_ && index > greatest_) || (reservedFrom_ <= index && index <= reservedTo_) ||
         !memory().reported.insert(index).second)
       return;
-    const SourceRange range{ctx.source().id(), uint32_t(event.number),
-                            uint32_t(event.number + int64_t(name.size()))};
+    const SourceRange range{ctx.source().id(), event.place(),
+                            uint32_t(event.place() + name.size())};
     if (auto finding = ctx.report(range))
       finding.message("`{0}` is read before the program has given it a value: it holds what an "
                       "earlier program left there",
@@ -70,7 +70,7 @@ private:
     // A remapped code or a caller in another file may have given it one.
     if (ctx.before().may(Fact::UnknownCode))
       return;
-    const auto begin = uint32_t(event.number);
+    const auto begin = event.place();
     const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
     const size_t close = text.find('>');
     if (close == llvm::StringRef::npos ||

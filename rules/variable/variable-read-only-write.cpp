@@ -12,7 +12,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    const Item &item = ctx.block().items[size_t(event.number)];
+    const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Assignment)
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};

@@ -26,9 +26,9 @@ public:
       return inWords(ctx);
     }
     if (marked_)
-      mark(ctx.block().items[size_t(event.number)], ctx);
+      mark(ctx.block().items[event.item()], ctx);
     const Block &block = ctx.block();
-    const Item &item = block.items[size_t(event.number)];
+    const Item &item = block.items[event.item()];
     if ((item.kind != ItemKind::Assignment && item.kind != ItemKind::Definition) ||
         item.value == noExpression || (item.kind == ItemKind::Definition && item.arguments))
       return;

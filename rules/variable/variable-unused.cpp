@@ -27,7 +27,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind != EventKind::Statement)
       return element(ctx);
-    const ItemKind kind = ctx.block().items[size_t(event.number)].kind;
+    const ItemKind kind = ctx.block().items[event.item()].kind;
     memory().defines |= kind == ItemKind::Definition;
     memory().assigns |= kind == ItemKind::Assignment;
   }
