@@ -268,7 +268,7 @@ const Word *undefinedElement(const RuleContext &ctx) {
   const Block &block = ctx.block();
   // What a called program uses its caller may have defined; main programs open with a mark.
   if (block.words.size() != 1 || !block.items.empty() || ctx.callDepth() > 0 ||
-      ctx.before().profile == 1 || ctx.before().compensation != phaseOff ||
+      ctx.before().profile == ProfileMode::Recorded || ctx.before().compensation != phaseOff ||
       ctx.index().tapeMarks().empty())
     return nullptr;
   const Word &word = block.words.front();

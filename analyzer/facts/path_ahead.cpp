@@ -50,9 +50,10 @@ const Event *moveInPlane(const ExecutedBlock &executed) {
   // A control that mills and turns may read X as a diameter there.
   if (!dialect.isLathe() && planeOrder(dialect, after)[0] == Axis::Z)
     return nullptr;
-  if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) || before.profile == 1 ||
-      before.may(Fact::UnknownCode) || planeAxes(dialect, before) != plane ||
-      !(before.frames == after.frames) || !keepsLengths(after.frames))
+  if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) ||
+      before.profile == ProfileMode::Recorded || before.may(Fact::UnknownCode) ||
+      planeAxes(dialect, before) != plane || !(before.frames == after.frames) ||
+      !keepsLengths(after.frames))
     return nullptr;
   const Event *motion = nullptr;
   for (const Event &event : executed.outcome.events)

@@ -96,7 +96,7 @@ private:
       return false;
     const auto [first, last] = *found;
     MachineState state = ctx_.after();
-    state.profile = 1;
+    state.profile = ProfileMode::Recorded;
     for (const Axis axis : {Axis::X, Axis::Z})
       if (state.inMachineCoordinates(axis))
         state.at(axis) = Interval::unknown();

@@ -10,7 +10,6 @@ namespace {
 /// Cycles whose passes along a turned contour are made, to see where they end.
 constexpr unsigned mostPassesFollowed = 20;
 /// `MachineState::profile` of blocks that a cycle reads as data, and of those that it runs.
-constexpr uint8_t readAsData = 1, runByCycle = 2;
 
 /// The state in which rules of contours that are milled look at the blocks of one.
 void enterContour(MachineState &state) {
@@ -92,7 +91,7 @@ void Contours::section(const Step &step, llvm::StringRef labels) {
       bodies_.isRunning(unit, *first, RegionKind::Section, end.next) || bodies_.isDeep())
     return;
   Live read = step.live;
-  read.state.profile = readAsData;
+  read.state.profile = ProfileMode::Recorded;
   read.state.clear(Fact::Cut);
   enterContour(read.state);
   read.path = run_.lengthen(read.path, PathNode::Kind::Call, where);
@@ -113,7 +112,7 @@ void Contours::read(Step &step, const CodeInfo &cycle, const Callee &callee,
   if (has(cycle, CycleTrait::Turned))
     for (const Axis axis : {Axis::X, Axis::Z})
       state.at(axis) = Interval::unknown();
-  read.state.profile = readAsData;
+  read.state.profile = ProfileMode::Recorded;
   read.state.clear(Fact::Cut);
   if (!has(cycle, CycleTrait::Turned) && !has(cycle, CycleTrait::TurnsContour))
     enterContour(read.state);
@@ -217,7 +216,7 @@ void Contours::profile(Step &step) {
   notePlace(step, *bounds, finishing);
   const bool adjacent = isAdjacent(step, bounds->first);
   Live contour = step.live;
-  contour.state.profile = finishing ? runByCycle : readAsData;
+  contour.state.profile = finishing ? ProfileMode::Executed : ProfileMode::Recorded;
   contour.path = run_.lengthen(contour.path, PathNode::Kind::Call, step.flowRange(), flow.first);
   const Region body{unit,         region.program, bounds->first, RegionKind::Profile,
                     region.depth, bounds->last};

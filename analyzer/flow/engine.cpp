@@ -89,10 +89,9 @@ void Engine::runOtherSubprograms() {
 }
 
 void Engine::follow() {
-  constexpr uint8_t skipOff = 1;
   const ProgramInfo &main = unit.index.programs().front();
   Lives lives = startOf(false);
-  lives[0].skip.fill(skipOff);
+  lives[0].skip.fill(SkipSwitch::Off);
   execute({unit, main, main.body, RegionKind::Main, 0}, std::move(lives));
 }
 

@@ -103,7 +103,7 @@ const FlowShape &FlowRun::shape(const FileUnit &of, const ProgramInfo &program) 
 
 void forget(MachineState &state, const Dialect &dialect) {
   const OriginState origin = state.origin;
-  const uint8_t profile = state.profile;
+  const ProfileMode profile = state.profile;
   state = unknownState(dialect);
   state.origin = origin;
   state.profile = profile;

@@ -12,7 +12,7 @@ constexpr size_t maxLives = 4;
 void joinSkip(Live &to, const Live &from) {
   for (size_t i = 0; i < from.skip.size(); ++i)
     if (to.skip[i] != from.skip[i])
-      to.skip[i] = 0;
+      to.skip[i] = SkipSwitch::Unknown;
 }
 
 } // namespace

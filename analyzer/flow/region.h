@@ -8,12 +8,15 @@
 
 namespace ncvet {
 
+/// The operator's switch for one level of block skip, as far as a path has decided it.
+enum class SkipSwitch : uint8_t { Unknown, Off, On };
+
 /// One state on its path, and how it came there.
 struct Live {
   MachineState state;
   const PathNode *path = nullptr;
-  /// Block skip switch per level, as far as this path has decided it: 0 unknown, 1 off, 2 on.
-  std::array<uint8_t, 10> skip{};
+  /// Block skip switch per level, as far as this path has decided it.
+  std::array<SkipSwitch, 10> skip{};
 };
 using Lives = llvm::SmallVector<Live, 1>;
 

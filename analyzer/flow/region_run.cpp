@@ -227,10 +227,10 @@ void RegionRun::decideSkip() {
   const auto level = std::min(size_t(block_.skip <= 1 ? 0 : block_.skip), last);
   Lives executing;
   for (Live &live : lives_) {
-    if (live.skip[level] != 1) {
+    if (live.skip[level] != SkipSwitch::Off) {
       Live skipped = live;
-      skipped.skip[level] = 2;
-      if (live.skip[level] == 0) {
+      skipped.skip[level] = SkipSwitch::On;
+      if (live.skip[level] == SkipSwitch::Unknown) {
         run_.fork(activation_, blockRange());
         skipped.path = run_.lengthen(live.path, PathNode::Kind::Skip, blockRange());
       }
@@ -239,8 +239,8 @@ void RegionRun::decideSkip() {
       else
         activation_.add(next_, std::move(skipped));
     }
-    if (live.skip[level] != 2) {
-      live.skip[level] = 1;
+    if (live.skip[level] != SkipSwitch::On) {
+      live.skip[level] = SkipSwitch::Off;
       executing.push_back(std::move(live));
     }
   }

@@ -27,7 +27,6 @@ public:
   FlowInterest interest() const override { return {0, false, true, true}; }
 
   void executed(const Step &step, bool /*continues*/) override {
-    constexpr uint8_t readAsData = 1, run = 2;
     const FileUnit &unit = step.unit();
     const Block &block = step.block;
     const MachineState &before = step.before, &after = step.live.state;
@@ -35,12 +34,12 @@ public:
     moves_.clear();
     appendMoves(executed, moves_);
     const uint64_t tag = uint64_t(unit.source.id()) << 32 | block.begin;
-    if (before.profile == readAsData && after.profile == readAsData) {
+    if (before.profile == ProfileMode::Recorded && after.profile == ProfileMode::Recorded) {
       if (cycle_) // the contour of no cycle is not followed
         contour_.take(executed, moves_);
       return;
     }
-    if (before.profile == run && cycle_)
+    if (before.profile == ProfileMode::Executed && cycle_)
       for (Move &move : moves_)
         shiftByRest(*cycle_, move);
     if (auto cycle = contourCycle(executed)) {

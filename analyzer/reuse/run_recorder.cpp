@@ -30,7 +30,7 @@ std::optional<RunPlace> RunRecorder::takeOver(uint32_t offset, MachineState &sta
                                               May may) {
   if (offset < executedEnd_)
     return std::nullopt;
-  if (state.modalCalls || state.profile != 0) {
+  if (state.modalCalls || state.profile != ProfileMode::Off) {
     interrupt();
     return std::nullopt;
   }

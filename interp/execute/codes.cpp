@@ -187,7 +187,7 @@ namespace {
 /// Compensation that a recorded profile has switched on is the profile's own.
 void leaveProfile(const Dialect &dialect, MachineState &state) {
   const GroupIndex group = dialect.group(StandardGroup::Compensation);
-  if (state.profile != 1 || state.compensation == phaseOff || group == noGroup)
+  if (state.profile != ProfileMode::Recorded || state.compensation == phaseOff || group == noGroup)
     return;
   state.compensation = phaseOff;
   for (const CodeIndex member : dialect.groups[group].members)
@@ -199,13 +199,13 @@ void leaveProfile(const Dialect &dialect, MachineState &state) {
 /// The blocks from here on are a profile, which a cycle reads as data.
 void Execution::beginProfile(const CodeUse &use) {
   leaveProfile(dialect_, state_);
-  state_.profile = 1;
+  state_.profile = ProfileMode::Recorded;
   state_.origin.set(StatePart::Roughing, originOf(*use.word));
 }
 
 void Execution::endProfile(const CodeUse &) {
   leaveProfile(dialect_, state_);
-  state_.profile = 0;
+  state_.profile = ProfileMode::Off;
   for (Interval &position : state_.position)
     position = Interval::unknown();
 }
@@ -223,7 +223,7 @@ void Execution::reset(const CodeUse &use) {
       state_.statedMust &= ~(uint64_t(1) << i);
     }
   state_.compensation = phaseOff;
-  state_.profile = 0;
+  state_.profile = ProfileMode::Off;
   uint32_t stays = 0;
   for (size_t i = 0; i < dialect_.switches.size(); ++i)
     if (dialect_.switches[i].survivesReset)

@@ -47,7 +47,7 @@ void Execution::technologyWords() {
       speedWord(word, use.limit);
       break;
     case letterAddress('T'):
-      if (state_.profile != 1)
+      if (state_.profile != ProfileMode::Recorded)
         toolWord(word);
       break;
     case letterAddress('H'):
@@ -61,7 +61,7 @@ void Execution::technologyWords() {
 }
 
 void Execution::feedWord(const Word &word, bool lead) {
-  if (state_.profile == 1)
+  if (state_.profile == ProfileMode::Recorded)
     return;
   state_.feed = value(word);
   state_.origin.set(StatePart::Feed, originOf(word));
@@ -77,7 +77,7 @@ void Execution::feedWord(const Word &word, bool lead) {
 }
 
 void Execution::speedWord(const Word &word, bool limit) {
-  if (state_.profile == 1)
+  if (state_.profile == ProfileMode::Recorded)
     return;
   outcome_.setupChanged = true;
   Event &event = outcome_.emit(EventKind::SpeedWord);

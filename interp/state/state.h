@@ -192,6 +192,13 @@ struct MotionState {
   CutArea cutArea;
 };
 
+/// What the current block is to a cycle that works along a profile.
+enum class ProfileMode : uint8_t {
+  Off,      ///< no block of a profile
+  Recorded, ///< a block of a profile that the cycle reads as data: nothing moves
+  Executed  ///< a block of a profile that the cycle runs to finish it
+};
+
 /// What changes with set-up codes.
 struct SetupState {
   Noted<int32_t, StatePart::Tool> tool = notSet; ///< tool in the spindle or in cutting position
@@ -220,7 +227,7 @@ struct SetupState {
   /// An IF whose condition did not hold looks for its next branch.
   bool seeksBranch = false;
   bool restoresModes = false; ///< the running program gives its caller the modes back
-  uint8_t profile = 0;        ///< 0: not in a profile; 1: read as data for roughing; 2: finishing
+  ProfileMode profile = ProfileMode::Off;
   std::array<Interval, 2> polar; ///< radius and angle of polar input that were written last
   FrameStack frames;             ///< over the work offset; `position` is inside all of them
   std::array<Interval, 2> pole{Interval::exactly(0), Interval::exactly(0)}; ///< in the plane's axes

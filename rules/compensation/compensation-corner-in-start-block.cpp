@@ -17,8 +17,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(words_);
-    if (!word || !event.certain || event.code == noCode || ctx.before().profile == 1 ||
-        takenByOther(ctx, plain_))
+    if (!word || !event.certain || event.code == noCode ||
+        ctx.before().profile == ProfileMode::Recorded || takenByOther(ctx, plain_))
       return;
     // In an arc's block the plain letters are its own, and a corner in a rapid is another matter.
     if (llvm::none_of(ctx.outcome().events, [](const Event &each) {

@@ -43,7 +43,8 @@ private:
     const MachineState &state = ctx.after();
     const uint16_t axes = axesOf(ctx.dialect(), ctx.block());
     const bool alone = axes == uint16_t(1u << unsigned(toolAxis(ctx.dialect(), state))) &&
-                       (state.compensation & (phaseOn | phaseStarting)) && state.profile != 1;
+                       (state.compensation & (phaseOn | phaseStarting)) &&
+                       state.profile != ProfileMode::Recorded;
     if (ctx.block().isEmpty())
       return; // a remark is no block of the path
     const bool follows = followsOn(memory().behindInfeed, ctx);
@@ -92,9 +93,9 @@ private:
     const MachineState &state = ctx.after();
     const bool approached = memory().behindApproach == ctx.block().next;
     const unsigned allowed = approached ? allowedBehindApproach_ : allowed_;
-    if (state.compensation != phaseOn || state.profile == 1 || state.idleBlocks != allowed + 1 ||
-        ctx.before().idleBlocks != allowed || ctx.outcome().flow.kind == FlowKind::End ||
-        !contourGoesOn(ctx))
+    if (state.compensation != phaseOn || state.profile == ProfileMode::Recorded ||
+        state.idleBlocks != allowed + 1 || ctx.before().idleBlocks != allowed ||
+        ctx.outcome().flow.kind == FlowKind::End || !contourGoesOn(ctx))
       return;
     if (approached) {
       if (auto finding = ctx.report(ctx.blockRange()))
@@ -160,7 +161,8 @@ private:
       return;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (!(event.axes & plane) || event.inMachineCoordinates() || event.code == noCode ||
-        ctx.after().profile == 1 || (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
+        ctx.after().profile == ProfileMode::Recorded ||
+        (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
     for (unsigned i = 0; i < axisCount; ++i) {
       if (!(plane >> i & 1))
@@ -188,9 +190,9 @@ private:
       if (leaves >> i & 1 && before.position[i].isConstant() &&
           before.position[i] == state.position[i])
         leaves &= uint16_t(~(1u << i)); // it stays where it is
-    if (before.compensation != phaseOn || state.compensation != phaseOn || state.profile == 1 ||
-        !(event.axes & plane) || !leaves || event.motion == MotionKind::Rapid ||
-        event.code == noCode)
+    if (before.compensation != phaseOn || state.compensation != phaseOn ||
+        state.profile == ProfileMode::Recorded || !(event.axes & plane) || !leaves ||
+        event.motion == MotionKind::Rapid || event.code == noCode)
       return;
     if (auto finding = ctx.report(ctx.blockRange(), !before.may(Fact::UnknownCode)))
       finding.severity(Severity::Warning)

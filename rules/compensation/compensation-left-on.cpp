@@ -32,11 +32,11 @@ public:
       atProfileEnd(event, ctx);
       return;
     case EventKind::ToolChange:
-      if (ctx.after().profile == 0)
+      if (ctx.after().profile == ProfileMode::Off)
         leftOn(event, "the tool is changed", Severity::Error, ctx);
       return;
     case EventKind::OffsetWord:
-      if (ctx.after().profile == 0 &&
+      if (ctx.after().profile == ProfileMode::Off &&
           ctx.before().compensationActive(ctx.dialect()) == Truth::Yes &&
           !ctx.find({Action::ToolChange}) && ctx.before().radiusOffset != ctx.after().radiusOffset)
         leftOn(event, "the tool's edge changes", Severity::Style, ctx); // may be meant
@@ -50,8 +50,8 @@ public:
     default:
       // A subprogram called under compensation may return under it; of a profile that is
       // recorded another rule speaks.
-      if (ctx.after().profile == 0 && switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx) &&
-          !callersLeave(ctx))
+      if (ctx.after().profile == ProfileMode::Off &&
+          switchedOnIn(ctx.index().programAt(ctx.block().begin), ctx) && !callersLeave(ctx))
         leftOn(event, "the program returns", std::nullopt, ctx);
     }
   }
@@ -152,7 +152,7 @@ private:
   }
 
   void atProfileEnd(const Event &event, RuleContext &ctx) const {
-    if (ctx.before().profile == 0)
+    if (ctx.before().profile == ProfileMode::Off)
       return;
     const auto found = memory().profiles.find({ctx.source().id(), ctx.block().begin});
     if (found == memory().profiles.end())

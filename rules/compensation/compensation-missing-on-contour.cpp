@@ -33,7 +33,7 @@ private:
   void atMotion(const Event &event, RuleContext &ctx) const {
     const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                       event.motion == MotionKind::ArcCcw;
-    if (!cuts || event.code == noCode || ctx.after().profile == 1)
+    if (!cuts || event.code == noCode || ctx.after().profile == ProfileMode::Recorded)
       return;
     // One finding for each contour: a run of blocks that cut.
     const bool goesOn =

@@ -27,7 +27,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
-    if ((before.compensation | after.compensation) == phaseOff || before.profile == 1)
+    if ((before.compensation | after.compensation) == phaseOff ||
+        before.profile == ProfileMode::Recorded)
       return;
     memory().trail->take(
         ctx, event.certain && !after.may(Fact::UnknownCode),

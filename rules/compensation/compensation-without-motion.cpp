@@ -179,8 +179,9 @@ private:
   /// Called under compensation, the program's first block has to move in the plane: the call is a
   /// block without a move already.
   void atSubprogramStart(RuleContext &ctx) const {
-    if (ctx.callDepth() == 0 || ctx.before().compensation != phaseOn || ctx.before().profile != 0 ||
-        ctx.before().idleBlocks == 0 || movesInPlane(ctx))
+    if (ctx.callDepth() == 0 || ctx.before().compensation != phaseOn ||
+        ctx.before().profile != ProfileMode::Off || ctx.before().idleBlocks == 0 ||
+        movesInPlane(ctx))
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     Block block;

@@ -17,7 +17,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (!event.certain || event.code == noCode || event.inMachineCoordinates() ||
-        ctx.before().profile == 1 || ctx.before().may(Fact::UnknownCode))
+        ctx.before().profile == ProfileMode::Recorded || ctx.before().may(Fact::UnknownCode))
       return;
     if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
       circleAndLine(event, ctx);

@@ -18,7 +18,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word *angle = ctx.block().findAny(corners_.angle);
-    if (!angle || ctx.before().profile == 1)
+    if (!angle || ctx.before().profile == ProfileMode::Recorded)
       return;
     const bool plain = corners_.plain & maskOf(angle->address);
     if (plain && takenByOther(ctx, corners_.angle))

@@ -18,8 +18,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
-    if (!word || !event.certain || event.inMachineCoordinates() || ctx.before().profile == 1 ||
-        !asksForCorner(ctx, *word))
+    if (!word || !event.certain || event.inMachineCoordinates() ||
+        ctx.before().profile == ProfileMode::Recorded || !asksForCorner(ctx, *word))
       return;
     const bool plain = corners_.plain & maskOf(word->address);
     if (event.motion == MotionKind::Rapid) {

@@ -26,8 +26,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(words_);
-    if (!word || !event.certain || event.inMachineCoordinates() || ctx.before().profile == 1 ||
-        ctx.before().may(Fact::UnknownCode) || !asksForCorner(ctx, *word))
+    if (!word || !event.certain || event.inMachineCoordinates() ||
+        ctx.before().profile == ProfileMode::Recorded || ctx.before().may(Fact::UnknownCode) ||
+        !asksForCorner(ctx, *word))
       return;
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
     const bool plain = maskOf(word->address) & (corners_.plain | maskOf('C'));

@@ -24,7 +24,8 @@ public:
     }
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
-    if (!word || ctx.before().profile != 0 || !event.certain || !asksForCorner(ctx, *word))
+    if (!word || ctx.before().profile != ProfileMode::Off || !event.certain ||
+        !asksForCorner(ctx, *word))
       return;
     const bool plain = corners_.plain & maskOf(word->address);
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;

@@ -69,7 +69,7 @@ public:
         lineAndCircle(ctx);
       return;
     }
-    if (!event.certain || ctx.before().profile == 1)
+    if (!event.certain || ctx.before().profile == ProfileMode::Recorded)
       return;
     if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
       return behindArc(event, plane, ctx);
@@ -109,8 +109,8 @@ private:
   void outside(const Event &, RuleContext &ctx) const {
     const Word *word = ctx.block().findAny(elements_);
     if (!word || ctx.before().compensation != phaseOff || ctx.after().compensation != phaseOff ||
-        ctx.before().profile || ctx.after().profile || ctx.before().may(Fact::UnknownCode) ||
-        ctx.callDepth() > 0 || ctx.block().words.size() > 1)
+        ctx.before().profile != ProfileMode::Off || ctx.after().profile != ProfileMode::Off ||
+        ctx.before().may(Fact::UnknownCode) || ctx.callDepth() > 0 || ctx.block().words.size() > 1)
       return;
     if (auto finding = ctx.report(*word))
       finding.severity(Severity::Warning)
@@ -121,8 +121,9 @@ private:
   /// A motion code and nothing else in a contour, and the next element brings its own: what it
   /// should have drawn is missing.
   void nothingGiven(RuleContext &ctx) const {
-    const bool contour = ctx.before().profile == 1 || (ctx.before().compensation == phaseOn &&
-                                                       ctx.after().compensation == phaseOn);
+    const bool contour =
+        ctx.before().profile == ProfileMode::Recorded ||
+        (ctx.before().compensation == phaseOn && ctx.after().compensation == phaseOn);
     Block next;
     if (!contour || ctx.block().words.size() != 1 || !ctx.block().items.empty() ||
         !readNext(ctx, next) || !next.items.empty() ||

@@ -106,8 +106,8 @@ public:
     if (usual_ > 0 || round_)
       follow(event, ctx);
     if (event.kind == EventKind::Motion) {
-      if (memory().closed && ctx.before().profile == 1 && ctx.before().compensation == phaseOff &&
-          ctx.after().compensation != phaseOff) {
+      if (memory().closed && ctx.before().profile == ProfileMode::Recorded &&
+          ctx.before().compensation == phaseOff && ctx.after().compensation != phaseOff) {
         memory().start = ctx.after().position;
         memory().begin = ctx.blockRange();
       }
@@ -118,7 +118,7 @@ public:
       memory().begin = {};
       return;
     }
-    if (!memory().closed || !memory().begin.end || ctx.before().profile != 1)
+    if (!memory().closed || !memory().begin.end || ctx.before().profile != ProfileMode::Recorded)
       return;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     bool apart = false;

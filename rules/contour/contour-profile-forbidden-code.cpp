@@ -15,7 +15,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (records_ && ctx.before().profile == 1)
+    if (records_ && ctx.before().profile == ProfileMode::Recorded)
       return recorded(event, ctx);
     if (!ctx.before().must(Fact::InContour))
       return;

@@ -44,10 +44,11 @@ public:
     if (event.kind != EventKind::Return)
       return LeftOnRule::on(event, ctx);
     // What the profile's program calls gives pieces of it: the profile goes on after the call.
-    if (memory().begun && ctx.before().profile == 1 && ctx.callDepth() > memory().depth + 1)
+    if (memory().begun && ctx.before().profile == ProfileMode::Recorded &&
+        ctx.callDepth() > memory().depth + 1)
       return;
-    if (records_ && ctx.before().profile == 1 && memory().pieces && !memory().attached &&
-        !ctx.before().may(Fact::UnknownCode)) {
+    if (records_ && ctx.before().profile == ProfileMode::Recorded && memory().pieces &&
+        !memory().attached && !ctx.before().may(Fact::UnknownCode)) {
       memory().attached = true; // said once
       if (auto finding = ctx.report(event))
         finding.message("this recorded profile has no attach: it begins with a compensation code, "
@@ -65,7 +66,7 @@ public:
 private:
   /// A piece of a profile that is recorded.
   void record(const Event &event, RuleContext &ctx) const {
-    if (ctx.before().profile != 1 || !event.axes)
+    if (ctx.before().profile != ProfileMode::Recorded || !event.axes)
       return;
     ++memory().pieces;
     memory().attached |=
@@ -76,8 +77,9 @@ private:
   void leftAttached(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     // The last block may take it off and return.
-    if (before.profile != 1 || !memory().pieces || before.compensation != phaseOn ||
-        ctx.after().compensation != phaseOn || before.may(Fact::UnknownCode) || memory().detached)
+    if (before.profile != ProfileMode::Recorded || !memory().pieces ||
+        before.compensation != phaseOn || ctx.after().compensation != phaseOn ||
+        before.may(Fact::UnknownCode) || memory().detached)
       return;
     memory().detached = true; // said once
     if (auto finding = ctx.report(event))
@@ -91,7 +93,7 @@ private:
       return withoutPiece(event, ctx);
     if (memory().begun)
       leftAttached(event, ctx);
-    if (memory().begun && ctx.before().profile == 1 && !memory().pieces &&
+    if (memory().begun && ctx.before().profile == ProfileMode::Recorded && !memory().pieces &&
         ctx.callDepth() == memory().depth && !ctx.before().may(Fact::UnknownCode))
       if (auto finding = ctx.report(event))
         finding

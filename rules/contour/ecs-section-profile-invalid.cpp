@@ -79,7 +79,7 @@ private:
   }
 
   void atMove(const Event &event, RuleContext &ctx) const {
-    if (ctx.before().profile != 1 || !event.axes)
+    if (ctx.before().profile != ProfileMode::Recorded || !event.axes)
       return;
     const bool begins =
         ctx.before().compensation == phaseOff && ctx.after().compensation != phaseOff;
@@ -104,7 +104,8 @@ private:
   /// The block that leaves the section: the place before it is the section's end.
   void atEnd(RuleContext &ctx) const {
     const auto plane = axes(ctx);
-    if (!memory().section || !memory().start.known || !plane || ctx.before().profile != 1)
+    if (!memory().section || !memory().start.known || !plane ||
+        ctx.before().profile != ProfileMode::Recorded)
       return;
     const MachineState &state = ctx.before();
     memory().start.to[0] = state.at(plane->first);

@@ -112,7 +112,8 @@ private:
   /// A piece of the profile that is being recorded.
   void element(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
-    if (!memory().profiles || before.profile != 1 || ctx.find({Action::CompensationOff}))
+    if (!memory().profiles || before.profile != ProfileMode::Recorded ||
+        ctx.find({Action::CompensationOff}))
       return;
     if (ctx.block().hasAny(ctx.dialect().cornerWords | ctx.dialect().lineAngleWords) ||
         !event.certain || before.may(Fact::UnknownCode))

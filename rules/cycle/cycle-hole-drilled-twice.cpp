@@ -182,7 +182,8 @@ private:
     const Axis tool = toolAxis(ctx.dialect(), state);
     // A turned or mirrored system makes other places of the same numbers.
     const std::optional<Frame> frame = state.frames.total();
-    if (state.profile || !frame || (state.transforms[0] && state.frames.empty()))
+    if (state.profile != ProfileMode::Off || !frame ||
+        (state.transforms[0] && state.frames.empty()))
       return false;
     HolePlace place;
     place.file = ctx.source().id();

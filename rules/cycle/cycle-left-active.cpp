@@ -47,7 +47,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     const Dialect &dialect = ctx.dialect();
-    if (before.profile != 0)
+    if (before.profile != ProfileMode::Off)
       return;
     if (event.kind == EventKind::CallReturned) {
       behindCall(ctx);

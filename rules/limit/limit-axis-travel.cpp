@@ -78,7 +78,7 @@ private:
   /// Travel that the program has narrowed.
   static void ownTravel(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (event.motion == MotionKind::Reference || ctx.before().profile == 1)
+    if (event.motion == MotionKind::Reference || ctx.before().profile == ProfileMode::Recorded)
       return;
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = ctx.dialect().addresses[word.address];
@@ -119,7 +119,8 @@ private:
   static void volume(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
     if (event.motion == MotionKind::Reference || !state.frames.empty() ||
-        ctx.before().profile == 1 || state.commons.get(greatest().on).kind != Value::Kind::Number)
+        ctx.before().profile == ProfileMode::Recorded ||
+        state.commons.get(greatest().on).kind != Value::Kind::Number)
       return;
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = ctx.dialect().addresses[word.address];

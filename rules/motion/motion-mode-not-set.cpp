@@ -47,7 +47,7 @@ private:
     if (group == noGroup || (ctx.after().mayBeStated(group)) || !word ||
         event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
         ctx.after().may(Fact::UnknownCode) || event.code == noCode || ctx.callDepth() > 0 ||
-        ctx.before().profile)
+        ctx.before().profile != ProfileMode::Off)
       return;
     memory().reported = true;
     if (auto finding = ctx.report(*word))

@@ -63,8 +63,8 @@ private:
   /// A feed move of coordinates alone that ends where it begins.
   void nowhere(const Event &event, RuleContext &ctx) const {
     if (event.motion != MotionKind::Feed || event.inMachineCoordinates() || event.code == noCode ||
-        !event.axes || (ctx.block().addresses & ~ctx.dialect().axisWords) || ctx.before().profile ||
-        ctx.after().compensation != phaseOff)
+        !event.axes || (ctx.block().addresses & ~ctx.dialect().axisWords) ||
+        ctx.before().profile != ProfileMode::Off || ctx.after().compensation != phaseOff)
       return;
     for (unsigned i = 0; i < axisCount; ++i)
       if ((event.axes >> i & 1) && (!ctx.before().position[i].isConstant() ||

@@ -50,7 +50,8 @@ private:
   /// The first move asks for dimensions and units, the first arc, cycle or compensation for a
   /// plane.
   void atUse(const Event &event, RuleContext &ctx) const {
-    if (ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode) || ctx.before().profile)
+    if (ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode) ||
+        ctx.before().profile != ProfileMode::Off)
       return;
     // A cycle may make the first move of all.
     if ((event.kind == EventKind::Motion || event.kind == EventKind::CycleRun) && !memory().moved) {

@@ -22,8 +22,9 @@ private:
   /// Reported where the mode changes, but only when something is cut with the old number.
   static void atCut(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (event.code == noCode || state.profile == 1 || !state.must(Fact::SpeedSet) ||
-        state.may(Fact::SpeedSinceMode) || state.may(Fact::UnknownCode))
+    if (event.code == noCode || state.profile == ProfileMode::Recorded ||
+        !state.must(Fact::SpeedSet) || state.may(Fact::SpeedSinceMode) ||
+        state.may(Fact::UnknownCode))
       return;
     if (event.kind == EventKind::Motion &&
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||

@@ -30,7 +30,8 @@ public:
       directionAfterTap(event, ctx);
     stopped(event, ctx);
     if (event.code == noCode || !ctx.before().may(Fact::SpindleStoppedByTap) ||
-        !ctx.after().may(Fact::SpindleStoppedByTap) || ctx.before().profile == 1)
+        !ctx.after().may(Fact::SpindleStoppedByTap) ||
+        ctx.before().profile == ProfileMode::Recorded)
       return;
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Motion) {

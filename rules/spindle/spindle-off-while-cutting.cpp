@@ -21,7 +21,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.code == noCode || ctx.before().profile == 1)
+    if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
     constexpr uint16_t linear =
         uint16_t(~(1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C)));

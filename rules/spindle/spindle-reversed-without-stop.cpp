@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::SpindleChange); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.code == noCode || ctx.before().profile == 1)
+    if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
     const CodeInfo &code = ctx.code(event);
     uint8_t other = 0;

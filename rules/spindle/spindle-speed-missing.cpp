@@ -28,7 +28,7 @@ public:
 
 private:
   static void atStart(const Event &event, RuleContext &ctx) {
-    if (event.code == noCode || ctx.before().profile == 1)
+    if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
     const CodeInfo &code = ctx.code(event);
     const bool starts = code.action == Action::SpindleCw || code.action == Action::SpindleCcw;

@@ -32,8 +32,8 @@ public:
   /// A move of a profile that is recorded where it is used.
   void on(const Event &event, RuleContext &ctx) const override {
     const Origin &begin = ctx.before().origin.of(StatePart::Roughing);
-    if (ctx.before().profile != 1 || ctx.callDepth() > 0 || !event.axes || !begin.known() ||
-        begin.begin == memory().said)
+    if (ctx.before().profile != ProfileMode::Recorded || ctx.callDepth() > 0 || !event.axes ||
+        !begin.known() || begin.begin == memory().said)
       return;
     memory().said = begin.begin;
     if (auto finding = ctx.report(ctx.blockRange()))

@@ -163,7 +163,8 @@ private:
       return;
     }
     // Alone in its block it may be another control's number, save in the middle of a contour.
-    const bool contour = ctx.before().profile == 1 || ctx.before().compensation == phaseOn;
+    const bool contour =
+        ctx.before().profile == ProfileMode::Recorded || ctx.before().compensation == phaseOn;
     if (ctx.before().may(Fact::UnknownCode) || (DefinedElements::alone(ctx) && !contour))
       return;
     for (const Word &word : ctx.block().words)

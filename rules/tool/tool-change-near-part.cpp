@@ -12,7 +12,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
-    if (before.profile != 0)
+    if (before.profile != ProfileMode::Off)
       return;
     if (const auto lowest = ctx.machine().number("toolChangeMinZ")) {
       const Interval &z = before.at(Axis::Z);

@@ -15,7 +15,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.code == noCode || ctx.before().profile == 1)
+    if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
     if (event.kind == EventKind::Code) {
       reportWordRanges(ctx, event, [](const CodeInfo &of, const WordSpec &spec, Breach) {
