@@ -2,6 +2,7 @@
 #include "analyzer/facts/after_calls.h"
 
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/references.h"
 
 namespace ncvet {
@@ -54,12 +55,8 @@ bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begi
     return false;
   bool called = false;
   const ReferenceReader references(ctx.dialect());
-  Block block;
   for (const ProgramInfo &program : index.programs())
-    for (uint32_t at = program.body; at < program.end; at = block.next) {
-      index.read(at, block);
-      if (block.next <= at)
-        return false;
+    for (const Block &block : blocks(index, program.body, program.end)) {
       bool once = true;
       if (!calls(references, ctx, block, own.number, once))
         continue;

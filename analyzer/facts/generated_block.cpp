@@ -136,13 +136,4 @@ const Item *findAssignment(const Block &block, llvm::StringRef name, llvm::Strin
   return nullptr;
 }
 
-void eachBlock(const FileSummary &file, llvm::function_ref<void(const Block &)> visit) {
-  Block block;
-  const size_t size = file.source.text().size();
-  for (uint32_t at = file.reader.first(); at < size; at = std::max(block.next, at + 1)) {
-    file.reader.read(at, block);
-    visit(block);
-  }
-}
-
 } // namespace ncvet

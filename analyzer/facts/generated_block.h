@@ -54,7 +54,4 @@ std::string assignedName(const Item &item, llvm::StringRef text);
 /// Item of the block that gives `name` its value, or null.
 const Item *findAssignment(const Block &block, llvm::StringRef name, llvm::StringRef text);
 
-/// Calls `visit` with each block of the file in the order of the text.
-void eachBlock(const FileSummary &file, llvm::function_ref<void(const Block &)> visit);
-
 } // namespace ncvet

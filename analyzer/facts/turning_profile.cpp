@@ -1,6 +1,7 @@
 // The blocks of a turning profile: as they are, and along which paths a cycle may find them.
 #include "analyzer/facts/turning_profile.h"
 
+#include "analyzer/program/block_reading.h"
 #include "formats/dialect/measure.h"
 
 #include <cmath>
@@ -37,18 +38,17 @@ ProfileEnds bracketedProfile(const RuleContext &ctx, const Flow &flow) {
     const auto head = ctx.index().label(program, name, program.begin);
     if (!head)
       continue;
-    Block block;
-    ctx.index().read(*head, block);
-    const uint32_t first = block.next;
+    Block opening;
+    ctx.index().read(*head, opening);
+    const uint32_t first = opening.next;
     uint32_t last = first;
-    for (uint32_t at = first; at < program.end; at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block : blocks(ctx.index(), first, program.end)) {
       if (!block.items.empty()) {
         const Item &item = block.items.front();
         const bool ends = item.kind == ItemKind::Structure && item.structure == Structure::EndSub;
         return ends && last > first ? ProfileEnds({first, last}) : std::nullopt;
       }
-      last = at;
+      last = block.begin;
     }
   }
   return std::nullopt;

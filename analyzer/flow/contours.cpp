@@ -2,6 +2,7 @@
 #include "analyzer/flow/contours.h"
 
 #include "analyzer/flow/end_of_passes.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 
@@ -181,9 +182,7 @@ void Contours::notePlace(const Step &step, const Bounds &bounds, bool finishing)
 bool Contours::isAdjacent(const Step &step, uint32_t first) {
   if (first < step.block.next)
     return false;
-  Block between;
-  for (uint32_t offset = step.block.next; offset < first; offset = between.next) {
-    step.unit().reader->read(offset, between);
+  for (const Block &between : blocks(*step.unit().reader, step.block.next, first)) {
     if (!between.isEmpty())
       return false;
   }

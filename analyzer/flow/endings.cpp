@@ -1,6 +1,8 @@
 // Codes that end a program, or return from it.
 #include "analyzer/flow/endings.h"
 
+#include "analyzer/program/block_reading.h"
+
 namespace ncvet {
 
 namespace {
@@ -73,9 +75,7 @@ Endings endingsOf(const FileUnit &unit, uint32_t begin, uint32_t end, StraightRu
 }
 
 bool holdsEnd(const FileUnit &unit, uint32_t begin, uint32_t end) {
-  Block block;
-  for (uint32_t at = begin; at < end; at = block.next) {
-    unit.reader->read(at, block);
+  for (const Block &block : blocks(*unit.reader, begin, end)) {
     Endings endings;
     endings.add(block, *unit.dialect);
     if (endings.any() && block.skip < 0)
@@ -85,9 +85,7 @@ bool holdsEnd(const FileUnit &unit, uint32_t begin, uint32_t end) {
 }
 
 bool holdsWayOut(const FileUnit &unit, uint32_t begin, uint32_t end) {
-  Block block;
-  for (uint32_t at = begin; at < end; at = block.next) {
-    unit.reader->read(at, block);
+  for (const Block &block : blocks(*unit.reader, begin, end)) {
     Endings endings;
     endings.add(block, *unit.dialect);
     if (endings.any() || block.has(letterAddress('M')) || leavesByItem(block) ||

@@ -2,6 +2,7 @@
 #include "analyzer/flow/sections.h"
 
 #include "analyzer/flow/endings.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 
@@ -10,11 +11,9 @@ namespace {
 /// Last block of a section that only its begin names: the one with the end label, or the one before
 /// the repeating block.
 uint32_t endOfSection(const FileUnit &unit, uint32_t first, uint32_t at) {
-  Block block;
   uint32_t last = first;
-  for (uint32_t offset = first; offset < at; offset = block.next) {
-    unit.reader->read(offset, block);
-    last = offset;
+  for (const Block &block : blocks(*unit.reader, first, at)) {
+    last = block.begin;
     if (block.hasLabel() &&
         unit.dialect->lexical.endLabel ==
             unit.reader->labelKey(unit.source.text(block.labelBegin, block.labelEnd)))

@@ -1,6 +1,8 @@
 // Which brackets of loops and structured flow belong together in a program.
 #include "analyzer/program/flow_shape.h"
 
+#include "analyzer/program/block_reading.h"
+
 #include <algorithm>
 #include <map>
 
@@ -39,14 +41,11 @@ bool isBranch(const Item &item) {
 class ShapeReader {
 public:
   FlowShape read(const Reader &reader, uint32_t begin, uint32_t end) {
-    Block block;
-    for (uint32_t at = begin; at < end; at = block.next) {
-      reader.read(at, block);
+    for (const Block &block : blocks(reader, begin, end))
       for (const Item &item : block.items) {
         shape_.branches |= isBranch(item);
-        bracket(item, at, block.next);
+        bracket(item, block.begin, block.next);
       }
-    }
     for (const Open &left : open_)
       leftOpen(left);
     return std::move(shape_);

@@ -1,6 +1,8 @@
 // What is where in one file: its programs, and on demand the block numbers in them.
 #include "analyzer/program/program_index.h"
 
+#include "analyzer/program/block_reading.h"
+
 #include "llvm/ADT/StringExtras.h"
 
 #include <algorithm>
@@ -191,13 +193,11 @@ void FileIndex::eachBlock(uint32_t begin, uint32_t end,
                           llvm::function_ref<bool(uint32_t, const Block &)> read,
                           llvm::function_ref<bool(const TextPiece &)> pass) const {
   looks_.anywhere = true;
-  Block block;
   scan_.eachPiece(source_, reader_, begin, end, [&](const TextPiece &piece) {
     if (piece.isPlain && pass(piece))
       return true;
-    for (uint32_t at = piece.begin; at < piece.end; at = block.next) {
-      reader_.read(at, block);
-      if (!read(at, block))
+    for (const Block &block : blocks(reader_, piece.begin, piece.end)) {
+      if (!read(block.begin, block))
         return false;
     }
     return true;

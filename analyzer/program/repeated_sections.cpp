@@ -1,6 +1,7 @@
 // The sections of a program that statements of it repeat, as the text says it.
 #include "analyzer/program/repeated_sections.h"
 
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/references.h"
 #include "interp/evaluate/condition.h"
 
@@ -38,9 +39,8 @@ std::optional<uint32_t> blockNamed(const FileIndex &index, const Block &block, c
 std::vector<RepeatedSection> repeatedSections(const FileIndex &index) {
   std::vector<RepeatedSection> sections;
   const Reader &reader = index.reader();
-  Block block, last;
-  for (uint32_t at = reader.first(); at < index.source().text().size(); at = block.next) {
-    reader.read(at, block);
+  Block last;
+  for (const Block &block : blocks(reader)) {
     for (const Item &item : block.items) {
       if (item.kind != ItemKind::Repeat || item.arguments != 2)
         continue;
@@ -55,17 +55,13 @@ std::vector<RepeatedSection> repeatedSections(const FileIndex &index) {
       reader.read(*to, last);
       sections.push_back({block.begin, *from, *to, last.next, item.begin, item.end});
     }
-    if (block.next <= at)
-      break;
   }
   return sections;
 }
 
 CountedFrame countedFrame(const FileIndex &index, const Dialect &dialect,
                           const RepeatedSection &section) {
-  Block block;
-  for (uint32_t at = section.first; at < section.behind; at = block.next) {
-    index.read(at, block);
+  for (const Block &block : blocks(index, section.first, section.behind)) {
     for (const Word &word : block.words) {
       const CodeIndex code = codeOf(dialect, word);
       if (code == noCode || dialect.codes[code].action != Action::FrameAdd)
@@ -75,8 +71,6 @@ CountedFrame countedFrame(const FileIndex &index, const Dialect &dialect,
           if (notice.rule == "flow-loop-counter" && step.op == FormulaOp::GivenVariable)
             return {&dialect.codes[code], uint64_t(step.number)};
     }
-    if (block.next <= at)
-      break;
   }
   return {};
 }

@@ -50,13 +50,8 @@ FileUnit *Snapshot::unitOf(llvm::StringRef path) {
 llvm::ArrayRef<uint32_t> Snapshot::blocks() {
   if (!blocks_.empty())
     return blocks_;
-  Block block;
-  for (uint32_t at = unit_->reader->first(); at < text().size(); at = block.next) {
-    blocks_.push_back(at);
-    unit_->reader->read(at, block);
-    if (block.next <= at)
-      break;
-  }
+  for (const Block &block : ncvet::blocks(*unit_->reader))
+    blocks_.push_back(block.begin);
   return blocks_;
 }
 

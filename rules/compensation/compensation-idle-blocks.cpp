@@ -1,4 +1,5 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -121,12 +122,9 @@ private:
   /// Looks ahead as the control does: only a compensated move after the idle blocks is harmed.
   static bool contourGoesOn(RuleContext &ctx) {
     constexpr unsigned lookAhead = 12;
-    Block block;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    uint32_t at = ctx.block().next;
-    for (unsigned i = 0; i < lookAhead && at < program.end; ++i, at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block : blocks(ctx.index(), ctx.block().next, program.end, lookAhead)) {
       bool resets = false;
       for (const Word &word : block.words) {
         if (word.address != letterAddress('G') && word.address != letterAddress('M'))

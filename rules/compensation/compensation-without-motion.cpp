@@ -1,5 +1,6 @@
 // A compensation code without a move in the plane, and a subprogram that begins without one.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -184,13 +185,9 @@ private:
         movesInPlane(ctx))
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    Block block;
-    uint32_t first = program.body;
-    for (; first < ctx.block().begin; first = block.next) {
-      ctx.index().read(first, block);
+    for (const Block &block : blocks(ctx.index(), program.body, ctx.block().begin))
       if (!block.isEmpty())
         return; // another block comes before
-    }
     // Switched on in the caller, not in a previous pass of this program.
     const Origin &origin = ctx.before().origin.of(StatePart::Compensation);
     if (origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&

@@ -1,4 +1,5 @@
 // A program writes data that later programs work with.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/text_answers.h"
@@ -46,10 +47,8 @@ private:
     const FileId file = ctx.source().id();
     for (const RepeatedSection &section : repeatedSections(ctx.index()))
       passes.push_back({section.first, section.behind, {file, section.begin, section.end}});
-    Block block;
-    for (uint32_t at = ctx.index().reader().first(); at < ctx.source().text().size();
-         at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block :
+         blocks(ctx.index(), ctx.index().reader().first(), uint32_t(ctx.source().text().size()))) {
       for (const Item &item : block.items) {
         if (item.kind != ItemKind::Jump || item.nameEnd > item.nameBegin)
           continue;
@@ -58,8 +57,6 @@ private:
               to && *to <= block.begin)
             passes.push_back({*to, block.next, {file, item.begin, item.end}});
       }
-      if (block.next <= at)
-        break;
     }
     return passes;
   }

@@ -1,6 +1,7 @@
 // A cycle is set up without a hole and cancelled before it made one, or its data are in a place
 // where they are lost.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 #include <set>
 #include <unordered_map>
@@ -99,13 +100,11 @@ private:
       if (!word || !(ctx.value(*word).lo > 1) || ctx.callDepth() > 0)
         continue;
       const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-      Block block;
-      for (uint32_t at = program.body; at < program.end; at = block.next) {
-        ctx.index().read(at, block);
+      for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
         // A jump before the frame only leads past something: a loop round the frame closes after
         // it.
-        const bool behind = at >= ctx.block().begin;
-        if (block.next <= at || llvm::any_of(block.items, [&](const Item &i) {
+        const bool behind = block.begin >= ctx.block().begin;
+        if (llvm::any_of(block.items, [&](const Item &i) {
               return i.kind == ItemKind::Repeat || i.kind == ItemKind::Call ||
                      (i.kind == ItemKind::Jump && behind);
             }))
@@ -125,9 +124,7 @@ private:
       return;
     std::vector<std::pair<uint64_t, SourceRange>> given;
     std::set<uint64_t> read;
-    Block block;
-    for (uint32_t at = program.body; at < program.end; at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader, program.body, program.end)) {
       for (const Word &word : block.words) {
         const CodeIndex code = codeOf(ctx.dialect(), word);
         if (code == noCode)
@@ -148,8 +145,6 @@ private:
           given.emplace_back(block.keyOf(item.target),
                              SourceRange{file.source.id(), item.begin, item.end});
       }
-      if (block.next <= at)
-        break;
     }
     for (const auto &[key, range] : given)
       if (!read.count(key))

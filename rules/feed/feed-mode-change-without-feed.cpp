@@ -1,5 +1,6 @@
 // The feed's unit was changed, and the next feed move has no F of its own.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -107,13 +108,11 @@ private:
   /// Whether the code at `mode` was not in force already: there is another one between F and it, or
   /// the program had stated another before.
   static bool changed(const Origin &mode, const RuleContext &ctx) {
-    Block block;
-    const auto &reader = ctx.index().reader();
     // What holds at the start counts as stated where the table knows it.
     const GroupInfo &group = ctx.dialect().groups[ctx.dialect().group(StandardGroup::FeedMode)];
     CodeIndex last = group.initial < group.members.size() ? group.members[group.initial] : noCode;
-    for (uint32_t at = ctx.index().programAt(mode.begin).body; at <= mode.begin; at = block.next) {
-      reader.read(at, block);
+    const uint32_t body = ctx.index().programAt(mode.begin).body;
+    for (const Block &block : blocks(ctx.index().reader(), body, mode.begin + 1)) {
       for (const Word &word : block.words) {
         const CodeIndex code = codeOf(ctx.dialect(), word);
         const GroupInfo &modes = ctx.dialect().groups[ctx.dialect().group(StandardGroup::FeedMode)];
@@ -127,8 +126,6 @@ private:
           return last != noCode && otherUnit(ctx.dialect(), last, code);
         last = code;
       }
-      if (block.next <= at)
-        break;
     }
     return false;
   }

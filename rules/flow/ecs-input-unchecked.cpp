@@ -1,4 +1,5 @@
 // An answer of the operator that nothing checks.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
 #include "interp/evaluate/expression.h"
@@ -62,10 +63,8 @@ private:
     if (!key || !to || ctx.before().commons.given(key) != Truth::No)
       return;
     constexpr unsigned readable = 20;
-    Block next;
-    uint32_t at = *to;
-    for (unsigned i = 0; i < readable && at < ctx.source().text().size(); ++i, at = next.next) {
-      ctx.index().read(at, next);
+    const auto size = uint32_t(ctx.source().text().size());
+    for (const Block &next : blocks(ctx.index(), *to, size, readable)) {
       for (const ExpressionOp &op : next.operations)
         if (op.op == Op::Variable && uint64_t(op.value) == key) {
           if (auto finding = ctx.report(range))
@@ -80,7 +79,7 @@ private:
         return other.kind != ItemKind::Instruction &&
                (other.kind != ItemKind::Assignment || next.keyOf(other.target) == key);
       });
-      if (leaves || next.next <= at)
+      if (leaves)
         return;
     }
   }

@@ -1,4 +1,5 @@
 // A call and what it calls do not agree in their arguments.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "interp/evaluate/condition.h"
 
@@ -117,9 +118,7 @@ private:
         item.kind != ItemKind::Parameters)
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    Block block;
-    for (uint32_t at = program.body; at < ctx.block().begin; at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block : blocks(ctx.index(), program.body, ctx.block().begin)) {
       const bool runs = !block.words.empty() || llvm::any_of(block.items, [&](const Item &i) {
         return item.kind == ItemKind::Parameters ||
                (i.kind != ItemKind::Definition && i.kind != ItemKind::Declaration &&

@@ -1,5 +1,6 @@
 // A loop has no way out.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "interp/evaluate/expression.h"
 
@@ -56,13 +57,11 @@ private:
     }
     if (read.empty() || !back || here.begin - *back > readable)
       return;
-    Block block;
-    for (uint32_t at = *back; at < here.begin; at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block : blocks(ctx.index(), *back, here.begin)) {
       for (const Item &inner : block.items)
         if (inner.kind != ItemKind::Assignment)
           return;
-      if (block.next <= at || mayChange(block, read, ctx))
+      if (mayChange(block, read, ctx))
         return;
     }
     const SourceRange range = ctx.range(item);
@@ -84,13 +83,9 @@ private:
     const ProgramInfo &program = ctx.index().programAt(here.begin);
     if (read.empty() || here.begin - program.body > readable)
       return;
-    Block block;
     // What the program gives no value may be changed from outside.
     std::set<uint64_t> given;
-    for (uint32_t at = program.body; at < here.begin; at = block.next) {
-      ctx.index().read(at, block);
-      if (block.next <= at)
-        return;
+    for (const Block &block : blocks(ctx.index(), program.body, here.begin)) {
       for (const Item &other : block.items)
         if (other.kind == ItemKind::Assignment || other.kind == ItemKind::Definition)
           given.insert(block.keyOf(other.target));
@@ -98,9 +93,9 @@ private:
     if (!llvm::all_of(read, [&](uint64_t key) { return given.count(key); }))
       return;
     unsigned depth = 0;
-    for (uint32_t at = here.next; at < program.end && at - here.begin < readable; at = block.next) {
-      ctx.index().read(at, block);
-      if (block.next <= at || mayChange(block, read, ctx))
+    const uint32_t end = std::min(program.end, here.begin + readable);
+    for (const Block &block : blocks(ctx.index(), here.next, end)) {
+      if (mayChange(block, read, ctx))
         return;
       for (const Item &inner : block.items) {
         if (inner.kind == ItemKind::Structure && inner.structure == Structure::While) {
@@ -205,12 +200,8 @@ private:
 
   /// Whether a bracket of structured flow ends between two places that began before them.
   static bool entersBracket(uint32_t from, uint32_t end, const RuleContext &ctx) {
-    Block block;
     int depth = 0;
-    for (uint32_t at = from; at < end; at = block.next) {
-      ctx.index().read(at, block);
-      if (block.next <= at)
-        return true;
+    for (const Block &block : blocks(ctx.index(), from, end)) {
       for (const Item &inner : block.items) {
         if (inner.kind != ItemKind::Structure)
           continue;
@@ -239,12 +230,8 @@ private:
                           const Block &here, const RuleContext &ctx) {
     if (here.begin - program.body > readable)
       return false;
-    Block block;
     std::set<uint64_t> given;
-    for (uint32_t at = program.body; at < here.begin; at = block.next) {
-      ctx.index().read(at, block);
-      if (block.next <= at)
-        return false;
+    for (const Block &block : blocks(ctx.index(), program.body, here.begin)) {
       for (const Item &other : block.items)
         if (other.kind == ItemKind::Assignment || other.kind == ItemKind::Definition)
           given.insert(block.keyOf(other.target));
@@ -256,10 +243,8 @@ private:
   /// do either.
   static bool staysInside(uint32_t from, uint32_t end, const std::set<uint64_t> &read,
                           const RuleContext &ctx) {
-    Block block;
-    for (uint32_t at = from; at < end; at = block.next) {
-      ctx.index().read(at, block);
-      if (block.next <= at || !block.issues.empty() || mayChange(block, read, ctx))
+    for (const Block &block : blocks(ctx.index(), from, end)) {
+      if (!block.issues.empty() || mayChange(block, read, ctx))
         return false;
       for (const Item &inner : block.items) {
         const bool counts = inner.kind == ItemKind::Structure &&

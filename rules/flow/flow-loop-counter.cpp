@@ -1,4 +1,5 @@
 // The variable of a counting loop is written inside the loop.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
 
@@ -33,9 +34,7 @@ public:
       SourceRange where;
     };
     std::vector<Loop> loops;
-    Block block;
-    for (uint32_t at = file.reader.first(); at < file.source.text().size(); at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader)) {
       for (const Item &item : block.items) {
         if (item.kind == ItemKind::Structure && item.structure == Structure::For) {
           loops.push_back(
@@ -57,7 +56,6 @@ private:
   /// A block of a repeated section gives a variable its first value, and a later one counts on.
   static void setAgain(const FileSummary &file, RuleContext &ctx) {
     const std::vector<RepeatedSection> sections = repeatedSections(file.index);
-    Block block;
     for (const RepeatedSection &section : sections) {
       struct First {
         uint32_t at;
@@ -65,8 +63,7 @@ private:
         SourceRange where;
       };
       std::vector<First> firsts;
-      for (uint32_t at = section.first; at < section.behind; at = block.next) {
-        file.reader.read(at, block);
+      for (const Block &block : blocks(file.reader, section.first, section.behind)) {
         for (const Item &item : block.items) {
           if (item.kind == ItemKind::Jump) // another loop may count in here
             firsts.clear();
@@ -94,8 +91,6 @@ private:
                 .note(SourceRange{file.source.id(), section.begin, section.end}, "repeated here");
           firsts.erase(first);
         }
-        if (block.next <= at)
-          break;
       }
     }
   }
@@ -106,15 +101,11 @@ private:
     const CountedFrame frame = countedFrame(file.index, ctx.dialect(), section);
     if (!frame.code)
       return;
-    Block block;
-    for (uint32_t at = section.first; at < section.behind; at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader, section.first, section.behind)) {
       for (const Item &item : block.items)
         if (item.kind == ItemKind::Call || item.kind == ItemKind::Jump ||
             (item.kind == ItemKind::Assignment && block.keyOf(item.target) == frame.counter))
-          return; // another program, or another path, may count
-      if (block.next <= at)
-        break;
+          return; // another program, or another way, may count
     }
     if (auto finding = ctx.report(SourceRange{file.source.id(), section.begin, section.end}))
       finding.message("nothing in the section that is repeated counts on what `{0}` counts with: "

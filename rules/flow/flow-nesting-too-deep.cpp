@@ -1,4 +1,5 @@
 // Calls inside calls go deeper than the control can follow.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -17,9 +18,7 @@ public:
     if (!most || !memory().structures)
       return;
     unsigned depth = 0;
-    Block block;
-    for (uint32_t at = file.reader.first(); at < file.source.text().size(); at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader)) {
       for (const Item &item : block.items) {
         if (item.kind != ItemKind::Structure)
           continue;

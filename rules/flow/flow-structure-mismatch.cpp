@@ -1,4 +1,5 @@
 // WHILE, DO and END do not belong together.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
 
@@ -106,11 +107,7 @@ private:
 
   /// A jump out of the section: the control goes on to count the pass.
   static void left(const RepeatedSection &section, const FileSummary &file, RuleContext &ctx) {
-    Block block;
-    for (uint32_t at = section.first; at < section.behind; at = block.next) {
-      file.reader.read(at, block);
-      if (block.next <= at)
-        break;
+    for (const Block &block : blocks(file.reader, section.first, section.behind)) {
       for (const Item &item : block.items) {
         if (item.kind != ItemKind::Jump)
           continue;

@@ -1,5 +1,6 @@
 // A mode that the next program does not expect: left on at the end, or, on lathes, the plane that a
 // drilling cycle selected.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/switch_left_on.h"
 
 #include <set>
@@ -74,20 +75,15 @@ private:
     if (origin.file != ctx.source().id())
       return false;
     const size_t line = text.rfind('\n', origin.begin);
-    uint32_t at = line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1);
-    Block block;
-    for (unsigned i = 0; i < 3 && at < text.size(); ++i) {
-      ctx.index().read(at, block);
+    const uint32_t at =
+        line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1);
+    for (const Block &block : blocks(ctx.index(), at, uint32_t(text.size()), 3))
       for (const Word &word : block.words)
         if (word.address == letterAddress('G') && word.isNumber()) {
           const CodeIndex code = ctx.dialect().find('G', word.codeNumber());
           if (code != noCode && ctx.dialect().codes[code].action == Action::Cycle)
             return true;
         }
-      if (block.next <= at)
-        break;
-      at = block.next;
-    }
     return false;
   }
 };

@@ -1,5 +1,6 @@
 // A rapid move to where the tool has cut, and then the tool is changed.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 #include <algorithm>
 #include <map>
@@ -112,12 +113,11 @@ private:
   /// Whether the next block that does more than switch something changes the tool.
   static bool changesToolNext(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
-    Block block;
-    for (uint32_t at = ctx.block().next, i = 0; i < 6 && at < ctx.source().text().size(); ++i) {
-      ctx.index().read(at, block);
-      if (block.next <= at || !block.items.empty() || block.hasAny(dialect.axisWords))
+    constexpr unsigned lookAhead = 6;
+    const auto size = uint32_t(ctx.source().text().size());
+    for (const Block &block : blocks(ctx.index(), ctx.block().next, size, lookAhead)) {
+      if (!block.items.empty() || block.hasAny(dialect.axisWords))
         return false;
-      at = block.next;
       if (dialect.toolChangeByT && block.has(letterAddress('T')))
         return true;
       for (const Word &word : block.words) {

@@ -1,6 +1,7 @@
 // A generated block that its dialog can no longer edit, or whose next edit loses something.
 #include "analyzer/facts/drill_parts.h"
 #include "analyzer/facts/generated_block.h"
+#include "analyzer/program/block_reading.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -17,17 +18,17 @@ public:
     const Dialogs dialogs = dialogsOf(ctx.dialect(), ctx.machine());
     const llvm::StringRef text = file.source.text();
     const FileId id = file.source.id();
-    eachBlock(file, [&](const Block &block) {
+    for (const Block &block : blocks(file.reader)) {
       const GeneratedBlock generated = readGenerated(block, text);
       if (!generated.isGenerated())
-        return;
+        continue;
       checkPage(generated, block, dialogs, text, id, ctx);
       if (!checkCode(generated, block, text, id, ctx))
         for (const Comment *own : generated.own)
           if (auto finding = ctx.report(SourceRange{id, own->begin, own->end}))
             finding.message("a comment inside a generated block: the next edit in its dialog "
-                            "deletes it; write comments before the block's `N`");
-    });
+                            "deletes it; comments stand in front of the block's `N`");
+    }
   }
 
 private:

@@ -1,5 +1,6 @@
 // A generated block that departs from what its dialog writes, without harm.
 #include "analyzer/facts/generated_block.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -24,15 +25,15 @@ public:
     const llvm::StringRef text = file.source.text();
     const FileId id = file.source.id();
     bool technologyBefore = false;
-    eachBlock(file, [&](const Block &block) {
+    for (const Block &block : blocks(file.reader)) {
       if (block.kind == BlockKind::Empty)
-        return;
+        continue;
       const GeneratedBlock generated = readGenerated(block, text);
       checkNames(block, text, id, ctx);
       checkComments(generated, technologyBefore, id, ctx);
       checkLines(generated, block, dialogs, text, id, ctx);
       technologyBefore = generated.isTechnology();
-    });
+    }
   }
 
 private:

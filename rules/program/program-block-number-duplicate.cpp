@@ -1,5 +1,6 @@
 // A block number that occurs twice in a program.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -56,9 +57,7 @@ private:
   /// `M99 O0810`: dumps of a control's memory lack line ends.
   static bool otherProgramBetween(const NumberedBlock &first, const NumberedBlock &again,
                                   const FileSummary &file, const Dialect &dialect) {
-    Block block;
-    for (uint32_t at = first.offset; at < again.offset; at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader, first.offset, again.offset)) {
       if (block.kind != BlockKind::ProgramHeader && block.has(letterAddress('O')) &&
           findCode(dialect, block, {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind}))
         return true;

@@ -1,5 +1,6 @@
 // A program's head or end is in the wrong place, or more than once.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -24,10 +25,8 @@ public:
                         ctx.text(*event.word));
       return;
     }
-    Block block;
-    for (uint32_t at = ctx.index().programAt(ctx.block().begin).body; at < ctx.block().begin;
-         at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block :
+         blocks(ctx.index(), ctx.index().programAt(ctx.block().begin).body, ctx.block().begin)) {
       if (block.isEmpty())
         continue;
       if (auto finding = ctx.report(event))

@@ -1,5 +1,6 @@
 // The program number, or the closing mark, that the control wants around a program is missing.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -50,9 +51,7 @@ public:
 private:
   /// The first block that says anything resets the control.
   void reset(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
-    Block block;
-    for (uint32_t at = program.begin; at < program.end; at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader, program.begin, program.end)) {
       if (block.isEmpty())
         continue;
       if (!findCode(ctx.dialect(), block, {Action::Reset}))
@@ -75,9 +74,7 @@ private:
   }
 
   void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
-    Block block;
-    for (uint32_t at = program.begin; at < program.end; at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader, program.begin, program.end)) {
       if (block.isEmpty() && block.number < 0)
         continue;
       if (const CodeInfo *head = headOf(ctx.dialect())) {

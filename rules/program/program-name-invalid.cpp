@@ -1,4 +1,5 @@
 // A program number or file name that breaks the control's rules.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -87,9 +88,7 @@ private:
     constexpr size_t readable = 4u << 20; // a program that long was made by a machine
     if (file.source.text().size() > readable)
       return;
-    Block block;
-    for (uint32_t at = file.reader.first(); at < file.source.text().size(); at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader)) {
       for (const SyntaxIssue &issue : block.issues)
         if (issue.kind == SyntaxIssueKind::BadStatement &&
             ctx.text(SourceRange{file.source.id(), issue.begin, issue.end}) == "[]")

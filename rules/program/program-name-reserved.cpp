@@ -1,4 +1,5 @@
 // A program number that belongs to the control.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -86,9 +87,7 @@ private:
     if (!program.hasHeader()) {
       const std::string shown = file.source.display();
       name = llvm::StringRef(shown).substr(shown.rfind('/') + 1).split('.').first.upper();
-      Block block;
-      for (uint32_t at = program.begin; at < program.end; at = block.next) {
-        file.reader.read(at, block);
+      for (const Block &block : blocks(file.reader, program.begin, program.end)) {
         where = {file.source.id(), block.begin, block.end};
         if (!block.isEmpty())
           break;

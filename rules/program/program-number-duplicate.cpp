@@ -1,4 +1,5 @@
 // Two programs of one file have the same number.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -6,9 +7,7 @@ namespace {
 
 /// The header line of a listing repeats the program's own: nothing is between the two.
 bool isSame(const ProgramInfo &first, const ProgramInfo &second, const Reader &reader) {
-  Block block;
-  for (uint32_t at = first.begin; at < second.begin; at = block.next) {
-    reader.read(at, block);
+  for (const Block &block : blocks(reader, first.begin, second.begin)) {
     if (!block.isEmpty())
       return false;
   }

@@ -1,6 +1,7 @@
 // A feed move or a cutting cycle while the spindle does not turn.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
 #include "interp/evaluate/tool_data.h"
 
@@ -105,14 +106,10 @@ private:
   /// A text with neither the word that opens a program nor one that ends it.
   static bool isFragment(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    const Reader &reader = ctx.index().reader();
-    Block block;
-    for (uint32_t at = program.body; at < program.end; at = std::max(block.next, at + 1)) {
-      reader.read(at, block);
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
       if (findCode(ctx.dialect(), block,
                    {Action::ProgramHead, Action::ProgramEnd, Action::ProgramEndRewind}))
         return false;
-    }
     return true;
   }
 

@@ -1,5 +1,6 @@
 // What should be a program of its own: equal sequences of blocks, and a profile inside the main
 // program.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 
 #include "llvm/Support/xxhash.h"
@@ -84,10 +85,8 @@ private:
 
   void read(const ProgramInfo &program, const FileSummary &file, const Dialect &dialect) const {
     memory().lines.clear();
-    Block block;
     std::string text;
-    for (uint32_t at = program.begin; at < program.end; at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader, program.begin, program.end)) {
       if (block.isEmpty())
         continue;
       Memory::Line line;

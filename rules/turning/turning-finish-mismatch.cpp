@@ -1,5 +1,6 @@
 // The finishing cycle runs along other blocks, or starts elsewhere, than the roughing before it.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
 
 #include <cmath>
@@ -45,9 +46,7 @@ private:
   /// Whether some roughing cycle of the program names `first` as its first block.
   static bool isRoughed(const RuleContext &ctx, int64_t first) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    Block block;
-    for (uint32_t at = program.body; at < program.end; at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
       if (block.begin == ctx.block().begin || !block.has(letterAddress('P')))
         continue;
       const Word *p = block.find('P');

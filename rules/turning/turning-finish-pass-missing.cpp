@@ -1,5 +1,6 @@
 // Roughing leaves an allowance that no finishing pass removes.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -39,10 +40,8 @@ private:
     const ProgramInfo &program = ctx.index().programAt(roughing.begin);
     if (program.end - program.body > longest)
       return true;
-    Block block;
-    for (uint32_t at = program.body; at < program.end; at = block.next) {
-      ctx.index().read(at, block);
-      if (block.next <= at || !block.items.empty() ||
+    for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
+      if (!block.items.empty() ||
           findCode(ctx.dialect(), block,
                    {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
         return true;

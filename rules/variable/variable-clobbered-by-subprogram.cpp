@@ -1,4 +1,5 @@
 // A called program writes a variable that the caller has set and still needs.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -21,10 +22,8 @@ public:
       return;
     constexpr unsigned readable = 60;
     std::set<uint64_t> seen;
-    Block next;
-    uint32_t at = ctx.block().next;
-    for (unsigned i = 0; i < readable && at < ctx.source().text().size(); ++i, at = next.next) {
-      ctx.index().read(at, next);
+    const auto size = uint32_t(ctx.source().text().size());
+    for (const Block &next : blocks(ctx.index(), ctx.block().next, size, readable)) {
       for (const ExpressionOp &op : next.operations) {
         const auto key = uint64_t(op.value);
         if (op.op != Op::Variable || !seen.insert(key).second || !isNumbered(op, ctx) ||
@@ -43,8 +42,6 @@ public:
           return; // what runs next the text does not tell
         seen.insert(next.keyOf(item.target));
       }
-      if (next.next <= at)
-        return;
     }
   }
 

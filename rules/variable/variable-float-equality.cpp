@@ -1,4 +1,5 @@
 // A fraction is compared for equality.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "interp/evaluate/expression.h"
 
@@ -83,16 +84,12 @@ private:
   /// Whether the last assignment before the block computes the variable so.
   static bool comesFromFraction(uint64_t variable, RuleContext &ctx) {
     bool fraction = false;
-    Block block;
-    for (uint32_t at = ctx.index().programAt(ctx.block().begin).body; at < ctx.block().begin;
-         at = block.next) {
-      ctx.index().read(at, block);
+    for (const Block &block :
+         blocks(ctx.index(), ctx.index().programAt(ctx.block().begin).body, ctx.block().begin)) {
       for (const Item &item : block.items)
         if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == variable &&
             item.value != noExpression)
           fraction = isFraction(block, block.expressions[item.value]);
-      if (block.next <= at)
-        break;
     }
     return fraction;
   }

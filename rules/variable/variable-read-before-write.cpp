@@ -1,5 +1,6 @@
 // A parameter is read that the program has not given a value.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -97,10 +98,9 @@ private:
       return memory().main;
     memory().known = program.begin;
     memory().main = false;
-    Block block;
-    for (uint32_t at = program.body; at < program.end && at - program.body < 1u << 20;
-         at = block.next) {
-      ctx.index().read(at, block);
+    constexpr uint32_t readable = 1u << 20;
+    const uint32_t end = std::min(program.end, program.body + readable);
+    for (const Block &block : blocks(ctx.index(), program.body, end)) {
       if (llvm::any_of(block.items, [](const Item &i) { return i.kind == ItemKind::Parameters; }))
         return false;
       memory().main |=

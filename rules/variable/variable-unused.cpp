@@ -1,5 +1,6 @@
 // A variable or an element of a contour that is defined and never read.
 #include "analyzer/facts/defined_elements.h"
+#include "analyzer/program/block_reading.h"
 
 #include <map>
 #include <set>
@@ -75,9 +76,7 @@ private:
   /// elsewhere.
   static void overwritten(const FileSummary &file, RuleContext &ctx) {
     std::map<uint64_t, SourceRange> written;
-    Block block;
-    for (uint32_t at = file.reader.first(); at < file.source.text().size(); at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader)) {
       const bool flows =
           block.skip >= 0 || block.hasLabel() ||
           (block.number >= 0 &&
@@ -110,17 +109,13 @@ private:
               .note(range, "replaced here");
         entry->second = range;
       }
-      if (block.next <= at)
-        break;
     }
   }
 
   static void check(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
     std::set<uint64_t> read;
     std::vector<std::pair<uint64_t, SourceRange>> defined;
-    Block block;
-    for (uint32_t at = program.begin; at < program.end; at = block.next) {
-      file.reader.read(at, block);
+    for (const Block &block : blocks(file.reader, program.begin, program.end)) {
       for (const ExpressionOp &op : block.operations)
         if (op.op == Op::Variable || op.op == Op::ElementAt)
           read.insert(uint64_t(op.value));

@@ -84,15 +84,11 @@ const std::vector<uint32_t> &Hierarchy::returns(FileUnit &unit) {
   const auto [known, fresh] = returns_.try_emplace(&unit);
   if (!fresh)
     return known->second;
-  Block block;
-  for (uint32_t at = unit.reader->first(); at < unit.source.text().size(); at = block.next) {
-    unit.reader->read(at, block);
+  for (const Block &block : blocks(*unit.reader)) {
     for (const Word &word : block.words)
       if (const CodeIndex code = codeOf(*unit.dialect, word);
           code != noCode && unit.dialect->codes[code].action == Action::Return)
         known->second.push_back(block.next);
-    if (block.next <= at)
-      break;
   }
   return known->second;
 }

@@ -1,6 +1,8 @@
 // What may not be renamed, and why.
 #include "lsp/features/writing/rename_limits.h"
 
+#include "analyzer/program/block_reading.h"
+
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Path.h"
 
@@ -190,17 +192,11 @@ std::string RenameLimits::numberedVariable() {
 
 std::optional<uint32_t> RenameLimits::find(uint32_t program, Action action) const {
   const ProgramInfo &where = snapshot_.unit().index.programs()[program];
-  Block block;
-  for (uint32_t at = where.begin; at < where.end;) {
-    snapshot_.unit().reader->read(at, block);
+  for (const Block &block : blocks(*snapshot_.unit().reader, where.begin, where.end))
     for (const Word &word : block.words)
       if (const CodeIndex code = codeOf(dialect_, word);
           code != noCode && dialect_.codes[code].action == action)
         return block.begin;
-    if (block.next <= at)
-      break;
-    at = block.next;
-  }
   return std::nullopt;
 }
 

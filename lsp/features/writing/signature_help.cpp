@@ -1,6 +1,7 @@
 // Signature help: formats of the table, and parameters of programs.
 #include "lsp/features/writing/signature_help.h"
 
+#include "analyzer/program/block_reading.h"
 #include "interp/evaluate/condition.h"
 #include "interp/value/macro_argument.h"
 #include "lsp/features/cursor_context.h"
@@ -75,12 +76,8 @@ std::optional<Signature> ofProgram(Snapshot &snapshot, llvm::StringRef name, uns
     return std::nullopt;
   const Reader &reader = *found.first->reader;
   const llvm::StringRef text = reader.text();
-  Block block;
-  uint32_t at = found.second->begin;
-  for (unsigned i = 0; i < mostBlocksToParameters && at < found.second->end; ++i, at = block.next) {
-    reader.read(at, block);
-    if (block.next <= at)
-      break;
+  for (const Block &block :
+       blocks(reader, found.second->begin, found.second->end, mostBlocksToParameters)) {
     for (const Item &item : block.items) {
       if (item.kind != ItemKind::Parameters)
         continue;
