@@ -30,11 +30,8 @@ public:
   /// begins a trail of its own.
   void take(const RuleContext &ctx, bool certain, Judge judge);
 
-  /// Between contours there is nothing to remember; inside of one it is not compared.
-  void remember(RuleMemory &memory) const {
-    if (path_)
-      memory.leaveUncompared();
-  }
+  /// Between contours nothing of it counts.
+  bool isIdle() const { return !path_; }
 
 private:
   bool isInPlace(const RuleContext &ctx) const;

@@ -46,8 +46,7 @@ public:
     return at == elements_.end() ? nullptr : &at->second;
   }
   const std::map<std::pair<AddressId, int64_t>, Element> &all() const { return elements_; }
-  /// See `Rule::remember`.
-  void remember(RuleMemory &memory) const { memory(elements_); }
+  const auto &remembered() const { return elements_; }
 
 private:
   static std::pair<AddressId, int64_t> key(const Word &word) {

@@ -15,9 +15,6 @@ struct ElementGeometry {
   double x = 0, y = 0;   ///< the point, one of the line, or the circle's centre
   double size = 0;       ///< direction of the line in degrees, or the circle's radius
   uint32_t switches = 0; ///< of the dialect that may have been on: they may move what is defined
-
-  /// See `Rule::remember`.
-  void remember(RuleMemory &memory) const { memory(kind, x, y, size, switches); }
 };
 
 /// The element that the current block defines: `P1 = X0 Y0`, `L1 = G1 X0 Y0 RC45`,
@@ -32,8 +29,7 @@ public:
   void define(const RuleContext &ctx);
   /// The element that the word names, or null when it is not known.
   const ElementGeometry *find(const Word &word) const;
-  /// See `Rule::remember`.
-  void remember(RuleMemory &memory) const { memory(elements_); }
+  const auto &remembered() const { return elements_; }
 
 private:
   std::map<std::pair<AddressId, int64_t>, ElementGeometry> elements_;

@@ -12,15 +12,15 @@ namespace ncvet {
 class Outline {
 public:
   void clear() { *this = Outline(); }
-  void loseTrack() { known_ = false; }
-  void start(const Point &at) { points_.assign(1, at); }
-  void line(const Point &to) { points_.push_back(to); }
+  void loseTrack() { drawn_.known = false; }
+  void start(const Point &at) { drawn_.points.assign(1, at); }
+  void line(const Point &to) { drawn_.points.push_back(to); }
 
   /// An arc from the last point about `centre`; none that ends where it begins is a full circle.
   void arc(const Point &centre, Point to, bool clockwise) {
-    if (points_.empty())
+    if (drawn_.points.empty())
       return loseTrack();
-    const Point from = points_.back();
+    const Point from = drawn_.points.back();
     const double radius = distance(centre, from);
     const double begin = angleOf(from - centre);
     double turn = angleOf(to - centre) - begin;
@@ -31,22 +31,23 @@ public:
     constexpr double sides = 720; // of a full circle: half a micrometre off at a radius of 50 mm
     const auto steps = unsigned(std::ceil(std::fabs(turn) / fullTurn * sides));
     for (unsigned i = 1; i < steps; ++i) {
-      points_.push_back(pointOnCircle(centre, radius, begin + turn * i / steps));
+      drawn_.points.push_back(pointOnCircle(centre, radius, begin + turn * i / steps));
     }
-    points_.push_back(to);
+    drawn_.points.push_back(to);
   }
 
   bool isClosed() const {
-    return known_ && points_.size() > 3 && distance(points_.front(), points_.back()) < least;
+    return drawn_.known && drawn_.points.size() > 3 &&
+           distance(drawn_.points.front(), drawn_.points.back()) < least;
   }
-  bool hasStart() const { return known_ && !points_.empty(); }
-  const Point &first() const { return points_.front(); }
+  bool hasStart() const { return drawn_.known && !drawn_.points.empty(); }
+  const Point &first() const { return drawn_.points.front(); }
 
   /// Whether a point lies outside, and not on the outline.
   bool excludes(const Point &p) const {
     bool inside = false;
-    for (size_t i = 0; i + 1 < points_.size(); ++i) {
-      const Point &a = points_[i], &b = points_[i + 1];
+    for (size_t i = 0; i + 1 < drawn_.points.size(); ++i) {
+      const Point &a = drawn_.points[i], &b = drawn_.points[i + 1];
       if (distanceFromSegment(a, b, p) < least)
         return false;
       if ((a[1] > p[1]) != (b[1] > p[1]) &&
@@ -60,24 +61,23 @@ public:
   bool encloses(const Point &p) const {
     if (excludes(p))
       return false;
-    for (size_t i = 0; i + 1 < points_.size(); ++i)
-      if (distanceFromSegment(points_[i], points_[i + 1], p) < least)
+    for (size_t i = 0; i + 1 < drawn_.points.size(); ++i)
+      if (distanceFromSegment(drawn_.points[i], drawn_.points[i + 1], p) < least)
         return false;
-    return points_.size() > 3;
+    return drawn_.points.size() > 3;
   }
 
-  /// See `Rule::remember`.
-  template <typename Memory>
-  void remember(Memory &memory) const {
-    memory(points_, known_);
-  }
+  const auto &remembered() const { return drawn_; }
 
 private:
   /// What lies nearer to the outline counts as on it, millimetres.
   static constexpr double least = 0.01;
 
-  std::vector<Point> points_;
-  bool known_ = true;
+  struct Drawn {
+    std::vector<Point> points;
+    bool known = true;
+  };
+  Drawn drawn_;
 };
 
 } // namespace ncvet

@@ -27,14 +27,10 @@ public:
                {state.origin.of(StatePart::Tool).file, state.origin.of(StatePart::Tool).begin});
   }
 
-  void remember(RuleMemory &memory) const {
-    for (const auto &[file, offset] : seen_)
-      memory.place(file, offset);
-    memory(seen_.size());
-  }
+  const auto &remembered() const { return seen_; }
 
 private:
-  std::set<std::pair<FileId, uint32_t>> seen_;
+  std::set<TextPlace> seen_;
 };
 
 } // namespace ncvet

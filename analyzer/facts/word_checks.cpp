@@ -211,7 +211,7 @@ void reportWordRanges(RuleContext &ctx, const Event &event,
 
 void KeptFaults::given(uint64_t variable, std::optional<double> wrong, const RuleContext &ctx) {
   if (wrong)
-    faults_[variable] = {*wrong, ctx.source().id(), ctx.block().begin};
+    faults_[variable] = {*wrong, {ctx.source().id(), ctx.block().begin}};
   else
     faults_.erase(variable);
 }
@@ -219,18 +219,10 @@ void KeptFaults::given(uint64_t variable, std::optional<double> wrong, const Rul
 bool KeptFaults::speaks(uint64_t variable, double value, const RuleContext &ctx) {
   const auto known = faults_.find(variable);
   if (known != faults_.end() && known->second.value == value &&
-      (known->second.file != ctx.source().id() || known->second.block != ctx.block().begin))
+      known->second.block != TextPlace{ctx.source().id(), ctx.block().begin})
     return false;
   given(variable, value, ctx);
   return true;
-}
-
-void KeptFaults::remember(RuleMemory &memory) const {
-  for (const auto &[variable, fault] : faults_) {
-    memory(variable, fault.value);
-    memory.place(fault.file, fault.block);
-  }
-  memory(faults_.size());
 }
 
 void reportKeptRanges(RuleContext &ctx, const Event &event, KeptFaults &faults,

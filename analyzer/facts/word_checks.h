@@ -66,13 +66,12 @@ public:
   /// True when `value`, wrong and of a block before, was not spoken of yet. The same block may say
   /// it again, as it does when several states or passes reach it.
   bool speaks(uint64_t variable, double value, const RuleContext &ctx);
-  void remember(RuleMemory &memory) const;
+  const auto &remembered() const { return faults_; }
 
 private:
   struct Fault {
     double value = 0;
-    FileId file = 0;
-    uint32_t block = 0;
+    TextPlace block;
   };
   std::map<uint64_t, Fault> faults_; ///< by variable
 };

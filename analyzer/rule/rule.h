@@ -304,9 +304,9 @@ public:
 
   // Of a `StatefulRule`, which makes these of its memory.
   virtual void remember(RuleMemory &memory) const { memory.leaveOut(); }
-  /// For rules that gather more than can be compared, and that have said so in `listen`: forgets
-  /// what was gathered since the last call, gives it, and takes it for its own as if the blocks had
-  /// been executed; false when the rule would have had something to say.
+  /// Of a `GatheringRule` that has said so in `listen`: forgets what was gathered since the last
+  /// call, gives it, and takes it for its own as if the blocks had been executed; false when the
+  /// rule would have had something to say.
   virtual void startGathering() {}
   virtual std::shared_ptr<Gathered> gathered() const { return nullptr; }
   virtual bool gather(const Gathered &) { return true; }

@@ -5,6 +5,7 @@
 #include "formats/text/text_change.h"
 #include "interp/state/state.h"
 
+#include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/StringMap.h"
 #include "llvm/Support/xxhash.h"
 
@@ -16,8 +17,55 @@
 
 namespace ncvet {
 
+/// A place in a text, for what a rule remembers: it moves with the text.
+struct TextPlace {
+  FileId file = 0;
+  uint32_t offset = 0;
+
+  auto operator<=>(const TextPlace &) const = default;
+};
+
+/// What a rule remembers and asks for in few blocks, such as what has been reported already: runs
+/// in which it is not looked at are the same whatever it is.
+template <typename T>
+class Aside {
+public:
+  /// For a block that depends on it.
+  T &look() {
+    stateUse.aside = true;
+    return value_;
+  }
+  /// For blocks that only add to it.
+  T &note() { return value_; }
+
+private:
+  friend class RuleMemory;
+  T value_{};
+};
+
+/// A list of points to which a rule only adds, and which is long: it is compared by a sum of them.
+template <typename T>
+class SummedList {
+public:
+  const std::vector<T> &items() const { return items_; }
+  void add(const T &item) {
+    items_.push_back(item);
+    for (const double number : item)
+      sum_ = llvm::hash_combine(sum_, std::bit_cast<uint64_t>(number));
+  }
+
+private:
+  friend class RuleMemory;
+  std::vector<T> items_;
+  uint64_t sum_ = 0;
+};
+
 /// The memories of all rules at one place of a run, one after the other. Two that are equal let
 /// the rules go on in the same way. Places in the analysed file move with its text.
+///
+/// What it writes of a value follows from the value's type: of a struct every member; of a class
+/// what `remembered()` gives, which is all of its members; of a class with `isIdle()` nothing while
+/// that is true, and as long as it is not the memory cannot be compared.
 class RuleMemory {
 public:
   explicit RuleMemory(FileId file) : file_(file) {}
@@ -46,26 +94,9 @@ public:
       for (const uint32_t place : words.places)
         words.all[place] = change.moved(uint32_t(words.all[place]));
   }
-  /// What `remember` gives is asked for in few blocks, such as what has been reported already: who
-  /// looks at it notes that in `stateUse`.
-  template <typename Remember>
-  void aside(const Remember &remember) {
-    kind_ = 1;
-    remember();
-    kind_ = 0;
-  }
-  /// Something is remembered that cannot be compared.
-  void leaveUncompared() { comparable_ = false; }
   /// Of a rule that never remembers anything.
   void leaveOut() { leftOut_ = true; }
   bool isLeftOut() const { return leftOut_; }
-  /// A place in a file.
-  void place(FileId file, uint32_t offset) {
-    add(file);
-    if (file == file_)
-      words().places.push_back(uint32_t(words().all.size()));
-    words().all.push_back(offset);
-  }
 
 private:
   template <typename T>
@@ -75,8 +106,12 @@ private:
     list.size();
   };
   template <typename T>
-  static constexpr bool remembers = requires(const T &value, RuleMemory &memory) {
-    value.remember(memory);
+  static constexpr bool hasMembers = requires(const T &value) {
+    value.remembered();
+  };
+  template <typename T>
+  static constexpr bool mayBeIdle = requires(const T &value) {
+    value.isIdle();
   };
 
   struct Words {
@@ -85,6 +120,24 @@ private:
   };
   Words &words() { return kinds_[kind_]; }
 
+  void place(FileId file, uint32_t offset) {
+    add(file);
+    if (file == file_)
+      words().places.push_back(uint32_t(words().all.size()));
+    words().all.push_back(offset);
+  }
+  void add(const TextPlace &at) { place(at.file, at.offset); }
+  template <typename T>
+  void add(const Aside<T> &aside) {
+    kind_ = 1;
+    add(aside.value_);
+    kind_ = 0;
+  }
+  template <typename T>
+  void add(const SummedList<T> &list) {
+    add(list.items_.size());
+    add(list.sum_);
+  }
   void add(const SourceRange &range) {
     if (range.end == 0)
       return words().all.push_back(0);
@@ -130,8 +183,11 @@ private:
       words().all.push_back(std::bit_cast<uint64_t>(double(value)));
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
       words().all.push_back(uint64_t(value));
-    } else if constexpr (remembers<T>) {
-      value.remember(*this);
+    } else if constexpr (hasMembers<T>) {
+      static_assert(sizeof(value.remembered()) == sizeof(T), "a member is not remembered");
+      add(value.remembered());
+    } else if constexpr (mayBeIdle<T>) {
+      comparable_ &= value.isIdle();
     } else if constexpr (isList<T>) {
       words().all.push_back(value.size());
       for (const auto &entry : value)
@@ -150,35 +206,6 @@ private:
   unsigned kind_ = 0;          ///< that is being written
   bool comparable_ = true;
   bool leftOut_ = false;
-};
-
-/// A place in a text, for what a rule remembers: it moves with the text.
-struct TextPlace {
-  FileId file = 0;
-  uint32_t offset = 0;
-
-  bool operator==(const TextPlace &) const = default;
-  void remember(RuleMemory &memory) const { memory.place(file, offset); }
-};
-
-/// What a rule remembers and asks for in few blocks, such as what has been reported already: runs
-/// in which it is not looked at are the same whatever it is.
-template <typename T>
-class Aside {
-public:
-  /// For a block that depends on it.
-  T &look() {
-    stateUse.aside = true;
-    return value_;
-  }
-  /// For blocks that only add to it.
-  T &note() { return value_; }
-  void remember(RuleMemory &memory) const {
-    memory.aside([&] { memory(value_); });
-  }
-
-private:
-  T value_{};
 };
 
 } // namespace ncvet

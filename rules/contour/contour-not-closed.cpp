@@ -9,12 +9,12 @@ namespace ncvet {
 namespace {
 
 /// A contour as the polygon of its points.
-class Outline {
+class ContourPoints {
 public:
   void begin(const Point &at) { points_.assign(1, at); }
   void clear() { points_.clear(); }
   bool known() const { return !points_.empty(); }
-  void remember(RuleMemory &memory) const { memory(points_); }
+  const auto &remembered() const { return points_; }
   void add(const Point &at) {
     if (points_.size() >= most)
       return clear();
@@ -81,7 +81,7 @@ private:
 };
 
 struct ContourNotClosedMemory {
-  Outline outline;
+  ContourPoints outline;
   SourceRange last;    ///< the block with the contour's last element
   bool closed = false; ///< such a profile is being recorded
   SourceRange begin;   ///< the block that attaches; empty: none yet

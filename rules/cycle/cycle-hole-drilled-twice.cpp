@@ -1,6 +1,6 @@
 // A cycle makes the same hole more than once.
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/rule/gathered_list.h"
+#include "analyzer/rule/gathering_rule.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/Support/xxhash.h"
@@ -11,24 +11,19 @@ namespace ncvet {
 namespace {
 
 struct HolePlace {
-  FileId file = 0;
-  uint32_t block = 0, end = 0, list = 0;
+  TextPlace block, end; ///< of its block
+  TextPlace list;       ///< where the list of holes begins
   unsigned depth = 0;
   uint64_t offset = 0;
   std::array<double, axisCount> at{};
   uint64_t key = 0; ///< of offset and position
-
-  void move(const TextChange &change) {
-    for (uint32_t *place : {&block, &end, &list})
-      *place = change.moved(*place);
-  }
 };
 
 /// The holes of the list that is being run. Runs that add to them tell what they add.
 class HoleList {
 public:
   bool continues(const HolePlace &place) const {
-    return place.depth == last_.depth && place.list == last_.list && place.file == last_.file;
+    return place.depth == last_.depth && place.list == last_.list;
   }
   /// The first hole at that place; null: there is none.
   const HolePlace *find(const HolePlace &place) const {
@@ -51,7 +46,6 @@ public:
     }
     return &places_[known->second];
   }
-  void remember(RuleMemory &) const {}
 
 private:
   static constexpr size_t longestList = 5000;
@@ -67,11 +61,10 @@ struct CycleHoleDrilledTwiceMemory {
   std::optional<double> calledDepth; ///< of its hole
   Origin recalled;                   ///< the last call of a cycle that was in force
   TextPlace recalledList;            ///< where the list begins with which it goes on
-  HoleList list;
-  GatheredList<HolePlace> gathered;
 };
 
-class CycleHoleDrilledTwice final : public StatefulRule<CycleHoleDrilledTwiceMemory> {
+class CycleHoleDrilledTwice final
+    : public GatheringRule<CycleHoleDrilledTwiceMemory, HolePlace, HoleList> {
 public:
   void listen(Subscriptions &to) override {
     to.gathers();
@@ -103,22 +96,20 @@ public:
       repeatedHere(event, ctx);
     }
   }
-  void startGathering() override { memory().gathered.start(); }
-  std::shared_ptr<Gathered> gathered() const override { return memory().gathered.part(); }
-  bool gather(const Gathered &gathered) override {
-    const llvm::ArrayRef<HolePlace> holes = GatheredList<HolePlace>::itemsOf(gathered);
+
+private:
+  bool takeOver(llvm::ArrayRef<HolePlace> holes) const override {
     for (const HolePlace &place : holes) { // of the list that is being run
-      if (!memory().list.continues(place))
+      if (!list().continues(place))
         break;
-      if (const HolePlace *known = memory().list.find(place); known && known->block != place.block)
+      if (const HolePlace *known = list().find(place); known && known->block != place.block)
         return false;
     }
     for (const HolePlace &place : holes)
-      memory().list.add(place);
+      list().add(place);
     return true;
   }
 
-private:
   /// A repeat count with absolute positions, or with none.
   static void repeatedHere(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
@@ -186,10 +177,9 @@ private:
         (state.transforms[0] && state.frames.empty()))
       return false;
     HolePlace place;
-    place.file = ctx.source().id();
-    place.block = ctx.block().begin;
-    place.end = ctx.block().end;
-    place.list = listOf(event, ctx);
+    place.block = {ctx.source().id(), ctx.block().begin};
+    place.end = {ctx.source().id(), ctx.block().end};
+    place.list = {ctx.source().id(), listOf(event, ctx)};
     place.depth = ctx.callDepth();
     place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
     for (unsigned i = 0; i < axisCount; ++i) {
@@ -218,17 +208,18 @@ private:
     // Another depth at the same place is a second step, and a longer path cannot be one list.
     const bool deeper =
         wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
-    memory().gathered.add(place);
-    const HolePlace *known = memory().list.add(place);
+    note(place);
+    const HolePlace *known = list().add(place);
     if (!known)
       return false;
     const HolePlace &other = *known;
     if (other.block == place.block || other.offset != place.offset || other.at != place.at ||
-        (deeper && place.list < ctx.block().begin))
+        (deeper && place.list.offset < ctx.block().begin))
       return false;
     if (auto finding = ctx.report(ctx.blockRange(), false))
       finding.message("`{0}` {1} at the same place again", code.name, verbOf(code.cycle))
-          .note(SourceRange{place.file, other.block, other.end}, "this block was here already");
+          .note(SourceRange{place.block.file, other.block.offset, other.end.offset},
+                "this block was here already");
     return true;
   }
 

@@ -1,11 +1,8 @@
 // A tool is fed down into material.
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/rule/gathered_list.h"
+#include "analyzer/rule/gathering_rule.h"
 #include "formats/dialect/measure.h"
 
-#include "llvm/ADT/Hashing.h"
-
-#include <bit>
 #include <cmath>
 
 namespace ncvet {
@@ -17,39 +14,39 @@ using PlaceInPlane = std::array<Interval, 2>;
 class HolesMade {
 public:
   void add(const PlaceInPlane &place) {
-    if (!place[0].isConstant() || !place[1].isConstant() || holes_.size() >= mostHoles) {
-      anywhere_ = true;
+    if (!place[0].isConstant() || !place[1].isConstant() ||
+        made_.holes.items().size() >= mostHoles) {
+      made_.anywhere = true;
       return;
     }
-    holes_.push_back({place[0].value(), place[1].value()});
-    sum_ = llvm::hash_combine(sum_, std::bit_cast<uint64_t>(place[0].value()),
-                              std::bit_cast<uint64_t>(place[1].value()));
+    made_.holes.add({place[0].value(), place[1].value()});
   }
   /// One of them may be anywhere.
-  bool isAnywhere() const { return anywhere_; }
+  bool isAnywhere() const { return made_.anywhere; }
   bool isMade(double x, double y) const {
     constexpr double near = 0.01; // mm
-    return llvm::any_of(holes_, [&](const std::array<double, 2> &hole) {
+    return llvm::any_of(made_.holes.items(), [&](const std::array<double, 2> &hole) {
       return std::hypot(hole[0] - x, hole[1] - y) < near;
     });
   }
-  void remember(RuleMemory &memory) const { memory(holes_.size(), sum_, anywhere_); }
+  const auto &remembered() const { return made_; }
 
 private:
   /// Holes beyond so many are not told apart any more.
   static constexpr size_t mostHoles = 4096;
 
-  std::vector<std::array<double, 2>> holes_;
-  uint64_t sum_ = 0;      ///< of them, to compare them by
-  bool anywhere_ = false; ///< a hole was made at a place that is not known
+  struct Made {
+    SummedList<std::array<double, 2>> holes;
+    bool anywhere = false; ///< a hole was made at a place that is not known
+  };
+  Made made_;
 };
 
 struct CyclePlungeIntoSolidMemory {
   Aside<HolesMade> holes;
-  GatheredList<PlaceInPlane> gathered;
 };
 
-class CyclePlungeIntoSolid final : public StatefulRule<CyclePlungeIntoSolidMemory> {
+class CyclePlungeIntoSolid final : public GatheringRule<CyclePlungeIntoSolidMemory, PlaceInPlane> {
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
@@ -77,15 +74,14 @@ public:
       for (const Place &place : ctx.outcome().holes)
         made(inPlane(place, ctx));
   }
-  void startGathering() override { memory().gathered.start(); }
-  std::shared_ptr<Gathered> gathered() const override { return memory().gathered.part(); }
-  bool gather(const Gathered &gathered) override {
-    for (const PlaceInPlane &place : GatheredList<PlaceInPlane>::itemsOf(gathered))
+
+private:
+  bool takeOver(llvm::ArrayRef<PlaceInPlane> holes) const override {
+    for (const PlaceInPlane &place : holes)
       memory().holes.note().add(place);
     return true;
   }
 
-private:
   static constexpr llvm::StringLiteral id{"cycle-plunge-into-solid"};
   using Place = std::array<Interval, axisCount>;
 
@@ -95,7 +91,7 @@ private:
   }
 
   void made(const PlaceInPlane &place) const {
-    memory().gathered.add(place);
+    note(place);
     memory().holes.note().add(place);
   }
 

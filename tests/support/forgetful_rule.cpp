@@ -1,11 +1,34 @@
 // Rules that must not compile, one for each word that is defined, and one that must.
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/gathering_rule.h"
 
 namespace ncvet {
 namespace {
 
+#ifdef REMEMBERS_A_VALUE_IN_PART
+class Values {
+public:
+  const auto &remembered() const { return first_; }
+
+private:
+  unsigned first_ = 0, second_ = 0;
+};
+#endif
+
+#ifdef REMEMBERS_A_VALUE_BY_HAND
+class Values {
+public:
+  void remember(RuleMemory &memory) const { memory(first_); }
+
+private:
+  unsigned first_ = 0, second_ = 0;
+};
+#endif
+
 struct CountingMemory {
   unsigned blocks = 0;
+#if defined(REMEMBERS_A_VALUE_IN_PART) || defined(REMEMBERS_A_VALUE_BY_HAND)
+  Values values;
+#endif
 #ifdef REMEMBERS_WHAT_CANNOT_BE_COMPARED
   const Block *last = nullptr;
 #endif
@@ -35,6 +58,17 @@ public:
 
 private:
   unsigned blocks_ = 0;
+};
+#endif
+
+#ifdef GATHERS_BY_HAND
+class GathersByHand final : public GatheringRule<CountingMemory, TextPlace> {
+public:
+  void listen(Subscriptions &to) override { to.on(EventKind::Block); }
+  bool gather(const Gathered &) override { return true; }
+
+private:
+  bool takeOver(llvm::ArrayRef<TextPlace>) const override { return true; }
 };
 #endif
 
