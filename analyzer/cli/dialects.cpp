@@ -22,6 +22,8 @@ llvm::Error checkTable(llvm::StringRef file) {
   auto dialect = loadDialect(*id, own.source());
   if (!dialect)
     return dialect.takeError();
+  if (llvm::Error wrong = own.checkRules())
+    return wrong;
   auto detector = Detector::create(own.summaries());
   if (!detector)
     return failure(file + ": " + llvm::toString(detector.takeError()));

@@ -17,7 +17,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json describe(const RuleOption &option) {
-  Json json = {{"name", option.name}, {"default", option.fallback}};
+  Json json = {{"name", option.name}};
+  switch (option.type) {
+  case RuleOption::Type::Flag:
+    json.update({{"type", "bool"}, {"default", option.fallback != 0}});
+    break;
+  case RuleOption::Type::Number:
+    json.update({{"type", "number"}, {"default", option.fallback}});
+    break;
+  case RuleOption::Type::Choice:
+    json.update({{"type", "choice"},
+                 {"names", option.names},
+                 {"default", option.names[size_t(option.fallback)]}});
+    break;
+  }
   if (option.min)
     json["min"] = *option.min;
   if (option.max)

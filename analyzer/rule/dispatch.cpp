@@ -22,7 +22,7 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     const auto ofUser = selection.options.find(table[i].info.id);
     if (ofUser != selection.options.end())
       for (const auto &entry : ofUser->second)
-        options.numbers[entry.first()] = entry.second;
+        options.options[entry.first()] = entry.second;
     rules_.push_back(table[i].make());
     Listener listener{rules_.back().get(), RuleId(i)};
     all_.push_back(listener);

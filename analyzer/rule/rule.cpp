@@ -5,6 +5,33 @@
 
 namespace ncvet {
 
+const OptionValue *Subscriptions::option(llvm::StringRef name) const {
+  if (!options_)
+    return nullptr;
+  const auto found = options_->options.find(name);
+  return found == options_->options.end() ? nullptr : &found->second;
+}
+
+double Subscriptions::number(llvm::StringRef name, double fallback) const {
+  const OptionValue *value = option(name);
+  const auto *number = value ? std::get_if<double>(value) : nullptr;
+  return number ? *number : fallback;
+}
+
+bool Subscriptions::flag(llvm::StringRef name, bool fallback) const {
+  return number(name, fallback) != 0;
+}
+
+unsigned Subscriptions::choice(llvm::StringRef name, llvm::ArrayRef<llvm::StringLiteral> names,
+                               unsigned fallback) const {
+  const OptionValue *value = option(name);
+  if (const auto *chosen = value ? std::get_if<std::string>(value) : nullptr)
+    for (unsigned i = 0; i < names.size(); ++i)
+      if (names[i] == *chosen)
+        return i;
+  return unsigned(number(name, fallback));
+}
+
 const CodeUse *RuleContext::find(std::initializer_list<Action> actions) const {
   for (const CodeUse &use : codes())
     if (llvm::is_contained(actions, code(use).action))

@@ -129,15 +129,12 @@ public:
   /// The rule reports its notices itself; without this they are reported for it.
   void handleNotices() { noticesHandled_ = true; }
   bool noticesHandled() const { return noticesHandled_; }
-  /// A threshold of the rule: the dialect's or the user's, else `fallback`.
-  double option(llvm::StringRef name, double fallback) const {
-    if (options_) {
-      const auto found = options_->numbers.find(name);
-      if (found != options_->numbers.end())
-        return found->second;
-    }
-    return fallback;
-  }
+  // Options of the rule: what the user says, else the dialect, else `fallback`.
+  double number(llvm::StringRef name, double fallback) const;
+  bool flag(llvm::StringRef name, bool fallback = false) const;
+  /// Index of the name that is chosen; in old files the index itself.
+  unsigned choice(llvm::StringRef name, llvm::ArrayRef<llvm::StringLiteral> names,
+                  unsigned fallback) const;
 
   /// See `Rule::gathered`.
   void gathers() { gathers_ = true; }
@@ -151,6 +148,8 @@ public:
   llvm::ArrayRef<CodeIndex> codes() const { return codes_; }
 
 private:
+  const OptionValue *option(llvm::StringRef name) const;
+
   const Dialect &dialect_;
   const MachineProfile &machine_;
   const RuleOverride *options_;

@@ -1,6 +1,7 @@
 // A rule's page: the fenced JSON block at its head, and what follows.
 #include "analyzer/rule/rule_page.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include <nlohmann/json.hpp>
 
 namespace ncvet {
@@ -50,6 +51,26 @@ std::vector<PagePiece> piecesOf(llvm::StringRef body) {
   return pieces;
 }
 
+RuleOption readOption(const std::string &name, const PageJson &value) {
+  RuleOption option;
+  option.name = name;
+  option.type = value.value("type", "number") == "bool"     ? RuleOption::Type::Flag
+                : value.value("type", "number") == "choice" ? RuleOption::Type::Choice
+                                                            : RuleOption::Type::Number;
+  option.help = value.value("help", "");
+  option.min = numberOf(value, "min");
+  option.max = numberOf(value, "max");
+  option.names = value.value("names", option.names);
+  if (option.type == RuleOption::Type::Flag)
+    option.fallback = value.value("default", false);
+  else if (option.type == RuleOption::Type::Number)
+    option.fallback = numberOf(value, "default").value_or(0);
+  else
+    option.fallback =
+        double(llvm::find(option.names, value.value("default", "")) - option.names.begin());
+  return option;
+}
+
 } // namespace
 
 RulePage readRulePage(const RuleInfo &info) {
@@ -70,18 +91,9 @@ RulePage readRulePage(const RuleInfo &info) {
   if (const auto repeated = json.find("repeated"); repeated != json.end())
     page.repeated = *repeated == "alike" ? RepeatedFindings::Alike : RepeatedFindings::Same;
   if (const auto options = json.find("options"); options != json.end() && options->is_object())
-    for (const auto &[name, value] : options->items()) {
-      RuleOption option;
-      option.name = name;
-      if (value.is_object()) {
-        option.fallback = numberOf(value, "default").value_or(0);
-        option.min = numberOf(value, "min");
-        option.max = numberOf(value, "max");
-        if (const auto help = value.find("help"); help != value.end() && help->is_string())
-          option.help = help->get<std::string>();
-      }
-      page.options.push_back(std::move(option));
-    }
+    for (const auto &[name, value] : options->items())
+      if (value.is_object())
+        page.options.push_back(readOption(name, value));
   return page;
 }
 

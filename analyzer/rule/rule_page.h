@@ -9,12 +9,16 @@
 
 namespace ncvet {
 
-/// A number that changes how a rule works, as its page describes it.
+/// What changes how a rule works, as its page describes it.
 struct RuleOption {
+  enum class Type : uint8_t { Flag, Number, Choice };
+
   std::string name;
+  Type type = Type::Number;
   std::string help;
-  double fallback = 0; ///< used when nobody sets it
-  std::optional<double> min, max;
+  double fallback = 0; ///< used when nobody sets it: a number, 0 or 1, the index of a name
+  std::optional<double> min, max; ///< of a number
+  std::vector<std::string> names; ///< of a choice
 };
 
 /// How findings of a rule that say the same thing of one file are told.

@@ -4,10 +4,12 @@
 #include "analyzer/rule/rule_page.h"
 #include "analyzer/rule/rule_table.h"
 #include "formats/dialect/json_reader.h"
+#include "formats/dialect/records.h"
 #include "formats/text/failure.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FormatVariadic.h"
+#include <nlohmann/json.hpp>
 
 namespace ncvet {
 
@@ -20,6 +22,57 @@ std::string nearestRule(llvm::StringRef given) {
     known.push_back(entry.info.id);
   const std::string text = suggest(given, known);
   return llvm::StringRef(text).startswith("; did") ? text : "; `ncvet rules` lists them";
+}
+
+std::string numberText(double number) { return llvm::formatv("{0}", number).str(); }
+
+llvm::Expected<OptionValue> readFlag(llvm::StringRef name, const Json &value) {
+  if (value.is_boolean())
+    return OptionValue(double(value.get<bool>()));
+  if (value.is_number() && (value == 0 || value == 1)) // as older files have it
+    return OptionValue(value.get<double>());
+  return failure("option \"" + name + "\" is true or false");
+}
+
+llvm::Expected<OptionValue> readNumber(const RuleOption &option, const Json &value) {
+  if (!value.is_number())
+    return failure("a number is expected");
+  const double number = value.get<double>();
+  if (option.min && number < *option.min)
+    return failure("option \"" + option.name + "\" must be at least " + numberText(*option.min));
+  if (option.max && number > *option.max)
+    return failure("option \"" + option.name + "\" must be at most " + numberText(*option.max));
+  return OptionValue(number);
+}
+
+llvm::Expected<OptionValue> readChoice(const RuleOption &option, const Json &value) {
+  if (value.is_number()) { // as older files have it
+    for (size_t index = 0; index < option.names.size(); ++index)
+      if (value == index)
+        return OptionValue(double(index));
+  } else if (value.is_string() &&
+             llvm::is_contained(option.names, value.get_ref<const std::string &>())) {
+    return OptionValue(value.get<std::string>());
+  }
+  return failure("option \"" + option.name + "\" is one of " + llvm::join(option.names, ", "));
+}
+
+/// The options of the rules that a table, or one of its controls, names.
+void checkRules(JsonReader &in, const Json &table) {
+  const Json *rules = in.member(table, "rules");
+  if (!rules || !rules->is_object())
+    return;
+  for (auto rule = rules->begin(); rule != rules->end(); ++rule) {
+    const auto named = [&](const RuleEntry &entry) { return entry.info.id == rule.key(); };
+    if (llvm::none_of(allRules(), named))
+      in.fail(*rule, "unknown rule \"" + rule.key() + "\"" + nearestRule(rule.key()));
+    if (!rule->is_object())
+      continue;
+    for (auto option = rule->begin(); option != rule->end(); ++option)
+      if (!isFieldOf(ruleRecord, option.key()) && !option->is_null())
+        if (auto value = readRuleOption(rule.key(), option.key(), *option); !value)
+          in.fail(*option, llvm::toString(value.takeError()));
+  }
 }
 
 } // namespace
@@ -59,34 +112,50 @@ void applySettings(RuleSelection &selection, const RuleSettings &settings) {
     each(name, [&](RuleId rule) { selection.enabled[rule] = false; });
   for (const auto &choice : settings.severity)
     each(choice.first, [&](RuleId rule) { selection.severity[rule] = choice.second; });
-  for (const RuleSettings::Number &number : settings.options)
-    selection.options[number.rule][number.option] = number.value;
+  for (const RuleSettings::Option &option : settings.options)
+    selection.options[option.rule][option.name] = option.value;
 }
 
-llvm::Error checkRuleOption(const RuleSettings::Number &number) {
+llvm::Expected<OptionValue> readRuleOption(llvm::StringRef rule, llvm::StringRef name,
+                                           const nlohmann::json &value) {
   const auto entry = llvm::find_if(
-      allRules(), [&](const RuleEntry &candidate) { return candidate.info.id == number.rule; });
+      allRules(), [&](const RuleEntry &candidate) { return candidate.info.id == rule; });
   if (entry == allRules().end())
-    return failure("unknown rule \"" + number.rule + "\"" + nearestRule(number.rule));
+    return failure("unknown rule \"" + rule + "\"" + nearestRule(rule));
   const RulePage page = readRulePage(entry->info);
   if (page.options.empty())
-    return failure("rule \"" + number.rule + "\" has no options");
+    return failure("rule \"" + rule + "\" has no options");
   const auto option = llvm::find_if(
-      page.options, [&](const RuleOption &candidate) { return candidate.name == number.option; });
+      page.options, [&](const RuleOption &candidate) { return candidate.name == name; });
   if (option == page.options.end()) {
     std::vector<llvm::StringRef> known;
     for (const RuleOption &candidate : page.options)
       known.push_back(candidate.name);
-    return failure("unknown option \"" + number.option + "\" of rule \"" + number.rule + "\"" +
-                   suggest(number.option, known));
+    return failure("unknown option \"" + name + "\" of rule \"" + rule + "\"" +
+                   suggest(name, known));
   }
-  if (option->min && number.value < *option->min)
-    return failure("option \"" + number.option + "\" must be at least " +
-                   llvm::formatv("{0}", *option->min).str());
-  if (option->max && number.value > *option->max)
-    return failure("option \"" + number.option + "\" must be at most " +
-                   llvm::formatv("{0}", *option->max).str());
-  return llvm::Error::success();
+  switch (option->type) {
+  case RuleOption::Type::Flag:
+    return readFlag(name, value);
+  case RuleOption::Type::Choice:
+    return readChoice(*option, value);
+  case RuleOption::Type::Number:
+    break;
+  }
+  return readNumber(*option, value);
+}
+
+llvm::Error checkRulesOfTable(llvm::StringRef file, llvm::StringRef text) {
+  auto json = parseJson(file, text);
+  if (!json)
+    return json.takeError();
+  const JsonLayer layer{file.str(), text};
+  JsonReader in(layer, *json);
+  checkRules(in, *json);
+  if (const Json *controls = in.member(*json, "controls"); controls && controls->is_object())
+    for (const Json &control : *controls)
+      checkRules(in, control);
+  return in.takeError();
 }
 
 } // namespace ncvet

@@ -4,6 +4,7 @@
 #include "analyzer/rule/selection.h"
 
 #include "llvm/Support/Error.h"
+#include <nlohmann/json_fwd.hpp>
 
 namespace ncvet {
 
@@ -13,11 +14,11 @@ struct RuleSettings {
   std::vector<std::string> extendSelect; ///< these as well
   std::vector<std::string> ignore;       ///< but not these
   std::vector<std::pair<std::string, Severity>> severity; ///< rule or category; later ones win
-  struct Number {
-    std::string rule, option;
-    double value;
+  struct Option {
+    std::string rule, name;
+    OptionValue value;
   };
-  std::vector<Number> options;
+  std::vector<Option> options;
 };
 
 /// Ids of the rules that `name` means; an error with a near name when there is none.
@@ -29,7 +30,14 @@ std::vector<RuleId> rulesCalled(llvm::StringRef name);
 /// Lays `settings` over `selection`. All names in it must have been checked by `rulesNamed`.
 void applySettings(RuleSelection &selection, const RuleSettings &settings);
 
-/// An error that says what is expected when the rule has no such option or takes no such value.
-llvm::Error checkRuleOption(const RuleSettings::Number &number);
+/// The value of an option of a rule. An error says what is expected when there is no such rule or
+/// option, or when it takes no such value; 0 and 1 are taken for false and true, and the index of a
+/// name for the name.
+llvm::Expected<OptionValue> readRuleOption(llvm::StringRef rule, llvm::StringRef option,
+                                           const nlohmann::json &value);
+
+/// Looks at `rules` of a table of the user's own, whose other keys its loading has checked: an
+/// error names the file and the line of a rule or an option that ncvet does not have.
+llvm::Error checkRulesOfTable(llvm::StringRef file, llvm::StringRef text);
 
 } // namespace ncvet

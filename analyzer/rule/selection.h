@@ -19,7 +19,7 @@ struct RuleSelection {
   /// Severity that the user set; none: the table's or the rule's own.
   std::vector<std::optional<Severity>> severity;
   /// Options that the user set, over those of the dialect.
-  llvm::StringMap<llvm::StringMap<double>> options;
+  llvm::StringMap<llvm::StringMap<OptionValue>> options;
   /// No finding is more severe unless the user set the rule's severity.
   Severity highest = Severity::Error;
 

@@ -52,13 +52,12 @@ void readRuleSettings(JsonReader &in, const Json &object, RuleSettings &rules) {
   if (const Json *options = in.member(object, "options"); options && in.isObject(*options))
     for (auto rule = options->begin(); rule != options->end(); ++rule)
       if (in.isObject(*rule))
-        for (auto entry = rule->begin(); entry != rule->end(); ++entry)
-          if (const std::optional<double> value = in.number(*entry)) {
-            RuleSettings::Number number{rule.key(), entry.key(), *value};
-            if (llvm::Error wrong = checkRuleOption(number))
-              in.fail(*entry, messageOf(std::move(wrong)));
-            rules.options.push_back(std::move(number));
-          }
+        for (auto entry = rule->begin(); entry != rule->end(); ++entry) {
+          if (auto value = readRuleOption(rule.key(), entry.key(), *entry))
+            rules.options.push_back({rule.key(), entry.key(), std::move(*value)});
+          else
+            in.fail(*entry, messageOf(value.takeError()));
+        }
 }
 
 /// `name` relative to `folder`, unless it is absolute.

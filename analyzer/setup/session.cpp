@@ -107,6 +107,13 @@ std::vector<std::string> OwnDialects::files() const {
   return files;
 }
 
+llvm::Error OwnDialects::checkRules() const {
+  for (const Table &table : tables_)
+    if (llvm::Error wrong = checkRulesOfTable(table.file, table.text->getBuffer()))
+      return wrong;
+  return llvm::Error::success();
+}
+
 DialectSource OwnDialects::source() {
   return [this](llvm::StringRef id) { return find(id); };
 }
@@ -208,6 +215,8 @@ llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, con
     auto table = shipped ? shippedDialect(id) : loadDialect(id, own.source());
     if (!table)
       return table.takeError();
+    if (llvm::Error wrong = own.checkRules())
+      return wrong;
     if ((*table)->abstract)
       return failure("dialect \"" + id +
                      "\" is only a base of others; "

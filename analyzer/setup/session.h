@@ -121,6 +121,9 @@ public:
   std::vector<std::string> files() const;
   /// Valid as long as this object.
   DialectSource source();
+  /// An error that names the file and the line of a rule, or an option of one, that ncvet does not
+  /// have.
+  llvm::Error checkRules() const;
 
 private:
   std::optional<std::pair<std::string, llvm::StringRef>> find(llvm::StringRef id);

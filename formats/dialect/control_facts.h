@@ -52,6 +52,18 @@ struct CompensationFacts {
   unsigned greatestTip = 9;
   /// A compensated contour of lines that has gone round once reaches its first element.
   bool contourMeetsStart = false;
+  /// The control perhaps looks past more blocks without a move than are allowed.
+  bool mayPassIdleBlocks = false;
+  /// Compensation is for the elements of a contour only.
+  bool onlyForContours = false;
+};
+
+/// About coordinates.
+struct CoordinateFacts {
+  /// Machine coordinates are for one block: the next one may look as if they were still active.
+  bool machineMoveOfOneBlock = false;
+  /// A turn of a rotary axis is a move along the developed work.
+  bool turnsMoveAlongWork = false;
 };
 
 /// About chamfers and roundings that a word asks for.
@@ -90,6 +102,12 @@ struct CycleFacts {
   bool tapLeavesFeed = false;
   /// The direction of the spindle after a tapping cycle is not certain.
   bool tapLeavesDirection = false;
+  /// Cycles take their values from variables, which do nothing without a cycle.
+  bool valuesInVariables = false;
+  /// The program states the plane before its first cycle.
+  bool planeStatedFirst = false;
+  /// The moves of a subprogram that is called while a cycle is active are places of the cycle.
+  bool firesInCalls = false;
 };
 
 /// About feed.
@@ -100,6 +118,10 @@ struct FeedFacts {
   bool perRevolutionNeedsSpeed = false;
   /// The control needs a new F after a change of its unit.
   bool newAfterModeChange = false;
+  /// Short moves in a row that ask for a continuous path; 0: not known.
+  unsigned shortMoves = 0;
+  /// A move below this length, in millimetres, is short.
+  double shortMoveLength = 1;
 };
 
 /// About how much the control takes.
@@ -116,6 +138,14 @@ struct LimitFacts {
   double probeFeed = 0;
 };
 
+/// About measuring.
+struct ProbeFacts {
+  /// Measurements correct origins by their number.
+  bool correctsOrigins = false;
+  /// A cycle may use the values of the measurement before.
+  bool keepsResults = false;
+};
+
 /// About programs and their ends.
 struct ProgramFacts {
   /// A called program must return by its own code: a program end in it is a missing return.
@@ -128,6 +158,26 @@ struct ProgramFacts {
   bool tapeMarkEnds = false;
   /// Modes stay active after the end of the program.
   bool modesOutliveEnd = false;
+  /// A call takes no words of its block.
+  bool callsTakeNoWords = false;
+  /// A block that may be skipped changes no mode, whether or not a later block relies on it.
+  bool skipKeepsModes = false;
+  /// Modes and frames that a subprogram sets stay active in its caller.
+  bool modesOutliveReturn = false;
+  /// An end inside a repeated section ends the program before the repeat.
+  bool endCutsRepeats = false;
+  /// A block that several paths reach states the modes that it needs.
+  bool modesStatedAtTargets = false;
+  /// Every block has a number.
+  bool everyBlockNumbered = false;
+};
+
+/// About the spindle.
+struct SpindleFacts {
+  /// Every S is a speed in revolutions.
+  bool inRevolutions = false;
+  /// Other codes than those of tapping also stop the spindle.
+  bool stoppedByCodes = false;
 };
 
 /// About how text is read.
@@ -148,6 +198,8 @@ struct TextFacts {
   bool oneSeparator = false;
   /// `G83/R` is a manual's name of a variant, no code.
   bool variantNames = false;
+  /// Comments for the operator and for the reader are of different kinds.
+  bool kindsOfComments = false;
 };
 
 /// About tools.
@@ -216,16 +268,21 @@ struct VariableFacts {
   bool numbered = false;
   /// Variables from this number on do not keep their values; 0: all do.
   unsigned volatileFrom = 0;
+  /// A called program writes the variables of its caller.
+  bool sharedByPrograms = false;
 };
 
 struct ControlFacts {
   ArcFacts arcs;
   CompensationFacts compensation;
+  CoordinateFacts coordinates;
   CornerFacts corners;
   CycleFacts cycles;
   FeedFacts feed;
   LimitFacts limits;
+  ProbeFacts probe;
   ProgramFacts program;
+  SpindleFacts spindle;
   TextFacts text;
   ToolFacts tools;
   TurningFacts turning;

@@ -9,6 +9,7 @@
 #include "llvm/ADT/StringRef.h"
 
 #include <memory>
+#include <variant>
 
 namespace ncvet {
 
@@ -193,12 +194,16 @@ struct ToolRadiusSource {
   uint8_t unknownWhile = 0xFF; ///< a switch that changes it by a stock; 0xFF: none
 };
 
+/// Value of an option of a rule: a number, 1 and 0 for true and false, or one of the option's
+/// names.
+using OptionValue = std::variant<double, std::string>;
+
 /// What a dialect says of a rule, over the rule's page.
 struct RuleOverride {
   std::optional<Severity> severity;
   std::optional<bool> enabled;
-  bool uncalledStops = false;      ///< the control also stops in a body that it does not run
-  llvm::StringMap<double> numbers; ///< thresholds and other options of the rule
+  bool uncalledStops = false; ///< the control also stops in a body that it does not run
+  llvm::StringMap<OptionValue> options;
 };
 
 struct ControlFacts; // formats/dialect/control_facts.h

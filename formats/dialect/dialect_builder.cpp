@@ -156,6 +156,17 @@ void DialectBuilder::readFacts(const Json &value, Dialect &dialect) {
   dialect.facts = std::move(facts);
 }
 
+std::optional<OptionValue> readOptionValue(JsonReader &in, const Json &value) {
+  if (value.is_boolean())
+    return double(value.get<bool>());
+  if (value.is_number())
+    return value.get<double>();
+  if (value.is_string())
+    return value.get<std::string>();
+  in.fail(value, "true, false, a number or a name is expected");
+  return std::nullopt;
+}
+
 void DialectBuilder::readRules(const Json &value, Dialect &dialect) {
   if (!isObject(value))
     return;
@@ -166,8 +177,8 @@ void DialectBuilder::readRules(const Json &value, Dialect &dialect) {
       return;
     for (auto option = entry->begin(); option != entry->end(); ++option)
       if (!isFieldOf(ruleRecord, option.key()))
-        if (const std::optional<double> given = number(*option))
-          rule.numbers[option.key()] = *given;
+        if (const std::optional<OptionValue> given = readOptionValue(*this, *option))
+          rule.options[option.key()] = *given;
   }
 }
 

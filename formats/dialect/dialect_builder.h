@@ -103,6 +103,9 @@ private:
 /// Text form of an option's value: "true", "SL-30", "2.5"; empty for null.
 std::string optionText(const Json &value);
 
+/// Value of an option of a rule; none, with an error, when it is of no type that options have.
+std::optional<OptionValue> readOptionValue(JsonReader &in, const Json &value);
+
 /// An error when the least value of a test is greater than the greatest one.
 void checkBounds(JsonReader &in, const Json &value, const ValueTest &test);
 

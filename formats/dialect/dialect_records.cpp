@@ -260,6 +260,9 @@ constexpr Shape anAddress = object(addressRecord), aGroup = object(groupRecord),
                 aSwitch = object(switchRecord), aCode = object(codeRecord),
                 aRule = object(ruleRecord), anything{Form::Map};
 
+/// True or false, a number, or one of the option's names, which the rule's page lists.
+constexpr Shape optionOfRule = scalar;
+
 constexpr Field dialectFields[] = {
     elsewhere("$schema", text, "for editors", "\"../schema/dialect.schema.json\"").ofEachFile(),
     field<&Dialect::id>("id", textLike("^[a-z0-9-]+$"),
@@ -374,7 +377,7 @@ constexpr RecordOf<RuleOverride> ruleRecord =
                            "of the rule",
                            ruleFields}
         .overlay()
-        .with(number);
+        .with(optionOfRule);
 constexpr RecordOf<ProgramMarks> detectionRecord{"detect", "how programs for a control are told",
                                                  detectionFields};
 constexpr RecordOf<Dialect> dialectRecord =

@@ -62,10 +62,27 @@ constexpr Field compensationFields[] = {
     flag<&CompensationFacts::contourMeetsStart>(
         "contourMeetsStart",
         "a compensated contour of lines that has gone round once reaches its first element"),
+    flag<&CompensationFacts::mayPassIdleBlocks>(
+        "mayPassIdleBlocks",
+        "the control perhaps looks past more blocks without a move than are allowed"),
+    flag<&CompensationFacts::onlyForContours>("onlyForContours",
+                                              "compensation is for the elements of a contour only"),
 };
 constexpr RecordOf<CompensationFacts> compensationRecord =
     RecordOf<CompensationFacts>{"facts of compensation", "what holds for radius compensation",
                                 compensationFields}
+        .overlay();
+
+constexpr Field coordinatesFields[] = {
+    flag<&CoordinateFacts::machineMoveOfOneBlock>("machineMoveOfOneBlock",
+                                                  "machine coordinates are for one block: the next "
+                                                  "one may look as if they were still active"),
+    flag<&CoordinateFacts::turnsMoveAlongWork>(
+        "turnsMoveAlongWork", "a turn of a rotary axis is a move along the developed work"),
+};
+constexpr RecordOf<CoordinateFacts> coordinatesRecord =
+    RecordOf<CoordinateFacts>{"facts of coordinates", "what holds for coordinates",
+                              coordinatesFields}
         .overlay();
 
 constexpr Field cornersFields[] = {
@@ -109,6 +126,14 @@ constexpr Field cyclesFields[] = {
                                      "a tapping cycle leaves its feed per revolution in force"),
     flag<&CycleFacts::tapLeavesDirection>(
         "tapLeavesDirection", "the direction of the spindle after a tapping cycle is not certain"),
+    flag<&CycleFacts::valuesInVariables>(
+        "valuesInVariables",
+        "cycles take their values from variables, which do nothing without a cycle"),
+    flag<&CycleFacts::planeStatedFirst>("planeStatedFirst",
+                                        "the program states the plane before its first cycle"),
+    flag<&CycleFacts::firesInCalls>(
+        "firesInCalls",
+        "the moves of a subprogram that is called while a cycle is active are places of the cycle"),
 };
 constexpr RecordOf<CycleFacts> cyclesRecord =
     RecordOf<CycleFacts>{"facts of cycles", "what holds for drilling cycles", cyclesFields}
@@ -121,6 +146,11 @@ constexpr Field feedFields[] = {
         "perRevolutionNeedsSpeed", "a feed per revolution without a speed stops the control"),
     flag<&FeedFacts::newAfterModeChange>("newAfterModeChange",
                                          "the control needs a new F after a change of its unit"),
+    field<&FeedFacts::shortMoves>(
+        "shortMoves", count, "short moves in a row that ask for a continuous path; 0: not known",
+        "8"),
+    field<&FeedFacts::shortMoveLength>("shortMoveLength", numberFrom(0),
+                                       "a move below this length, in millimetres, is short", "0.5"),
 };
 constexpr RecordOf<FeedFacts> feedRecord =
     RecordOf<FeedFacts>{"facts of feed", "what holds for feed", feedFields}.overlay();
@@ -142,6 +172,24 @@ constexpr RecordOf<LimitFacts> limitsRecord =
                          limitsFields}
         .overlay();
 
+constexpr Field probeFields[] = {
+    flag<&ProbeFacts::correctsOrigins>("correctsOrigins",
+                                       "measurements correct origins by their number"),
+    flag<&ProbeFacts::keepsResults>("keepsResults",
+                                    "a cycle may use the values of the measurement before"),
+};
+constexpr RecordOf<ProbeFacts> probeRecord =
+    RecordOf<ProbeFacts>{"facts of measuring", "what holds for measuring", probeFields}.overlay();
+
+constexpr Field spindleFields[] = {
+    flag<&SpindleFacts::inRevolutions>("inRevolutions", "every S is a speed in revolutions"),
+    flag<&SpindleFacts::stoppedByCodes>("stoppedByCodes",
+                                        "other codes than those of tapping also stop the spindle"),
+};
+constexpr RecordOf<SpindleFacts> spindleRecord =
+    RecordOf<SpindleFacts>{"facts of the spindle", "what holds for the spindle", spindleFields}
+        .overlay();
+
 constexpr Field programFields[] = {
     flag<&ProgramFacts::noEndInSubprogram>(
         "noEndInSubprogram",
@@ -153,6 +201,17 @@ constexpr Field programFields[] = {
     flag<&ProgramFacts::tapeMarkEnds>("tapeMarkEnds", "a second % also ends a program"),
     flag<&ProgramFacts::modesOutliveEnd>("modesOutliveEnd",
                                          "modes stay active after the end of the program"),
+    flag<&ProgramFacts::callsTakeNoWords>("callsTakeNoWords", "a call takes no words of its block"),
+    flag<&ProgramFacts::skipKeepsModes>(
+        "skipKeepsModes",
+        "a block that may be skipped changes no mode, whether or not a later block relies on it"),
+    flag<&ProgramFacts::modesOutliveReturn>(
+        "modesOutliveReturn", "modes and frames that a subprogram sets stay active in its caller"),
+    flag<&ProgramFacts::endCutsRepeats>(
+        "endCutsRepeats", "an end inside a repeated section ends the program before the repeat"),
+    flag<&ProgramFacts::modesStatedAtTargets>(
+        "modesStatedAtTargets", "a block that several paths reach states the modes that it needs"),
+    flag<&ProgramFacts::everyBlockNumbered>("everyBlockNumbered", "every block has a number"),
 };
 constexpr RecordOf<ProgramFacts> programRecord =
     RecordOf<ProgramFacts>{"facts of program", "what holds for programs and their ends",
@@ -177,6 +236,8 @@ constexpr Field textFields[] = {
                                    "the arguments of an instruction have one kind of separator"),
     flag<&TextFacts::variantNames>("variantNames",
                                    "`G83/R` is a manual's name of a variant, no code"),
+    flag<&TextFacts::kindsOfComments>(
+        "kindsOfComments", "comments for the operator and for the reader are of different kinds"),
 };
 constexpr RecordOf<TextFacts> textRecord =
     RecordOf<TextFacts>{"facts of text", "what holds for how text is read", textFields}.overlay();
@@ -249,6 +310,8 @@ constexpr Field variablesFields[] = {
     field<&VariableFacts::volatileFrom>(
         "volatileFrom", count, "variables from this number on do not keep their values; 0: all do",
         "1050"),
+    flag<&VariableFacts::sharedByPrograms>("sharedByPrograms",
+                                           "a called program writes the variables of its caller"),
 };
 constexpr RecordOf<VariableFacts> variablesRecord =
     RecordOf<VariableFacts>{"facts of variables", "what holds for numbered variables",
@@ -259,12 +322,15 @@ constexpr Field factFields[] = {
     field<&ControlFacts::arcs>("arcs", object(arcsRecord), "arcs"),
     field<&ControlFacts::compensation>("compensation", object(compensationRecord),
                                        "radius compensation"),
+    field<&ControlFacts::coordinates>("coordinates", object(coordinatesRecord), "coordinates"),
     field<&ControlFacts::corners>("corners", object(cornersRecord),
                                   "chamfers and roundings that a word asks for"),
     field<&ControlFacts::cycles>("cycles", object(cyclesRecord), "drilling cycles"),
     field<&ControlFacts::feed>("feed", object(feedRecord), "feed"),
     field<&ControlFacts::limits>("limits", object(limitsRecord), "how much the control takes"),
+    field<&ControlFacts::probe>("probe", object(probeRecord), "measuring"),
     field<&ControlFacts::program>("program", object(programRecord), "programs and their ends"),
+    field<&ControlFacts::spindle>("spindle", object(spindleRecord), "the spindle"),
     field<&ControlFacts::text>("text", object(textRecord), "how text is read"),
     field<&ControlFacts::tools>("tools", object(toolsRecord), "tools"),
     field<&ControlFacts::turning>("turning", object(turningRecord),

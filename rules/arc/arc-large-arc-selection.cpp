@@ -13,7 +13,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     everyNegative_ = to.dialect().facts->arcs.noNegativeRadius;
-    tolerance_ = to.option("tolerance", 0.01);
+    tolerance_ = to.number("tolerance", 0.01);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -11,9 +11,9 @@ class ArcRadiusMismatch final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
-    tolerance_ = to.option("tolerance", 0.01);
-    toleranceInch_ = to.option("toleranceInch", 0);
-    relative_ = to.option("relative", 0);
+    tolerance_ = to.number("tolerance", 0.01);
+    toleranceInch_ = to.number("toleranceInch", 0);
+    relative_ = to.number("relative", 0);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

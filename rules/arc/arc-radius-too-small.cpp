@@ -11,7 +11,7 @@ class ArcRadiusTooSmall final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
-    tolerance_ = to.option("tolerance", 0.01);
+    tolerance_ = to.number("tolerance", 0.01);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -10,7 +10,7 @@ public:
     to.onNotices(id);
     to.onAction({Action::CycleCancel});
     to.on(EventKind::CycleRun);
-    if (to.option("statements", 0) != 0)
+    if (to.flag("statements"))
       to.on(EventKind::Statement);
   }
 

@@ -8,7 +8,7 @@ class BlockMustStandAlone final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
-    if (to.option("statements", 0) != 0)
+    if (to.flag("statements"))
       to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return code.alone || llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });

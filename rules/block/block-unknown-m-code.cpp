@@ -14,7 +14,7 @@ class BlockUnknownMCode final : public StatefulRule<BlockUnknownMCodeMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::UnknownCode);
-    above_ = to.option("above", -1);
+    above_ = to.number("above", -1);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -17,11 +17,13 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Block});
     to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::Thread});
-    allowed_ = unsigned(to.option("allowed", 1));
+    allowed_ = unsigned(to.number("allowed", 1));
     infeeds_ = to.dialect().facts->compensation.infeedMoves;
     inSpace_ = to.dialect().facts->compensation.onlyInPlane;
     allowedBehindApproach_ = to.dialect().facts->compensation.idleBlocksAfterApproach;
-    severity_ = to.option("advice", 0) != 0 ? std::optional(Severity::Warning) : std::nullopt;
+    severity_ = to.dialect().facts->compensation.mayPassIdleBlocks
+                    ? std::optional(Severity::Warning)
+                    : std::nullopt;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -22,7 +22,7 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
       to.on(EventKind::Motion);
-    else if (to.option("mills", 0) != 0)
+    else if (to.flag("mills"))
       to.on({EventKind::Motion, EventKind::CompensationMove});
   }
 

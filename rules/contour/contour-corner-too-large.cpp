@@ -17,7 +17,7 @@ public:
       words_ |= maskOf('C');
     signed_ = to.dialect().facts->corners.signIsTurn;
     zero_ = to.dialect().facts->corners.zeroIsNone;
-    tolerance_ = to.option("tolerance", 0.002);
+    tolerance_ = to.number("tolerance", 0.002);
     if (!words_)
       return;
     reader_.emplace(to.dialect());

@@ -94,7 +94,7 @@ public:
     bool wanted = false;
     for (const CodeInfo &code : to.dialect().codes)
       wanted |= isClosed(code);
-    usual_ = to.option("gap", 0);
+    usual_ = to.number("gap", 0);
     round_ = to.dialect().facts->compensation.contourMeetsStart;
     if (!wanted && usual_ <= 0 && !round_)
       return;

@@ -1,5 +1,6 @@
 // A contour that has a start and no element, or that nothing mills along.
 #include "analyzer/rule/switch_left_on.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -25,7 +26,7 @@ public:
       records_ |= code.action == Action::ProfileBegin;
       return code.action == Action::ProfileBegin || code.action == Action::ProfileRun;
     });
-    feeds_ = to.option("withoutPiece", 0) != 0;
+    feeds_ = to.dialect().facts->compensation.onlyForContours;
     if (feeds_)
       to.onAction({Action::CompensationOff});
     if (records_)

@@ -11,7 +11,7 @@ public:
     if (to.dialect().group(StandardGroup::Distance) != noGroup &&
         to.dialect().facts->program.modesOutliveEnd)
       to.on({EventKind::ProgramEnd, EventKind::FlowIssue});
-    if (to.dialect().group(StandardGroup::Distance) != noGroup && to.option("early", 0) != 0)
+    if (to.dialect().group(StandardGroup::Distance) != noGroup && to.flag("early"))
       to.onChange({EventKind::CycleRun, EventKind::Motion});
   }
 

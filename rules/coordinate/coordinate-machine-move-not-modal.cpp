@@ -1,5 +1,6 @@
 // A block looks as if the machine coordinates of the block before were still in force.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,8 +9,8 @@ class CoordinateMachineMoveNotModal final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion});
-    least_ = to.option("least", 100);
-    next_ = to.option("next", 0) != 0;
+    least_ = to.number("least", 100);
+    next_ = to.dialect().facts->coordinates.machineMoveOfOneBlock;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

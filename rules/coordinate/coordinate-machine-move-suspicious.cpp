@@ -10,7 +10,7 @@ class CoordinateMachineMoveSuspicious final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion});
-    positive_ = to.option("positive", 1) != 0;
+    positive_ = to.flag("positive", true);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -12,7 +12,7 @@ class CoordinateWorkOffsetNotSet final : public StatefulRule<CoordinateWorkOffse
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::WorkOffset) != noGroup &&
-        (!to.dialect().isLathe() || to.option("lathes", 1) != 0))
+        (!to.dialect().isLathe() || to.flag("lathes", true)))
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 

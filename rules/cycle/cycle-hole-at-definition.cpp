@@ -15,7 +15,7 @@ class CycleHoleAtDefinition final : public StatefulRule<CycleHoleAtDefinitionMem
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleStart);
-    if (to.option("placeFirst", 0) != 0)
+    if (to.flag("placeFirst"))
       to.on({EventKind::CycleRun, EventKind::Motion});
   }
 

@@ -2,6 +2,7 @@
 // where they are lost.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "formats/dialect/control_facts.h"
 
 #include <set>
 #include <unordered_map>
@@ -32,7 +33,7 @@ public:
     if (dialect.lexical.blocksSpanLines)
       callParameters(dialect);
     to.onNotices(id);
-    if (to.option("orphans", 0) != 0)
+    if (to.dialect().facts->cycles.valuesInVariables)
       for (const CodeInfo &code : dialect.codes)
         for (const WordSpec &spec : code.words)
           if (spec.variable && code.action == Action::Cycle)

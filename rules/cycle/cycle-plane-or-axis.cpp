@@ -24,12 +24,12 @@ public:
     if (to.dialect().isLathe() && plane != noGroup && to.dialect().facts->cycles.drillsUnderG17)
       for (const CodeIndex member : to.dialect().groups[plane].members)
         wanted_ |= to.dialect().codes[member].action == Action::PlaneXY;
-    setup_ = to.option("setup", 0) != 0;
+    setup_ = to.flag("setup");
     if (wanted_ || setup_)
       to.on(EventKind::CycleStart);
     if (setup_)
       to.on(EventKind::CycleRun);
-    stated_ = to.option("stated", 0) != 0;
+    stated_ = to.dialect().facts->cycles.planeStatedFirst;
     if (stated_)
       to.on(EventKind::CycleStart);
     for (const std::string &name : to.dialect().axisVariables)

@@ -1,5 +1,6 @@
 // A cycle takes a value that was meant for another one.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <map>
 
@@ -19,7 +20,7 @@ class CycleStaleParameter final : public StatefulRule<CycleStaleParameterMemory>
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
-    kept_ = to.option("kept", 0) != 0;
+    kept_ = to.dialect().facts->cycles.valuesInVariables;
     to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words, [](const WordSpec &w) { return w.variable; }) ||

@@ -2,6 +2,7 @@
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
+#include "formats/dialect/control_facts.h"
 
 #include <set>
 
@@ -35,7 +36,7 @@ public:
     });
     if (goesOn_)
       to.on(EventKind::CycleRun);
-    if (to.option("parameters", 0) != 0)
+    if (to.dialect().facts->cycles.valuesInVariables)
       to.on(EventKind::Statement);
   }
 

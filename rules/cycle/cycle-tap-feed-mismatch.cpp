@@ -19,8 +19,8 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
     to.onNotices(id);
-    leastPitch_ = to.option("leastPitch", 0.05);
-    greatestPitch_ = to.option("greatestPitch", 12);
+    leastPitch_ = to.number("leastPitch", 0.05);
+    greatestPitch_ = to.number("greatestPitch", 12);
     parts_ = drillParts(to.dialect(), to.machine());
     if (!parts_.empty())
       to.onCode([](const CodeInfo &code) { return makesHole(code.cycle) && code.arguments; });

@@ -24,8 +24,8 @@ public:
       waits_ |= code.waits;
     if (waits_)
       to.on(EventKind::ToolChange);
-    farFactor_ = to.option("farFactor", 1.5);
-    calls_ = to.option("calls", 0) != 0;
+    farFactor_ = to.number("farFactor", 1.5);
+    calls_ = to.dialect().facts->cycles.firesInCalls;
     if (calls_)
       to.on(EventKind::Call);
   }

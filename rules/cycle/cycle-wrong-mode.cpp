@@ -18,7 +18,7 @@ public:
     to.on(EventKind::CycleRun);
     to.onNotices(id);
     // Where the table speaks of the code under incremental distances, a hole under them counts too.
-    places_ = to.option("places", 0) != 0;
+    places_ = to.flag("places");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -13,8 +13,8 @@ class FeedImplausible final : public StatefulRule<FeedImplausibleMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::FeedWord, EventKind::Motion});
-    perMinuteBelow_ = to.option("perMinuteBelow", 1);
-    perRevolutionAbove_ = to.option("perRevolutionAbove", 5);
+    perMinuteBelow_ = to.number("perMinuteBelow", 1);
+    perRevolutionAbove_ = to.number("perRevolutionAbove", 5);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

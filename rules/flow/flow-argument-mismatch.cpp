@@ -1,6 +1,7 @@
 // A call and what it calls do not agree in their arguments.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/condition.h"
 
 namespace ncvet {
@@ -9,7 +10,7 @@ namespace {
 class FlowArgumentMismatch final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    words_ = to.option("words", 0) != 0;
+    words_ = to.dialect().facts->program.callsTakeNoWords;
     to.on({EventKind::FlowIssue, EventKind::Syntax, EventKind::Statement});
     to.onCode([](const CodeInfo &code) {
       return code.arguments || llvm::any_of(code.words, [](const WordSpec &w) { return w.text; });

@@ -9,7 +9,7 @@ class FlowBlockSkipChangesFlow final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
-    statements_ = to.option("statements", 0) != 0;
+    statements_ = to.flag("statements");
     to.onCode([&](const CodeInfo &code) {
       return to.dialect().codes[code.base].twoBlock || code.twoBlock ||
              (statements_ && ends(code.action)) ||

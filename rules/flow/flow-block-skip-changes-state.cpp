@@ -1,6 +1,7 @@
 // What runs after a skippable block depends on the skip switch.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/mode_reliance.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -9,8 +10,8 @@ class FlowBlockSkipChangesState final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Block});
-    atCause_ = to.option("atCause", 0) != 0;
-    words_ = to.option("words", 0) != 0;
+    atCause_ = to.dialect().facts->program.skipKeepsModes;
+    words_ = to.flag("words");
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Motion, StandardGroup::Distance, StandardGroup::Plane,
                           StandardGroup::Units, StandardGroup::Compensation,

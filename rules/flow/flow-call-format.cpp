@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CallLocal});
     to.onNotices("flow-call-format");
-    if (to.option("statements", 0) != 0)
+    if (to.flag("statements"))
       to.on({EventKind::Statement, EventKind::WordIssue});
   }
 

@@ -7,7 +7,7 @@ namespace {
 class FlowComputedTarget final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("wanted", 0) != 0)
+    if (to.flag("wanted"))
       to.on(EventKind::FlowIssue);
   }
 

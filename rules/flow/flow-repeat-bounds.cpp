@@ -1,6 +1,7 @@
 // A section that is repeated ends before it begins, or holds the block that repeats it or an end.
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <map>
 
@@ -16,7 +17,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::FlowIssue, EventKind::Statement});
     // A return that ends the program before its repeat: nothing follows the repeat then.
-    if (to.option("ends", 0) != 0)
+    if (to.dialect().facts->program.endCutsRepeats)
       to.onAction({Action::Return, Action::ProgramEnd, Action::ProgramEndRewind, Action::Reset});
   }
 

@@ -13,7 +13,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CallProgram, Action::CallLocal, Action::MacroCall});
     to.on(EventKind::Statement);
-    usual_ = to.option("usual", 0);
+    usual_ = to.number("usual", 0);
     greatest_ = to.dialect().facts->limits.repeats;
   }
 

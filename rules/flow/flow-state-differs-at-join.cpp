@@ -1,6 +1,7 @@
 // A block is reached in different modes, depending on the path.
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <map>
 #include <set>
@@ -19,7 +20,7 @@ struct FlowStateDiffersAtJoinMemory {
 class FlowStateDiffersAtJoin final : public StatefulRule<FlowStateDiffersAtJoinMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("wanted", 0) == 0)
+    if (!to.dialect().facts->program.modesStatedAtTargets)
       return;
     to.on({EventKind::Statement, EventKind::Block});
     for (const StandardGroup which :

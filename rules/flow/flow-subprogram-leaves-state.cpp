@@ -1,6 +1,7 @@
 // A called program leaves a mode changed that the caller relies on.
 #include "analyzer/facts/mode_reliance.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -11,10 +12,10 @@ class FlowSubprogramLeavesState final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CallReturned);
-    if (to.option("alone", 0) != 0)
+    if (to.flag("alone"))
       to.on({EventKind::Return, EventKind::ProgramEnd, EventKind::FlowIssue});
-    atCause_ = to.option("atCause", 0) != 0;
-    atCall_ = to.option("atCall", 0) != 0;
+    atCause_ = to.flag("atCause");
+    atCall_ = to.dialect().facts->program.modesOutliveReturn;
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Distance, StandardGroup::Plane, StandardGroup::Units,
                           StandardGroup::WorkOffset, StandardGroup::FeedMode, StandardGroup::Polar,

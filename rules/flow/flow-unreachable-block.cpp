@@ -23,7 +23,7 @@ SourceRange contentOf(const Block &block, const SourceFile &source) {
 
 class FlowUnreachableBlock final : public Rule {
 public:
-  void listen(Subscriptions &to) override { behindEnd_ = to.option("behindEnd", 0) != 0; }
+  void listen(Subscriptions &to) override { behindEnd_ = to.flag("behindEnd"); }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!file.complete)

@@ -1,5 +1,6 @@
 // A spindle speed lies above the clamp that the program set.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 class LimitSpeedOrFeed final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    always_ = to.option("always", 0) != 0;
+    always_ = to.dialect().facts->spindle.inRevolutions;
     to.on(EventKind::SpeedWord);
   }
 

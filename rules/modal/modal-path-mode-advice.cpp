@@ -1,5 +1,6 @@
 // A corner mode that does not suit the work.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -16,8 +17,8 @@ class ModalPathModeAdvice final : public StatefulRule<ModalPathModeAdviceMemory>
 public:
   /// The tables say most of it; what they say is reported for it.
   void listen(Subscriptions &to) override {
-    moves_ = unsigned(to.option("shortMoves", 0));
-    length_ = to.option("shortLength", 1);
+    moves_ = to.dialect().facts->feed.shortMoves;
+    length_ = to.dialect().facts->feed.shortMoveLength;
     if (moves_ && to.dialect().group(StandardGroup::PathMode) != noGroup)
       to.onMoves({MotionKind::Feed, MotionKind::Rapid});
   }

@@ -17,7 +17,7 @@ public:
 
   void listen(Subscriptions &to) override {
     LeftOnRule::listen(to);
-    if (to.option("overContour", 0) != 0)
+    if (to.flag("overContour"))
       to.onChange({EventKind::Motion});
   }
 

@@ -8,18 +8,18 @@ namespace {
 class ModalRedundantCode final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    wanted_ = to.option("wanted", 0) != 0;
-    neverCalled_ = to.option("cycleOff", 0) != 0;
+    wanted_ = to.flag("wanted");
+    neverCalled_ = to.flag("cycleOff");
     if (wanted_)
       to.onAction({Action::CompensationOff});
     if (wanted_ || neverCalled_)
       to.onAction({Action::CycleCancel});
-    if (to.option("emptyBlocks", 0) != 0)
+    if (to.flag("emptyBlocks"))
       to.on(EventKind::Block);
     // Controls with words that are distances by themselves.
     if (wanted_ && to.dialect().incrementWords)
       to.onMoves({MotionKind::Rapid, MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
-    rapidFeed_ = to.option("rapidFeed", 0) != 0;
+    rapidFeed_ = to.flag("rapidFeed");
     if (rapidFeed_)
       to.onMoves({MotionKind::Rapid});
     to.onNotices(id);

@@ -13,8 +13,8 @@ public:
     to.on(EventKind::Dwell);
     if (to.dialect().facts->cycles.dwellInMilliseconds)
       to.on({EventKind::CycleStart, EventKind::CycleRun});
-    wholeBelow_ = to.option("wholeBelow", 10);
-    pointAbove_ = to.option("pointAbove", 60);
+    wholeBelow_ = to.number("wholeBelow", 10);
+    pointAbove_ = to.number("pointAbove", 60);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

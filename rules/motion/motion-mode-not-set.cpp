@@ -12,7 +12,7 @@ class MotionModeNotSet final : public StatefulRule<MotionModeNotSetMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion});
-    implicit_ = to.option("implicit", 0) != 0;
+    implicit_ = to.flag("implicit");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -10,7 +10,7 @@ public:
     if (!to.dialect().isLathe())
       return;
     to.onMoves({MotionKind::Rapid});
-    depth_ = to.option("depth", 3);
+    depth_ = to.number("depth", 3);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

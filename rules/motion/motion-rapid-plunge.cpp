@@ -13,7 +13,7 @@ public:
     const MachineProfile &machine = to.machine();
     top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
                                                   : machine.number("stockTopZ");
-    wanted_ = to.option("belowZero", 0) != 0;
+    wanted_ = to.flag("belowZero");
     if (top_ || wanted_ || !machine.clamps.empty())
       to.onMoves({MotionKind::Rapid});
   }

@@ -1,5 +1,6 @@
 // A rapid move in the plane while the tool is still at cutting depth.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/geometry/obstacle.h"
 
 #include <array>
@@ -12,7 +13,7 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
-    turns_ = to.option("turns", 0) != 0;
+    turns_ = to.dialect().facts->coordinates.turnsMoveAlongWork;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -20,12 +20,12 @@ struct MotionUselessMoveMemory {
 class MotionUselessMove final : public StatefulRule<MotionUselessMoveMemory> {
 public:
   void listen(Subscriptions &to) override {
-    zero_ = to.option("zero", 0) != 0;
+    zero_ = to.flag("zero");
     if (zero_)
       to.onMoves({MotionKind::Rapid, MotionKind::Feed});
     else if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
-    margin_ = to.option("margin", 10);
+    margin_ = to.number("margin", 10);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

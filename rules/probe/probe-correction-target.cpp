@@ -1,5 +1,6 @@
 // A measurement corrects what does not fit it, or what is in use.
 #include "analyzer/facts/lookahead.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cmath>
 
@@ -14,7 +15,7 @@ struct ProbeCorrectionTargetMemory {
 class ProbeCorrectionTarget final : public StatefulRule<ProbeCorrectionTargetMemory> {
 public:
   void listen(Subscriptions &to) override {
-    origins_ = to.option("origins", 0) != 0;
+    origins_ = to.dialect().facts->probe.correctsOrigins;
     if (origins_)
       to.on({EventKind::CycleRun, EventKind::CoordinateChange});
   }

@@ -1,5 +1,6 @@
 // A check of the skip signal without a skip move before it.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class ProbeResultWithoutMeasurement final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::SkipCheck});
-    again_ = to.option("again", 0) != 0;
+    again_ = to.dialect().facts->probe.keepsResults;
     if (again_)
       to.on(EventKind::CycleRun);
   }

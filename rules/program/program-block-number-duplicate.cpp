@@ -8,8 +8,7 @@ namespace {
 class ProgramBlockNumberDuplicate final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    unreferenced_ =
-        to.option("unreferencedIsWarning", 1) != 0 ? Severity::Warning : Severity::Style;
+    unreferenced_ = to.flag("unreferencedIsWarning", true) ? Severity::Warning : Severity::Style;
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {

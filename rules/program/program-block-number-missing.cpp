@@ -1,5 +1,6 @@
 // The first block of a tool section has no number.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,8 +9,8 @@ class ProgramBlockNumberMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ToolChange);
-    every_ = to.option("every", 0) != 0;
-    if (every_ || to.option("everyBlock", 0) != 0)
+    every_ = to.dialect().facts->program.everyBlockNumbered;
+    if (every_ || to.flag("everyBlock"))
       to.on(EventKind::Block);
   }
 

@@ -11,9 +11,9 @@ struct ProgramEndWithoutRetractMemory {
 class ProgramEndWithoutRetract final : public StatefulRule<ProgramEndWithoutRetractMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
+    if (!to.dialect().isLathe() && to.flag("wanted"))
       to.on({EventKind::ProgramEnd, EventKind::Motion});
-    if (!to.dialect().isLathe() && to.option("wanted", 0) != 0)
+    if (!to.dialect().isLathe() && to.flag("wanted"))
       to.onCode([](const CodeInfo &code) {
         return code.action == Action::ProfileRun || code.cycle == CycleKind::Surface;
       });

@@ -13,9 +13,9 @@ class ProgramFrameMissing final : public StatefulRule<ProgramFrameMissingMemory>
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ProgramEnd);
-    wantsHeader_ = to.option("header", 1) != 0;
-    wantsReset_ = to.option("reset", 0) != 0;
-    wantsEndMark_ = to.option("endMark", to.dialect().lexical.percentHeader ? 1 : 0) != 0;
+    wantsHeader_ = to.flag("header", true);
+    wantsReset_ = to.flag("reset");
+    wantsEndMark_ = to.flag("endMark", to.dialect().lexical.percentHeader);
     percent_ = to.dialect().lexical.percentHeader;
   }
 

@@ -18,8 +18,8 @@ public:
     digitsMin_ = to.dialect().limits.programDigitsMin;
     digitsMax_ = to.dialect().limits.programDigitsMax;
     percent_ = to.dialect().lexical.percentHeader;
-    nameLength_ = size_t(to.option("fileNameLength", 0));
-    ending_ = to.option("fileEnding", 0) != 0;
+    nameLength_ = size_t(to.number("fileNameLength", 0));
+    ending_ = to.flag("fileEnding");
     labelLength_ = size_t(to.dialect().facts->limits.longestLabel);
   }
 

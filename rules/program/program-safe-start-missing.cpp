@@ -12,10 +12,10 @@ struct ProgramSafeStartMissingMemory {
 class ProgramSafeStartMissing final : public StatefulRule<ProgramSafeStartMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("feedMode", 1) != 0 && to.dialect().group(StandardGroup::FeedMode) != noGroup)
+    if (to.flag("feedMode", true) && to.dialect().group(StandardGroup::FeedMode) != noGroup)
       to.on(EventKind::FeedWord);
     const auto watch = [&](const char *name, StandardGroup which) {
-      if (to.option(name, 0) != 0 && to.dialect().group(which) != noGroup)
+      if (to.flag(name) && to.dialect().group(which) != noGroup)
         wanted_.push_back(which);
     };
     watch("distance", StandardGroup::Distance);
@@ -23,7 +23,7 @@ public:
     watch("feedModeAtMove", StandardGroup::FeedMode);
     watch("workOffset", StandardGroup::WorkOffset);
     watch("planeAtMove", StandardGroup::Plane);
-    plane_ = to.option("plane", 0) != 0;
+    plane_ = to.flag("plane");
     if (!wanted_.empty())
       to.onChange({EventKind::Motion, EventKind::CycleRun});
     if (plane_)

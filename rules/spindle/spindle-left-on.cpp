@@ -9,13 +9,14 @@ public:
   SpindleLeftOn() : LeftOnRule("spindle-left-on") {}
   void listen(Subscriptions &to) override {
     LeftOnRule::listen(to);
-    if (to.option("atToolChange", 0) != 0)
+    const unsigned atToolChange = to.choice("atToolChange", {"never", "afterCut", "always"}, 0);
+    atToolChange_ = atToolChange != 0;
+    always_ = atToolChange == 2;
+    if (atToolChange_)
       to.on(EventKind::ToolChange);
-    atToolChange_ = to.option("atToolChange", 0) != 0;
-    always_ = to.option("atToolChange", 0) > 1;
-    if (to.option("atEnd", 0) != 0) {
+    if (to.flag("atEnd")) {
       to.on(EventKind::ProgramEnd);
-      if (to.option("atStop", 0) != 0)
+      if (to.flag("atStop"))
         to.onAction({Action::ProgramStop, Action::OptionalStop});
       atEnd_ = true;
     }

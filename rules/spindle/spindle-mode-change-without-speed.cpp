@@ -8,7 +8,7 @@ class SpindleModeChangeWithoutSpeed final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::SpeedWord});
-    highestCuttingSpeed_ = to.option("cuttingSpeedAbove", 1000);
+    highestCuttingSpeed_ = to.number("cuttingSpeedAbove", 1000);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

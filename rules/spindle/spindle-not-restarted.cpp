@@ -20,7 +20,7 @@ public:
       return llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
     afterTap_ = to.dialect().facts->cycles.tapLeavesDirection;
-    wanted_ = to.option("codes", 0) != 0;
+    wanted_ = to.dialect().facts->spindle.stoppedByCodes;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -1,5 +1,6 @@
 // A program number without a comment that names the program, or a comment of the wrong kind.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,7 @@ class StyleCommentMissing final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     named_ = to.dialect().limits.nameLength != 0;
-    if (to.option("kinds", 0) != 0)
+    if (to.dialect().facts->text.kindsOfComments)
       to.onChange({EventKind::Block});
   }
 

@@ -7,7 +7,7 @@ namespace {
 class StyleExcessDigits final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    metric_ = uint8_t(to.option("digits", 3));
+    metric_ = uint8_t(to.number("digits", 3));
     to.on(EventKind::Block);
   }
 

@@ -13,7 +13,7 @@ struct StylePreferAbsoluteMemory {
 class StylePreferAbsolute final : public StatefulRule<StylePreferAbsoluteMemory> {
 public:
   void listen(Subscriptions &to) override {
-    longest_ = unsigned(to.option("blocks", 3));
+    longest_ = unsigned(to.number("blocks", 3));
     if (to.dialect().incrementWords || to.dialect().group(StandardGroup::Distance) != noGroup)
       to.on(EventKind::Motion);
   }

@@ -23,7 +23,7 @@ struct StyleUseSubprogramMemory {
 class StyleUseSubprogram final : public StatefulRule<StyleUseSubprogramMemory> {
 public:
   void listen(Subscriptions &to) override {
-    const double blocks = to.option("blocks", 5);
+    const double blocks = to.number("blocks", 5);
     run_ = blocks > 0 ? size_t(std::max(2.0, blocks)) : 0;
     if (llvm::any_of(to.dialect().codes,
                      [](const CodeInfo &code) { return code.action == Action::ProfileBegin; }))

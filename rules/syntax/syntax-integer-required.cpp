@@ -19,7 +19,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::WordIssue, EventKind::Syntax, EventKind::Statement});
     codes_ = to.dialect().facts->text.wholeCodes;
-    if (to.option("converted", 0) != 0)
+    if (to.flag("converted"))
       to.on(EventKind::ToolWord);
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words, [](const WordSpec &w) { return namesSomething(w.role); });

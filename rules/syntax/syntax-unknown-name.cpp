@@ -31,7 +31,7 @@ public:
     for (const std::string &name : to.dialect().variableNames)
       known_.insert(variableKey(name));
     to.on({EventKind::Syntax, EventKind::Assignment});
-    defined_ = to.option("definedNames", 0) != 0;
+    defined_ = to.flag("definedNames");
     if (defined_)
       to.on(EventKind::UnsetRead);
     instructions_ = instructionNames(to.dialect());

@@ -14,7 +14,7 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().toolChangeByT && to.dialect().facts->tools.changeNeedsNumber)
       to.onAction({Action::ToolChange});
-    eachNamed_ = to.option("each", 0) != 0;
+    eachNamed_ = to.flag("each");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

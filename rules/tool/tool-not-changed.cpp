@@ -13,7 +13,7 @@ struct ToolNotChangedMemory {
 class ToolNotChanged final : public StatefulRule<ToolNotChangedMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().toolChangeByT || to.option("wanted", 0) == 0)
+    if (to.dialect().toolChangeByT || !to.flag("wanted"))
       return;
     to.on({EventKind::ToolWord, EventKind::ToolChange, EventKind::ProgramEnd});
     to.onChange({EventKind::Motion});

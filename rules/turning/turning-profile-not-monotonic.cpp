@@ -10,8 +10,8 @@ class TurningProfileNotMonotonic final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
-    maxPockets_ = to.option("maxPockets", 10);
-    zSelectsType_ = to.option("zSelectsType", 1) != 0;
+    maxPockets_ = to.number("maxPockets", 10);
+    zSelectsType_ = to.flag("zSelectsType", true);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -11,7 +11,7 @@ class TurningStartInsideContour final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::CycleRun});
-    passes_ = to.option("passes", 0) != 0;
+    passes_ = to.flag("passes");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

@@ -13,7 +13,7 @@ public:
     to.onChange({EventKind::CycleRun, EventKind::Motion});
     to.onNotices(id);
     inchE_ = to.dialect().facts->turning.leadInInchesByE;
-    greatestInches_ = to.option("greatestInches", 0.5);
+    greatestInches_ = to.number("greatestInches", 0.5);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

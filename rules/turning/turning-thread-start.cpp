@@ -11,9 +11,9 @@ class TurningThreadStart final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::CycleRun, EventKind::Motion});
-    clearance_ = to.option("clearance", 0);
+    clearance_ = to.number("clearance", 0);
     depthUnit_ = to.dialect().facts->turning.threadDepthUnit;
-    runIn_ = to.option("runInPitches", 2);
+    runIn_ = to.number("runInPitches", 2);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {

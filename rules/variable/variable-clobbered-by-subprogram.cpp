@@ -1,6 +1,7 @@
 // A called program writes a variable that the caller has set and still needs.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -12,7 +13,7 @@ namespace {
 class VariableClobberedBySubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("wanted", 0) != 0)
+    if (to.dialect().facts->variables.sharedByPrograms)
       to.on(EventKind::CallReturned);
   }
 

@@ -20,7 +20,7 @@ struct VariableReadBeforeWriteMemory {
 class VariableReadBeforeWrite final : public StatefulRule<VariableReadBeforeWriteMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.option("wanted", 0) != 0)
+    if (to.flag("wanted"))
       to.on(EventKind::UnsetRead);
     reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
     greatest_ = int64_t(to.dialect().facts->variables.lastKept);

@@ -18,7 +18,7 @@ class VariableUnused final : public StatefulRule<VariableUnusedMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Statement);
-    overwritten_ = to.option("overwritten", 0) != 0;
+    overwritten_ = to.flag("overwritten");
     if (to.dialect().elementWords) {
       to.onAction({Action::DefineElement});
       to.onChange({EventKind::Motion});
