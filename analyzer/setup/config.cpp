@@ -1,6 +1,7 @@
 // Configuration: reading `.ncvet.json` and profiles, with errors that name the line.
 #include "analyzer/setup/config.h"
 
+#include "formats/dialect/config_file.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/dialect/ruleset_files.h"
 #include "formats/text/failure.h"
@@ -22,22 +23,32 @@ constexpr unsigned maxExtends = 8; ///< longer chains are loops or mistakes
 /// Text of the failure, so that it can be given a place in a file.
 std::string messageOf(llvm::Error wrong) { return llvm::toString(std::move(wrong)); }
 
-void readRuleNames(JsonReader &in, const Json &object, const char *key,
+/// Calls `check` with each text of the list under `key`; what it says is wrong there.
+void checkEach(JsonReader &in, const Json &object, const char *key,
+               const std::vector<std::string> &texts,
+               llvm::function_ref<llvm::Error(llvm::StringRef)> check) {
+  const Json &list = *in.member(object, key);
+  for (size_t i = 0; i < texts.size(); ++i)
+    if (llvm::Error wrong = check(texts[i]))
+      in.fail(list.is_array() ? list[i] : list, messageOf(std::move(wrong)));
+}
+
+void takeRuleNames(JsonReader &in, const Json &object, const char *key,
+                   std::optional<std::vector<std::string>> &&given,
                    std::vector<std::string> &target) {
-  const Json *list = in.member(object, key);
-  if (!list)
+  if (!given)
     return;
-  target = in.texts(*list);
-  for (size_t i = 0; i < target.size(); ++i)
-    if (auto rules = rulesNamed(target[i]); !rules)
-      in.fail(list->is_array() ? (*list)[i] : *list, messageOf(rules.takeError()));
+  checkEach(in, object, key, *given,
+            [](llvm::StringRef name) { return rulesNamed(name).takeError(); });
+  target = std::move(*given);
 }
 
 /// The keys that profiles and configurations share.
-void readRuleSettings(JsonReader &in, const Json &object, RuleSettings &rules) {
-  readRuleNames(in, object, "select", rules.select);
-  readRuleNames(in, object, "extendSelect", rules.extendSelect);
-  readRuleNames(in, object, "ignore", rules.ignore);
+void takeRuleSettings(JsonReader &in, const Json &object, RuleChoices &&given,
+                      RuleSettings &rules) {
+  takeRuleNames(in, object, "select", std::move(given.select), rules.select);
+  takeRuleNames(in, object, "extendSelect", std::move(given.extendSelect), rules.extendSelect);
+  takeRuleNames(in, object, "ignore", std::move(given.ignore), rules.ignore);
   if (const Json *severity = in.member(object, "severity"); severity && in.isObject(*severity))
     for (auto entry = severity->begin(); entry != severity->end(); ++entry) {
       if (auto named = rulesNamed(entry.key()); !named)
@@ -83,14 +94,26 @@ std::string unknownProfile(const std::string &name) {
   return "unknown profile \"" + name + "\"" + suggest(name, known);
 }
 
-/// Paths in a list, joined with the folder.
-void readPaths(JsonReader &in, const Json &object, const char *key, llvm::StringRef folder,
+/// Paths of a list, joined with the folder.
+void takePaths(const std::optional<std::vector<std::string>> &given, llvm::StringRef folder,
                std::vector<std::string> &target) {
-  if (const Json *list = in.member(object, key)) {
-    target.clear();
-    for (const std::string &name : in.texts(*list))
-      target.push_back(joined(folder, name));
-  }
+  if (!given)
+    return;
+  target.clear();
+  for (const std::string &name : *given)
+    target.push_back(joined(folder, name));
+}
+
+void takeGlobs(JsonReader &in, const Json &json, const char *key,
+               std::optional<std::vector<std::string>> &&given, std::vector<std::string> &target) {
+  if (!given)
+    return;
+  checkEach(in, json, key, *given, [](llvm::StringRef text) -> llvm::Error {
+    auto glob = llvm::GlobPattern::create(text);
+    return glob ? llvm::Error::success()
+                : failure("a glob is expected: " + messageOf(glob.takeError()));
+  });
+  target = std::move(*given);
 }
 
 class ConfigReader {
@@ -100,24 +123,20 @@ public:
   llvm::Error read(llvm::StringRef file, unsigned depth);
 
 private:
-  llvm::Error readExtended(JsonReader &in, const Json &json, llvm::StringRef folder,
-                           unsigned depth);
+  llvm::Error readExtended(JsonReader &in, const Json &json, const ConfigFile &given,
+                           llvm::StringRef folder, unsigned depth);
   void readMachine(JsonReader &in, const Json &json, llvm::StringRef file, llvm::StringRef text,
                    llvm::StringRef folder);
-  void readGlobs(JsonReader &in, const Json &json, const char *key,
-                 std::vector<std::string> &target);
 
   Config &config_;
 };
 
-llvm::Error ConfigReader::readExtended(JsonReader &in, const Json &json, llvm::StringRef folder,
-                                       unsigned depth) {
-  const Json *extends = in.member(json, "extends");
-  if (!extends)
-    return llvm::Error::success();
-  const std::optional<std::string> name = in.text(*extends);
+llvm::Error ConfigReader::readExtended(JsonReader &in, const Json &json, const ConfigFile &given,
+                                       llvm::StringRef folder, unsigned depth) {
+  const std::optional<std::string> &name = given.extends;
   if (!name)
     return llvm::Error::success();
+  const Json *extends = in.member(json, "extends");
   if (!llvm::StringRef(*name).endswith(".json")) {
     if (llvm::is_contained(profileNames(), *name))
       config_.profile = *name;
@@ -159,18 +178,6 @@ void ConfigReader::readMachine(JsonReader &in, const Json &json, llvm::StringRef
   }
 }
 
-void ConfigReader::readGlobs(JsonReader &in, const Json &json, const char *key,
-                             std::vector<std::string> &target) {
-  const Json *list = in.member(json, key);
-  if (!list)
-    return;
-  target = in.texts(*list);
-  for (size_t i = 0; i < target.size(); ++i)
-    if (auto glob = llvm::GlobPattern::create(target[i]); !glob)
-      in.fail(list->is_array() ? (*list)[i] : *list,
-              "a glob is expected: " + messageOf(glob.takeError()));
-}
-
 llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
   config_.readFrom.push_back(file.str());
   auto text = readText(file);
@@ -181,30 +188,23 @@ llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
     return json.takeError();
   const JsonLayer layer{file.str(), *text};
   JsonReader in(layer, *json);
-  in.allowKeys(*json,
-               {"$schema", "extends", "dialect", "dialects", "machine", "select", "extendSelect",
-                "ignore", "severity", "options", "failOn", "searchFolders", "files", "exclude"});
+  ConfigFile given;
+  readInto(in, *json, configRecord, given);
   if (llvm::Error wrong = in.takeError())
     return wrong;
   const std::string folder = path::parent_path(file).str();
-  if (llvm::Error wrong = readExtended(in, *json, folder, depth))
+  if (llvm::Error wrong = readExtended(in, *json, given, folder, depth))
     return wrong;
-  readRuleSettings(in, *json, config_.rules);
-  if (const Json *dialect = in.member(*json, "dialect"))
-    if (const auto name = in.text(*dialect))
-      config_.dialect = llvm::StringRef(*name).endswith(".json") ? joined(folder, *name) : *name;
-  readPaths(in, *json, "dialects", folder, config_.dialectFiles);
-  readPaths(in, *json, "searchFolders", folder, config_.searchFolders);
+  takeRuleSettings(in, *json, std::move(given.rules), config_.rules);
+  if (const auto &name = given.dialect)
+    config_.dialect = llvm::StringRef(*name).endswith(".json") ? joined(folder, *name) : *name;
+  takePaths(given.dialects, folder, config_.dialectFiles);
+  takePaths(given.searchFolders, folder, config_.searchFolders);
   readMachine(in, *json, file, *text, folder);
-  readGlobs(in, *json, "files", config_.files);
-  readGlobs(in, *json, "exclude", config_.exclude);
-  if (const Json *failOn = in.member(*json, "failOn"))
-    if (const auto name = in.text(*failOn)) {
-      if (auto level = parseFailOn(*name))
-        config_.failOn = *level;
-      else
-        in.fail(*failOn, messageOf(level.takeError()));
-    }
+  takeGlobs(in, *json, "files", std::move(given.files), config_.files);
+  takeGlobs(in, *json, "exclude", std::move(given.exclude), config_.exclude);
+  if (given.failOn)
+    config_.failOn = llvm::cantFail(parseFailOn(failOnNames()[*given.failOn]));
   return in.takeError();
 }
 
@@ -265,12 +265,12 @@ llvm::Expected<std::vector<RuleSettings>> loadProfile(llvm::StringRef name) {
       return json.takeError();
     const JsonLayer layer{found->name.str(), found->text};
     JsonReader in(layer, *json);
-    in.allowKeys(*json, {"$schema", "title", "extends", "select", "extendSelect", "ignore",
-                         "severity", "options"});
+    ProfileFile profile;
+    readInto(in, *json, profileRecord, profile);
     RuleSettings rules;
-    readRuleSettings(in, *json, rules);
-    wanted.clear();
-    in.read(*json, "extends", wanted);
+    if (!in.failed())
+      takeRuleSettings(in, *json, std::move(profile.rules), rules);
+    wanted = profile.extends;
     if (llvm::Error wrong = in.takeError())
       return wrong;
     layers.insert(layers.begin(), std::move(rules));

@@ -1,7 +1,8 @@
 // Detection of the dialect: the marks of the tables, counted over the first blocks of a program.
 #include "analyzer/setup/detect.h"
 
-#include "formats/dialect/dialect_builder.h"
+#include "formats/dialect/config_file.h"
+#include "formats/dialect/json_reader.h"
 #include "formats/text/failure.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -166,48 +167,8 @@ bool isWords(llvm::StringRef line) {
 
 } // namespace
 
-struct Detector::Settings {
-  std::string fallback;
-  std::vector<std::string> prefer;
-  int minimumScore = 0, sureScore = 0;
-  ProgramEndings endings;
-  UnsureReports unsure;
-  std::vector<OtherControl> others;
-
-  void read(JsonReader &in, const Json &json);
-};
-
-void Detector::Settings::read(JsonReader &in, const Json &json) {
-  in.allowKeys(json, {"$schema", "fallback", "prefer", "minimumScore", "sureScore", "extensions",
-                      "looseExtensions", "unsure", "otherControls"});
-  in.read(json, "fallback", fallback);
-  in.readWhole(json, "minimumScore", minimumScore, 0, 100);
-  in.readWhole(json, "sureScore", sureScore, 0, 100);
-  const auto list = [&](const Json &object, const char *key, std::vector<std::string> &target) {
-    if (const Json *value = in.member(object, key))
-      target = in.texts(*value);
-  };
-  list(json, "prefer", prefer);
-  list(json, "extensions", endings.sure);
-  list(json, "looseExtensions", endings.loose);
-  if (const Json *reports = in.member(json, "unsure")) {
-    in.allowKeys(*reports, {"ignore", "highestSeverity"});
-    list(*reports, "ignore", unsure.ignore);
-    std::optional<Severity> highest;
-    in.read(*reports, "highestSeverity", highest);
-    unsure.highest = highest.value_or(Severity::Error);
-  }
-  if (const Json *controls = in.member(json, "otherControls"); controls && in.isObject(*controls))
-    for (auto entry = controls->begin(); entry != controls->end(); ++entry) {
-      OtherControl other{entry.key(), {}};
-      std::vector<std::string> extensions;
-      readDetection(in, *entry, other.marks, extensions);
-      others.push_back(std::move(other));
-    }
-}
-
-llvm::Expected<Detector::Settings> Detector::readSettings() {
-  Settings settings;
+llvm::Expected<DetectFile> Detector::readTable() {
+  DetectFile table;
   for (const RulesetFile &file : builtinRulesetFiles()) {
     if (file.name != "detect.json")
       continue;
@@ -216,24 +177,25 @@ llvm::Expected<Detector::Settings> Detector::readSettings() {
       return json.takeError();
     const JsonLayer layer{file.name.str(), file.text};
     JsonReader in(layer, *json);
-    settings.read(in, *json);
+    readInto(in, *json, detectRecord, table);
     if (llvm::Error wrong = in.takeError())
       return wrong;
   }
-  return settings;
+  return table;
 }
 
 llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
-  auto settings = readSettings();
-  if (!settings)
-    return settings.takeError();
+  auto table = readTable();
+  if (!table)
+    return table.takeError();
   Detector detector;
-  detector.fallback_ = settings->fallback;
-  detector.minimumScore_ = settings->minimumScore;
-  detector.sureScore_ = settings->sureScore;
-  detector.endings_ = settings->endings;
-  detector.unsure_ = settings->unsure;
-  detector.others_ = std::move(settings->others);
+  detector.fallback_ = table->fallback;
+  detector.minimumScore_ = table->minimumScore;
+  detector.sureScore_ = table->sureScore;
+  detector.endings_ = {table->extensions, table->looseExtensions};
+  detector.unsure_ = {table->unsure.ignore, table->unsure.highest.value_or(Severity::Error)};
+  for (auto &[name, marks] : table->otherControls)
+    detector.others_.push_back({name, std::move(marks.marks)});
   std::vector<DialectSummary> dialects(own.begin(), own.end());
   for (DialectSummary &known : listDialects())
     if (llvm::none_of(own, [&](const DialectSummary &mine) { return mine.id == known.id; }))
@@ -241,7 +203,7 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   llvm::erase_if(dialects, [](const DialectSummary &dialect) { return dialect.abstract; });
   addEndings(dialects, detector.endings_);
   const auto rank = [&](const DialectSummary &dialect) {
-    return llvm::find(settings->prefer, dialect.id) - settings->prefer.begin();
+    return llvm::find(table->prefer, dialect.id) - table->prefer.begin();
   };
   llvm::stable_sort(dialects, [&](const DialectSummary &left, const DialectSummary &right) {
     return rank(left) < rank(right);
@@ -372,11 +334,12 @@ Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text, LineM
 }
 
 llvm::Expected<ProgramEndings> Detector::builtinEndings() {
-  auto settings = readSettings();
-  if (!settings)
-    return settings.takeError();
-  addEndings(listDialects(), settings->endings);
-  return settings->endings;
+  auto table = readTable();
+  if (!table)
+    return table.takeError();
+  ProgramEndings endings{table->extensions, table->looseExtensions};
+  addEndings(listDialects(), endings);
+  return endings;
 }
 
 bool looksLikeProgram(llvm::StringRef text) {

@@ -7,6 +7,8 @@
 
 namespace ncvet {
 
+struct DetectFile; // formats/dialect/config_file.h
+
 struct Detection {
   std::string dialect; ///< id
   std::string reason;  ///< for --stats: what spoke for it
@@ -77,8 +79,7 @@ private:
     std::string name;
     std::vector<DetectMark> marks;
   };
-  struct Settings;
-  static llvm::Expected<Settings> readSettings();
+  static llvm::Expected<DetectFile> readTable();
   std::vector<bool> matching(llvm::ArrayRef<std::string> lines) const;
   std::vector<bool> matching(llvm::ArrayRef<std::string> lines, LineMarks &known) const;
   std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text, LineMarks *known) const;

@@ -107,7 +107,7 @@ TEST(Configuration, ErrorsNameFileLineAndWhatIsExpected) {
   } cases[] = {
       {"{\n\"dialct\": \"haas-lathe\"}",
        ".ncvet.json:2: dialct: unknown key; did you mean \"dialect\""},
-      {"{\n\n\"failOn\": \"always\"}", ".ncvet.json:3: failOn: \"always\" is no level"},
+      {"{\n\n\"failOn\": \"always\"}", ".ncvet.json:3: failOn: unknown level \"always\""},
       {"{\"select\": [\n\"feed-mising\"]}", ".ncvet.json:2: select[0]: unknown rule"},
       {"{\"severity\":\n{\"feed-missing\": \"loud\"}}", ".ncvet.json:2: severity.feed-missing: "},
       {"{\"options\":\n{\"arc-centre-missing\": {\"most\": 3}}}", "has no options"},

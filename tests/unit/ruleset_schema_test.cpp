@@ -1,7 +1,7 @@
 // What is made of the tables' records: schemas and reference are the newest, and all files fit
 // them.
+#include "formats/dialect/config_file.h"
 #include "formats/dialect/loader.h"
-#include "formats/dialect/records.h"
 #include "formats/dialect/stored_names.h"
 #include "formats/schema/generated_files.h"
 
@@ -25,7 +25,8 @@ std::string contentOf(const std::string &name) {
 
 /// The roots and all records that their fields name.
 std::vector<const Record *> allRecords() {
-  std::vector<const Record *> records = {&dialectRecord, &machineRecord};
+  std::vector<const Record *> records = {&dialectRecord, &machineRecord, &configRecord,
+                                         &profileRecord, &detectRecord};
   const auto add = [&](const Shape *shape) {
     for (; shape; shape = shape->of ? shape->of : shape->otherwise)
       if (shape->record &&
@@ -128,11 +129,12 @@ def examples(schema, part, place):
                     bad.append((place, error.message))
         for key, item in part.items():
             examples(schema, item, place + [key])
-for kind, folder in (("dialect", "dialects"), ("machine", "machines")):
+for kind, files in (("dialect", "dialects/*"), ("machine", "machines/*"), ("profile", "profiles/*"),
+                    ("detect", "detect"), ("config", "no configuration is built in")):
     schema = json.load(open(f"{sys.argv[1]}schema/{kind}.schema.json", encoding="utf-8"))
     Validator.check_schema(schema)
     examples(schema, schema, [kind])
-    for path in sorted(glob.glob(f"{sys.argv[1]}{folder}/*.json")):
+    for path in sorted(glob.glob(f"{sys.argv[1]}{files}.json")):
         for error in Validator(schema).iter_errors(json.load(open(path, encoding="utf-8"))):
             bad.append((path, list(error.absolute_path), error.message[:200]))
 for item in bad:
