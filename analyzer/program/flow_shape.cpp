@@ -62,12 +62,15 @@ private:
       label_ = item.loop;
       return end(at, next, {Bracket::Numbered});
     case ItemKind::Structure:
-      break;
+      label_ = item.label;
+      return structure(item.structure, at, next);
     default:
       return;
     }
-    label_ = item.label;
-    switch (item.structure) {
+  }
+
+  void structure(Structure structure, uint32_t at, uint32_t next) {
+    switch (structure) {
     case Structure::If:
       return begin(at, Bracket::If);
     case Structure::ElseIf:
@@ -100,7 +103,7 @@ private:
     case Structure::EndTimes:
       return end(at, next, {Bracket::Times});
     case Structure::Sub:
-      if (llvm::any_of(open_, [](const Open &one) { return one.bracket == Bracket::Sub; }))
+      if (insideSub())
         shape_.mismatched.push_back(at); // bodies do not nest
       begin(at, Bracket::Sub);
       scope_ = ++subprograms_;
@@ -109,19 +112,26 @@ private:
       scope_ = 0;
       return end(at, next, {Bracket::Sub});
     case Structure::Return:
-      if (llvm::none_of(open_, [](const Open &one) { return one.bracket == Bracket::Sub; }))
+      if (!insideSub())
         shape_.mismatched.push_back(at);
       return;
     case Structure::Break:
-    case Structure::Continue: {
-      const size_t i = find({Bracket::While, Bracket::Repeat});
-      if (i == open_.size())
-        shape_.mismatched.push_back(at);
-      else
-        (item.structure == Structure::Break ? open_[i].breaks : open_[i].continues).push_back(at);
-      return;
+    case Structure::Continue:
+      return leave(at, structure);
     }
-    }
+  }
+
+  bool insideSub() const {
+    return llvm::any_of(open_, [](const Open &one) { return one.bracket == Bracket::Sub; });
+  }
+
+  /// Out of the loop with this label, or to its test.
+  void leave(uint32_t at, Structure structure) {
+    const size_t i = find({Bracket::While, Bracket::Repeat});
+    if (i == open_.size())
+      shape_.mismatched.push_back(at);
+    else
+      (structure == Structure::Break ? open_[i].breaks : open_[i].continues).push_back(at);
   }
 
   void begin(uint32_t at, Bracket bracket) {

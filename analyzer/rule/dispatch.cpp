@@ -35,33 +35,46 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     listener.rule->remember(first);
     if (!first.isLeftOut())
       rememberers_.push_back(listener.rule);
-    kinds_ |= subscriptions.kinds();
-    for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
-      if (subscriptions.kinds() >> kind & 1)
-        byKind_[kind].push_back(listener);
-    for (const EventKind kind : {EventKind::Block, EventKind::Motion})
-      if (subscriptions.everyBlock() & bitOf(kind))
-        everyBlock_.emplace_back(kind, listener);
-    for (const CodeIndex code : noticed)
-      if (dialect.codes[code].action == Action::Cycle &&
-          llvm::any_of(dialect.codes[code].notices,
-                       [&](const Notice &n) { return n.rule == table[i].info.id; })) {
-        kinds_ |= bitOf(EventKind::CycleRun);
-        noticesOf_[code].push_back(RuleId(i));
-      }
+    listenToKinds(listener, subscriptions);
     // Facts of the table are reported for every rule; some do so themselves.
-    if (!subscriptions.noticesHandled())
-      for (const CodeIndex code : noticed)
-        if (llvm::any_of(dialect.codes[code].notices,
-                         [&](const Notice &n) { return n.rule == table[i].info.id; })) {
-          kinds_ |= bitOf(EventKind::Code);
-          byCode_[code].push_back({nullptr, RuleId(i)});
-        }
-    for (const CodeIndex code : subscriptions.codes()) {
-      kinds_ |= bitOf(EventKind::Code);
-      if (llvm::none_of(byCode_[code], [&](const Listener &l) { return l.rule == listener.rule; }))
-        byCode_[code].push_back(listener);
+    listenToNotices(listener.id, dialect, noticed, !subscriptions.noticesHandled());
+    listenToCodes(listener, subscriptions);
+  }
+}
+
+void Dispatcher::listenToKinds(const Listener &listener, const Subscriptions &subscriptions) {
+  kinds_ |= subscriptions.kinds();
+  for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
+    if (subscriptions.kinds() >> kind & 1)
+      byKind_[kind].push_back(listener);
+  for (const EventKind kind : {EventKind::Block, EventKind::Motion})
+    if (subscriptions.everyBlock() & bitOf(kind))
+      everyBlock_.emplace_back(kind, listener);
+}
+
+void Dispatcher::listenToNotices(RuleId rule, const Dialect &dialect,
+                                 llvm::ArrayRef<CodeIndex> noticed, bool report) {
+  const llvm::StringRef name = allRules()[rule].info.id;
+  for (const CodeIndex code : noticed) {
+    const CodeInfo &info = dialect.codes[code];
+    if (llvm::none_of(info.notices, [&](const Notice &notice) { return notice.rule == name; }))
+      continue;
+    if (info.action == Action::Cycle) {
+      kinds_ |= bitOf(EventKind::CycleRun);
+      noticesOf_[code].push_back(rule);
     }
+    if (report) {
+      kinds_ |= bitOf(EventKind::Code);
+      byCode_[code].push_back({nullptr, rule});
+    }
+  }
+}
+
+void Dispatcher::listenToCodes(const Listener &listener, const Subscriptions &subscriptions) {
+  for (const CodeIndex code : subscriptions.codes()) {
+    kinds_ |= bitOf(EventKind::Code);
+    if (llvm::none_of(byCode_[code], [&](const Listener &l) { return l.rule == listener.rule; }))
+      byCode_[code].push_back(listener);
   }
 }
 

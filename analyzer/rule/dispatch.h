@@ -69,6 +69,12 @@ private:
       return event.kind != EventKind::Motion || (moves & bitOf(event.motion));
     }
   };
+  void listenToKinds(const Listener &listener, const Subscriptions &subscriptions);
+  /// The table has something to say of the `noticed` codes: what names the rule, is said when the
+  /// code runs as a cycle, and with `report` when it is active.
+  void listenToNotices(RuleId rule, const Dialect &dialect, llvm::ArrayRef<CodeIndex> noticed,
+                       bool report);
+  void listenToCodes(const Listener &listener, const Subscriptions &subscriptions);
   void reportChanged(const Event &event);
   void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
                const MachineState &before, const MachineState &after, unsigned callDepth);

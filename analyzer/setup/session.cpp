@@ -295,19 +295,8 @@ void Session::forgetFolders() {
   folders_ = std::make_shared<ProgramFolders>();
 }
 
-llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringRef text) {
-  auto config = this->config(path::parent_path(fileName));
-  if (!config)
-    return config.takeError();
-  FileSetup setup;
-  setup.config = *config;
-  setup.limits = options_.limits;
-  const MachineSource *machine = nullptr;
-  if (options_.machine)
-    machine = &*options_.machine;
-  else if (setup.config->machine)
-    machine = &*setup.config->machine;
-
+llvm::Expected<std::string> Session::namedDialect(FileSetup &setup,
+                                                  const MachineSource *machine) const {
   std::string dialect;
   if (options_.dialect != "auto") {
     dialect = options_.dialect;
@@ -326,6 +315,26 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     dialect = options_.usualDialect;
     setup.reason = "the language of the text";
   }
+  return dialect;
+}
+
+llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringRef text) {
+  auto config = this->config(path::parent_path(fileName));
+  if (!config)
+    return config.takeError();
+  FileSetup setup;
+  setup.config = *config;
+  setup.limits = options_.limits;
+  const MachineSource *machine = nullptr;
+  if (options_.machine)
+    machine = &*options_.machine;
+  else if (setup.config->machine)
+    machine = &*setup.config->machine;
+
+  auto named = namedDialect(setup, machine);
+  if (!named)
+    return named.takeError();
+  std::string dialect = std::move(*named);
   // Detection compiles expressions, but it runs unlocked: only making the detector needs the lock.
   std::unique_lock<std::mutex> lock(mutex_);
   setup.folders = folders_;

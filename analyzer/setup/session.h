@@ -85,6 +85,9 @@ private:
     Detector::LineMarks lines;
   };
 
+  /// The dialect that an option, the configuration or the machine names, with the reason in
+  /// `setup`; empty: none, and the text decides.
+  llvm::Expected<std::string> namedDialect(FileSetup &setup, const MachineSource *machine) const;
   llvm::Expected<std::shared_ptr<const Detector>> detector(const Config &config);
   /// What the detector says; the same head of the same file is looked at once.
   Detection detect(const Detector &detector, llvm::StringRef fileName, llvm::StringRef text);
