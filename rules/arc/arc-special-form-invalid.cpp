@@ -27,12 +27,36 @@ public:
 private:
   using Point = std::array<double, 3>;
 
-  /// Start, intermediate point and end; an axis that nothing of the block moves may be unknown.
+  struct ThreePoints {
+    Point start{}, middle{}, end{};
+  };
+
   static void threePoints(const Event &event, RuleContext &ctx) {
     if (lacksCoordinate(event, ctx))
       return;
-    Point start{}, middle{}, end{};
-    bool plane = false;
+    const std::optional<ThreePoints> points = pointsOf(ctx);
+    const std::optional<double> place = points ? placeOnLine(*points) : std::nullopt;
+    if (!place)
+      return;
+    auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode));
+    if (!finding)
+      return;
+    if (*place > 0 && *place < 1)
+      finding.severity(Severity::Warning)
+          .message("the intermediate point of `{0}` lies on the line from start to end: the "
+                   "control drives that line, no arc",
+                   ctx.code(event).name);
+    else
+      finding.message("the three points of `{0}` lie on a line, and the intermediate one not "
+                      "between the others: no arc leads through them",
+                      ctx.code(event).name);
+  }
+
+  /// Start, intermediate point and end; none when one is not known. An axis that nothing of the
+  /// block moves may be unknown.
+  static std::optional<ThreePoints> pointsOf(const RuleContext &ctx) {
+    ThreePoints points;
+    bool any = false;
     for (unsigned i = 0; i < 3; ++i) {
       const Interval &from = ctx.before().at(Axis(i)), &to = ctx.after().at(Axis(i));
       const Word *word = intermediate(i, ctx);
@@ -43,7 +67,7 @@ private:
       // meant.
       if (!word || !from.isConstant() || !to.isConstant() ||
           ctx.before().inMachineCoordinates(Axis(i)) || ctx.after().inMachineCoordinates(Axis(i)))
-        return;
+        return std::nullopt;
       const Interval given =
           lengthOf(*word, ctx.block(), ctx.dialect(), ctx.machine(), ctx.after());
       const Truth incremental =
@@ -52,43 +76,32 @@ private:
               ? Truth::No
               : ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental});
       if (!given.isConstant() || incremental == Truth::Unknown)
-        return;
-      start[i] = from.value();
-      end[i] = to.value();
-      middle[i] = given.value() + (incremental == Truth::Yes ? from.value() : 0);
-      plane = true;
+        return std::nullopt;
+      points.start[i] = from.value();
+      points.end[i] = to.value();
+      points.middle[i] = given.value() + (incremental == Truth::Yes ? from.value() : 0);
+      any = true;
     }
-    if (!plane)
-      return;
-    // Where the foot of the intermediate point lies between start (0) and end (1), and how far
-    // away.
+    return any ? std::optional(points) : std::nullopt;
+  }
+
+  /// Where the intermediate point lies on the line from start (0) to end (1); none when it lies
+  /// beside that line, or when the arc ends where it begins, which is another matter.
+  static std::optional<double> placeOnLine(const ThreePoints &points) {
+    const auto &[start, middle, end] = points;
     double along = 0, length = 0, distance = 0;
     for (unsigned i = 0; i < 3; ++i) {
       along += (middle[i] - start[i]) * (end[i] - start[i]);
       length += (end[i] - start[i]) * (end[i] - start[i]);
     }
-    if (length < tolerance * tolerance) // back where it began: another matter
-      return;
+    if (length < tolerance * tolerance)
+      return std::nullopt;
     along /= length;
     for (unsigned i = 0; i < 3; ++i) {
       const double away = middle[i] - start[i] - along * (end[i] - start[i]);
       distance += away * away;
     }
-    if (std::sqrt(distance) > tolerance)
-      return;
-    const bool between = along > 0 && along < 1;
-    auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode));
-    if (!finding)
-      return;
-    if (between)
-      finding.severity(Severity::Warning)
-          .message("the intermediate point of `{0}` lies on the line from start to end: the "
-                   "control drives that line, no arc",
-                   ctx.code(event).name);
-    else
-      finding.message("the three points of `{0}` lie on a line, and the intermediate one not "
-                      "between the others: no arc leads through them",
-                      ctx.code(event).name);
+    return std::sqrt(distance) > tolerance ? std::nullopt : std::optional(along);
   }
 
   /// Of the intermediate point one coordinate in the plane is given, and not the other.

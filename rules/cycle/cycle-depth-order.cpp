@@ -39,27 +39,49 @@ public:
     if (event.kind == EventKind::Code ? !storesPlanes(code) : !makesHole(code.cycle))
       return;
     if (hasPlanes(code))
-      return planes(event, code, ctx);
+      planes(event, code, ctx);
+    else
+      levels(event, code, ctx);
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"cycle-depth-order"};
+  static constexpr double tolerance = 1e-6;
+
+  /// Whether distances are programmed as increments.
+  static Truth incremental(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    if (dialect.group(StandardGroup::Distance) == noGroup ||
+        state.active(dialect, StandardGroup::Distance) == groupUnset)
+      return Truth::No;
+    return state.isActive(dialect, StandardGroup::Distance, {Action::Incremental});
+  }
+
+  /// R and the depth of a cycle, as programmed.
+  struct Levels {
+    const Word &word; ///< that is reported: R, or else the depth
+    double r, z;
+    double unit; ///< mm
+
+    double level() const { return r * unit; }
+    double depth() const { return z * unit; }
+  };
+
+  /// Levels that are words of the cycle.
+  static void levels(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     const Block &block = ctx.block();
     const Word *rWord = wordOf(block, code, Role::Retract);
     const Word *zWord = wordOf(block, code, Role::Depth);
-    if (!rWord && !zWord)
+    if ((!rWord && !zWord) || (zWord && isOfHole(*zWord, ctx)))
       return;
-    const Dialect &dialect = ctx.dialect();
     const MachineState &state = ctx.after();
-    const auto unit = millimetresPer(dialect, state);
-    const Axis tool = toolAxis(dialect, state);
-    if (zWord && dialect.addresses[zWord->address].kind == AddressKind::Axis &&
-        dialect.addresses[zWord->address].axis != tool)
-      return; // in this plane it is a coordinate of the hole
+    const auto unit = millimetresPer(ctx.dialect(), state);
     const auto r = kept(state, code, Role::Retract);
     const auto z = kept(state, code, Role::Depth);
     if (zWord && unit && z && countsFromApproach(*zWord, ctx) && code.cycle != CycleKind::BackBore)
       countsUpwards(event, code, *zWord, *z * *unit, ctx);
-    const bool increments =
-        dialect.group(StandardGroup::Distance) != noGroup &&
-        state.active(dialect, StandardGroup::Distance) != groupUnset &&
-        state.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::No;
+    const bool increments = incremental(ctx) != Truth::No;
     if (unit && r && zWord && !increments && upwards(*zWord, *r * *unit, ctx)) {
       if (auto finding = ctx.report(*zWord, event.certain))
         finding.message("`{0}` leads away from the bottom of the hole: `{1}` begins at {2} and "
@@ -67,68 +89,80 @@ public:
                         ctx.text(*zWord), code.name, text(state.initialLevel.value() / *unit));
       return;
     }
-    if (!unit || !r || !z || mixed(state.cycle, code, dialect) ||
+    if (!unit || !r || !z || increments || mixed(state.cycle, code, ctx.dialect()) ||
         (rWord && rWord->has(wordIncremental)) || (zWord && zWord->has(wordIncremental)))
       return;
-    if (increments)
-      return;
-    const Word &word = rWord ? *rWord : *zWord;
-    const double level = *r * *unit, depth = *z * *unit;
-    if (code.cycle == CycleKind::BackBore) {
-      if (level < depth - tolerance)
-        return;
-      if (auto finding = ctx.report(word, event.certain))
-        finding.message("back boring `{0}` cuts upwards: its R ({1}) must lie deeper than Z ({2})",
-                        code.name, text(*r), text(*z));
-      return;
-    }
-    const Interval &from = state.initialLevel;
-    if (std::fabs(level - depth) <= tolerance) {
-      if (event.kind != EventKind::CycleStart)
-        return; // a later block that goes to R
-      if (auto finding = ctx.report(word, event.certain))
-        finding.message("{0} and depth of `{1}` are both {2}: there is nothing to drill between "
-                        "them",
-                        retractOf(code), code.name, text(*z));
-      return;
-    }
-    if (level < depth - tolerance) {
-      // Drilling towards plus is a matter of lathes with a second spindle; the start tells.
-      const bool startKnown = from.isConstant();
-      if (startKnown && from.value() <= level + tolerance && dialect.isLathe())
-        return;
-      if (auto finding = ctx.report(word, event.certain && (startKnown || !dialect.isLathe())))
-        finding.message("{0} ({1}) of `{2}` lies below the depth {3}: there is nothing to drill "
-                        "between them",
-                        retractOf(code), text(*r), code.name, text(*z));
-      return;
-    }
-    if (level > depth + tolerance && from.isConstant() && from.value() < level - tolerance &&
-        event.kind == EventKind::CycleStart) {
-      const bool inside = from.value() < depth - tolerance;
-      if (auto finding = ctx.report(word, event.certain && inside))
-        finding
-            .message(
-                "`{0}` begins at {1}, below its {3} ({2}): the tool rises to {3} at rapid first",
-                code.name, text(from.value() / *unit), text(*r), retractOf(code))
-            .severity(inside ? Severity::Warning : Severity::Style);
-    }
+    const Levels levels{rWord ? *rWord : *zWord, *r, *z, *unit};
+    if (code.cycle == CycleKind::BackBore)
+      boresUpwards(event, code, levels, ctx);
+    else if (std::fabs(levels.level() - levels.depth()) <= tolerance)
+      nothingBetween(event, code, levels, ctx);
+    else if (levels.level() < levels.depth())
+      belowDepth(event, code, levels, ctx);
+    else
+      startsBelow(event, code, levels, ctx);
   }
 
-private:
-  static constexpr llvm::StringLiteral id{"cycle-depth-order"};
-  static constexpr double tolerance = 1e-6;
+  /// In this plane the word is a coordinate of the hole.
+  static bool isOfHole(const Word &word, const RuleContext &ctx) {
+    const AddressInfo &address = ctx.dialect().addresses[word.address];
+    return address.kind == AddressKind::Axis &&
+           address.axis != toolAxis(ctx.dialect(), ctx.after());
+  }
+
+  static void boresUpwards(const Event &event, const CodeInfo &code, const Levels &levels,
+                           RuleContext &ctx) {
+    if (levels.level() < levels.depth() - tolerance)
+      return;
+    if (auto finding = ctx.report(levels.word, event.certain))
+      finding.message("back boring `{0}` cuts upwards: its R ({1}) must lie deeper than Z ({2})",
+                      code.name, text(levels.r), text(levels.z));
+  }
+
+  static void nothingBetween(const Event &event, const CodeInfo &code, const Levels &levels,
+                             RuleContext &ctx) {
+    if (event.kind != EventKind::CycleStart)
+      return; // a later block that goes to R
+    if (auto finding = ctx.report(levels.word, event.certain))
+      finding.message("{0} and depth of `{1}` are both {2}: there is nothing to drill between "
+                      "them",
+                      retractOf(code), code.name, text(levels.z));
+  }
+
+  static void belowDepth(const Event &event, const CodeInfo &code, const Levels &levels,
+                         RuleContext &ctx) {
+    // Drilling towards plus is a matter of lathes with a second spindle; the start tells.
+    const Interval &from = ctx.after().initialLevel;
+    const bool startKnown = from.isConstant(), lathe = ctx.dialect().isLathe();
+    if (startKnown && from.value() <= levels.level() + tolerance && lathe)
+      return;
+    if (auto finding = ctx.report(levels.word, event.certain && (startKnown || !lathe)))
+      finding.message("{0} ({1}) of `{2}` lies below the depth {3}: there is nothing to drill "
+                      "between them",
+                      retractOf(code), text(levels.r), code.name, text(levels.z));
+  }
+
+  /// The tool is below R where the cycle begins.
+  static void startsBelow(const Event &event, const CodeInfo &code, const Levels &levels,
+                          RuleContext &ctx) {
+    const Interval &from = ctx.after().initialLevel;
+    if (!from.isConstant() || from.value() >= levels.level() - tolerance ||
+        event.kind != EventKind::CycleStart)
+      return;
+    const bool inside = from.value() < levels.depth() - tolerance;
+    if (auto finding = ctx.report(levels.word, event.certain && inside))
+      finding
+          .message("`{0}` begins at {1}, below its {3} ({2}): the tool rises to {3} at rapid first",
+                   code.name, text(from.value() / levels.unit), text(levels.r), retractOf(code))
+          .severity(inside ? Severity::Warning : Severity::Style);
+  }
 
   /// The depth is an increment, which a mill counts from the level of approach.
   static bool countsFromApproach(const Word &word, const RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
-    const MachineState &state = ctx.after();
     if (dialect.isLathe() || !(dialect.axisWords & maskOf(word.address)))
       return false;
-    return word.has(wordIncremental) ||
-           (dialect.group(StandardGroup::Distance) != noGroup &&
-            state.active(dialect, StandardGroup::Distance) != groupUnset &&
-            state.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) == Truth::Yes);
+    return word.has(wordIncremental) || incremental(ctx) == Truth::Yes;
   }
 
   static void countsUpwards(const Event &event, const CodeInfo &code, const Word &word, double way,
@@ -162,71 +196,100 @@ private:
     return code.action == Action::Switch && makesHole(code.cycle) && hasPlanes(code);
   }
 
-  /// Planes that are variables: start, depth and return, and the surface when it is known to be
-  /// zero. Of a later hole only what its block gives anew.
+  /// Planes that are variables, and the words of the block that give them, or null.
+  struct Planes {
+    const Word *call, *from, *to, *back;
+    Memory::Kept now{};
+    double up = 1; ///< -1 where the tool comes from below: all planes are the other way round
+
+    bool isBelow(double plane, double other) const { return up * plane < up * other - tolerance; }
+  };
+
+  /// Start, depth and return, and the surface when it is known to be zero. Of a later hole only
+  /// what its block gives anew.
   void planes(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     const Block &block = ctx.block();
-    const Word *const call = codeWord(code, ctx);
-    const Word *const from = wordOf(block, code, Role::Retract);
-    const Word *const to = wordOf(block, code, Role::Depth);
-    const Word *const back = wordOf(block, code, Role::Height);
-    if (!call && !from && !to && !back)
+    Planes planes{codeWord(code, ctx), wordOf(block, code, Role::Retract),
+                  wordOf(block, code, Role::Depth), wordOf(block, code, Role::Height)};
+    const bool given = planes.from || planes.to || planes.back;
+    if (!planes.call && !given)
       return;
     const MachineState &state = ctx.after();
     const auto start = kept(state, code, Role::Retract), depth = kept(state, code, Role::Depth);
-    const auto height = kept(state, code, Role::Height);
-    if (!start || !depth || !isAbsolute(ctx))
+    if (!start || !depth || (!absolute_ && incremental(ctx) != Truth::No))
       return;
-    const Memory::Kept now{*start, *depth, height.value_or(NAN), {ctx.source().id(), block.begin}};
+    planes.now = {*start,
+                  *depth,
+                  kept(state, code, Role::Height).value_or(NAN),
+                  {ctx.source().id(), block.begin}};
     // Called again with the planes of which it was said.
-    if (!from && !to && !back && memory().said && memory().said->isSame(now) &&
-        memory().said->block != now.block)
+    if (!given && memory().said && memory().said->isSame(planes.now) &&
+        memory().said->block != planes.now.block)
       return;
-    const auto at = [&](const Word *word, const Word *other) {
-      const Word *found = word ? word : other ? other : call;
-      memory().said = now;
-      return found ? ctx.report(*found, event.certain) : ctx.report(event, event.certain);
-    };
-    // Where the tool comes from below, all planes are the other way round.
-    const double up = comesFromBelow(state) ? -1 : 1;
-    const auto isBelow = [&](double plane, double other) {
-      return up * plane < up * other - tolerance;
-    };
-    const bool here = call || from || to;
+    planes.up = comesFromBelow(state) ? -1 : 1;
+    if (planes.call || planes.from || planes.to)
+      startAndDepth(event, code, planes, ctx);
+    if (code.cycle == CycleKind::BackBore)
+      return;
+    if (planes.call || planes.from || planes.back)
+      returnPlane(event, code, planes, ctx);
+    if (ctx.machine().option("zeroOnSurface").value_or("") == "true")
+      surface(event, code, planes, ctx);
+  }
+
+  /// Reports the first of these words that is there, or the call.
+  FindingBuilder report(const Event &event, const Planes &planes, const Word *word,
+                        const Word *other, RuleContext &ctx) const {
+    const Word *found = word ? word : other ? other : planes.call;
+    memory().said = planes.now;
+    return found ? ctx.report(*found, event.certain) : ctx.report(event, event.certain);
+  }
+
+  void startAndDepth(const Event &event, const CodeInfo &code, const Planes &planes,
+                     RuleContext &ctx) const {
+    const double start = planes.now.start, depth = planes.now.depth;
     if (code.cycle == CycleKind::BackBore) {
-      if (here && !isBelow(*start, *depth))
-        if (auto finding = at(to, from))
+      if (!planes.isBelow(start, depth))
+        if (auto finding = report(event, planes, planes.to, planes.from, ctx))
           finding.message("back boring `{0}` cuts upwards: its {3} ({1}) must lie deeper than the "
                           "depth {2}",
-                          code.name, text(*start), text(*depth), retractOf(code));
-      return;
-    }
-    if (here && isBelow(*start, *depth)) {
-      if (auto finding = at(to, from))
+                          code.name, text(start), text(depth), retractOf(code));
+    } else if (planes.isBelow(start, depth)) {
+      if (auto finding = report(event, planes, planes.to, planes.from, ctx))
         finding.message("{0} ({1}) of `{2}` lies {4} the depth {3}: there is nothing to drill "
                         "between them",
-                        retractOf(code), text(*start), code.name, text(*depth),
-                        up < 0 ? "above" : "below");
-    } else if (here && absolute_ && !isBelow(*depth, *start)) {
-      if (auto finding = at(to, from))
+                        retractOf(code), text(start), code.name, text(depth),
+                        planes.up < 0 ? "above" : "below");
+    } else if (absolute_ && !planes.isBelow(depth, start)) {
+      if (auto finding = report(event, planes, planes.to, planes.from, ctx))
         finding.message("{0} of `{1}` is its depth {2} too: there is nothing to drill between them",
-                        retractOf(code), code.name, text(*depth));
+                        retractOf(code), code.name, text(depth));
     }
-    if ((call || from || back) && height && isBelow(*height, *start))
-      if (auto finding = at(back, from))
-        finding.message("the return plane {0} of `{1}` lies {3} its start plane {2}", text(*height),
-                        code.name, text(*start), up < 0 ? "above" : "below");
-    if (ctx.machine().option("zeroOnSurface").value_or("") != "true")
+  }
+
+  void returnPlane(const Event &event, const CodeInfo &code, const Planes &planes,
+                   RuleContext &ctx) const {
+    const double height = planes.now.height, start = planes.now.start;
+    if (std::isnan(height) || !planes.isBelow(height, start))
       return;
-    if ((call || from) && *start <= 0)
-      if (auto finding = at(from, nullptr))
+    if (auto finding = report(event, planes, planes.back, planes.from, ctx))
+      finding.message("the return plane {0} of `{1}` lies {3} its start plane {2}", text(height),
+                      code.name, text(start), planes.up < 0 ? "above" : "below");
+  }
+
+  /// The machine's programs have their zero on the surface of the work.
+  void surface(const Event &event, const CodeInfo &code, const Planes &planes,
+               RuleContext &ctx) const {
+    const double start = planes.now.start, depth = planes.now.depth;
+    if ((planes.call || planes.from) && start <= 0)
+      if (auto finding = report(event, planes, planes.from, nullptr, ctx))
         finding.severity(Severity::Warning)
             .message("the start plane {0} of `{1}` is not above the surface, which is Z0",
-                     text(*start), code.name);
-    if ((call || to) && *depth >= 0)
-      if (auto finding = at(to, nullptr))
+                     text(start), code.name);
+    if ((planes.call || planes.to) && depth >= 0)
+      if (auto finding = report(event, planes, planes.to, nullptr, ctx))
         finding.severity(Severity::Warning)
-            .message("the depth {0} of `{1}` is not below the surface, which is Z0", text(*depth),
+            .message("the depth {0} of `{1}` is not below the surface, which is Z0", text(depth),
                      code.name);
   }
 
@@ -236,15 +299,6 @@ private:
       if (ctx.code(use).base == code.base)
         return use.word;
     return nullptr;
-  }
-
-  /// Planes are coordinates, not distances.
-  bool isAbsolute(RuleContext &ctx) const {
-    const Dialect &dialect = ctx.dialect();
-    return absolute_ || dialect.group(StandardGroup::Distance) == noGroup ||
-           ctx.after().active(dialect, StandardGroup::Distance) == groupUnset ||
-           ctx.after().isActive(dialect, StandardGroup::Distance, {Action::Incremental}) ==
-               Truth::No;
   }
 
   bool absolute_ = false; ///< planes are absolute in every mode, and the depth lies below the start

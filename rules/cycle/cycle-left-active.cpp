@@ -67,73 +67,8 @@ public:
       repeatedPass(event, ctx);
       return;
     }
-    if (!cycle)
-      return;
-    // Where every block runs the cycle a T has no place in a list; the change says it for both.
-    const bool called = event.kind == EventKind::ToolWord;
-    if (called && ctx.find({Action::ToolChange}))
-      return;
-    for (const CodeUse &use : ctx.codes()) { // the block itself ends the cycle
-      const CodeInfo &code = ctx.code(use);
-      const bool ofFamily = code.family.empty() || code.family == cycle->family;
-      if ((code.cancelsCycle && ofFamily) || code.action == Action::CycleCancel ||
-          (isMotion(code.action) && !dialect.emptyBlocksRun))
-        return;
-    }
-    const Origin &origin = before.origin.of(StatePart::Cycle);
-    if (memory().said == origin && memory().said.known())
-      return;
-    const char *where = "";
-    switch (event.kind) {
-    case EventKind::ToolWord:
-      where = "where the next tool is called";
-      break;
-    case EventKind::ToolChange:
-      where = "at this tool change";
-      break;
-    case EventKind::ProgramEnd:
-      where = "at the program's end";
-      break;
-    case EventKind::Return: {
-      // A cycle that the caller switched on is the caller's to switch off.
-      const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-      if (origin.file != ctx.source().id() || origin.begin < program.begin ||
-          origin.begin >= program.end || callersEnd(*cycle, ctx))
-        return;
-      // The caller's next motion code ends it: what follows the call decides.
-      if (endsByMotion(*cycle, dialect) && ctx.callDepth() > 0)
-        return;
-      where = "at the return from this program";
-      break;
-    }
-    default:
-      if (endsSeries(ctx.code(event), dialect)) {
-        if (cycle->cycle != CycleKind::Measure)
-          return;
-        where = "at the end of measuring";
-        memory().said = origin;
-        break;
-      }
-      where = "where a cycle of turning begins";
-      break;
-    }
-    const std::string cancel = cancelOf(dialect, *cycle);
-    Memory::Left left;
-    left.place = event.word ? ctx.range(*event.word) : ctx.blockRange();
-    left.certain = active == Truth::Yes;
-    left.origin = origin;
-    left.name = cycle->name;
-    left.message = llvm::formatv("`{0}` of line {1} is still active {2}: {4} {3} again",
-                                 cycle->name, lineOf(ctx, origin), where, verbOf(cycle->cycle),
-                                 dialect.emptyBlocksRun ? "the block" : "the next position")
-                       .str();
-    left.cancel = cancel;
-    left.edit = ctx.insertBlockBefore(cancel);
-    // Switched on only and not run, it may be meant for the places that the caller gives.
-    if (event.kind == EventKind::Return && ctx.callDepth() > 0 && !before.may(Fact::CycleRan))
-      memory().returned[{origin.file, origin.begin}] = std::move(left);
-    else
-      left.report(ctx);
+    if (cycle && !endsHere(event, *cycle, ctx))
+      leftActive(event, *cycle, active == Truth::Yes, ctx);
   }
 
   /// Programs that no block called, of those that return with the cycle on.
@@ -144,6 +79,77 @@ public:
   }
 
 private:
+  /// Whether the block itself ends the cycle, or another of its events says it.
+  static bool endsHere(const Event &event, const CodeInfo &cycle, const RuleContext &ctx) {
+    // Where every block runs the cycle a T has no place in a list; the change says it for both.
+    if (event.kind == EventKind::ToolWord && ctx.find({Action::ToolChange}))
+      return true;
+    return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      const CodeInfo &code = ctx.code(use);
+      const bool ofFamily = code.family.empty() || code.family == cycle.family;
+      return (code.cancelsCycle && ofFamily) || code.action == Action::CycleCancel ||
+             (isMotion(code.action) && !ctx.dialect().emptyBlocksRun);
+    });
+  }
+
+  /// The place, in words, at which the cycle must no longer be active; empty: it may be.
+  llvm::StringRef placeOf(const Event &event, const CodeInfo &cycle, const Origin &origin,
+                          const RuleContext &ctx) const {
+    switch (event.kind) {
+    case EventKind::ToolWord:
+      return "where the next tool is called";
+    case EventKind::ToolChange:
+      return "at this tool change";
+    case EventKind::ProgramEnd:
+      return "at the program's end";
+    case EventKind::Return:
+      return isOfCaller(cycle, origin, ctx) ? "" : "at the return from this program";
+    default:
+      if (!endsSeries(ctx.code(event), ctx.dialect()))
+        return "where a cycle of turning begins";
+      return cycle.cycle == CycleKind::Measure ? "at the end of measuring" : "";
+    }
+  }
+
+  /// A cycle that the caller switched on, or that all callers end, is theirs to switch off.
+  bool isOfCaller(const CodeInfo &cycle, const Origin &origin, const RuleContext &ctx) const {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (origin.file != ctx.source().id() || origin.begin < program.begin ||
+        origin.begin >= program.end || callersEnd(cycle, ctx))
+      return true;
+    // The caller's next motion code ends it: what follows the call decides.
+    return endsByMotion(cycle, ctx.dialect()) && ctx.callDepth() > 0;
+  }
+
+  void leftActive(const Event &event, const CodeInfo &cycle, bool certain, RuleContext &ctx) const {
+    const MachineState &before = ctx.before();
+    const Dialect &dialect = ctx.dialect();
+    const Origin &origin = before.origin.of(StatePart::Cycle);
+    if (memory().said == origin && memory().said.known())
+      return;
+    const llvm::StringRef where = placeOf(event, cycle, origin, ctx);
+    if (where.empty())
+      return;
+    if (event.kind == EventKind::Code && endsSeries(ctx.code(event), dialect))
+      memory().said = origin;
+    Memory::Left left;
+    left.place = event.word ? ctx.range(*event.word) : ctx.blockRange();
+    left.certain = certain;
+    left.origin = origin;
+    left.name = cycle.name;
+    left.message = llvm::formatv("`{0}` of line {1} is still active {2}: {4} {3} again", cycle.name,
+                                 lineOf(ctx, origin), where, verbOf(cycle.cycle),
+                                 dialect.emptyBlocksRun ? "the block" : "the next position")
+                       .str();
+    left.cancel = cancelOf(dialect, cycle);
+    left.edit = ctx.insertBlockBefore(left.cancel);
+    // Switched on only and not run, it may be meant for the places that the caller gives.
+    if (event.kind == EventKind::Return && ctx.callDepth() > 0 && !before.may(Fact::CycleRan))
+      memory().returned[{origin.file, origin.begin}] = std::move(left);
+    else
+      left.report(ctx);
+  }
+
   /// Cycles of the motion codes' group, which any of these ends.
   static bool endsByMotion(const CodeInfo &cycle, const Dialect &dialect) {
     const GroupIndex motion = dialect.group(StandardGroup::Motion);

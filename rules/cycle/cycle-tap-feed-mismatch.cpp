@@ -41,11 +41,6 @@ public:
     if (!unit || !state.feed->isConstant() || !state.must(Fact::FeedSet) ||
         state.active(dialect, StandardGroup::FeedMode) == groupUnset)
       return;
-    const double feed = state.feed->value() * *unit;
-    const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
-    std::optional<double> pitch;
-    if (const auto tool = ctx.machine().tools.find(state.tool); tool != ctx.machine().tools.end())
-      pitch = tool->second.pitch;
     const Word *word = ctx.block().find('F');
     if (!word)
       word = ctx.block().find('S');
@@ -54,65 +49,98 @@ public:
     const bool stated = word || changed || !ctx.before().may(Fact::CycleRan) || named;
     if (!stated)
       return;
-    const SourceRange at = word ? ctx.range(*word) : named ? ctx.range(*named) : ctx.blockRange();
-    if (mode == Action::FeedPerRevolution) {
-      const bool off = pitch ? std::fabs(feed - *pitch) > 0.02 * *pitch : feed > greatestPitch_;
-      if (!off)
-        return;
-      if (auto finding = ctx.report(at, event.certain)) {
-        if (pitch)
-          finding.message("`{0}` with F{1} per revolution taps a pitch of {1}, but the tap has {2}",
-                          code.name, text(feed / *unit), text(*pitch / *unit));
-        else
-          finding.message("`{0}` with F{1} under feed per revolution: that is no pitch, it looks "
-                          "like a feed per minute",
-                          code.name, text(feed / *unit));
-        finding.note(state.origin.of(StatePart::Feed), "the feed is set here");
-      }
-      return;
-    }
-    if (mode != Action::FeedPerMinute || !state.speed->isConstant() || state.speed->value() <= 0 ||
-        (dialect.group(StandardGroup::SpeedMode) != noGroup &&
-         state.activeAction(dialect, StandardGroup::SpeedMode) == Action::SurfaceSpeed))
-      return;
-    const double cuts = feed / state.speed->value();
-    const bool off = pitch ? std::fabs(cuts - *pitch) > 0.02 * *pitch
-                           : cuts < leastPitch_ || cuts > greatestPitch_;
-    if (off) {
-      if (auto finding = ctx.report(at, event.certain)) {
-        if (pitch)
-          finding.message("`{0}` with F{1} and S{2} taps a pitch of {3}, but the tap has {4}: its "
-                          "feed per minute is F{5}",
-                          code.name, text(feed / *unit), text(state.speed->value()),
-                          text(cuts / *unit), text(*pitch / *unit),
-                          text(*pitch / *unit * state.speed->value()));
-        else
-          finding.message(
-              "`{0}` with F{1} per minute and S{2} taps a pitch of {3}: F is speed times "
-              "pitch here",
-              code.name, text(feed / *unit), text(state.speed->value()), text(cuts / *unit));
-        finding.note(state.origin.of(StatePart::Speed), "the speed is set here");
-      }
-      return;
-    }
-    // A later hole with another speed, but the old feed.
-    const MachineState &before = ctx.before();
-    if (pitch || named || memory().was <= 0 || !before.must(Fact::CycleRan))
-      return;
-    const double was = memory().was;
-    if (std::fabs(was - cuts) <= 0.005 * was)
-      return;
-    if (auto finding = ctx.report(at, event.certain))
-      finding
-          .message(
-              "`{0}` taps a pitch of {1} from here on, before it was {2}: F and S have to change "
-              "together",
-              code.name, text(cuts / *unit), text(was / *unit))
-          .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
+    Tapping tapping{code, *unit, state.feed->value() * *unit, {}, named != nullptr, {}};
+    if (const auto tool = ctx.machine().tools.find(state.tool); tool != ctx.machine().tools.end())
+      tapping.pitch = tool->second.pitch;
+    tapping.at = word ? ctx.range(*word) : named ? ctx.range(*named) : ctx.blockRange();
+    const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
+    if (mode == Action::FeedPerRevolution)
+      perRevolution(event, tapping, ctx);
+    else if (mode == Action::FeedPerMinute && hasSpeed(ctx) && !perMinute(event, tapping, ctx))
+      laterHole(event, tapping, ctx);
   }
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-tap-feed-mismatch"};
+
+  struct Tapping {
+    const CodeInfo &code;
+    double unit;                 ///< mm
+    double feed;                 ///< mm a minute or revolution
+    std::optional<double> pitch; ///< mm, of the tap in use, where the machine knows it
+    bool named;                  ///< the block has the code of the cycle
+    SourceRange at;              ///< what is reported
+
+    /// Another pitch than that of the tap, or than any tap has.
+    bool isOff(double cuts, double least, double greatest) const {
+      return pitch ? std::fabs(cuts - *pitch) > 0.02 * *pitch : cuts < least || cuts > greatest;
+    }
+  };
+
+  void perRevolution(const Event &event, const Tapping &tapping, RuleContext &ctx) const {
+    const auto &[code, unit, feed, pitch, named, at] = tapping;
+    if (!tapping.isOff(feed, -HUGE_VAL, greatestPitch_))
+      return;
+    auto finding = ctx.report(at, event.certain);
+    if (!finding)
+      return;
+    if (pitch)
+      finding.message("`{0}` with F{1} per revolution taps a pitch of {1}, but the tap has {2}",
+                      code.name, text(feed / unit), text(*pitch / unit));
+    else
+      finding.message("`{0}` with F{1} under feed per revolution: that is no pitch, it looks "
+                      "like a feed per minute",
+                      code.name, text(feed / unit));
+    finding.note(ctx.after().origin.of(StatePart::Feed), "the feed is set here");
+  }
+
+  /// The spindle turns at a known speed.
+  static bool hasSpeed(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    return state.speed->isConstant() && state.speed->value() > 0 &&
+           (dialect.group(StandardGroup::SpeedMode) == noGroup ||
+            state.activeAction(dialect, StandardGroup::SpeedMode) != Action::SurfaceSpeed);
+  }
+
+  /// False when the feed per minute gives the pitch.
+  bool perMinute(const Event &event, const Tapping &tapping, RuleContext &ctx) const {
+    const auto &[code, unit, feed, pitch, named, at] = tapping;
+    const double speed = ctx.after().speed->value(), cuts = feed / speed;
+    if (!tapping.isOff(cuts, leastPitch_, greatestPitch_))
+      return false;
+    auto finding = ctx.report(at, event.certain);
+    if (!finding)
+      return true;
+    if (pitch)
+      finding.message("`{0}` with F{1} and S{2} taps a pitch of {3}, but the tap has {4}: its "
+                      "feed per minute is F{5}",
+                      code.name, text(feed / unit), text(speed), text(cuts / unit),
+                      text(*pitch / unit), text(*pitch / unit * speed));
+    else
+      finding.message("`{0}` with F{1} per minute and S{2} taps a pitch of {3}: F is speed times "
+                      "pitch here",
+                      code.name, text(feed / unit), text(speed), text(cuts / unit));
+    finding.note(ctx.after().origin.of(StatePart::Speed), "the speed is set here");
+    return true;
+  }
+
+  /// A later hole with another speed, but the old feed.
+  void laterHole(const Event &event, const Tapping &tapping, RuleContext &ctx) const {
+    const MachineState &before = ctx.before();
+    const double was = memory().was, cuts = tapping.feed / ctx.after().speed->value();
+    if (tapping.pitch || tapping.named || was <= 0 || !before.must(Fact::CycleRan) ||
+        std::fabs(was - cuts) <= 0.005 * was)
+      return;
+    const CodeInfo &code = tapping.code;
+    if (auto finding = ctx.report(tapping.at, event.certain))
+      finding
+          .message(
+              "`{0}` taps a pitch of {1} from here on, before it was {2}: F and S have to change "
+              "together",
+              code.name, text(cuts / tapping.unit), text(was / tapping.unit))
+          .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
+  }
 
   /// A call whose part is a tapping cycle: its feed is the pitch.
   void ofPart(const Event &event, RuleContext &ctx) const {

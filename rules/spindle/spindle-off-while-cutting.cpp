@@ -24,73 +24,38 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
-    constexpr uint16_t linear =
-        uint16_t(~(1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C)));
     const CodeInfo &code = ctx.code(event);
-    if (event.kind == EventKind::Motion) {
-      if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-          event.motion == MotionKind::Skip || event.inMachineCoordinates() ||
-          !(event.axes & linear) || code.spindle == SpindleNeed::StartsItself)
-        return; // a rotary axis alone positions, or the work turns against a wheel
-      // `G1 X` without a number moves nothing.
-      if (llvm::none_of(ctx.block().words,
-                        [&](const Word &word) {
-                          return (ctx.dialect().axisWords & maskOf(word.address)) &&
-                                 !word.has(wordNoValue);
-                        }) &&
-          ctx.block().hasAny(ctx.dialect().axisWords))
-        return;
-      // No motion was asked for, and none is made for want of a feed: other rules say so.
-      if (const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
-          motion != noGroup && !(ctx.after().mayBeStated(motion)) &&
-          !ctx.after().may(Fact::FeedSet))
-        return;
-    } else if (code.spindle == SpindleNeed::Any || code.spindle == SpindleNeed::StartsItself ||
-               (!event.axes && code.group != noGroup && !code.firesOnEveryBlock)) {
-      return; // without axis words a modal cycle sets modes only
-    }
+    if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) : runs(event, code)))
+      return;
     // After rigid tapping another rule speaks.
     if (ctx.before().may(Fact::SpindleStoppedByTap))
       return;
     // M05 stops after the block's move, M03 starts before it; a hole in a block that moves nowhere
     // is made after everything.
-    const bool behind = event.kind == EventKind::CycleRun && code.firesOnEveryBlock && !event.axes;
+    const bool last = event.kind == EventKind::CycleRun && code.firesOnEveryBlock && !event.axes;
     const MachineState &state =
-        ctx.find({Action::SpindleStop}) && !behind ? ctx.before() : ctx.after();
-    constexpr uint8_t turning = spindleCw | spindleCcw;
+        ctx.find({Action::SpindleStop}) && !last ? ctx.before() : ctx.after();
     const uint8_t live =
         ctx.find({Action::LiveToolStop}) ? ctx.before().liveTool : ctx.after().liveTool;
-    if (!(state.spindle & (spindleOff | spindleOriented)) ||
-        !(live & (spindleOff | spindleOriented)))
+    if (!mayStop(state.spindle, live))
       return;
-    // After a code of the machine's builder it may be doing anything.
-    if (state.spindle == spindleAny || live == spindleAny)
-      return;
-    const bool may = (state.spindle & turning) || (live & turning);
+    const bool may = mayTurn(state.spindle, live);
     if (may && ctx.after().may(Fact::UnknownCode))
       return;
     if (const ToolData *tool = toolInUse(ctx.machine(), state); tool && tool->kind == "probe")
       return;
     const Origin &origin = state.origin.of(StatePart::Spindle);
-    const bool nothingSaid = !state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
-                             !state.may(Fact::SpindleStated);
-    // What ran before a fragment may have started the spindle.
-    if (nothingSaid && hasHead_ && (!memory().unsaid.speaks(origin, ctx) || isFragment(ctx)))
+    // What is before a fragment may have started the spindle.
+    if (nothingSaid(state) && hasHead_ && (!memory().unsaid.speaks(origin, ctx) || isFragment(ctx)))
       return;
     if (!memory().once.speaks(origin, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither tool, speed nor spindle: the program may run axes in, or guide a laser.
-      if (nothingSaid)
+      if (nothingSaid(state))
         finding.severity(Severity::Warning);
-      // A hole that the block of the stop itself makes.
-      if (behind && ctx.dialect().emptyBlocksRun && !ctx.codeWord(event) &&
-          ctx.find({Action::SpindleStop}))
-        finding.severity(Severity::Error)
-            .note(ctx.before().origin.of(StatePart::Cycle),
-                  code.name + " becomes active here, and runs in every block")
-            .fix(FixSafety::Unsafe, "end the cycle before this block",
-                 ctx.insertBlockBefore(cancelOf(ctx.dialect(), code)));
+      if (last)
+        holeOfStop(event, code, finding, ctx);
       const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
                                                 {Action::FeedPerRevolution}) == Truth::Yes;
       finding
@@ -103,6 +68,59 @@ public:
   }
 
 private:
+  /// The block moves the tool through the work, as far as its words say.
+  static bool feeds(const Event &event, const CodeInfo &code, const RuleContext &ctx) {
+    constexpr uint16_t linear =
+        uint16_t(~(1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C)));
+    if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
+        event.motion == MotionKind::Skip || event.inMachineCoordinates() || !(event.axes & linear) ||
+        code.spindle == SpindleNeed::StartsItself)
+      return false; // a rotary axis alone positions, or the work turns against a wheel
+    // `G1 X` without a number moves nothing.
+    const AddressMask axisWords = ctx.dialect().axisWords;
+    if (ctx.block().hasAny(axisWords) && llvm::none_of(ctx.block().words, [&](const Word &word) {
+          return (axisWords & maskOf(word.address)) && !word.has(wordNoValue);
+        }))
+      return false;
+    // No motion was asked for, and none is made for want of a feed: other rules say so.
+    const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
+    return motion == noGroup || ctx.after().mayBeStated(motion) || ctx.after().may(Fact::FeedSet);
+  }
+  /// The cycle cuts with the spindle; without axis words a modal cycle sets modes only.
+  static bool runs(const Event &event, const CodeInfo &code) {
+    return code.spindle != SpindleNeed::Any && code.spindle != SpindleNeed::StartsItself &&
+           (event.axes || code.group == noGroup || code.firesOnEveryBlock);
+  }
+
+  static bool mayTurn(uint8_t spindle, uint8_t live) {
+    constexpr uint8_t turning = spindleCw | spindleCcw;
+    return (spindle & turning) || (live & turning);
+  }
+  /// Spindle and live tool may both be stopped. After a code of the machine's builder either may be
+  /// doing anything.
+  static bool mayStop(uint8_t spindle, uint8_t live) {
+    constexpr uint8_t stopped = spindleOff | spindleOriented;
+    return (spindle & stopped) && (live & stopped) && spindle != spindleAny && live != spindleAny;
+  }
+
+  /// The program has said nothing of tool, speed and spindle.
+  static bool nothingSaid(const MachineState &state) {
+    return !state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
+           !state.may(Fact::SpindleStated);
+  }
+
+  /// A hole that the block of the stop itself makes.
+  static void holeOfStop(const Event &event, const CodeInfo &code, FindingBuilder &finding,
+                         const RuleContext &ctx) {
+    if (!ctx.dialect().emptyBlocksRun || ctx.codeWord(event) || !ctx.find({Action::SpindleStop}))
+      return;
+    finding.severity(Severity::Error)
+        .note(ctx.before().origin.of(StatePart::Cycle),
+              code.name + " becomes active here, and runs in every block")
+        .fix(FixSafety::Unsafe, "end the cycle before this block",
+             ctx.insertBlockBefore(cancelOf(ctx.dialect(), code)));
+  }
+
   /// A text with neither the word that opens a program nor one that ends it.
   static bool isFragment(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);

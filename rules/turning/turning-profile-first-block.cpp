@@ -11,7 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
     codeRequired_ = to.dialect().facts->turning.firstBlockHasCode;
-    zForbidden_ = to.dialect().facts->turning.startsInX;
+    startsInX_ = to.dialect().facts->turning.startsInX;
     faceXForbidden_ = to.dialect().facts->turning.faceStartsInZ;
     undercutNeedsZ_ = to.dialect().facts->turning.pocketsNeedZ;
     finish_ = to.dialect().facts->turning.finishNeedsLineFirst;
@@ -26,88 +26,104 @@ public:
     if (finishing && !finish_)
       return;
     for (const ProfileWay &way : profileWays(ctx))
-      judge(event, cycle, way, ctx);
+      judge({event, cycle, way}, ctx);
   }
 
 private:
-  void judge(const Event &event, const CodeInfo &cycle, const ProfileWay &way,
-             RuleContext &ctx) const {
-    const Profile &profile = way.profile;
-    if (!profile.known)
-      return;
-    const bool finishing = cycle.cycle == CycleKind::Finish;
-    const ProfileBlock &first = profile.blocks.front();
-    const auto report = [&](bool certain = true) {
-      FindingBuilder finding = ctx.report(first.range, certain && event.certain && way.always);
+  /// A cycle and one of the profiles along which it may work.
+  struct Work {
+    const Event &event;
+    const CodeInfo &cycle;
+    const ProfileWay &way;
+
+    const ProfileBlock &first() const { return way.profile.blocks.front(); }
+    bool moves(Axis axis) const { return first().axes >> unsigned(axis) & 1; }
+    FindingBuilder report(RuleContext &ctx) const {
+      FindingBuilder finding = ctx.report(first().range, event.certain && way.always);
       finding.note(ctx.blockRange(), "the cycle that works along this profile");
       way.explain(finding);
       return finding;
-    };
-    bool stated = false;
-    for (const CodeUse &use : first.codes)
-      stated |= isMotion(ctx.code(use).action);
+    }
+  };
+
+  void judge(const Work &work, RuleContext &ctx) const {
+    if (!work.way.profile.known || !leadsIn(work, ctx))
+      return;
+    if (work.cycle.cycle == CycleKind::RoughFace)
+      facing(work, ctx);
+    else if (work.cycle.cycle == CycleKind::RoughTurn && startsInX_)
+      turning(work, ctx);
+    else if (work.cycle.cycle == CycleKind::RoughTurn)
+      pockets(work, ctx);
+  }
+
+  /// Whether the first block is a move along a line, as the cycle needs it; reports when not.
+  bool leadsIn(const Work &work, RuleContext &ctx) const {
+    const ProfileBlock &first = work.first();
+    const bool stated = llvm::any_of(
+        first.codes, [&](const CodeUse &use) { return isMotion(ctx.code(use).action); });
     const bool linear = !first.moves || !first.motionKnown || first.motion == MotionKind::Rapid ||
                         first.motion == MotionKind::Feed;
+    const bool finishing = work.cycle.cycle == CycleKind::Finish;
     if (!linear || (codeRequired_ && !stated && !finishing)) {
-      if (auto finding = report())
+      if (auto finding = work.report(ctx))
         finding.message(
             linear ? "the first block of the profile of `{0}` needs a G00 or G01 of its own: "
                      "it decides how the tool feeds in"
                    : "the profile of `{0}` begins with an arc: its first block is a G00 or "
                      "G01 move",
-            cycle.name);
-      return;
+            work.cycle.name);
+      return false;
     }
     if (mustMove_ && !first.moves && !first.block.hasAny(ctx.dialect().axisWords)) {
-      if (auto finding = report())
+      if (auto finding = work.report(ctx))
         finding.message("the first block of the profile of `{0}` does not move: it is the G00 or "
                         "G01 move that leads to the contour",
-                        cycle.name);
-      return;
+                        work.cycle.name);
+      return false;
     }
-    if (finishing)
-      return;
-    const bool hasX = first.axes >> unsigned(Axis::X) & 1;
-    const bool hasZ = first.axes >> unsigned(Axis::Z) & 1;
-    if (cycle.cycle == CycleKind::RoughFace) {
-      if (faceXForbidden_ && hasX)
-        if (auto finding = report())
-          finding.message(
-              "the first block of the profile of `{0}` moves in X: it may move in Z only",
-              cycle.name);
-      return;
-    }
-    if (cycle.cycle != CycleKind::RoughTurn)
-      return;
-    if (zForbidden_) {
-      if (hasZ)
-        if (auto finding = report())
-          finding.message(
-              "the first block of the profile of `{0}` moves in Z: it may move in X only",
-              cycle.name);
-      return;
-    }
+    return true;
+  }
+
+  void facing(const Work &work, RuleContext &ctx) const {
+    if (faceXForbidden_ && work.moves(Axis::X))
+      if (auto finding = work.report(ctx))
+        finding.message("the first block of the profile of `{0}` moves in X: it may move in Z only",
+                        work.cycle.name);
+  }
+
+  static void turning(const Work &work, RuleContext &ctx) {
+    if (work.moves(Axis::Z))
+      if (auto finding = work.report(ctx))
+        finding.message("the first block of the profile of `{0}` moves in Z: it may move in X only",
+                        work.cycle.name);
+  }
+
+  /// The axes of the first block select the type of roughing that works out pockets.
+  void pockets(const Work &work, RuleContext &ctx) const {
+    const Profile &profile = work.way.profile;
+    const bool hasX = work.moves(Axis::X), hasZ = work.moves(Axis::Z);
     const ShapeBreak undercut = undercutOf(ctx, profile);
-    if (hasX && hasZ && !undercut.found && undercut.decided && way.always) {
-      if (auto finding = report())
+    if (hasX && hasZ && !undercut.found && undercut.decided && work.way.always) {
+      if (auto finding = work.report(ctx))
         finding
             .message(
                 "the first block of the profile of `{0}` has X and Z, which selects the type for "
                 "pockets, but the contour has none",
-                cycle.name)
+                work.cycle.name)
             .severity(Severity::Style);
     } else if (undercutNeedsZ_ && hasX && !hasZ && undercut.found) {
-      if (auto finding = report())
+      if (auto finding = work.report(ctx))
         finding
             .message(
                 "the contour of `{0}` has a pocket, and its first block has no Z word, which would "
                 "select the type for pockets",
-                cycle.name)
+                work.cycle.name)
             .note(profile.blocks[undercut.index].range, "the contour turns back here");
     }
   }
 
-  bool codeRequired_ = false, zForbidden_ = false, faceXForbidden_ = false, undercutNeedsZ_ = false;
+  bool codeRequired_ = false, startsInX_ = false, faceXForbidden_ = false, undercutNeedsZ_ = false;
   bool finish_ = false;   ///< a finishing cycle asks the same of its first block
   bool mustMove_ = false; ///< the first block has to move
 };
