@@ -27,7 +27,7 @@ public:
     if (leaves_)
       compare(step.unit(), step.block);
     // Calls in the data of a contour are not followed.
-    leaves_ = goesElsewhere(step.outcome.flow) && !step.before.profile;
+    leaves_ = goesElsewhere(step.outcome.flow) && step.before.profile == ProfileMode::Off;
     if (!leaves_)
       return;
     from_ = &step.unit();
