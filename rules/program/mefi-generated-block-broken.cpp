@@ -27,7 +27,7 @@ public:
         for (const Comment *own : generated.own)
           if (auto finding = ctx.report(SourceRange{id, own->begin, own->end}))
             finding.message("a comment inside a generated block: the next edit in its dialog "
-                            "deletes it; comments stand in front of the block's `N`");
+                            "deletes it; comments go before the block's `N`");
     }
   }
 

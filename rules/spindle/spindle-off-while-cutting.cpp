@@ -73,8 +73,8 @@ private:
     constexpr uint16_t linear =
         uint16_t(~(1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C)));
     if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-        event.motion == MotionKind::Skip || event.inMachineCoordinates() || !(event.axes & linear) ||
-        code.spindle == SpindleNeed::StartsItself)
+        event.motion == MotionKind::Skip || event.inMachineCoordinates() ||
+        !(event.axes & linear) || code.spindle == SpindleNeed::StartsItself)
       return false; // a rotary axis alone positions, or the work turns against a wheel
     // `G1 X` without a number moves nothing.
     const AddressMask axisWords = ctx.dialect().axisWords;
