@@ -19,13 +19,7 @@ ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const D
     const llvm::StringRef path = source.display();
     sign = path.contains('.') ? path.rsplit('.').second : llvm::StringRef();
   }
-  const auto isOneOf = [&](const std::vector<std::string> &endings) {
-    return llvm::any_of(endings,
-                        [&](const std::string &one) { return sign.equals_insensitive(one); });
-  };
-  return isOneOf(dialect.mainExtensions)         ? ProgramKind::Main
-         : isOneOf(dialect.subprogramExtensions) ? ProgramKind::Subprogram
-                                                 : ProgramKind::Unknown;
+  return kindOfEnding(sign, dialect);
 }
 
 bool isHeaderMark(char c, const Dialect &dialect) {
@@ -34,6 +28,16 @@ bool isHeaderMark(char c, const Dialect &dialect) {
 }
 
 } // namespace
+
+ProgramKind kindOfEnding(llvm::StringRef ending, const Dialect &dialect) {
+  const auto isOneOf = [&](const std::vector<std::string> &endings) {
+    return llvm::any_of(endings,
+                        [&](const std::string &one) { return ending.equals_insensitive(one); });
+  };
+  return isOneOf(dialect.mainExtensions)         ? ProgramKind::Main
+         : isOneOf(dialect.subprogramExtensions) ? ProgramKind::Subprogram
+                                                 : ProgramKind::Unknown;
+}
 
 FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Dialect &dialect,
                      FileScan *kept)

@@ -17,6 +17,9 @@ namespace ncvet {
 /// What the text or the file's name says a program is.
 enum class ProgramKind : uint8_t { Unknown, Main, Subprogram };
 
+/// What the control files under names with such an ending, `MPF` or `SPF`, in either case.
+ProgramKind kindOfEnding(llvm::StringRef ending, const Dialect &dialect);
+
 /// One program of a file.
 struct ProgramInfo {
   int64_t number = -1; ///< -1: no readable number

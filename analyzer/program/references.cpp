@@ -363,7 +363,9 @@ std::optional<uint32_t> resolveBlock(const FileIndex &index, const ProgramInfo &
 }
 
 bool namesForeignJump(const FileUnit &unit, const ProgramInfo &program) {
-  constexpr llvm::StringLiteral jump = "GOTO";
+  const llvm::StringRef jump = unit.dialect->lexical.foreignJump;
+  if (jump.empty())
+    return false;
   const llvm::StringRef text = unit.source.text(program.begin, program.end);
   Block block;
   for (size_t at = text.find_insensitive(jump); at != llvm::StringRef::npos;

@@ -300,11 +300,12 @@ struct CodeInfo {
   bool cancelsCalls = false; ///< ends a modal call of a program too
   /// What runs after moves runs after a motion code without coordinates too.
   bool firesByMotionCode = false;
-  bool isProgram = false;  ///< a program of the control: one of the same name hides it
-  bool endsMotion = false; ///< no motion code is in force after it
-  bool foreign = false;    ///< another control's code: here it is none
-  int32_t storedAt = 0;    ///< first variable of the place to which it leads or that it stores
-  uint8_t arguments = 0;   ///< most arguments that its call takes; 0: not limited
+  bool isProgram = false;        ///< a program of the control: one of the same name hides it
+  bool endsMotion = false;       ///< no motion code is in force after it
+  bool foreign = false;          ///< another control's code: here it is none
+  bool stopsPreparation = false; ///< the next block is prepared once all moves are done
+  int32_t storedAt = 0;  ///< first variable of the place to which it leads or that it stores
+  uint8_t arguments = 0; ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;
   /// Of a cycle along the tool axis: level from which it feeds and the one to which it feeds, where
   /// they are no word of their own (empty: the words with the roles Retract and Depth).

@@ -302,6 +302,9 @@ constexpr Field codeFields[] = {
         "firesByMotionCode",
         "what runs after moves runs after a motion code without coordinates too"),
     flag<&CodeInfo::foreign>("foreign", "another control's code, none of this one"),
+    flag<&CodeInfo::stopsPreparation>("stopsPreparation",
+                                      "the control prepares the next block once all moves written "
+                                      "earlier are done"),
     field<&CodeInfo::family>(
         "family", text,
         "of cycles: those that one code cancels; of feed modes: those in which F has one unit, so "

@@ -130,6 +130,11 @@ constexpr Field lexicalFields[] = {
         "abortMark", text,
         "a comment that begins with it, in either case, stops the program with an alarm",
         "\"abort,\""),
+    field<&Lexical::callMark>("callMark", text,
+                              "how a call of a program by its name begins; `>` ends it", "\"L<\""),
+    field<&Lexical::foreignJump>(
+        "foreignJump", text, "word of a jump in the other language that the control understands",
+        "\"GOTO\""),
     field<&Lexical::skipLevels>("skipLevels", whole(0, 9),
                                 "block skip `/1` to `/9`; 1: plain `/` "
                                 "only",

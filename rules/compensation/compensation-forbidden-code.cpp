@@ -13,7 +13,7 @@ public:
                  Action::DataInput, Action::LocalShift, Action::PresetPosition, Action::MachineMove,
                  Action::Inch, Action::Metric, Action::WorkOffset, Action::Thread, Action::Cycle,
                  Action::FrameSet, Action::FrameAdd, Action::FrameClear});
-    to.onCode([](const CodeInfo &code) { return code.name == "STOPRE"; });
+    to.onCode([](const CodeInfo &code) { return code.stopsPreparation; });
     cycles_ = to.dialect().facts->compensation.forbidsCycles;
     if (to.dialect().readAhead.empty())
       return;

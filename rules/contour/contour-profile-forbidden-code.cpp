@@ -122,7 +122,7 @@ private:
     default: {
       // A contour is made of lines and arcs.
       const CodeInfo &code = ctx.code(event);
-      if (code.name == "STOPRE" || code.action == Action::CurveFeed)
+      if (code.stopsPreparation || code.action == Action::CurveFeed)
         foreign(*event.word, ctx);
       return;
     }

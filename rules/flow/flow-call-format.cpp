@@ -41,9 +41,10 @@ private:
   /// `L100` where L names an element of a contour, and a call has its name in brackets.
   static void number(RuleContext &ctx) {
     const Word *word = undefinedElement(ctx);
-    if (!word || word->address != letterAddress('L'))
+    const llvm::StringRef mark = ctx.dialect().lexical.callMark;
+    if (!word || mark.empty() || word->address != letterAddress(mark.front()))
       return;
-    const std::string call = ("L<" + ctx.text(*word).drop_front() + ">").str();
+    const std::string call = (mark + ctx.text(*word).drop_front() + ">").str();
     if (auto finding = ctx.report(*word))
       finding
           .message("`{0}` is a {1} here, and none of this name is defined: a call is `{2}`",

@@ -155,18 +155,16 @@ private:
     name = name.substr(name.rfind('/') + 1);
     const auto [stem, ending] = name.rsplit('.');
     const SourceRange range{file.source.id(), programs[0].headerBegin, programs[0].headerEnd};
-    const llvm::StringRef text = ctx.text(range);
-    const bool otherKind =
-        (ending.equals_insensitive("MPF") && text.endswith_insensitive("_SPF")) ||
-        (ending.equals_insensitive("SPF") && text.endswith_insensitive("_MPF"));
-    if ((!ending.equals_insensitive("MPF") && !ending.equals_insensitive("SPF")) ||
-        (stem.equals_insensitive(programs[0].name) && !otherKind))
+    const ProgramKind kind = kindOfEnding(ending, ctx.dialect());
+    const ProgramKind told = programs[0].kind;
+    const bool otherKind = told != ProgramKind::Unknown && told != kind;
+    if (kind == ProgramKind::Unknown || (stem.equals_insensitive(programs[0].name) && !otherKind))
       return;
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
           .message("`{0}` is in the file `{1}`: the control files it under the name of its "
                    "header",
-                   text, name);
+                   ctx.text(range), name);
   }
 
   /// An address of several letters.
@@ -210,10 +208,10 @@ private:
       return;
     const llvm::StringRef path =
         text.drop_front(line).take_until([](char c) { return c == '\r' || c == '\n'; });
-    const llvm::StringRef head = file.source.text().slice(program.headerBegin, program.headerEnd);
-    const bool main = head.endswith_insensitive("_MPF");
-    if (!(main ? path.contains_insensitive("_N_SPF_DIR")
-               : head.endswith_insensitive("_SPF") && path.contains_insensitive("_N_MPF_DIR")))
+    const bool main = program.kind == ProgramKind::Main;
+    if (!(main
+              ? path.contains_insensitive("_N_SPF_DIR")
+              : program.kind == ProgramKind::Subprogram && path.contains_insensitive("_N_MPF_DIR")))
       return;
     const auto begin = uint32_t(program.headerEnd + line);
     if (auto finding =

@@ -94,7 +94,8 @@ private:
       }
     }
     // Libraries are called `L<NAME>`, cycles by their name alone.
-    CodeIndex own = dialect.keyword("L<" + name);
+    const std::string &mark = dialect.lexical.callMark;
+    CodeIndex own = mark.empty() ? noCode : dialect.keyword(mark + name);
     if (own == noCode) {
       own = dialect.keyword(name);
       if (own != noCode && dialect.codes[own].action != Action::Cycle)

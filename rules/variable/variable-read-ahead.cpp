@@ -36,10 +36,10 @@ private:
 
   /// Whether the control waits for its moves at the block.
   static bool waits(const Block &block, const Dialect &dialect) {
-    const CodeIndex wait = dialect.keyword("STOPRE");
-    return wait != noCode && llvm::any_of(block.words, [&](const Word &word) {
-             return codeOf(dialect, word) == wait;
-           });
+    return llvm::any_of(block.words, [&](const Word &word) {
+      const CodeIndex code = codeOf(dialect, word);
+      return code != noCode && dialect.codes[code].stopsPreparation;
+    });
   }
 
   /// A move comes before, in plain order, and nothing that waits for it.

@@ -257,7 +257,8 @@ void EcsScanner::scanCall(const char *begin) {
   closeAngle(begin);
   if (called.empty())
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
-  if (const CodeIndex code = dialect_.keyword(("L<" + called).str()); code != noCode)
+  if (const CodeIndex code = dialect_.keyword((dialect_.lexical.callMark + called).str());
+      code != noCode)
     return keyword(code, begin, at_);
   nameItem(item, called);
   add(item);
