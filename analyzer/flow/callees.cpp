@@ -38,6 +38,10 @@ std::optional<Callee> Callees::find(const Step &step) {
   const Callee callee{&step.unit(), &step.region().program, 0};
   if (flow.kind == FlowKind::CallNamed || (flow.kind == FlowKind::CallModal && flow.item >= 0))
     return named(step, step.block.items[size_t(flow.item)], callee);
+  if (flow.code != noCode && callee.unit->dialect->codes[flow.code].elsewhere)
+    return std::nullopt;
+  if (flow.target.isVacant() && step.block.nameEnd > step.block.nameBegin)
+    return headed(step, callee);
   if (flow.target.isVacant())
     return missing(FlowIssue::NoTarget, step, step.flowRange());
   if (!flow.target.isConstant())
@@ -82,6 +86,18 @@ std::optional<Callee> Callees::external(const Step &step, const Item &item, llvm
   return missing(FlowIssue::UnknownProgram, step, range);
 }
 
+/// `M98 <NAME>`: a program whose header is the name.
+std::optional<Callee> Callees::headed(const Step &step, Callee callee) {
+  const Block &block = step.block;
+  FileUnit &unit = step.unit();
+  const llvm::StringRef name = unit.source.text(block.nameBegin, block.nameEnd);
+  run_.used.names.insert(name.upper());
+  if (!enter(callee,
+             resolveProgram(run_.project, unit, referenceTo(ReferredKind::NamedProgram, name))))
+    return missing(FlowIssue::UnknownProgram, step, step.flowRange());
+  return callee;
+}
+
 /// A part of this program that begins at a numbered block.
 std::optional<Callee> Callees::local(const Step &step, Callee callee) {
   callee.number = int64_t(step.outcome.flow.target.number.value());
@@ -102,8 +118,15 @@ std::optional<Callee> Callees::numbered(const Step &step, Callee callee) {
   const Flow &flow = step.outcome.flow;
   callee.number = int64_t(flow.target.number.value());
   run_.used.programs.insert(callee.number);
-  if (!enter(callee, resolveProgram(run_.project, step.unit(),
-                                    referenceTo(ReferredKind::Program, callee.number))))
+  Reference reference = referenceTo(ReferredKind::Program, callee.number);
+  reference.packed = flow.packed;
+  const std::optional<ReferredPlace> place = resolveProgram(run_.project, step.unit(), reference);
+  if (place && place->runs) {
+    callee.repeat = Value::of(double(place->runs));
+    callee.number = place->program->number;
+    run_.used.programs.insert(callee.number);
+  }
+  if (!enter(callee, place))
     return missing(FlowIssue::UnknownProgram, step, step.flowRange());
   if (flow.startAt.isConstant()) {
     const auto first = int64_t(flow.startAt.number.value());

@@ -11,7 +11,8 @@ struct Callee {
   const ProgramInfo *program;
   uint32_t start;
   RegionKind kind = RegionKind::Subprogram;
-  int64_t number = notSet; ///< for the path; `notSet`: none
+  int64_t number = notSet;                    ///< for the path; `notSet`: none
+  std::optional<Value> repeat = std::nullopt; ///< how often, where the number itself says it
 };
 
 /// Finds the programs that calls name, and notes that they are in use.
@@ -33,6 +34,7 @@ private:
   std::optional<Callee> named(const Step &step, const Item &item, Callee callee);
   std::optional<Callee> external(const Step &step, const Item &item, llvm::StringRef name,
                                  SourceRange range, Callee callee);
+  std::optional<Callee> headed(const Step &step, Callee callee);
   std::optional<Callee> local(const Step &step, Callee callee);
   std::optional<Callee> numbered(const Step &step, Callee callee);
   std::nullopt_t missing(FlowIssue kind, const Step &step, SourceRange range) {

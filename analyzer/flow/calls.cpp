@@ -15,12 +15,28 @@ bool Calls::recurs(const Region &region, const Callee &callee) const {
          (callee.unit == &run_.unit && callee.program == &run_.unit.index.programs().front());
 }
 
+/// What programs that are not known leave as it is, by custom.
+static void keepModes(const MachineState &before, MachineState &after, const Dialect &dialect) {
+  for (const StandardGroup which :
+       {StandardGroup::Plane, StandardGroup::Compensation, StandardGroup::Cycle,
+        StandardGroup::Units, StandardGroup::MacroModal, StandardGroup::ReturnLevel})
+    if (const GroupIndex group = dialect.group(which); group != noGroup)
+      after.setGroup(group, before.group(group));
+  after.compensation = before.compensation;
+  after.cycle = before.cycle;
+  after.initialLevel = before.initialLevel;
+  after.modalCalls = before.modalCalls;
+}
+
 /// After a call of which nothing is known.
 void Calls::goOnUnknown(Step &step) {
   const Dialect &dialect = *step.unit().dialect;
   run_.lose(step.flowRange(), "what is called here is not known");
   const Variables locals = step.live.state.locals;
+  const MachineState before = step.live.state;
   forget(step.live.state, dialect);
+  if (dialect.callsKeepModes)
+    keepModes(before, step.live.state, dialect);
   if (dialect.variableRanges.namedLocal) // no call changes those of its caller
     step.live.state.locals = locals;
   step.goOn();
@@ -58,7 +74,7 @@ void Calls::call(Step &step) {
   if (!callee || !mayEnter(step, *callee))
     return goOnUnknown(step);
   Passes passes(step);
-  passes.setCount(flow.repeat);
+  passes.setCount(callee->repeat.value_or(flow.repeat));
   step.live.path =
       run_.lengthen(step.live.path, PathNode::Kind::Call, step.flowRange(), callee->number);
   state.restoresModes = false;

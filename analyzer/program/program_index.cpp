@@ -72,7 +72,8 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
     if (programs_.size() == 1 && !programs_[0].hasHeader()) {
       // What comes before the first header is a leader (tape mark, comments) or a fragment.
       bool content_ = false;
-      for (uint32_t at = programs_[0].begin; at < line;) {
+      const bool leader = dialect.lexical.tapeLeader && !tapeMarks_.empty();
+      for (uint32_t at = leader ? tapeMarks_.back() : programs_[0].begin; at < line;) {
         Block other;
         reader.read(at, other);
         content_ |= !other.isEmpty();

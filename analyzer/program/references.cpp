@@ -42,6 +42,8 @@ ReferenceReader::ReferenceReader(const Dialect &dialect) : dialect_(dialect) {
   codes_.resize(dialect.codes.size());
   for (size_t i = 0; i < codes_.size(); ++i) {
     CodeWords &words = codes_[i];
+    if (dialect.codes[i].elsewhere)
+      continue;
     words.take(dialect.codes[i]);
     for (const Variant &variant : dialect.codes[i].variants)
       words.take(dialect.codes[variant.code]);
@@ -75,7 +77,7 @@ private:
   using CodeWords = ReferenceReader::CodeWords;
 
   void code(const Word &word, const CodeWords &words);
-  void calledProgram();
+  void calledProgram(const CodeWords &words);
   void blocksOf(AddressMask mask, ReferenceKind kind);
   void contour(const Word &word, const CodeWords &words);
   void call(const Item &item);
@@ -142,7 +144,7 @@ void BlockReferences::code(const Word &word, const CodeWords &words) {
   case Action::CallProgram:
   case Action::MacroCall:
   case Action::MacroModal:
-    calledProgram();
+    calledProgram(words);
     break;
   case Action::CallLocal:
     // An N word after the code is taken as the target too.
@@ -166,10 +168,13 @@ void BlockReferences::code(const Word &word, const CodeWords &words) {
 }
 
 /// `M98 P1000`, `G65 P9010`; Q is the block at which the program begins.
-void BlockReferences::calledProgram() {
+void BlockReferences::calledProgram(const CodeWords &words) {
   const Word *const p = block_.find('P');
-  if (!p)
-    return;
+  if (!p && block_.nameEnd > block_.nameBegin) // `M98 <NAME>`
+    return named(ReferenceKind::Call, ReferredKind::NamedProgram,
+                 text_.slice(block_.nameBegin, block_.nameEnd));
+  if (!p) // `M98 Q100`
+    return blocksOf(words.sequence, ReferenceKind::Call);
   if (!isWhole(*p))
     return untoldProgram(p->offset);
   const bool macro = llvm::any_of(block_.words, [&](const Word &word) {
@@ -183,6 +188,7 @@ void BlockReferences::calledProgram() {
   reference.to = ReferredKind::Program;
   reference.number = call.program;
   reference.runs = !count ? call.runs : isWhole(*count) ? count->mantissa : 0;
+  reference.packed = !macro && !count && dialect_.limits.packedCallDigits;
   reference.text = digitsOf(*p);
   if (call.digits && reference.text.size() > call.digits)
     reference.text = reference.text.take_back(call.digits);
@@ -332,7 +338,7 @@ std::optional<ReferredPlace> subprogramIn(FileUnit &unit, llvm::StringRef label)
     if (const auto at = unit.index.label(one, label, one.begin)) {
       Block block;
       unit.reader->read(*at, block);
-      return ReferredPlace{&unit, &one, block.next};
+      return ReferredPlace{&unit, &one, block.next, 0};
     }
   return std::nullopt;
 }
@@ -344,15 +350,22 @@ std::optional<ReferredPlace> resolveProgram(Project &project, FileUnit &from,
   if (reference.to == ReferredKind::Subprogram)
     if (const auto here = subprogramIn(from, reference.text))
       return here;
-  const auto [unit, program] = reference.to == ReferredKind::Program
-                                   ? project.findProgram(from, reference.number)
-                                   : project.findProgram(from, reference.text);
+  auto [unit, program] = reference.to == ReferredKind::Program
+                             ? project.findProgram(from, reference.number)
+                             : project.findProgram(from, reference.text);
+  if (!program && reference.packed) {
+    const PackedCall call = unpackCall(*from.dialect, reference.number);
+    if (call.digits)
+      std::tie(unit, program) = project.findProgram(from, call.program);
+    if (program)
+      return ReferredPlace{unit, program, program->body, call.runs};
+  }
   if (!program)
     return std::nullopt;
   // A file of the subprogram's name holds it.
   if (reference.to == ReferredKind::Subprogram)
     return subprogramIn(*unit, reference.text);
-  return ReferredPlace{unit, program, program->body};
+  return ReferredPlace{unit, program, program->body, 0};
 }
 
 std::optional<uint32_t> resolveBlock(const FileIndex &index, const ProgramInfo &program,

@@ -34,6 +34,7 @@ struct Reference {
   bool inCalled = false;            ///< a block of the program that the reference before it names
   int64_t number = -1;              ///< of the program or block
   int64_t runs = 1;                 ///< of a call; 0: not known
+  bool packed = false;              ///< the number may have a count before that of the program
   /// Its spelling, a part of the file's text: a number without address, a label without marks. Of
   /// an untold one empty, where it is.
   llvm::StringRef text;
@@ -81,6 +82,7 @@ struct ReferredPlace {
   FileUnit *unit = nullptr;
   const ProgramInfo *program = nullptr;
   uint32_t begin = 0; ///< first block to execute
+  int64_t runs = 0;   ///< the count that the number has before that of the program; 0: none
 };
 
 /// The program or subprogram that `reference`, one of the file `from`, names.

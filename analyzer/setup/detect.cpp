@@ -192,6 +192,7 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   detector.fallback_ = table->fallback;
   detector.minimumScore_ = table->minimumScore;
   detector.sureScore_ = table->sureScore;
+  detector.mostByHabits_ = table->mostByHabits;
   detector.endings_ = {table->extensions, table->looseExtensions};
   detector.unsure_ = {table->unsure.ignore, table->unsure.highest.value_or(Severity::Error)};
   for (auto &[name, marks] : table->otherControls)
@@ -211,6 +212,12 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   detector.dialects_ = std::move(dialects);
   if (llvm::Error wrong = detector.addMarks())
     return wrong;
+  for (const std::string &pattern : table->habits) {
+    const auto mark = detector.markOfPattern_.find(pattern);
+    if (mark == detector.markOfPattern_.end())
+      return failure("detect.json: no mark has the pattern \"" + pattern + "\"");
+    detector.marks_[mark->second].habit = true;
+  }
   return detector;
 }
 
@@ -234,7 +241,7 @@ llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidat
   for (const DetectMark &mark : marks) {
     const auto [known, isNew] = markOfPattern_.try_emplace(mark.pattern, marks_.size());
     if (isNew) {
-      marks_.push_back({llvm::Regex(mark.pattern), RequiredChars(mark.pattern).take(), {}});
+      marks_.push_back({llvm::Regex(mark.pattern), RequiredChars(mark.pattern).take(), {}, false});
       std::string why;
       if (!marks_.back().pattern.isValid(why))
         return failure(owner + ": pattern \"" + mark.pattern + "\": " + why);
@@ -284,7 +291,8 @@ std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName, llvm::St
   for (size_t mark = 0; mark < marks_.size(); ++mark)
     if (found[mark])
       for (const Mark::Vote &vote : marks_[mark].votes) {
-        scores[vote.candidate].value += vote.score;
+        const bool habit = marks_[mark].habit && vote.score > 0;
+        (habit ? scores[vote.candidate].habits : scores[vote.candidate].value) += vote.score;
         if (vote.score > 0)
           scores[vote.candidate].votes.push_back(&vote);
       }
@@ -294,9 +302,15 @@ std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName, llvm::St
     if (!ending.empty() && llvm::is_contained(dialects_[index].extensions, ending))
       claim.push_back(index);
   for (const size_t index : claim) {
-    scores[index].value += claim.size() == 1 ? ownEnding : sharedEnding;
+    if (claim.size() == 1)
+      scores[index].value += ownEnding;
+    else
+      scores[index].habits += sharedEnding;
     scores[index].ending = ending;
   }
+  // What programmers of many controls write says little, however much of it there is.
+  for (Score &score : scores)
+    score.value += std::min(score.habits, mostByHabits_);
   return scores;
 }
 

@@ -62,6 +62,7 @@ private:
       std::string reason;
     };
     std::vector<Vote> votes;
+    bool habit; ///< programs for several controls have it
 
     bool matches(llvm::StringRef line, uint64_t chars) const;
   };
@@ -69,6 +70,7 @@ private:
   /// What speaks for a candidate.
   struct Score {
     int value = 0;
+    int habits = 0; ///< of marks that programs for several controls have; in `value` up to a limit
     std::vector<const Mark::Vote *> votes;
     std::string ending; ///< of the file's name, when it is one of the candidate's
 
@@ -95,7 +97,7 @@ private:
   ProgramEndings endings_;
   UnsureReports unsure_;
   std::string fallback_;
-  int minimumScore_ = 0, sureScore_ = 0;
+  int minimumScore_ = 0, sureScore_ = 0, mostByHabits_ = 0;
 };
 
 /// True when the first lines of `text` are mostly blocks of words: a letter and a number.

@@ -124,6 +124,7 @@ namespace ncvet {
   X(CallProgram, "call-program")                                                                   \
   X(CallLocal, "call-local")                                                                       \
   X(Return, "return")                                                                              \
+  X(Jump, "jump")                                                                                  \
   X(ConditionalJump, "conditional-jump")                                                           \
   X(ProgramHead, "program-head")                                                                   \
   X(Sleep, "sleep")                                                                                \

@@ -304,6 +304,7 @@ struct CodeInfo {
   bool endsMotion = false;       ///< no motion code is in force after it
   bool foreign = false;          ///< another control's code: here it is none
   bool stopsPreparation = false; ///< the next block is prepared once all moves are done
+  bool elsewhere = false;        ///< what it calls is elsewhere: it is not looked for
   int32_t storedAt = 0;  ///< first variable of the place to which it leads or that it stores
   uint8_t arguments = 0; ///< most arguments that its call takes; 0: not limited
   std::vector<WordSpec> words;

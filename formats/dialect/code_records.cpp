@@ -305,6 +305,9 @@ constexpr Field codeFields[] = {
     flag<&CodeInfo::stopsPreparation>("stopsPreparation",
                                       "the control prepares the next block once all moves written "
                                       "earlier are done"),
+    flag<&CodeInfo::elsewhere>("elsewhere",
+                               "the program that it calls is on the control or on another device: "
+                               "it is not looked for"),
     field<&CodeInfo::family>(
         "family", text,
         "of cycles: those that one code cancels; of feed modes: those in which F has one unit, so "

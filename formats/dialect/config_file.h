@@ -40,7 +40,8 @@ struct UnsureFile {
 struct DetectFile {
   std::string fallback;
   std::vector<std::string> prefer;
-  int minimumScore = 0, sureScore = 0;
+  int minimumScore = 0, sureScore = 0, mostByHabits = 0;
+  std::vector<std::string> habits; ///< patterns of marks
   UnsureFile unsure;
   std::map<std::string, ProgramMarks> otherControls; ///< by their names
   std::vector<std::string> extensions, looseExtensions;

@@ -123,6 +123,13 @@ constexpr Field detectFields[] = {
                                R"(["fanuc-0m", "haas-mill"])"),
     field<&DetectFile::minimumScore>("minimumScore", score, "less than this is no evidence", "2"),
     field<&DetectFile::sureScore>("sureScore", score, "less than this is a guess", "5"),
+    field<&DetectFile::habits>("habits", texts,
+                               "patterns of marks that programs for several controls have",
+                               R"(["G43.*H[0-9]"])"),
+    field<&DetectFile::mostByHabits>("mostByHabits", score,
+                                     "all marks of habits together, and an ending that several "
+                                     "controls have, count no more than this",
+                                     "4"),
     field<&DetectFile::unsure>("unsure", object(unsureRecord),
                                "what is reported when the control is a guess"),
     special<readOtherControls>("otherControls", mapOf(marksOfControl),

@@ -90,6 +90,8 @@ struct CornerFacts {
 
 /// About drilling cycles.
 struct CycleFacts {
+  /// Of a motion code and a cycle in one block the last counts.
+  bool lastCodeCounts = false;
   /// Planes that are variables are absolute in every mode, and the depth is below the start.
   bool planesAbsolute = false;
   /// The control drills along Z under G17 only.
@@ -158,6 +160,8 @@ struct ProgramFacts {
   bool tapeMarkEnds = false;
   /// Modes stay active after the end of the program.
   bool modesOutliveEnd = false;
+  /// A return code in a main program starts it again, which may be meant.
+  bool returnRestarts = false;
   /// A call takes no words of its block.
   bool callsTakeNoWords = false;
   /// A block that may be skipped changes no mode, whether or not a later block relies on it.
@@ -208,6 +212,10 @@ struct ToolFacts {
   bool cuttingEdges = false;
   /// The code of a tool change needs a T.
   bool changeNeedsNumber = false;
+  /// How the digits of a lathe's T are split into station and offset is set on the machine.
+  bool anyDigits = false;
+  /// A length offset may stay on until the next one takes its place.
+  bool lengthReplaced = false;
 };
 
 /// About turning cycles and their profiles.

@@ -105,9 +105,11 @@ struct SwitchInfo {
 
 /// How expressions are read.
 enum class Arithmetic : uint8_t {
-  MacroB, ///< AND binds as a product, OR as a sum; both work on bits; FIX cuts off
-  Ngc     ///< `**` first, AND OR XOR last and on truth; EQ within 0.0001; FIX rounds down; only a
-          ///< bracket holds operators
+  MacroB,        ///< AND binds as a product, OR as a sum; both work on bits; FIX cuts off
+  MacroB30,      ///< the same, with named variables `[#NAME]`, POW, AX, AXNUM and PRM
+  MacroBDecimal, ///< as MacroB; a variable's number may have decimals
+  Ngc ///< `**` first, AND OR XOR last and on truth; EQ within 0.0001; FIX rounds down; only a
+      ///< bracket holds operators
 };
 
 /// Which numbered variables are whose. Those after the common ones belong to the control.
@@ -158,10 +160,14 @@ struct Lexical {
   bool flowWords = false;
   /// Assignments take effect after the words of their block.
   bool assignsBehind = false;
-  bool freeNumbers = false; ///< numbers may have blanks, and block numbers may have decimals
+  bool conditionFirst = false; ///< `[#100 LT 10] M99 P10`: a condition guards what is after it
+  bool fileInComment = false;  ///< `M98 (PART.NC)`: the comment names what is called
+  bool freeNumbers = false;    ///< numbers may have blanks, and block numbers may have decimals
   Arithmetic arithmetic = Arithmetic::MacroB;
   bool blocksSpanLines = false;    ///< a block ends where the next one begins, not with its line
   bool commaSeparates = false;     ///< commas separate arguments
+  bool namedPrograms = false;      ///< `<NAME>` heads a program, and calls name it so
+  bool tapeLeader = false;         ///< what comes before the first `%` and a header is no code
   std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
   std::string endLabel;            ///< label that ends a repeated section; empty: there is none
   std::string abortMark;   ///< a comment that begins with it stops the program; empty: none does
@@ -178,6 +184,12 @@ struct Limits {
   uint16_t nameLength = 0;     ///< letters of a program's name; 0: not limited
   uint16_t mCodesPerBlock = 0; ///< 0: not limited
   uint16_t callDepth = 0;      ///< levels below the main program; 0: not documented
+  /// Digits of a program's number in a call whose P has the count of runs before it
+  /// (`P51000`); 0: P is the number alone.
+  uint16_t packedCallDigits = 0;
+  /// Programs from this number on, of four digits, belong to the machine's builder: they need not
+  /// lie in the project. 0: none do.
+  int32_t protectedPrograms = 0;
   uint16_t programDigitsMin = 1;
   uint16_t programDigitsMax = 0; ///< 0: not limited
   std::vector<int> reservedPrograms;
@@ -222,8 +234,9 @@ struct Dialect {
   bool cycleSurvivesMotion = false; ///< a motion code does not end a drilling cycle
   bool emptyBlocksRun = false;      ///< an active cycle runs in blocks without words too
   bool callsModally = false;        ///< some code makes a program run after every later move
-  bool endReturns = false;          ///< a program end inside a called program leads back
-  bool offsetsOfTool = false;       ///< length and radius belong to the tool, not to numbers
+  bool callsKeepModes = false; ///< programs that are not known leave plane and compensation alone
+  bool endReturns = false;     ///< a program end inside a called program leads back
+  bool offsetsOfTool = false;  ///< length and radius belong to the tool, not to numbers
   bool dwellInMilliseconds = false; ///< a dwell time without a point counts in 1/1000 s
   ToolRadiusSource toolRadius;
   Lexical lexical;
@@ -241,16 +254,19 @@ struct Dialect {
   /// Index of each standard group in `groups`, or `noGroup`.
   std::array<GroupIndex, unsigned(StandardGroup::Count)> standard;
   std::vector<CodeInfo> codes;
-  std::vector<CodeIndex> gTable;       ///< by number * 10 + decimal; `noCode`: unknown
-  std::vector<CodeIndex> mTable;       ///< by number
+  std::vector<CodeIndex> gTable; ///< by number * 10 + decimal; `noCode`: unknown
+  std::vector<CodeIndex> mTable; ///< by number
+  std::string builderMacros; ///< the G code from whose number on unknown ones are macros; or empty
+  CodeIndex builderMacro = noCode;     ///< its entry, which counts for all of them
   llvm::StringMap<CodeIndex> keywords; ///< codes that are words of their own, in capitals
   std::vector<SwitchInfo> switches;
   std::vector<DetectMark> detect;
   std::vector<std::string> variableNames; ///< variables of the control with names of their own
   std::vector<std::string> axisVariables; ///< those that hold the name of an axis
-  std::vector<std::string> readOnly;    ///< beginnings of names of variables that cannot be written
-  std::vector<std::string> machineData; ///< … that hold for every later program
-  std::vector<std::string> readAhead;   ///< … whose value the control reads too early
+  std::vector<std::string> readOnly; ///< beginnings of names of variables that cannot be written
+  std::vector<int> readOnlyNumbers;  ///< first and last number of each range that cannot be written
+  std::vector<std::string> machineData;          ///< … that hold for every later program
+  std::vector<std::string> readAhead;            ///< … whose value the control reads too early
   std::vector<std::string> mainExtensions;       ///< file name endings of main programs
   std::vector<std::string> subprogramExtensions; ///< … and of subprograms
   std::vector<std::string> hiddenPrograms; ///< beginnings of names of the control's own programs

@@ -46,6 +46,11 @@ void DialectBuilder::summarizeCodes() {
     if (lengthByTool && code.action == Action::LengthOff)
       dialect_.lengthByTool = code.group;
   }
+  if (!dialect_.builderMacros.empty()) {
+    dialect_.builderMacro = dialect_.find(dialect_.builderMacros);
+    if (dialect_.builderMacro == noCode)
+      fail(*member(root_, "builderMacros"), "this code is not in the table");
+  }
   VariableRanges &ranges = dialect_.variableRanges;
   ranges.units = dialect_.group(StandardGroup::Units);
   if (ranges.units != noGroup)

@@ -70,6 +70,9 @@ constexpr Field variableFields[] = {
     field<&Dialect::readOnly>("readOnly", texts,
                               "beginnings of names of variables that a program cannot write",
                               R"(["V1025"])"),
+    field<&Dialect::readOnlyNumbers>(
+        "readOnlyNumbers", listOf(variableNumber),
+        "first and last number of each range of `#` that a program cannot write", "[1000, 1098]"),
     field<&Dialect::machineData>(
         "machineData", texts, "beginnings of names of variables that hold for every later program",
         R"(["$MC_"])"),
@@ -112,16 +115,27 @@ constexpr Field lexicalFields[] = {
                      "Macro B's IF, WHILE and GOTO are then unknown"),
     flag<&Lexical::assignsBehind>("assignsBehind",
                                   "assignments take effect after the words of their block"),
+    flag<&Lexical::conditionFirst>(
+        "conditionFirst", "a condition in brackets may be before the words that it guards: "
+                          "`[#100 LT 10] M99 P10`"),
+    flag<&Lexical::fileInComment>(
+        "fileInComment", "a comment after a code that calls gives the file that is called: "
+                         "`M98 (PART.NC)`"),
     flag<&Lexical::freeNumbers>("freeNumbers",
                                 "numbers may contain blanks, and block numbers may have decimals"),
     field<&Lexical::arithmetic>(
         "arithmetic", name("arithmetic", arithmeticNames),
-        "how expressions are read: `ngc` has `**`, logic after comparisons, and operators in "
-        "brackets only",
+        "how expressions are read: `macro-b-30i` has named variables `[#NAME]`, POW, AX, AXNUM and "
+        "PRM besides; in `macro-b-decimal` the number of a variable may have decimals "
+        "(`#30003.078`); `ngc` has `**`, logic after comparisons, and operators in brackets only",
         "\"ngc\""),
     flag<&Lexical::blocksSpanLines>("blocksSpanLines",
                                     "a block ends where the next one begins, not with its line"),
     flag<&Lexical::commaSeparates>("commaSeparates", "commas separate arguments"),
+    flag<&Lexical::namedPrograms>("namedPrograms",
+                                  "`<NAME>` heads a program, and calls name it so"),
+    flag<&Lexical::tapeLeader>("tapeLeader",
+                               "what comes before the first `%` and a program's header is no code"),
     field<&Lexical::headerMarks>("headerMarks", text,
                                  "characters with which a program's first line may begin", "\"%\""),
     field<&Lexical::endLabel>("endLabel", text, "label that ends a repeated section",
@@ -149,6 +163,16 @@ constexpr Field limitFields[] = {
                                    "1"),
     field<&Limits::callDepth>("callDepth", depth,
                               "levels of calls below the main program; 0: not documented", "9"),
+    field<&Limits::packedCallDigits>(
+        "packedCallDigits", digitCount,
+        "digits of a program's number in a call whose P has the count of runs before it "
+        "(`P51000`); 0: P is the number alone",
+        "4"),
+    field<&Limits::protectedPrograms>(
+        "protectedPrograms", reservedNumber,
+        "programs from this number on, of four digits, belong to the machine's builder: they need "
+        "not lie in the project; 0: none do",
+        "8000"),
     field<&Limits::blockLength>("blockLength", whole(0, 10000),
                                 "characters of a block; 0: not limited", "255"),
     field<&Limits::structureDepth>("structureDepth", depth,
@@ -306,6 +330,9 @@ constexpr Field dialectFields[] = {
                                         "a motion code does not end a drilling cycle"),
     flag<&Dialect::emptyBlocksRun>("emptyBlocksRun",
                                    "an active cycle runs in blocks without words too"),
+    flag<&Dialect::callsKeepModes>(
+        "callsKeepModes", "programs that are not known leave plane, compensation, cycle, units and "
+                          "modal calls as they are: the builder's macros do so by custom"),
     flag<&Dialect::endReturns>("endReturns",
                                "a program end inside a called program leads back to the caller"),
     flag<&Dialect::polarByDistance>(
@@ -356,6 +383,10 @@ constexpr Field dialectFields[] = {
                                         "the codes by their names, with at least two digits: "
                                         "`G01`, `M03`, `G84.2`; a code that is a "
                                         "word of its own by that word"),
+    field<&Dialect::builderMacros>("builderMacros", text,
+                                   "a G code: those from its number on that the table does not "
+                                   "have call macros of the machine's builder, as this code does",
+                                   "\"G100\""),
     special<&DialectBuilder::readFacts>("facts", object(factRecord),
                                         "what the control does where controls differ, for rules"),
     special<&DialectBuilder::readRules>("rules", mapOf(aRule),

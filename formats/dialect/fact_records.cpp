@@ -113,6 +113,8 @@ constexpr RecordOf<CornerFacts> cornersRecord =
         .overlay();
 
 constexpr Field cyclesFields[] = {
+    flag<&CycleFacts::lastCodeCounts>("lastCodeCounts",
+                                      "of a motion code and a cycle in one block the last counts"),
     flag<&CycleFacts::planesAbsolute>(
         "planesAbsolute",
         "planes that are variables are absolute in every mode, and the depth is below the start"),
@@ -212,6 +214,8 @@ constexpr Field programFields[] = {
     flag<&ProgramFacts::modesStatedAtTargets>(
         "modesStatedAtTargets", "a block that several paths reach states the modes that it needs"),
     flag<&ProgramFacts::everyBlockNumbered>("everyBlockNumbered", "every block has a number"),
+    flag<&ProgramFacts::returnRestarts>(
+        "returnRestarts", "a return code in a main program starts it again, which may be meant"),
 };
 constexpr RecordOf<ProgramFacts> programRecord =
     RecordOf<ProgramFacts>{"facts of program", "what holds for programs and their ends",
@@ -247,6 +251,10 @@ constexpr Field toolsFields[] = {
         "cuttingEdges",
         "a tool has cutting edges: another edge is another tool, and edge 0 has no offset"),
     flag<&ToolFacts::changeNeedsNumber>("changeNeedsNumber", "the code of a tool change needs a T"),
+    flag<&ToolFacts::anyDigits>("anyDigits", "how the digits of a lathe's T are split into station "
+                                             "and offset is set on the machine"),
+    flag<&ToolFacts::lengthReplaced>(
+        "lengthReplaced", "a length offset may stay on until the next one takes its place"),
 };
 constexpr RecordOf<ToolFacts> toolsRecord =
     RecordOf<ToolFacts>{"facts of tools", "what holds for tools", toolsFields}.overlay();

@@ -234,7 +234,7 @@ private:
         {"level", FormulaOp::Level},           {"feed", FormulaOp::Feed},
         {"speed", FormulaOp::Speed},           {"note", FormulaOp::Note},
         {"origin", FormulaOp::Origin},         {"index", FormulaOp::Index},
-        {"unknown", FormulaOp::Unknown}};
+        {"increment", FormulaOp::Increment},   {"unknown", FormulaOp::Unknown}};
     for (const auto &[known, op] : ofState)
       if (name == known) {
         emit(op);

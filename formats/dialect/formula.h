@@ -36,6 +36,7 @@ enum class FormulaOp : uint8_t {
   Origin,        ///< number of the work offset in force: 3 of G54.03
   Index,         ///< of the place in a pattern, from 0
   Option,        ///< number of the machine profile's option `names[index]`
+  Increment,     ///< least increment of a length in the program's unit: 0.001 mm, 0.0001 inch
   Unknown,       ///< a value that no reference gives
   Add,
   Subtract,
@@ -81,9 +82,9 @@ struct FormulaName {
 
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
 /// `$NAME` for a variable of the program, `$NAME[x]` for one of several, `abs(x) min(x,y) max(x,y)
-/// floor(x) sqrt(x) sin(x) cos(x) select(x,y,z) index() unknown() given(NAME) toolRadius() tool()
-/// level() feed() speed() note() origin() key(SYMBOL) option(NAME) length(NAME) here(NAME)
-/// bare(ADDRESS) place(AXIS)`. None, with `error` set, when it cannot.
+/// floor(x) sqrt(x) sin(x) cos(x) select(x,y,z) index() increment() unknown() given(NAME)
+/// toolRadius() tool() level() feed() speed() note() origin() key(SYMBOL) option(NAME) length(NAME)
+/// here(NAME) bare(ADDRESS) place(AXIS)`. None, with `error` set, when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

@@ -10,6 +10,10 @@ using namespace shape;
 
 constexpr llvm::StringLiteral yesNo[] = {"Y", "N"};
 constexpr llvm::StringLiteral centres[] = {"absolute", "incremental", "by-mode"};
+constexpr llvm::StringLiteral arcsWithoutCentre[] = {"line", "alarm"};
+constexpr llvm::StringLiteral cornerForms[] = {"any", "comma", "plain"};
+constexpr llvm::StringLiteral programFormats[] = {"any", "standard", "series15"};
+constexpr llvm::StringLiteral tappings[] = {"any", "m29", "always"};
 constexpr llvm::StringLiteral codeSets[] = {"A", "B", "C"};
 constexpr llvm::StringLiteral pointChoices[] = {"any", "required", "calculator", "increment"};
 constexpr llvm::StringLiteral entries[] = {"next", "across"};
@@ -17,7 +21,10 @@ constexpr llvm::StringLiteral compensationTools[] = {"of-block"};
 constexpr llvm::StringLiteral corners[] = {"arc", "arc-of-next", "lines"};
 constexpr llvm::StringLiteral measurings[] = {"A", "B"};
 constexpr llvm::StringLiteral unitChoices[] = {"inch", "mm"};
-constexpr llvm::StringLiteral controls[] = {"840D", "840D sl", "828D", "810D", "802D", "808D"};
+constexpr llvm::StringLiteral coordinateSettings[] = {"fanuc", "haas", "yasnac"};
+constexpr llvm::StringLiteral controls[] = {"840D", "840D sl", "828D", "810D", "802D",
+                                            "808D", "16i",     "18i",  "21i",  "0i-C",
+                                            "0i-D", "0i-F",    "30i",  "31i"};
 
 template <const auto &List>
 Names namesOf() {
@@ -34,6 +41,9 @@ constexpr Field optionFields[] = {
     elsewhere("arcMacroPlanes", mapOf(someText), "planes of the arc macros, by name",
               R"({"ARC1": "XY"})"),
     elsewhere("arcWords", listOf(someText), "centre words of the arc macros", R"(["I", "J"])"),
+    elsewhere("arcWithoutCentre", oneOf<arcsWithoutCentre>,
+              "what a FANUC does with an arc that has no centre and no radius (parameter 3403#5)",
+              "\"alarm\""),
     elsewhere("automaticDoor", boolean, "the option for M85 and M86", "true"),
     elsewhere("clampedAxes", text, "axes that M10 clamps", "\"C\""),
     elsewhere("codeSet", oneOf<codeSets>,
@@ -50,6 +60,8 @@ constexpr Field optionFields[] = {
               "without one it is the tool in use",
               "\"of-block\""),
     elsewhere("control", oneOf<controls>, "which control of the family", "\"802D\""),
+    elsewhere("cornerWords", oneOf<cornerForms>,
+              "how corner words are written on a FANUC lathe (parameter 3405#4)", "\"comma\""),
     elsewhere("courseProfile", boolean, "the stricter rules of a school course", "true"),
     elsewhere("decimalPoint", oneOf<pointChoices>, "how a number without a point is read",
               "\"calculator\""),
@@ -83,8 +95,23 @@ constexpr Field optionFields[] = {
               "\"G17 G90 G94 G54\""),
     elsewhere("probeOff", text, "code that switches the probe off", "\"M46\""),
     elsewhere("probeOn", text, "code that switches the probe on", "\"M45\""),
+    elsewhere("programFormat", oneOf<programFormats>,
+              "how cycles are written on a FANUC: in one line in the format of Series 15 "
+              "(parameter 0001#1)",
+              "\"standard\""),
     elsewhere("rearTurret", boolean, "the turret is on the far side of the centre line", "true"),
+    elsewhere("rigidTap", oneOf<tappings>,
+              "when a FANUC taps rigidly: after M29, or always (parameter 5200#0)", "\"m29\""),
+    elsewhere("roughType2", boolean, "roughing of profiles with pockets is fitted", "false"),
+    elsewhere("sequenceCall", boolean,
+              "`M98 Q` calls a block of the same program (parameter 6005#0)", "false"),
+    elsewhere("setting15", boolean, "H and T of a Haas must agree", "true"),
     elsewhere("setting22", number, "by how much a peck is withdrawn to break the chip, mm", "0.5"),
+    elsewhere("setting28", boolean, "a cycle of a Haas acts in its own block without X and Y too",
+              "false"),
+    elsewhere("setting33", oneOf<coordinateSettings>,
+              "after which control a Haas reads G52, G92 and a lathe's G50", "\"yasnac\""),
+    elsewhere("setting56", boolean, "M30 gives a Haas its default codes back", "false"),
     elsewhere("setting73", number, "by how much a roughing pass is withdrawn, mm", "1"),
     elsewhere("setting86", number, "what the last pass of a thread takes, mm", "0.05"),
     elsewhere("setting95", number, "length of the thread chamfer in leads", "1"),
@@ -98,13 +125,17 @@ constexpr Field optionFields[] = {
     elsewhere("straightCorner", numberFrom(0),
               "angle in radians up to which two compensated elements meet without a corner",
               "0.05"),
+    elsewhere("subSpindle", boolean, "a second spindle is fitted", "false"),
     elsewhere("toolChangeByM6", boolean, "T alone only preselects", "true"),
     elsewhere("toolChangeMinZ", number, "lowest safe Z of a tool change in work coordinates",
               "100"),
     elsewhere("toolMeasuring", oneOf<measurings>, "how tools are measured", "\"A\""),
+    elsewhere("toolOffsetDigits", whole(1, 4),
+              "digits of the offset at the end of a lathe's T (parameter 5028)", "2"),
     elsewhere("twoAxisHead", boolean, "a two-axis head is fitted", "true"),
     elsewhere("unitsG70", oneOf<unitChoices>, "meaning of G70", "\"inch\""),
     elsewhere("userFunctions", boolean, "the option for M51 to M68 and M121 to M128", "true"),
+    elsewhere("yAxis", boolean, "a lathe's Y axis is fitted", "false"),
     elsewhere("zeroOnSurface", boolean, "Z0 is on the part's surface", "true"),
 };
 

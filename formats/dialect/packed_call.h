@@ -22,4 +22,16 @@ inline PackedCall unpackCall(const Dialect &dialect, int64_t number, bool counte
   return {number % past, number / past, digits};
 }
 
+/// The same where a program with all digits of the number counts first: what the number means when
+/// there is none.
+inline PackedCall unpackCall(const Dialect &dialect, int64_t number) {
+  const unsigned digits = dialect.limits.packedCallDigits;
+  int64_t past = 1;
+  for (unsigned i = 0; i < digits; ++i)
+    past *= 10;
+  if (!digits || number < past)
+    return {number, 1, 0};
+  return {number % past, number / past, digits};
+}
+
 } // namespace ncvet

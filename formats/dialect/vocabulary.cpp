@@ -56,7 +56,7 @@ constexpr llvm::StringLiteral axes[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", 
 static_assert(std::size(axes) == axisCount);
 constexpr llvm::StringLiteral machines[] = {"lathe", "mill"};
 constexpr llvm::StringLiteral semicolons[] = {"comment", "end-of-block"};
-constexpr llvm::StringLiteral arithmetics[] = {"macro-b", "ngc"};
+constexpr llvm::StringLiteral arithmetics[] = {"macro-b", "macro-b-30i", "macro-b-decimal", "ngc"};
 constexpr llvm::StringLiteral severities[] = {"style", "warning", "error"};
 constexpr llvm::StringLiteral groups[] = {
     "motion",       "plane",         "units",   "distance",     "feed-mode",   "speed-mode",

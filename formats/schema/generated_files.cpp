@@ -2,6 +2,7 @@
 #include "formats/schema/generated_files.h"
 
 #include "formats/dialect/config_file.h"
+#include "formats/schema/controls_writer.h"
 #include "formats/schema/reference_writer.h"
 #include "formats/schema/schema_writer.h"
 
@@ -15,6 +16,7 @@ std::vector<GeneratedFile> generatedFiles() {
       {"schema/profile.schema.json", schemaText(profileRecord, "profile.schema.json")},
       {"schema/detect.schema.json", schemaText(detectRecord, "detect.schema.json")},
       {"REFERENCE.md", referenceText({&dialectRecord, &machineRecord})},
+      {"../docs/controls.md", controlsText()},
   };
 }
 

@@ -203,6 +203,17 @@ private:
     }
   }
 
+  /// The least increment of a length in the program's unit.
+  Interval increment() const {
+    const MachineState &before = context_.before;
+    const VariableRanges &ranges = context_.dialect.variableRanges;
+    const uint64_t set = ranges.units == noGroup ? groupUnset : before.group(ranges.units);
+    constexpr double metric = 0.001, inch = 0.0001;
+    if (!(set & ranges.inch))
+      return Interval::exactly(metric);
+    return set & ~ranges.inch ? Interval::unknown() : Interval::exactly(inch);
+  }
+
   /// What the state before the block says.
   Interval ofState(const FormulaStep &step) const {
     const MachineState &before = context_.before;
@@ -221,6 +232,8 @@ private:
       return place(context_.dialect.addresses[step.index].axis);
     case FormulaOp::Origin:
       return origin();
+    case FormulaOp::Increment:
+      return increment();
     default:
       return Interval::unknown();
     }

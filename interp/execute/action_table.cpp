@@ -175,6 +175,7 @@ struct Execution::Actions {
       {Action::CallProgram, Phase::Flow, does<&Execution::callSubprogram>, EventKind::Call},
       {Action::CallLocal, Phase::Flow, does<&Execution::callLocal>, EventKind::Call},
       {Action::Return, Phase::Flow, does<&Execution::returnToCaller>, EventKind::Return},
+      {Action::Jump, Phase::Flow, does<&Execution::jumpTo>},
       {Action::ConditionalJump, Phase::Flow, does<&Execution::jumpPerhaps>},
       {Action::ModesKept, Phase::Early, does<&Execution::keepModes>},
       {Action::ModesForgotten, Phase::Early, does<&Execution::forgetModes>},

@@ -215,7 +215,9 @@ void Execution::resolveCodes() {
     }
     if (word.has(wordNoValue))
       continue;
-    const CodeIndex code = dialect_.find(char('A' + word.address), word.codeNumber());
+    CodeIndex code = dialect_.find(char('A' + word.address), word.codeNumber());
+    if (code == noCode)
+      code = macroOfBuilder(word);
     if (code == noCode)
       unknownCode(word);
     else
@@ -242,6 +244,17 @@ void Execution::computedCode(const Word &word) {
     outcome_.emit(EventKind::UnknownCode).word = &word; // it is known, and it is none
   }
   state_.set(Fact::UnknownCode);
+}
+
+/// The entry that counts for codes with which the machine's builder calls macros: G codes from a
+/// number on, and M codes that name a program.
+CodeIndex Execution::macroOfBuilder(const Word &word) const {
+  const CodeIndex macro = dialect_.builderMacro;
+  if (macro == noCode ||
+      (word.address == letterAddress('G') ? word.codeNumber() < dialect_.codes[macro].number
+                                          : !block_.has(letterAddress('P'))))
+    return noCode;
+  return macro;
 }
 
 void Execution::unknownCode(const Word &word) {

@@ -42,6 +42,7 @@ private:
   bool runsEmpty() const;
   void resolveCodes();
   void computedCode(const Word &word);
+  CodeIndex macroOfBuilder(const Word &word) const;
   void unknownCode(const Word &word);
   void resolveVariants();
   void unsetReads();
@@ -125,6 +126,7 @@ private:
   void callLocal(const CodeUse &use);
   void returnToCaller(const CodeUse &use);
   void jumpPerhaps(const CodeUse &use);
+  void jumpTo(const CodeUse &use);
   void endProgram(const CodeUse &use);
   void callProgram(const CodeUse &use, bool macro);
   void callModally(const CodeUse &use);

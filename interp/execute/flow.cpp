@@ -28,6 +28,8 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
     flow.end = block_.endOf(*p);
     const Interval number = value(*p);
     flow.target = valueOf(number);
+    flow.packed = !macro && dialect_.limits.packedCallDigits && number.isConstant() &&
+                  !block_.has(letterAddress('L'));
     if (!macro && number.isConstant()) {
       const PackedCall call =
           unpackCall(dialect_, int64_t(number.value()), block_.has(letterAddress('L')));
@@ -169,8 +171,12 @@ void Execution::callLocal(const CodeUse &use) {
   Flow &flow = outcome_.flow;
   go(FlowKind::CallLocal, use);
   flow.target = Value::vacant();
-  // The target is a P word; an N word after the code is taken as one too.
+  // The target is a P word, or the one that the table says; an N word after the code is taken as
+  // one too.
   const Word *target = block_.find('P');
+  for (const WordSpec &spec : info(use).words)
+    if (!target && spec.role == Role::Sequence)
+      target = block_.findAny(spec.any);
   if (!target)
     target = block_.find('N');
   if (target) {
@@ -190,8 +196,13 @@ void Execution::returnToCaller(const CodeUse &use) {
 }
 
 void Execution::jumpPerhaps(const CodeUse &use) {
-  go(FlowKind::Jump, use);
+  jumpTo(use);
   outcome_.flow.condition = Truth::Unknown;
+}
+
+void Execution::jumpTo(const CodeUse &use) {
+  go(FlowKind::Jump, use);
+  outcome_.flow.condition = Truth::Yes;
   const Word *p = block_.find('P');
   outcome_.flow.target = p ? valueOf(value(*p)) : Value::vacant();
 }

@@ -1,4 +1,5 @@
 // Feed, speed, tool and offset words, and the codes of spindle and tool.
+#include "formats/dialect/control_facts.h"
 #include "interp/execute/execution.h"
 
 #include <cmath>
@@ -226,10 +227,15 @@ void Execution::toolWord(const Word &word) {
   if (number.isConstant() && number.value() >= 0 && number.value() < 1e8) {
     const auto whole = int32_t(number.value());
     if (dialect_.isLathe()) {
-      tool = whole / 100;
-      offset = whole % 100;
-      if (whole < 100 && !word.has(wordLeadingZero)) {
-        // One or two digits name an offset on some controls and a tool on others.
+      constexpr int32_t fiveDigits = 10000;
+      const std::optional<double> digits = context_.machine.number("toolOffsetDigits");
+      const auto offsets = digits ? int32_t(std::pow(10, *digits)) : 100;
+      tool = whole / offsets;
+      offset = whole % offsets;
+      const bool splitElsewhere = !digits && whole >= fiveDigits && dialect_.facts->tools.anyDigits;
+      if ((whole < 100 && !word.has(wordLeadingZero)) || splitElsewhere) {
+        // One or two digits name an offset on some controls and a tool on others; where more than
+        // four are split is set on the machine.
         tool = notKnown;
         offset = notKnown;
       }

@@ -214,8 +214,9 @@ struct Flow {
   FlowKind kind = FlowKind::Next;
   Truth condition = Truth::Yes;
   uint8_t loop = 0;
-  bool macro = false; ///< a call with variables of its own
-  int16_t item = -1;  ///< number of the block's item that says where to; -1: words say it
+  bool macro = false;  ///< a call with variables of its own
+  bool packed = false; ///< the target may have the count of runs before the program's number
+  int16_t item = -1;   ///< number of the block's item that says where to; -1: words say it
   CodeIndex code = noCode;
   const Word *word = nullptr;  ///< the word that names the target, or the code
   uint32_t begin = 0, end = 0; ///< where the flow is written, for messages

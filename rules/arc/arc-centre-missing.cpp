@@ -22,6 +22,12 @@ public:
       finding.message("`{0}` has neither {1} nor {2}, {3}: the control does not know the arc", name,
                       shapeWords(ctx.dialect()), ctx.dialect().addressName(words.centreAddress[0]),
                       ctx.dialect().addressName(words.centreAddress[1]));
+      // Where a parameter makes a line of such a block, coordinates after an arc are meant as one.
+      const bool lines = ctx.dialect().options.count("arcWithoutCentre") != 0;
+      if (ctx.machine().option("arcWithoutCentre") == llvm::StringRef("alarm"))
+        finding.severity(Severity::Error);
+      else if (lines && !here)
+        finding.severity(Severity::Style);
       if (!here)
         finding.note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
                      "`" + name + "` becomes active here and is still in force");

@@ -30,8 +30,11 @@ public:
                         ctx.text(*event.word));
     // A bare axis letter is a word: reference returns name their axes so.
     const bool byName = namesAxes(ctx);
+    // `G65 <NAME>`
+    const bool named = ctx.block().nameEnd > ctx.block().nameBegin;
     reportMissingWords(ctx, event, [&](const CodeInfo &code, const WordSpec &spec) {
-      return isMine(code, spec) && !(byName && spec.any & ctx.dialect().axisWords);
+      return isMine(code, spec) && !(byName && spec.any & ctx.dialect().axisWords) &&
+             !(named && spec.role == Role::Program);
     });
   }
 

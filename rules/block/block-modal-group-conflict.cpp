@@ -43,6 +43,10 @@ public:
       if (use.word->offset >= event.word->offset) // the later one of a pair reports
         return;
       const CodeInfo &other = ctx.code(use);
+      // `G00 G81`: the cycle comes last, and drills.
+      if (ctx.dialect().facts->cycles.lastCodeCounts && isMotion(other.action) &&
+          isModalCycle(ctx.dialect(), code))
+        continue;
       const char *why = conflict(ctx.dialect(), other, code, sameTwice_);
       if (!why)
         continue;

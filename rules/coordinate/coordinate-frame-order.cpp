@@ -5,14 +5,18 @@ namespace ncvet {
 namespace {
 
 class CoordinateFrameOrder final : public Rule {
+  static constexpr llvm::StringLiteral id = "coordinate-frame-order";
+
 public:
   void listen(Subscriptions &to) override {
+    to.onNotices(id);
     to.onAction({Action::PresetPosition, Action::LocalShift, Action::MirrorOn, Action::MirrorOff,
                  Action::ScalingOff, Action::RotationOff});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
+    ctx.reportNotices(id, event);
     switch (code.action) {
     case Action::PresetPosition:
       return preset(event, code, ctx);
@@ -21,8 +25,11 @@ public:
     case Action::MirrorOn:
     case Action::MirrorOff:
       return mirror(event, code, ctx);
-    default:
+    case Action::ScalingOff:
+    case Action::RotationOff:
       return nesting(event, code, ctx);
+    default:
+      return;
     }
   }
 

@@ -1,5 +1,6 @@
 // A return code is reached in a program that nobody called.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -11,6 +12,8 @@ struct FlowReturnInMainMemory {
 class FlowReturnInMain final : public StatefulRule<FlowReturnInMainMemory> {
 public:
   void listen(Subscriptions &to) override {
+    if (to.dialect().facts->program.returnRestarts)
+      return;
     to.on(EventKind::FlowIssue);
     to.onAction({Action::Reset});
     opens_ = llvm::any_of(to.dialect().codes,

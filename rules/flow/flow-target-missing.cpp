@@ -17,9 +17,18 @@ public:
       return;
     // A number written as `M97 N500` is the business of flow-call-format.
     const CodeInfo &code = ctx.code(event);
+    if (code.elsewhere && code.action == Action::MacroCall) // the code itself names its program
+      return;
     if (code.action == Action::CallLocal && block.has(letterAddress('N')))
       return;
+    if (block.nameEnd > block.nameBegin)
+      return;
+    for (const WordSpec &spec : code.words)
+      if (spec.role == Role::Sequence && code.action == Action::CallLocal && block.hasAny(spec.any))
+        return;
     // A call by name: the text after the code is its target.
+    if (block.nameEnd > block.nameBegin)
+      return;
     for (const SyntaxIssue &issue : block.issues)
       if (issue.begin >= event.word->offset)
         return;

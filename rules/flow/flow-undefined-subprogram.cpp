@@ -8,6 +8,13 @@ namespace {
 /// and of probing systems.
 constexpr double firstProtected = 8000;
 
+/// A program of the machine's builder, by the control's table.
+bool isProtected(const Flow &flow, int32_t first) {
+  constexpr double last = 9999;
+  return first && flow.kind != FlowKind::CallLocal && flow.target.isConstant() &&
+         flow.target.number.value() >= first && flow.target.number.value() <= last;
+}
+
 class FlowUndefinedSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
@@ -21,6 +28,8 @@ public:
     // A macro of the control itself is not part of any folder of programs.
     const bool builtIn =
         flow.macro && flow.target.isConstant() && flow.target.number.value() >= firstProtected;
+    if (isProtected(flow, ctx.dialect().limits.protectedPrograms))
+      return;
     // A subprogram may belong to a set of the machine's builder, which lies on the control.
     if (flow.kind == FlowKind::CallNamed &&
         ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
@@ -38,6 +47,11 @@ public:
     else if (builtIn)
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: nothing is known of what it does",
+                   ctx.text(ctx.flowRange()));
+    else if (ctx.dialect().limits.protectedPrograms)
+      finding.severity(Severity::Style)
+          .message("`{0}` calls a program that was not found: unless it lies on the control, this "
+                   "one stops here",
                    ctx.text(ctx.flowRange()));
     else
       finding.message("`{0}` calls a program that was not found: the control stops here",

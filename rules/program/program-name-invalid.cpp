@@ -243,6 +243,19 @@ private:
 
   size_t names_ = 0; ///< most characters of a program's name; 0: programs have numbers
 
+  /// `<NAME>` as a program's header.
+  static void bracketed(llvm::StringRef text, SourceRange range, RuleContext &ctx) {
+    constexpr size_t most = 32;
+    const llvm::StringRef name = text.drop_front().take_until([](char c) { return c == '>'; });
+    const bool readable = llvm::all_of(
+        name, [](char c) { return llvm::isAlnum(c) || llvm::StringRef("-+_.").contains(c); });
+    if (readable && name.size() <= most)
+      return;
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is no name of a program: letters, digits and `- + _ .`, {1} at most",
+                      text, most);
+  }
+
   void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     const SourceRange range{file.source.id(), program.headerBegin, program.headerEnd};
     const llvm::StringRef text = ctx.text(range).trim();
@@ -252,6 +265,8 @@ private:
     const bool letter = rest.consume_front("O") || rest.consume_front("o") ||
                         (!percent_ && rest.consume_front(":"));
     rest = rest.ltrim();
+    if (ctx.dialect().lexical.namedPrograms && rest.startswith("<"))
+      return bracketed(rest, range, ctx);
     const llvm::StringRef digits = rest.take_while(llvm::isDigit);
     rest = rest.drop_front(digits.size());
     if (!letter || digits.empty() || !rest.empty()) {

@@ -1,5 +1,6 @@
 // Length compensation that is still on at a tool change, a machine move or the program's end.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,8 @@ namespace {
 class ToolLengthOffsetLeftOn final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
+    if (to.dialect().group(StandardGroup::LengthOffset) != noGroup &&
+        !to.dialect().facts->tools.lengthReplaced)
       to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Motion});
   }
 

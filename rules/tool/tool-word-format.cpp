@@ -7,10 +7,15 @@
 namespace ncvet {
 namespace {
 
-class ToolWordFormat final : public Rule {
+struct ToolWordFormatMemory {
+  bool four = false, more = false; ///< words of up to four digits, and of more, were met
+};
+
+class ToolWordFormat final : public StatefulRule<ToolWordFormatMemory> {
 public:
   void listen(Subscriptions &to) override {
     digits_ = to.dialect().facts->limits.toolDigits;
+    any_ = to.dialect().facts->tools.anyDigits;
     if (to.dialect().isLathe() || digits_ != 0)
       to.on(EventKind::ToolWord);
   }
@@ -32,6 +37,8 @@ public:
       return;
     }
     const bool point = !word.isWhole() || word.has(wordPoint) || word.has(wordMinus);
+    if (any_ && !point)
+      return mixed(word, count, ctx);
     if ((count == 3 || count == 4) && !point)
       return;
     auto finding = ctx.report(word);
@@ -50,6 +57,20 @@ public:
   }
 
 private:
+  /// How the digits are split is set on the machine: once for all words of a program.
+  void mixed(const Word &word, size_t count, RuleContext &ctx) const {
+    const bool mixes = count > 4 ? memory().four : memory().more && count > 2;
+    memory().four |= count == 3 || count == 4;
+    memory().more |= count > 4;
+    if (!mixes)
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Style)
+          .message("`{0}` has {1} digits, other tool words of this program have {2}: the machine "
+                   "splits all of them into station and offset at one place",
+                   ctx.text(word), count, count > 4 ? "four at most" : "more");
+  }
+
   /// `T<FTI(R1)>` where R1 is known and no number of a tool.
   void computed(const Word &word, RuleContext &ctx) const {
     const Interval value = ctx.value(word);
@@ -61,6 +82,7 @@ private:
                       ctx.text(word), value.value(), digits_);
   }
 
+  bool any_ = false;    ///< the machine says how many digits there are
   unsigned digits_ = 0; ///< a mill's tool number has at most so many
 };
 

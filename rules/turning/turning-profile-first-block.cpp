@@ -51,7 +51,8 @@ private:
       return;
     if (work.cycle.cycle == CycleKind::RoughFace)
       facing(work, ctx);
-    else if (work.cycle.cycle == CycleKind::RoughTurn && startsInX_)
+    else if (work.cycle.cycle == CycleKind::RoughTurn &&
+             (startsInX_ || ctx.machine().option("roughType2") == llvm::StringRef("false")))
       turning(work, ctx);
     else if (work.cycle.cycle == CycleKind::RoughTurn)
       pockets(work, ctx);

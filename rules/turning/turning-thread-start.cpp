@@ -49,7 +49,9 @@ private:
     // A taper moves the crest between the ends of the thread.
     if (!end || (wordOf(ctx.block(), code, Role::Taper) && valueOf(ctx, code, Role::Taper) != 0.0))
       return;
-    const double scale = heightWord->has(wordPoint) ? 1 : depthUnit_;
+    // A least increment is 0.001 mm, or 0.0001 inch.
+    const double increment = depthUnit_ < 1 && *unit > 1 ? depthUnit_ / 10 : depthUnit_;
+    const double scale = heightWord->has(wordPoint) ? 1 : increment;
     const double depth = *height * *unit * scale;
     if (depth > 20) // no thread: the unit was meant otherwise
       return;

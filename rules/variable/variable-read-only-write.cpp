@@ -7,7 +7,7 @@ namespace {
 class VariableReadOnlyWrite final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (!to.dialect().readOnly.empty())
+    if (!to.dialect().readOnly.empty() || !to.dialect().readOnlyNumbers.empty())
       to.on(EventKind::Statement);
   }
 
@@ -22,6 +22,26 @@ public:
           (llvm::StringRef(readOnly).endswith("_") && name.startswith_insensitive(readOnly)))
         if (auto finding = ctx.report(range))
           finding.message("`{0}` can only be read: the control refuses the block", name);
+    if (const auto number = numberOf(ctx.block(), item); isReadOnly(number, ctx.dialect()))
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("`#{0}` can only be read: the control writes it itself", number);
+  }
+
+private:
+  /// The variable that is written, where its number is in the text; 0: it is not.
+  static int64_t numberOf(const Block &block, const Item &item) {
+    const Expression &target = block.expressions[item.target];
+    const bool plain = target.count == 1 && block.operations[target.first].op == Op::Number;
+    return plain ? int64_t(block.operations[target.first].value) : 0;
+  }
+
+  static bool isReadOnly(int64_t number, const Dialect &dialect) {
+    const std::vector<int> &ranges = dialect.readOnlyNumbers;
+    for (size_t i = 0; i + 1 < ranges.size(); i += 2)
+      if (number >= ranges[i] && number <= ranges[i + 1])
+        return true;
+    return false;
   }
 };
 

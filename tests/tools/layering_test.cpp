@@ -97,8 +97,9 @@ bool isLibraryPath(std::string_view path) {
 /// known family is a JSON file and no C++.
 const std::set<std::string, std::less<>> &dialectIds() {
   static const std::set<std::string, std::less<>> ids = {
-      "iso-base", "iso-milling", "iso-turning", "haas-lathe", "haas-mill", "fanuc-0t", "fanuc-0m",
-      "nct-104t", "nct-104m",    "din66025",    "sinumerik",  "mefi",      "ecs",      "linuxcnc"};
+      "iso-base",       "iso-milling", "iso-turning", "haas-lathe", "haas-mill",
+      "haas-ngc-lathe", "fanuc-0t",    "fanuc-0m",    "nct-104t",   "nct-104m",
+      "din66025",       "sinumerik",   "mefi",        "ecs",        "linuxcnc"};
   return ids;
 }
 

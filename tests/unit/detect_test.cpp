@@ -84,7 +84,6 @@ TEST(Detection, AnyBytesGiveAnAnswer) {
 }
 
 TEST(Detection, IsSureOfAProgramThatBearsMarksOfItsControl) {
-  EXPECT_TRUE(detector().detect("cover.nc", mill).sure);
   EXPECT_TRUE(detector().detect("arc.mpf", "G0 X0 Y0\nG1 X1 F100\nM30\n").sure);
   EXPECT_FALSE(detector().detect("x.nc", "G0 X0 Y0\nG1 X1 F100\nM30\n").sure);
   EXPECT_FALSE(detector().detect("x", "").sure);
@@ -94,8 +93,30 @@ TEST(Detection, RemarksInRoundBracketsAreNoSinumerikProgram) {
   const Detection found = detector().detect(
       "plate.nc", "(PLATE)\n(T4 D=5 CR=0 - ZMIN=-8 - FLAT END MILL)\nG90 G94\nG17\nG21\nT4\n"
                   "S5000 M3\nG54\nG0 X8 Y7.75\nZ15\nG1 Z-4 F1000\nM30\n");
-  EXPECT_EQ("fanuc-0m", found.dialect);
+  EXPECT_EQ("fanuc-mill", found.dialect);
   EXPECT_FALSE(found.sure);
+}
+
+TEST(Detection, HabitsOfManyControlsMakeNoneSure) {
+  const Detection found = detector().detect("cover.nc", mill);
+  EXPECT_EQ("fanuc-mill", found.dialect);
+  EXPECT_FALSE(found.sure);
+}
+
+TEST(Detection, TellsModernFanucFromTheOldOneByMarksOfEach) {
+  const auto of = [](llvm::StringRef line) {
+    return detector().detect("O1001", "%\nO1001\nG21 G17 G40 G90\nT1 M6\n" + line.str() +
+                                          "\nG0 G43 H1 Z50.\nM30\n%\n");
+  };
+  for (const char *line : {"G54.1 P12\nG05.1 Q1", "M98 Q100", "M198 P20", "(ROBODRILL)", "M29 S500",
+                           "(FANUC 0I-MF)"}) {
+    EXPECT_EQ("fanuc-mill", of(line).dialect) << line;
+    EXPECT_TRUE(of(line).sure) << line;
+  }
+  EXPECT_EQ("fanuc-0m", of("(FANUC 0-M)").dialect);
+  EXPECT_EQ("haas-mill", of("G154 P12").dialect);
+  EXPECT_EQ("fanuc-lathe",
+            detector().detect("O1", "%\nO1\nT0101\nG71 U2. R1.\nG71 P1 Q2 U.4 F.3\nM30\n").dialect);
 }
 
 TEST(Detection, ArcCentreCodesAreNoFanucProgram) {

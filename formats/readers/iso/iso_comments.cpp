@@ -19,6 +19,8 @@ void IsoScanner::scanComment() {
     at_ = close + 1;
   }
   block_.comments.push_back({offset(begin), offset(at_)});
+  if (lexical_.fileInComment)
+    nameCallee(begin);
   if (!lexical_.abortMark.empty())
     scanAbort(begin);
 }
@@ -46,6 +48,22 @@ void IsoScanner::scanLineComment() {
   if (behindBlanks(at_ + 1) < line)
     block_.comments.push_back({offset(begin), offset(line)});
   at_ = line;
+}
+
+/// `M98 (PART.NC)`: the comment right after a code that calls, where no P comes before it, names
+/// the program.
+void IsoScanner::nameCallee(const char *begin) {
+  constexpr ptrdiff_t brackets = 2;
+  if (block_.words.empty() || block_.has(letterAddress('P')) || at_ - begin <= brackets)
+    return;
+  const Word &last = block_.words.back();
+  constexpr int64_t subprogram = 98, macro = 65;
+  const bool calls = (last.address == letterAddress('M') && last.mantissa == subprogram) ||
+                     (last.address == letterAddress('G') && last.mantissa == macro);
+  if (!calls || behindBlanks(base_ + block_.endOf(last)) != begin)
+    return;
+  block_.nameBegin = offset(begin) + 1;
+  block_.nameEnd = offset(at_) - 1;
 }
 
 /// A comment that stops the program.

@@ -44,4 +44,27 @@ void IsoScanner::scanHeader(const char *begin) {
   block_.headerEnd = offset(at_);
 }
 
+/// `<NAME>` at `mark`: the header of a program, or the name that a call before it gives; false,
+/// with nothing read: none is there.
+bool IsoScanner::scanName(const char *begin, const char *mark) {
+  if (!lexical_.namedPrograms)
+    return false;
+  const char *const name = mark + 1;
+  const char *close = name;
+  while (close < end_ && !isLineEnd(*close) && *close != '>')
+    ++close;
+  if (close >= end_ || *close != '>' || !(isLetter(*name) || isNumberDigit(*name)))
+    return false;
+  at_ = close + 1;
+  block_.nameBegin = offset(name);
+  block_.nameEnd = offset(close);
+  if (startsBlock()) {
+    block_.kind = BlockKind::ProgramHeader;
+    block_.headerBegin = offset(begin);
+    block_.headerEnd = offset(at_);
+    block_.program = -1;
+  }
+  return true;
+}
+
 } // namespace ncvet

@@ -130,4 +130,17 @@ void IsoScanner::scanAssignment() {
     ++at_;
 }
 
+/// `[#NAME]=..`
+void IsoScanner::scanNamedVariable() {
+  const char *const begin = at_;
+  Item item = itemAt(ItemKind::Assignment, begin);
+  item.target = expression(MacroExpression::Form::VariableNumber);
+  skipBlanks();
+  if (at_ >= end_ || *at_ != '=')
+    return issue(SyntaxIssueKind::BadStatement, begin, at_ > begin ? at_ : begin + 1);
+  ++at_;
+  item.value = expression(MacroExpression::Form::Full);
+  add(item);
+}
+
 } // namespace ncvet

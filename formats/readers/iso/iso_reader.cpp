@@ -41,6 +41,8 @@ inline void IsoScanner::scanLetter() {
     const char *const p = behindBlanks(at_ + 1);
     if (p < end_ && isNumberDigit(*p))
       return scanHeader(begin);
+    if (p < end_ && *p == '<' && scanName(begin, p))
+      return;
   }
   ++at_;
   scanWord(letterAddress(upper), begin);
@@ -125,7 +127,20 @@ bool IsoScanner::scanMark() {
     return true;
   case '\x1A':
     return scanEndOfFile();
+  case '<':
+    return scanName(begin, begin);
   case '[':
+    if (opensNamedVariable()) {
+      scanNamedVariable();
+      return true;
+    }
+    if (lexical_.conditionFirst && block_.words.empty() && block_.items.empty()) {
+      Item item = itemAt(ItemKind::If, begin);
+      item.condition = expression(MacroExpression::Form::Operand);
+      add(item);
+      return true;
+    }
+    [[fallthrough]];
   case ']':
     ++at_;
     issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);

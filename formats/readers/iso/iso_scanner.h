@@ -62,12 +62,14 @@ private:
   // iso_header.cpp
   void scanTape();
   void scanHeader(const char *begin);
+  bool scanName(const char *begin, const char *mark);
 
   // iso_comments.cpp
   void scanComment();
   void scanNestedComment(const char *begin, const char *inner, const char *close);
   void scanLineComment();
   void scanAbort(const char *begin);
+  void nameCallee(const char *begin);
 
   // iso_macro.cpp
   bool isKeyword(llvm::StringRef word) const {
@@ -83,6 +85,11 @@ private:
   bool scanOutputWord(llvm::StringRef keyword);
   bool scanOutputLine(llvm::StringRef keyword);
   void scanAssignment();
+  bool opensNamedVariable() const {
+    return lexical_.arithmetic == Arithmetic::MacroB30 && end_ - at_ > 2 && at_[1] == '#' &&
+           (at_[2] == '_' || isLetter(at_[2]));
+  }
+  void scanNamedVariable();
 
   // iso_flow.cpp
   void scanFlowWord();

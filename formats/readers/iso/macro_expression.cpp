@@ -116,6 +116,8 @@ ExpressionParser::Rest MacroExpression::behindBad(const char *begin) const {
 
 uint16_t MacroExpression::parse(Form form, Arithmetic arithmetic) {
   ngc_ = arithmetic == Arithmetic::Ngc;
+  names_ = arithmetic == Arithmetic::MacroB30;
+  decimals_ = arithmetic == Arithmetic::MacroBDecimal;
   Expression result = open();
   const char *const begin = at_;
   bool good = false;
@@ -129,7 +131,9 @@ uint16_t MacroExpression::parse(Form form, Arithmetic arithmetic) {
     good = operand(0);
     break;
   case Form::VariableNumber:
-    if (at_ < end_ && *at_ == '#') {
+    if (names_ && at_ < end_ && *at_ == '[')
+      good = bracketedName(Op::Number);
+    else if (at_ < end_ && *at_ == '#') {
       ++at_;
       // The variable's number, not its value.
       skipBlanks();
@@ -219,6 +223,9 @@ bool MacroExpression::operand(unsigned depth) {
   if (*at_ == '#')
     return variable(depth);
   if (*at_ == '[') {
+    const char *const inside = behindBlanks(at_ + 1);
+    if (names_ && inside + 1 < end_ && *inside == '#' && (inside[1] == '_' || isLetter(inside[1])))
+      return bracketedName(Op::Variable);
     ++at_;
     return group(depth + 1) && take(']');
   }
@@ -239,6 +246,13 @@ bool MacroExpression::variable(unsigned depth) {
     double value = 0;
     while (at_ < end_ && isNumberDigit(*at_))
       value = value * 10 + (*at_++ - '0');
+    if (decimals_ && at_ < end_ && *at_ == '.') { // one value of a list of the control's own
+      ++at_;
+      while (at_ < end_ && isNumberDigit(*at_))
+        ++at_;
+      emit(Op::Unknown, at);
+      return true;
+    }
     if (value == 0)
       emit(Op::Vacant, at);
     else
@@ -298,6 +312,70 @@ bool MacroExpression::named(Op op) {
   return true;
 }
 
+/// `[#NAME]`, `[#_NAME[2]]`: `op` with the key of a variable with a name; those of the control,
+/// whose names begin with `_`, have values that no program gives.
+bool MacroExpression::bracketedName(Op op) {
+  const char *const at = at_;
+  if (!take('[') || !take('#'))
+    return false;
+  const char *const name = at_;
+  while (at_ < end_ && (*at_ == '_' || isNumberDigit(*at_) || isLetter(*at_)))
+    ++at_;
+  const llvm::StringRef text(name, size_t(at_ - name));
+  const bool element = at_ < end_ && *at_ == '[';
+  if (element && !passBrackets())
+    return false;
+  if (text.empty() || !take(']'))
+    return false;
+  if (op == Op::Variable && (element || text[0] == '_'))
+    emit(Op::Unknown, at);
+  else
+    emit(op, at, double(sharedVariableKey(text)));
+  return true;
+}
+
+/// Steps over the bracket that opens here and all that it holds.
+bool MacroExpression::passBrackets() {
+  int depth = 0;
+  for (; at_ < end_ && !isLineEnd(*at_); ++at_) {
+    depth += *at_ == '[' ? 1 : *at_ == ']' ? -1 : 0;
+    if (depth == 0) {
+      ++at_;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// POW and what asks the control for an axis or a parameter; false, with nothing read: none of them
+/// is here.
+bool MacroExpression::function30(unsigned depth, bool &good) {
+  const char *const at = at_;
+  constexpr llvm::StringLiteral asks[] = {"AXNUM", "AX", "PRM"};
+  const llvm::StringRef rest(at_, size_t(end_ - at_));
+  const auto opens = [&](llvm::StringRef name) {
+    const char *const bracket = behindSpaces(at_ + std::min(name.size(), rest.size()));
+    return beginsWith(rest, name) && bracket < end_ && *bracket == '[';
+  };
+  for (const llvm::StringLiteral name : asks)
+    if (opens(name)) {
+      at_ = behindSpaces(at_ + name.size());
+      good = passBrackets();
+      if (good && at_ + 1 < end_ && *at_ == '/' && at_[1] == '[') { // PRM[1320]/[2]
+        ++at_;
+        good = passBrackets();
+      }
+      emit(Op::Unknown, at);
+      return true;
+    }
+  if (!opens("POW"))
+    return false;
+  at_ = behindSpaces(at_ + 3) + 1;
+  good = group(depth + 1) && take(',') && group(depth + 1) && take(']');
+  emit(Op::Power, at);
+  return true;
+}
+
 /// `#<name>]` after EXISTS and its bracket.
 bool MacroExpression::exists() {
   if (!ngc_ || !take('#'))
@@ -343,6 +421,8 @@ bool MacroExpression::number() {
 
 bool MacroExpression::function(unsigned depth) {
   const char *at = at_;
+  if (bool good = false; names_ && function30(depth, good))
+    return good;
   for (const FunctionName &entry : functions) {
     if (!beginsWith({at_, size_t(end_ - at_)}, entry.name))
       continue;

@@ -29,13 +29,18 @@ private:
   bool operand(unsigned depth);
   bool variable(unsigned depth);
   bool named(Op op);
+  bool bracketedName(Op op);
+  bool passBrackets();
+  bool function30(unsigned depth, bool &good);
   bool exists();
   void emitNgc(Op op, const char *at);
   void emitTruth(const char *at);
   bool number();
   bool function(unsigned depth);
 
-  bool ngc_ = false; ///< the expressions are those of RS274/NGC
+  bool names_ = false;    ///< variables have names, and POW, AX, AXNUM and PRM are known
+  bool ngc_ = false;      ///< the expressions are those of RS274/NGC
+  bool decimals_ = false; ///< the number of a variable may have decimals
 };
 
 } // namespace ncvet

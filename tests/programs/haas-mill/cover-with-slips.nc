@@ -16,6 +16,7 @@ X-20.
 G00 Z50. M09
 G49
 G91 G28 Z0.
+(    ^^^ expect: compensation-forbidden-code definite)
 G90
 T2 M06
 (   ^^^ expect: compensation-left-on definite)

@@ -6,7 +6,9 @@ local settings = own.settings or vim.empty_dict()
 return {
   cmd = { own.path or 'ncvet', 'lsp' },
   filetypes = {
-    'gcode', 'ncvet-din66025', 'ncvet-ecs', 'ncvet-fanuc-0m', 'ncvet-fanuc-0t', 'ncvet-haas-lathe', 'ncvet-haas-mill',
+    'gcode', 'ncvet-din66025', 'ncvet-ecs', 'ncvet-fanuc-0m', 'ncvet-fanuc-0t',
+    'ncvet-fanuc-lathe', 'ncvet-fanuc-mill', 'ncvet-haas-lathe', 'ncvet-haas-mill',
+    'ncvet-haas-ngc-lathe',
     'ncvet-linuxcnc', 'ncvet-mefi', 'ncvet-nct-104m', 'ncvet-nct-104t', 'ncvet-sinumerik',
   },
   root_markers = { '.ncvet.json', '.git' },
