@@ -141,7 +141,7 @@ TEST(LanguageServer, PositionsCountWhatTheClientCounts) {
 
 TEST(LanguageServer, AQuickFixMendsItsFinding) {
   LanguageClient client;
-  client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+  client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
   const std::string path = "/nowhere/bore.nc";
   client.open(path, "O1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\nG01 Z-1. F100.\n"
                     "G00 Z50.\nM30\n");
@@ -170,7 +170,7 @@ TEST(LanguageServer, ACommentSilencesAFindingHereAndInTheFile) {
                            "G01 Z-1. F100.\nG00 Z50.\nM30\n";
   for (const size_t which : {1, 2}) {
     LanguageClient client;
-    client.initialize(Json::object(), {{"dialect", "haas-mill"}});
+    client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
     client.open(path, text);
     const Json diagnostics = client.diagnostics(path);
     ASSERT_EQ(diagnostics.size(), 1u);
