@@ -64,6 +64,6 @@ foreach(page IN LISTS pages)
   # A string literal may hold 64 KiB; pages are far smaller.
   string(APPEND rows "    {{\"${id}\", \"${category}\", \"${summary}\",\n     R\"PAGE~(${text})PAGE~\",\n     Severity::${severity}, ${enabled}, \"${fix}\", ${subsumes}, ${unreachable}}, make_${name}},\n")
 endforeach()
-file(WRITE ${OUT}.new "// Made from the rules' pages by cmake/RuleTable.cmake.\n#include \"analyzer/rule/rule.h\"\n\nnamespace ncvet {\n${factories}\nnamespace {\n${arrays}\nconst RuleEntry table[] = {\n${rows}};\n} // namespace\n\nllvm::ArrayRef<RuleEntry> allRules() { return table; }\n} // namespace ncvet\n")
+file(WRITE ${OUT}.new "// Made from the rules' pages by cmake/RuleTable.cmake.\n#include \"analyzer/rule/rule_table.h\"\n\nnamespace ncvet {\n${factories}\nnamespace {\n${arrays}\nconst RuleEntry table[] = {\n${rows}};\n} // namespace\n\nllvm::ArrayRef<RuleEntry> allRules() { return table; }\n} // namespace ncvet\n")
 file(COPY_FILE ${OUT}.new ${OUT} ONLY_IF_DIFFERENT)
 file(TOUCH_NOCREATE ${OUT})

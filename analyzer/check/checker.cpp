@@ -4,8 +4,11 @@
 #include "analyzer/check/contour_report.h"
 #include "analyzer/check/fold_repeats.h"
 #include "analyzer/check/foreign_text.h"
+#include "analyzer/flow/analyze.h"
+#include "analyzer/flow/states_at_block.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule_settings.h"
+#include "analyzer/rule/rule_table.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/text/crash_guard.h"
 
@@ -124,10 +127,6 @@ private:
   std::vector<Suppression> own_;
 };
 
-} // namespace
-
-namespace {
-
 /// "12: contour on the left, 8 elements, safe up to R6.00"
 std::vector<std::string> contourLines(llvm::ArrayRef<CompensatedContour> contours,
                                       const FileUnit &main) {
@@ -150,62 +149,9 @@ std::vector<std::string> contourLines(llvm::ArrayRef<CompensatedContour> contour
   return lines;
 }
 
-} // namespace
-
-FileScan *CheckMemory::scanFor(const FileSetup &setup, const SourceFile &file,
-                               const SharedText &text) {
-  const bool same = text_ && dialect_ == setup.dialect && machine_ == setup.machine &&
-                    rules_ == setup.rules && file_ == file.id();
-  // On some controls a program of one's own may hide one of the control's.
-  const bool hides = !setup.dialect->hiddenPrograms.empty() && folders_ != setup.folders;
-  changes_.reset();
-  if (same && !hides) {
-    changes_ = changesBetween(text_, text);
-    for (const TextChange &change : changes_->fromFront())
-      scan_.edit(change, file);
-  } else {
-    scan_.clear();
-  }
-  text_ = text.bytes;
-  dialect_ = setup.dialect;
-  machine_ = setup.machine;
-  rules_ = setup.rules;
-  folders_ = setup.folders;
-  file_ = file.id();
-  return &scan_;
-}
-
-StraightRuns *CheckMemory::runsFor(const FileIndex &index) {
-  std::string programs;
-  for (const ProgramInfo &program : index.programs())
-    programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
-                              program.hasHeader())
-                    .str();
-  if (!changes_ || programs_ != programs)
-    runs_.clear();
-  else
-    for (const TextChange &change : changes_->fromFront())
-      runs_.edit(change);
-  changes_ = TextChanges(); // the runs are those of this text now
-  programs_ = std::move(programs);
-  return &runs_;
-}
-
-namespace {
-
 const std::string &nameOf(const SourceFile &file) {
   return file.path().empty() ? file.display() : file.path();
 }
-
-} // namespace
-
-/// What a crash leaves can be neither used nor given back.
-void CheckMemory::abandon() {
-  new CheckMemory(std::move(*this)); // on purpose without an owner
-  *this = CheckMemory();
-}
-
-namespace {
 
 /// One file under its setup, followed and made into findings.
 void checkUnder(const FileSetup &setup, Session &session, SourceSet &sources,

@@ -1,11 +1,14 @@
 // Checker: one file from its setup to its findings, with suppressions and what names a finding.
 #pragma once
 
-#include "analyzer/flow/states_at_block.h"
-#include "analyzer/reuse/run_cache.h"
+#include "analyzer/check/check_memory.h"
 #include "analyzer/setup/session.h"
 
+#include <atomic>
+
 namespace ncvet {
+
+struct StatesAt; // analyzer/flow/observed_block.h
 
 /// A finding with what its fingerprint is made of.
 struct CheckedFinding {
@@ -29,41 +32,6 @@ struct FileOutcome {
   std::vector<CheckedFinding> findings;
   /// (name of the file, offset) of suppressions in called files that this file made use of.
   std::vector<std::pair<std::string, uint32_t>> usedSuppressions;
-};
-
-/// What checks of one file keep for the next one, so that it need only follow what has changed.
-/// Belongs to one thread.
-class CheckMemory {
-public:
-  /// What is known of `text`, that of `file`, under this setup: moved from the text that was
-  /// checked last.
-  FileScan *scanFor(const FileSetup &setup, const SourceFile &file, const SharedText &text);
-  /// The runs for the same text, of which this is the index.
-  StraightRuns *runsFor(const FileIndex &index);
-  /// Forgets everything, after a crash.
-  void abandon();
-  /// Blocks that the next check need not follow when nothing changes.
-  uint64_t blocks() const { return runs_.straight.blocks(); }
-  /// What was taken over since the last call.
-  StraightRuns::Taken takeTaken() { return std::exchange(runs_.taken, {}); }
-
-private:
-  FileScan scan_;
-  StraightRuns runs_;
-  std::shared_ptr<const std::string> text_;
-  std::optional<TextChanges> changes_; ///< that led to it; none: it is another text
-  std::shared_ptr<const Dialect> dialect_;
-  std::shared_ptr<const MachineProfile> machine_;
-  std::shared_ptr<const RuleSelection> rules_;
-  std::shared_ptr<ProgramFolders> folders_;
-  FileId file_ = 0;
-  std::string programs_; ///< which programs the text held
-};
-
-/// The text of the file that is checked, and what earlier checks of it have left.
-struct Recheck {
-  SharedText text;
-  CheckMemory &memory;
 };
 
 /// Checks `file`, a file of `sources`. Findings may lie in other files that it calls; these are

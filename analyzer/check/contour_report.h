@@ -1,7 +1,11 @@
 // The compensated contours of a program, with the largest tool radius for which each stays whole.
 #pragma once
 
-#include "analyzer/flow/trace.h"
+#include "analyzer/program/project.h"
+#include "analyzer/rule/analysis_limits.h"
+
+#include <optional>
+#include <vector>
 
 namespace ncvet {
 

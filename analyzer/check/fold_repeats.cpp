@@ -1,11 +1,12 @@
 // Repeats: findings of the same words, folded into the first of them.
 #include "analyzer/check/fold_repeats.h"
 
-#include "analyzer/rule/rule.h"
 #include "analyzer/rule/rule_page.h"
+#include "analyzer/rule/rule_table.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringMap.h"
+#include "llvm/Support/FormatVariadic.h"
 
 #include <map>
 

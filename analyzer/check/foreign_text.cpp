@@ -1,7 +1,9 @@
 // Foreign text: counts the blocks that cannot be read and tells of them once.
 #include "analyzer/check/foreign_text.h"
 
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_table.h"
+
+#include "llvm/Support/FormatVariadic.h"
 
 #include <set>
 

@@ -4,6 +4,7 @@
 #include "analyzer/check/baseline.h"
 #include "analyzer/check/fix.h"
 #include "analyzer/cli/progress.h"
+#include "analyzer/rule/rule_table.h"
 #include "analyzer/setup/input_files.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report_formats.h"

@@ -3,6 +3,7 @@
 
 #include "analyzer/rule/rule_page.h"
 #include "analyzer/rule/rule_settings.h"
+#include "analyzer/rule/rule_table.h"
 #include "analyzer/setup/config.h"
 #include "formats/dialect/loader.h"
 

@@ -2,6 +2,7 @@
 #include "analyzer/cli/explain.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/rule_page.h"
+#include "analyzer/rule/rule_table.h"
 #include "formats/text/json_text.h"
 
 #include "llvm/Support/Format.h"

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/project.h"
 #include "analyzer/rule/path_node.h"
+#include "interp/state/state.h"
 
 #include <tuple>
 

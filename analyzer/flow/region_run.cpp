@@ -252,7 +252,7 @@ void RegionRun::decideSkip() {
 void RegionRun::forkAtGuards() {
   Lives forked;
   for (Live &live : lives_)
-    if (unit_.executor.guard(block_, live.state) == Truth::Unknown) {
+    if (unit_.executor().guard(block_, live.state) == Truth::Unknown) {
       run_.fork(activation_, blockRange());
       Live &other = forked.emplace_back(live);
       other.path = run_.lengthen(live.path, PathNode::Kind::NoJump,
@@ -304,8 +304,8 @@ void RegionRun::executeFor(Live &live) {
   }
   synced_ = nullptr;
   const bool guardHolds =
-      block_.items.empty() || unit_.executor.guard(block_, live.state) != Truth::No;
-  unit_.executor.execute(block_, before_, live.state, outcome_, guardHolds);
+      block_.items.empty() || unit_.executor().guard(block_, live.state) != Truth::No;
+  unit_.executor().execute(block_, before_, live.state, outcome_, guardHolds);
   if (!activation_.heads.empty() || !run_.callStack.empty())
     run_.stops += asksOperator(outcome_, *unit_.dialect);
   // A cycle among the blocks of a contour reads none of its own.

@@ -75,7 +75,7 @@ private:
 
   void tell() {
     state_ = unknown_;
-    unit_.executor.execute(block_, unknown_, state_, outcome_);
+    unit_.executor().execute(block_, unknown_, state_, outcome_);
     llvm::erase_if(outcome_.events,
                    [](const Event &event) { return !(bitOf(event.kind) & textEvents); });
     outcome_.kinds &= textEvents;

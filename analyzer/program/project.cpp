@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/program_names.h"
+#include "interp/execute/execute.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
@@ -73,6 +74,14 @@ int64_t numberOfHeader(llvm::StringRef text) {
 }
 
 } // namespace
+
+FileUnit::FileUnit(const SourceFile &file, std::shared_ptr<const Dialect> language,
+                   const MachineProfile &profile, FileScan *kept)
+    : source(file), dialect(std::move(language)), machine(profile),
+      reader(makeReader(*dialect, file.text())), index(file, *reader, *dialect, kept),
+      executor_(std::make_unique<const Executor>(*dialect, machine, file.id())) {}
+
+FileUnit::~FileUnit() = default;
 
 Project::Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
                  std::vector<std::string> searchFolders, std::shared_ptr<ProgramFolders> folders)

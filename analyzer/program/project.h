@@ -5,28 +5,35 @@
 #include "formats/dialect/machine.h"
 #include "formats/readers/select/make_reader.h"
 #include "formats/text/source_set.h"
-#include "interp/execute/execute.h"
+
+#include "llvm/ADT/StringMap.h"
 
 #include <map>
+#include <memory>
 #include <mutex>
 
 namespace ncvet {
 
+class Executor;
+
 /// A file with its dialect, reader, index and executor.
 struct FileUnit {
   FileUnit(const SourceFile &file, std::shared_ptr<const Dialect> language,
-           const MachineProfile &profile, FileScan *kept = nullptr)
-      : source(file), dialect(std::move(language)), machine(profile),
-        reader(makeReader(*dialect, file.text())), index(file, *reader, *dialect, kept),
-        executor(*dialect, machine, file.id()) {}
+           const MachineProfile &profile, FileScan *kept = nullptr);
+  ~FileUnit();
 
   const SourceFile &source;
   std::shared_ptr<const Dialect> dialect;
   const MachineProfile &machine;
   std::unique_ptr<Reader> reader;
   FileIndex index;
-  Executor executor;
   llvm::StringMap<bool> hides; ///< names of the control's programs, as far as they were asked for
+
+  const Executor &executor() const { return *executor_; }
+
+private:
+  /// A pointer: who only wants the files of an analysis need not see the machine's state.
+  std::unique_ptr<const Executor> executor_;
 };
 
 /// Which programs lie in which folder; each folder is read once. Safe for several threads.

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "formats/dialect/packed_call.h"
+#include "formats/readers/table_words.h"
 
 #include "llvm/ADT/StringExtras.h"
 

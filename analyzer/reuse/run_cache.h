@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/reuse/recorded_run.h"
+#include "analyzer/reuse/taken_runs.h"
 
 namespace ncvet {
 
@@ -30,12 +31,7 @@ public:
     quiet.clear();
   }
 
-  /// What was taken over since that was last set to 0.
-  struct Taken {
-    uint64_t blocks = 0;
-    uint64_t runs = 0; ///< in so many steps
-  };
-  Taken taken;
+  TakenRuns taken; ///< since that was last set to 0
   RunStore<StraightRun> straight;
   /// Of those above, or of the chains of the level below, that follow each other.
   std::array<RunStore<StraightRun>, 2> chains;

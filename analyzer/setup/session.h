@@ -1,8 +1,9 @@
 // A session: everything that must be known before a file is checked, found once and shared.
 #pragma once
 
-#include "analyzer/flow/analyze.h"
 #include "analyzer/program/project.h"
+#include "analyzer/rule/analysis_limits.h"
+#include "analyzer/rule/rule_settings.h"
 #include "analyzer/setup/config.h"
 #include "analyzer/setup/detect.h"
 #include "formats/text/failure.h"

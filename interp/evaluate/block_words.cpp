@@ -1,41 +1,10 @@
-// Finds the words of a block that a table's formats name, and reads their values.
+// Reads the values of words on a state.
 #include "interp/evaluate/block_words.h"
 
 #include "interp/evaluate/expression.h"
 #include "interp/value/units.h"
 
 namespace ncvet {
-
-CodeIndex codeOf(const Dialect &dialect, const Word &word) {
-  if (word.address == keywordAddress)
-    return CodeIndex(word.mantissa);
-  if ((word.address != letterAddress('G') && word.address != letterAddress('M')) ||
-      !word.isNumber())
-    return noCode;
-  return dialect.find(char('A' + word.address), word.codeNumber());
-}
-
-const Word *assignmentOf(const Block &block, uint64_t variable) {
-  if (!block.has(variableAddress))
-    return nullptr;
-  const Word *last = nullptr; // the last one counts
-  for (const Item &item : block.items)
-    if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == variable)
-      for (const Word &word : block.words)
-        if (word.address == variableAddress && word.offset == item.begin)
-          last = &word;
-  return last;
-}
-
-const Word *wordFor(const Block &block, const WordSpec &spec) {
-  if (spec.position) {
-    const Word *word = block.argument(spec.position);
-    return word && !word->has(wordNoValue) ? word : nullptr;
-  }
-  if (spec.variable)
-    return assignmentOf(block, spec.variable);
-  return block.findAny(spec.any);
-}
 
 uint64_t givenVariable(const WordSpec &spec, const MachineState &state) {
   return spec.orVariable && state.commons.given(spec.variable) == Truth::No ? spec.orVariable

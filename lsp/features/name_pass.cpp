@@ -1,6 +1,8 @@
 // Finds the names of a file: the pass over its blocks, their headers, numbers and words.
 #include "lsp/features/name_pass.h"
 
+#include "formats/readers/table_words.h"
+
 #include "llvm/ADT/SetVector.h"
 
 #include <tuple>

@@ -1,6 +1,7 @@
 // Hover: what the word under the cursor is, and the machine's state before its block.
-#include "interp/evaluate/condition.h"
+#include "formats/readers/table_words.h"
 #include "lsp/features/showing/code_lens.h"
+#include "lsp/features/showing/document_states.h"
 #include "lsp/features/showing/machine_state.h"
 #include "lsp/features/showing/word_help.h"
 #include "lsp/server/bindings.h"
@@ -36,7 +37,7 @@ void bindHover(Context &context) {
       return nullptr;
     const DocumentStates states = view.statesAt(offset);
     const auto word = wordHelp(view.snapshot, offset, states.firstBefore());
-    const std::string state = machineState(view.snapshot.dialect(), states.at, *states.sources);
+    const std::string state = machineState(view.snapshot.dialect(), states.at(), states.sources());
     std::string text;
     if (word)
       text = word->markdown;

@@ -1,10 +1,13 @@
 // Writing: completion, signatures, colours, hints in the text, lenses over it.
 #include "lsp/features/showing/code_lens.h"
+#include "lsp/features/showing/document_states.h"
 #include "lsp/features/showing/inlay_hints.h"
 #include "lsp/features/showing/semantic_tokens.h"
 #include "lsp/features/writing/completion.h"
 #include "lsp/features/writing/signature_help.h"
 #include "lsp/server/bindings.h"
+
+#include "llvm/Support/FormatVariadic.h"
 
 namespace ncvet::lsp {
 

@@ -1,6 +1,8 @@
 // Checks of open documents: when each begins, what ends it, and its findings made ready to be sent.
 #include "lsp/server/checks.h"
 
+#include "analyzer/rule/rule_table.h"
+#include "lsp/features/showing/document_states.h"
 #include "lsp/server/heap.h"
 #include "lsp/transport/rpc.h"
 
@@ -76,13 +78,10 @@ std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<
 }
 
 DocumentStates statesOf(const CheckJob &job, uint32_t offset, const std::atomic<bool> &cancelled) {
-  DocumentStates states{std::make_unique<SourceSet>(job.overlay), {}};
-  const SourceFile &file =
-      states.sources->add(job.document.path, job.document.text, job.document.path);
-  const std::lock_guard<std::mutex> lock(job.document.memory->mutex);
-  Recheck again{job.document.text, job.document.memory->checks};
-  states.at = statesInCheck(*job.session, *states.sources, file, offset, &cancelled, again);
-  return states;
+  const Document &document = job.document;
+  const std::lock_guard<std::mutex> lock(document.memory->mutex);
+  return {*job.session, job.overlay, document.path,          document.text,
+          offset,       cancelled,   document.memory->checks};
 }
 
 Checks::Checks(Done done) : done_(std::move(done)), thread_([this] { run(); }) {}

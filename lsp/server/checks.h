@@ -12,6 +12,8 @@
 
 namespace ncvet::lsp {
 
+class DocumentStates; // lsp/features/showing/document_states.h
+
 /// One finding, ready to be sent. It may lie in another file than the one that was checked.
 struct Problem {
   std::string path;
@@ -47,17 +49,6 @@ struct CheckJob {
 /// when given, is that of the document's earlier versions.
 std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<bool> *cancel,
                                          CheckMemory *memory = nullptr);
-
-/// States of the machine, with the files in which the paths to them lie.
-struct DocumentStates {
-  std::unique_ptr<SourceSet> sources;
-  StatesAt at;
-
-  /// The state before the block on the first path; null when none leads there.
-  const MachineState *firstBefore() const {
-    return at.ways.empty() ? nullptr : &at.ways.front().before;
-  }
-};
 
 /// The states at the block of an open document that begins at `offset`, on the caller's thread. It
 /// waits for a check of the document that is running.

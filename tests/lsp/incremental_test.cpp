@@ -1,4 +1,6 @@
 // A check that remembers the one before finds what a fresh one finds, whatever was edited.
+#include "analyzer/rule/rule.h"
+#include "lsp/features/showing/document_states.h"
 #include "lsp/server/checks.h"
 #include "tests/support/random_edits.h"
 
@@ -48,7 +50,7 @@ public:
   }
 
   /// What the last comparison did not execute again.
-  StraightRuns::Taken taken() { return memory_.takeTaken(); }
+  TakenRuns taken() { return memory_.takeTaken(); }
 
 private:
   CheckJob job_;
@@ -241,7 +243,7 @@ TEST(Incremental, ALongTextIsTakenOverInFewSteps) {
     for (const std::string &version : {changed, text}) {
       edited.taken();
       EXPECT_EQ(edited.difference(version), "");
-      const StraightRuns::Taken taken = edited.taken();
+      const TakenRuns taken = edited.taken();
       EXPECT_GT(taken.blocks, blocks - 2000u);
       EXPECT_LT(taken.runs, 80u);
     }

@@ -1,5 +1,6 @@
 // Texts that are for another control: told once, and what is wrong in a program is told of.
 #include "analyzer/check/checker.h"
+#include "analyzer/rule/rule_table.h"
 
 #include <gtest/gtest.h>
 

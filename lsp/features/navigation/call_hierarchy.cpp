@@ -2,6 +2,7 @@
 #include "lsp/features/navigation/call_hierarchy.h"
 
 #include "analyzer/program/block_reading.h"
+#include "formats/readers/table_words.h"
 #include "lsp/features/navigation/definition.h"
 
 #include "llvm/ADT/SmallPtrSet.h"

@@ -1,8 +1,10 @@
 // The machine's state at a block, in words: one line per topic, sets where paths differ.
 #include "lsp/features/showing/machine_state.h"
 
+#include "analyzer/flow/states_at_block.h"
 #include "formats/dialect/vocabulary.h"
 
+#include "llvm/Support/FormatVariadic.h"
 #include "llvm/Support/Path.h"
 
 namespace ncvet::lsp {

@@ -1,7 +1,14 @@
 // The machine's state at a block, in words.
 #pragma once
 
-#include "analyzer/flow/states_at_block.h"
+#include "formats/dialect/dialect.h"
+#include "formats/text/source_set.h"
+
+#include <string>
+
+namespace ncvet {
+struct StatesAt; // analyzer/flow/observed_block.h
+}
 
 namespace ncvet::lsp {
 

@@ -63,7 +63,7 @@ class Helper {
 public:
   Helper(Snapshot &snapshot, const Block &block, uint32_t offset, const MachineState *before)
       : snapshot_(snapshot), dialect_(snapshot.dialect()), offset_(offset), before_(before),
-        lone_(dialect_, snapshot.unit().machine, snapshot.unit().executor, block, before) {}
+        lone_(dialect_, snapshot.unit().machine, snapshot.unit().executor(), block, before) {}
 
   std::optional<WordHelp> help() const {
     const Block &block = lone_.block();

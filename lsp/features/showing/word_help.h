@@ -3,6 +3,10 @@
 
 #include "lsp/features/snapshot.h"
 
+namespace ncvet {
+struct MachineState; // interp/state/state.h
+}
+
 namespace ncvet::lsp {
 
 struct WordHelp {

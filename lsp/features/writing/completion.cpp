@@ -150,7 +150,7 @@ std::vector<CompletionItem> completions(Snapshot &snapshot, uint32_t offset,
   const CursorContext context = cursorContext(snapshot, offset);
   if (context.inComment || context.inString)
     return items;
-  const LoneBlock lone(snapshot.dialect(), snapshot.unit().machine, snapshot.unit().executor,
+  const LoneBlock lone(snapshot.dialect(), snapshot.unit().machine, snapshot.unit().executor(),
                        context.block, before);
   CursorContext written = context;
   written.block = lone.block();

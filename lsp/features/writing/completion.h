@@ -4,6 +4,10 @@
 #include "lsp/features/snapshot.h"
 #include "lsp/features/writing/completion_item.h"
 
+namespace ncvet {
+struct MachineState; // interp/state/state.h
+}
+
 namespace ncvet::lsp {
 
 /// What fits at byte `offset`, the likely first; a few thousand at most. `before` is the state on

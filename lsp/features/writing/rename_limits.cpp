@@ -2,6 +2,7 @@
 #include "lsp/features/writing/rename_limits.h"
 
 #include "analyzer/program/block_reading.h"
+#include "formats/readers/table_words.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/Path.h"

@@ -167,7 +167,7 @@ std::optional<Signature> signatureHelp(Snapshot &snapshot, uint32_t offset) {
     if (auto signature = ofBracket(snapshot, context))
       return signature;
   const Dialect &dialect = snapshot.dialect();
-  const LoneBlock lone(dialect, snapshot.unit().machine, snapshot.unit().executor, context.block);
+  const LoneBlock lone(dialect, snapshot.unit().machine, snapshot.unit().executor(), context.block);
   const CodeInfo *last = nullptr;
   for (const CodeUse &use : lone.executed().outcome.codes) {
     const CodeInfo &code = dialect.codes[use.code];
