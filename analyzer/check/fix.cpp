@@ -112,10 +112,10 @@ private:
         lines.insert(line);
       }
       // Those taken do not overlap each other: only the neighbours can touch this one.
-      auto behind = edits.lower_bound(edit.range.begin);
-      if (behind != edits.end() && touches(*behind->second, edit))
+      auto following = edits.lower_bound(edit.range.begin);
+      if (following != edits.end() && touches(*following->second, edit))
         return false;
-      if (behind != edits.begin() && touches(*std::prev(behind)->second, edit))
+      if (following != edits.begin() && touches(*std::prev(following)->second, edit))
         return false;
     }
     for (const TextEdit &edit : finding.fix->edits)

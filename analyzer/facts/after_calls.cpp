@@ -33,22 +33,22 @@ bool calls(const ReferenceReader &references, const RuleContext &ctx, const Bloc
 }
 
 /// Whether the blocks after `block` end the mode before one relies on it.
-bool endsBehind(const FileIndex &index, Block block,
-                llvm::function_ref<Behind(const Block &)> judge) {
+bool endsAfter(const FileIndex &index, Block block,
+               llvm::function_ref<AfterCall(const Block &)> judge) {
   for (unsigned i = 0; i < lookAhead; ++i) {
     if (!readOn(index, block) || !block.items.empty())
       return false;
-    const Behind behind = judge(block);
-    if (behind == Behind::Relies)
+    const AfterCall after = judge(block);
+    if (after == AfterCall::Relies)
       return false;
-    if (behind == Behind::Ends && block.skip < 0)
+    if (after == AfterCall::Ends && block.skip < 0)
       return true;
   }
   return false;
 }
 
-bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin,
-                         llvm::function_ref<Behind(const Block &)> judge) {
+bool endsAfterEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin,
+                        llvm::function_ref<AfterCall(const Block &)> judge) {
   const FileIndex &index = ctx.index();
   const ProgramInfo &own = index.programAt(ctx.block().begin);
   if (own.number < 0 || ctx.source().text().size() > longest)
@@ -61,7 +61,7 @@ bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begi
       if (!calls(references, ctx, block, own.number, once))
         continue;
       begin();
-      if (!once || !endsBehind(index, block, judge))
+      if (!once || !endsAfter(index, block, judge))
         return false;
       called = true;
     }
@@ -70,11 +70,11 @@ bool endsBehindEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begi
 
 } // namespace
 
-bool BehindCalls::allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
-                         llvm::function_ref<Behind(const Block &)> judge) const {
+bool AfterCalls::allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
+                        llvm::function_ref<AfterCall(const Block &)> judge) const {
   const uint32_t program = ctx.index().programAt(ctx.block().begin).begin;
   return answers_.of({ctx.source().id(), program, mode},
-                     [&] { return endsBehindEveryCall(ctx, begin, judge); });
+                     [&] { return endsAfterEveryCall(ctx, begin, judge); });
 }
 
 } // namespace ncvet

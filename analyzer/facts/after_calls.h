@@ -9,14 +9,14 @@
 namespace ncvet {
 
 /// What a block after a call means for the mode that the called program has left in force.
-enum class Behind : uint8_t {
+enum class AfterCall : uint8_t {
   GoesOn, ///< neither of the two: the next block decides
   Ends,   ///< it ends the mode
   Relies  ///< it runs under the mode
 };
 
 /// Asks that once of each program: the text stays what it is while a file is checked.
-class BehindCalls {
+class AfterCalls {
 public:
   /// Whether the file calls the program that holds the current block, and every call of it by
   /// number is followed, in its own program, by a block that `judge` says to end the mode before
@@ -25,7 +25,7 @@ public:
   /// that a new call is looked at. Blocks that a switch leaves out end nothing. `mode` is all that
   /// the judgement depends on besides.
   bool allEnd(uint64_t mode, const RuleContext &ctx, llvm::function_ref<void()> begin,
-              llvm::function_ref<Behind(const Block &)> judge) const;
+              llvm::function_ref<AfterCall(const Block &)> judge) const;
 
 private:
   TextAnswers<std::tuple<FileId, uint32_t, uint64_t>, bool> answers_; ///< by program and mode

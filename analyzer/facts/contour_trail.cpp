@@ -51,7 +51,7 @@ void ContourTrail::begin(const RuleContext &ctx) {
   plane_ = planeOrder(dialect_, ctx.after());
   coordinates_ = ContourPlane(dialect_, plane_);
   path_.emplace(dialect_);
-  behind_ = false;
+  incomplete_ = false;
   moves_.clear();
   appendReturn({dialect_, ctx.machine(), ctx.block(), ctx.outcome(), ctx.before(), ctx.after()},
                moves_);
@@ -92,7 +92,7 @@ void ContourTrail::take(const RuleContext &ctx, bool certain, Judge judge) {
     return;
   if (!path_)
     begin(ctx);
-  else if (behind_)
+  else if (incomplete_)
     resume(ctx);
   const Block &block = ctx.block();
   const ExecutedBlock executed{dialect_, ctx.machine(), block, ctx.outcome(), ctx.before(), after};
@@ -137,7 +137,7 @@ bool ContourTrail::takePlain(const RuleContext &ctx, bool certain, Judge judge) 
   constexpr double shortest = 1e-6; // mm; what is no element is left to the path
   if (length < shortest)
     return false;
-  behind_ = true;
+  incomplete_ = true;
   plainFrom_ = start;
   lastTag_ = tagOf(ctx);
   keepPlace(ctx);
@@ -169,7 +169,7 @@ void ContourTrail::resume(const RuleContext &ctx) {
   for (size_t i = 0; i < 2; ++i)
     begin[size_t(plane_[i])] = plainFrom_[i];
   path_->resume(begin, last);
-  behind_ = false;
+  incomplete_ = false;
 }
 
 void ContourTrail::add(uint64_t tag, const Move &move, Judge judge) {

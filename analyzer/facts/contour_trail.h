@@ -53,7 +53,7 @@ private:
   const CornerWords corners_;
   AddressMask cornerWords_;
   std::optional<CornerPath> path_; ///< absent between contours
-  bool behind_ = false;            ///< plain moves were not added to it
+  bool incomplete_ = false;        ///< plain moves were not added to it
   std::array<Axis, 2> plane_{Axis::X, Axis::Y};
   ContourPlane coordinates_;           ///< in that plane
   std::array<Interval, 2> programmed_; ///< where the last block ended, as the state has it

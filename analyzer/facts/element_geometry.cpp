@@ -22,8 +22,8 @@ std::optional<double> numberOf(llvm::StringRef text, llvm::StringRef address) {
        at = text.find_insensitive(address, at + 1)) {
     if (at > 0 && llvm::isAlpha(text[at - 1]))
       continue;
-    const llvm::StringRef behind = text.drop_front(at + address.size()).ltrim();
-    const llvm::StringRef digits = behind.take_while(
+    const llvm::StringRef rest = text.drop_front(at + address.size()).ltrim();
+    const llvm::StringRef digits = rest.take_while(
         [](char c) { return llvm::isDigit(c) || c == '.' || c == '-' || c == '+'; });
     double value = 0;
     if (!digits.empty() && !digits.ltrim('+').getAsDouble(value))

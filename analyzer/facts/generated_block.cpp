@@ -48,7 +48,7 @@ uint32_t endOfCode(const Block &block) {
 
 /// On the line of the block's last code. What follows on lines of its own may be meant for the
 /// next block.
-bool isBehind(uint32_t end, const Comment &comment, const Block &block, llvm::StringRef text) {
+bool isAfter(uint32_t end, const Comment &comment, const Block &block, llvm::StringRef text) {
   return end > block.begin && text.slice(end, comment.begin).trim(" \t").empty();
 }
 
@@ -103,14 +103,14 @@ GeneratedBlock readGenerated(const Block &block, llvm::StringRef text) {
     } else if (inner.startswith("LineCode")) {
       result.codeLines.push_back(&comment);
       appendWords(result.code, quoted(inner));
-    } else if (comment.begin < end || isBehind(end, comment, block, text)) {
+    } else if (comment.begin < end || isAfter(end, comment, block, text)) {
       result.own.push_back(&comment);
     }
   }
   return result;
 }
 
-std::string codeBehind(const GeneratedBlock &generated, const Block &block, llvm::StringRef text) {
+std::string codeAfter(const GeneratedBlock &generated, const Block &block, llvm::StringRef text) {
   uint32_t from = generated.codeLines.empty() ? block.begin : generated.codeLines.back()->end;
   const uint32_t end = endOfCode(block);
   std::string code;

@@ -46,7 +46,7 @@ struct GeneratedBlock {
 GeneratedBlock readGenerated(const Block &block, llvm::StringRef text);
 
 /// The block's code after its last code line, without comments, one blank between words.
-std::string codeBehind(const GeneratedBlock &generated, const Block &block, llvm::StringRef text);
+std::string codeAfter(const GeneratedBlock &generated, const Block &block, llvm::StringRef text);
 
 /// Name before the `=` of an assignment, in capitals; empty when the item is none.
 std::string assignedName(const Item &item, llvm::StringRef text);

@@ -14,9 +14,9 @@ inline bool readsAhead(const Expression &value, const RuleContext &ctx, bool ofA
     if (op.op != Op::Opaque)
       return false;
     const llvm::StringRef text = ctx.text(SourceRange{ctx.source().id(), op.offset, block.end});
-    const llvm::StringRef behind =
+    const llvm::StringRef after =
         text.drop_while([](char c) { return c == '$' || c == '_' || llvm::isAlnum(c); });
-    if (ofAxis && !(behind.size() > 1 && behind[0] == '[' && llvm::isAlpha(behind[1])))
+    if (ofAxis && !(after.size() > 1 && after[0] == '[' && llvm::isAlpha(after[1])))
       return false;
     return llvm::any_of(ctx.dialect().readAhead,
                         [&](const std::string &name) { return text.startswith_insensitive(name); });

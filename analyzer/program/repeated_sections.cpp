@@ -61,7 +61,7 @@ std::vector<RepeatedSection> repeatedSections(const FileIndex &index) {
 
 CountedFrame countedFrame(const FileIndex &index, const Dialect &dialect,
                           const RepeatedSection &section) {
-  for (const Block &block : blocks(index, section.first, section.behind)) {
+  for (const Block &block : blocks(index, section.first, section.after)) {
     for (const Word &word : block.words) {
       const CodeIndex code = codeOf(dialect, word);
       if (code == noCode || dialect.codes[code].action != Action::FrameAdd)

@@ -10,9 +10,9 @@ struct RepeatedSection {
   uint32_t at = 0;             ///< the block with the repeat
   uint32_t first = 0;          ///< first block of the section
   uint32_t last = 0;           ///< last block of it
-  uint32_t behind = 0;         ///< the block after the last one
+  uint32_t after = 0;          ///< the block after the last one
   uint32_t begin = 0, end = 0; ///< the repeat's own text
-  bool holds(uint32_t offset) const { return first <= offset && offset < behind; }
+  bool holds(uint32_t offset) const { return first <= offset && offset < after; }
 };
 
 /// The block that an argument of `item`, a jump, a repeat or an input of `block`, names, looked for

@@ -77,13 +77,13 @@ bool StraightRun::sparesLevel(const KnownState &state) const {
          depth.spare(entry.fedFrom.peek());
 }
 
-void StraightRun::finish(const StateUse &used, const OriginState &before,
-                         const MachineState &behind, const PlainRun &plainBehind) {
+void StraightRun::finish(const StateUse &used, const OriginState &before, const MachineState &after,
+                         const PlainRun &plainAfter) {
   use = used;
-  exit = behind;
-  plainExit = plainBehind;
+  exit = after;
+  plainExit = plainAfter;
   entryOrigins_ = originsOf(use, before);
-  exitOrigins_ = originsOf(use, behind.origin);
+  exitOrigins_ = originsOf(use, after.origin);
 }
 
 bool StraightRun::begins(const MachineState &state, const PlainRun &plain,
@@ -125,8 +125,8 @@ void StraightRun::carry(MachineState &state, PlainRun &plain) const {
   plain.must = state.factsMust ^ must;
 }
 
-void StraightRun::join(const StraightRun &next, const MachineState &behind,
-                       const PlainRun &plainBehind) {
+void StraightRun::join(const StraightRun &next, const MachineState &after,
+                       const PlainRun &plainAfter) {
   extend(next);
   from = std::min(from, next.from);
   to = std::max(to, next.to);
@@ -143,7 +143,7 @@ void StraightRun::join(const StraightRun &next, const MachineState &behind,
     cut[axis] = ncvet::join(cut[axis], next.cut[axis]);
   depth.add(next.depth);
   gathered.insert(gathered.end(), next.gathered.begin(), next.gathered.end());
-  finish(both, before, behind, plainBehind);
+  finish(both, before, after, plainAfter);
 }
 
 void StraightRun::move(const TextChange &change) {

@@ -24,14 +24,14 @@ struct StraightRun : RunPlace {
   explicit StraightRun(FileId file) : memory(file) {}
 
   /// It ends here, has used this much, and things were set there when it began.
-  void finish(const StateUse &used, const OriginState &before, const MachineState &behind,
-              const PlainRun &plainBehind);
+  void finish(const StateUse &used, const OriginState &before, const MachineState &after,
+              const PlainRun &plainAfter);
   /// Whether it does the same from here.
   bool begins(const MachineState &state, const PlainRun &plain, const RuleMemory &now) const;
   /// Applies the recorded run: turns its entry state into its exit state.
   void carry(MachineState &state, PlainRun &plain) const;
   /// `next` begins where it ends, and has been taken over there: the two are one.
-  void join(const StraightRun &next, const MachineState &behind, const PlainRun &plainBehind);
+  void join(const StraightRun &next, const MachineState &after, const PlainRun &plainAfter);
   /// What happens to it when text before it changes.
   void move(const TextChange &change);
   /// Whether something that it looks at was set in the changed text.

@@ -41,7 +41,7 @@ std::optional<RunPlace> RunRecorder::takeOver(uint32_t offset, MachineState &sta
     runs_.taken.blocks += place->blocks;
     ++runs_.taken.runs;
   } else if (stretch_.isRecording()) {
-    inFront_ = {offset, stateUse, unit_.index.looks(), plain};
+    before_ = {offset, stateUse, unit_.index.looks(), plain};
   }
   return place;
 }
@@ -121,13 +121,13 @@ void RunRecorder::finishStretch(uint32_t offset, MachineState &state, const Plai
   stretch_.keep();
 }
 
-void RunRecorder::endStretchInFront(MachineState &before) {
+void RunRecorder::endStretchBefore(MachineState &before) {
   if (stretch_.unseen() > 0 && collector_.reports() == stretch_.reports()) {
     // What the whole run has used is collected with it.
-    stretch_.collect(inFront_.use, inFront_.looks, before.cutArea.takeAdded(),
+    stretch_.collect(before_.use, before_.looks, before.cutArea.takeAdded(),
                      before.fedFrom.takeMoves());
     rememberMoves();
-    stretch_.mark(inFront_.offset, before, inFront_.plain, moves_, {});
+    stretch_.mark(before_.offset, before, before_.plain, moves_, {});
   }
   stretch_.keep();
 }

@@ -23,7 +23,7 @@ public:
   /// `before` is the state before it, and no rule has heard of it yet.
   void goesOnNoMore(MachineState &before) {
     if (stretch_.isRecording())
-      endStretchInFront(before);
+      endStretchBefore(before);
   }
   /// What is being recorded is no run.
   void interrupt();
@@ -35,7 +35,7 @@ private:
   bool mayBegin(uint32_t offset, MachineState &state, const PlainRun &plain);
   void rememberMoves();
   void finishStretch(uint32_t offset, MachineState &state, const PlainRun &plain);
-  void endStretchInFront(MachineState &before);
+  void endStretchBefore(MachineState &before);
   std::optional<RunPlace> takeWhole(uint32_t offset, MachineState &state, PlainRun &plain, May may);
   std::optional<RunPlace> takeStretch(uint32_t offset, MachineState &state, PlainRun &plain,
                                       May may);
@@ -48,13 +48,13 @@ private:
   RunTrack stretch_;
   RunChains chains_;
   /// How it was before a block after which it may be found that the stretch has ended there.
-  struct InFront {
+  struct Before {
     uint32_t offset = 0;
     StateUse use;
     FileIndex::Looks looks;
     PlainRun plain;
   };
-  InFront inFront_;
+  Before before_;
   RuleMemory memory_;        ///< of the moment, for all but stretches
   RuleMemory moves_;         ///< the same for stretches
   uint32_t executedEnd_ = 0; ///< up to here a run must be executed

@@ -107,7 +107,7 @@ struct Condition {
   uint32_t on = 0;                   ///< switches that certainly are on before the block
   uint32_t off = 0;                  ///< switches that certainly are off
   AddressMask before = 0;            ///< one of these is before the code
-  AddressMask behind = 0;            ///< one of these is after the code
+  AddressMask after = 0;             ///< one of these is after the code
   std::optional<bool> spindleTurns;  ///< the spindle certainly turns, or does not, before the block
   std::vector<std::string> toolKind; ///< the tool in use is known to be one of these
   std::vector<std::string> otherToolKind; ///< … is known, and none of these

@@ -60,7 +60,7 @@ constexpr Field conditionFields[] = {
     field<&Condition::lacks>("lacks", addresses, "none of these words is in the block", "\"XZUW\""),
     field<&Condition::before>("before", addresses, "one of these words is before the code",
                               "\"F\""),
-    field<&Condition::behind>("behind", addresses, "one of these words is after the code", "\"F\""),
+    field<&Condition::after>("after", addresses, "one of these words is after the code", "\"F\""),
     special<&DialectBuilder::readActive>(
         "active", texts, "one of these codes of one group is in force before the block",
         R"(["G91"])"),

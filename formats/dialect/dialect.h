@@ -159,7 +159,7 @@ struct Lexical {
   /// O-words control the flow: `o100 sub`, `o<name> call [1]`, `o101 if [..]`; IF and GOTO do not.
   bool flowWords = false;
   /// Assignments take effect after the words of their block.
-  bool assignsBehind = false;
+  bool assignsAfterWords = false;
   bool conditionFirst = false; ///< `[#100 LT 10] M99 P10`: a condition guards what is after it
   bool fileInComment = false;  ///< `M98 (PART.NC)`: the comment names what is called
   bool freeNumbers = false;    ///< numbers may have blanks, and block numbers may have decimals

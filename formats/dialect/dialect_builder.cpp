@@ -148,7 +148,7 @@ void DialectBuilder::readGroups(const Json &value, Dialect &dialect) {
 }
 
 /// The group, which is the last one so far, is others with a meaning of their own too.
-void DialectBuilder::readStandsFor(const Json &value, GroupInfo &) {
+void DialectBuilder::readActsAs(const Json &value, GroupInfo &) {
   for (const std::string &other : texts(value))
     for (size_t index = 0; index < standardGroupNames().size(); ++index)
       if (standardGroupNames()[index] == other)

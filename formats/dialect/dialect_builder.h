@@ -26,7 +26,7 @@ public:
   void readSwitches(const Json &value, Dialect &dialect);
   void readUnknownWhile(const Json &value, Dialect &dialect);
   void readGroups(const Json &value, Dialect &dialect);
-  void readStandsFor(const Json &value, GroupInfo &group);
+  void readActsAs(const Json &value, GroupInfo &group);
   void readFacts(const Json &value, Dialect &dialect);
   void readRules(const Json &value, Dialect &dialect);
   void readDetect(const Json &value, Dialect &dialect);

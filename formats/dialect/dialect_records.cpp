@@ -113,8 +113,8 @@ constexpr Field lexicalFields[] = {
     flag<&Lexical::flowWords>(
         "flowWords", "O-words control the flow: `o100 sub`, `o<name> call [1]`, `o101 if [..]`; "
                      "Macro B's IF, WHILE and GOTO are then unknown"),
-    flag<&Lexical::assignsBehind>("assignsBehind",
-                                  "assignments take effect after the words of their block"),
+    flag<&Lexical::assignsAfterWords>("assignsAfterWords",
+                                      "assignments take effect after the words of their block"),
     flag<&Lexical::conditionFirst>(
         "conditionFirst", "a condition in brackets may be before the words that it guards: "
                           "`[#100 LT 10] M99 P10`"),
@@ -231,9 +231,9 @@ constexpr Field groupFields[] = {
     flag<&GroupInfo::oneShot>("oneShot", "its codes act in their own block only"),
     flag<&GroupInfo::forgetsFeed>("forgetsFeed",
                                   "a code of it without F in its block leaves no feed in force"),
-    special<&DialectBuilder::readStandsFor>(
-        "standsFor", texts, "groups with a meaning of their own that this one is too",
-        R"(["speed-mode"])"),
+    special<&DialectBuilder::readActsAs>("actsAs", texts,
+                                         "groups with a meaning of their own that this one is too",
+                                         R"(["speed-mode"])"),
 };
 
 constexpr Field switchFields[] = {

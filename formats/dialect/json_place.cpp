@@ -1,4 +1,4 @@
-// A scanner over JSON text that finds the place of a path; it builds nothing.
+// A cursor over JSON text that finds the place of a path; it builds nothing.
 #include "formats/dialect/json_place.h"
 
 #include "llvm/ADT/Twine.h"
@@ -11,9 +11,9 @@ namespace {
 
 constexpr unsigned maxDepth = 64; ///< tables of today need nine
 
-class Scanner {
+class JsonCursor {
 public:
-  explicit Scanner(llvm::StringRef text) : text_(text) {}
+  explicit JsonCursor(llvm::StringRef text) : text_(text) {}
 
   size_t at() const { return at_; }
   char peek() {
@@ -70,7 +70,7 @@ private:
 };
 
 /// Moves to the value of one step and gives the place of its key or of the element.
-std::optional<size_t> enter(Scanner &scanner, const JsonStep &step) {
+std::optional<size_t> enter(JsonCursor &scanner, const JsonStep &step) {
   if (!scanner.take(step.isIndex ? '[' : '{'))
     return std::nullopt;
   for (size_t index = 0; scanner.peek() != '\0' && scanner.peek() != '}' && scanner.peek() != ']';
@@ -110,7 +110,7 @@ std::string toString(llvm::ArrayRef<JsonStep> path) {
 }
 
 std::optional<size_t> findJsonPlace(llvm::StringRef text, llvm::ArrayRef<JsonStep> path) {
-  Scanner scanner(text);
+  JsonCursor scanner(text);
   std::optional<size_t> place = (scanner.peek(), scanner.at());
   for (const JsonStep &step : path)
     if (!(place = enter(scanner, step)))
@@ -119,7 +119,7 @@ std::optional<size_t> findJsonPlace(llvm::StringRef text, llvm::ArrayRef<JsonSte
 }
 
 std::optional<llvm::StringRef> findJsonMember(llvm::StringRef text, llvm::StringRef key) {
-  Scanner scanner(text);
+  JsonCursor scanner(text);
   JsonStep step;
   step.key = key.str();
   if (!enter(scanner, step))

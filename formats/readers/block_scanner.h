@@ -31,7 +31,7 @@ protected:
     while (at_ < end_ && Blank(*at_))
       ++at_;
   }
-  const char *behindBlanks(const char *p) const {
+  const char *afterBlanks(const char *p) const {
     while (p < end_ && Blank(*p))
       ++p;
     return p;
@@ -82,7 +82,7 @@ protected:
   }
   /// Steps over blanks between a sign and its number. `begin` is the word's begin.
   void takeBlanksAfterSign(const char *begin, bool allowed = false) {
-    const char *const digits = behindBlanks(at_);
+    const char *const digits = afterBlanks(at_);
     if (digits == at_ || digits == end_ || (!isNumberDigit(*digits) && *digits != '.'))
       return;
     if (!allowed)

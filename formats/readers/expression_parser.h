@@ -31,14 +31,14 @@ protected:
 
   explicit ExpressionParser(const BlockCursor &from) : BlockCursor(from) {}
 
-  const char *behindBlanks(const char *p) const {
+  const char *afterBlanks(const char *p) const {
     while (p < end_ && (*p == ' ' || *p == '\t'))
       ++p;
     return p;
   }
-  void skipBlanks() { at_ = behindBlanks(at_); }
+  void skipBlanks() { at_ = afterBlanks(at_); }
   /// Where the bracket may be that makes a name a function.
-  const char *behindSpaces(const char *p) const {
+  const char *afterSpaces(const char *p) const {
     while (p < end_ && *p == ' ')
       ++p;
     return p;

@@ -14,8 +14,8 @@ using Color = llvm::raw_ostream::Colors;
 
 /// Bytes shown before and after the begin of a range when a line is longer: a file without
 /// line ends must not be printed once a finding.
-constexpr uint32_t shownInFront = 120;
-constexpr uint32_t shownBehind = 360;
+constexpr uint32_t shownBefore = 120;
+constexpr uint32_t shownAfter = 360;
 constexpr uint32_t tabWidth = 8;
 /// Digits that line numbers are aligned to, so that the usual program has one gutter.
 constexpr unsigned gutterDigits = 4;
@@ -24,8 +24,8 @@ constexpr unsigned gutterDigits = 4;
 struct Excerpt {
   uint32_t begin = 0;
   uint32_t end = 0;
-  bool cutInFront = false;
-  bool cutBehind = false;
+  bool cutBefore = false;
+  bool cutAfter = false;
 };
 
 /// The line around `offset`, or the part of it that is near.
@@ -41,19 +41,19 @@ Excerpt excerptAt(const SourceFile &file, uint32_t offset) {
   if (offset > 0 && offset < size && text[offset] == '\n' && text[offset - 1] == '\r')
     --offset; // within a line end: the line is the one that ends here
   Excerpt result{offset, offset, false, false};
-  const uint32_t floor = std::max(textBegin, offset - std::min(offset, shownInFront));
-  const uint32_t ceiling = offset + std::min(size - offset, shownBehind);
+  const uint32_t floor = std::max(textBegin, offset - std::min(offset, shownBefore));
+  const uint32_t ceiling = offset + std::min(size - offset, shownAfter);
   while (result.begin > floor && !isLineEnd(result.begin - 1))
     --result.begin;
   while (result.end < ceiling && !isLineEnd(result.end))
     ++result.end;
-  result.cutInFront = result.begin > textBegin && !isLineEnd(result.begin - 1);
-  result.cutBehind = result.end < size && !isLineEnd(result.end);
-  if (result.cutInFront || result.cutBehind) {
+  result.cutBefore = result.begin > textBegin && !isLineEnd(result.begin - 1);
+  result.cutAfter = result.end < size && !isLineEnd(result.end);
+  if (result.cutBefore || result.cutAfter) {
     if (file.encoding() == Encoding::Utf8) {
-      while (result.cutInFront && result.begin < offset && isContinuation(result.begin))
+      while (result.cutBefore && result.begin < offset && isContinuation(result.begin))
         ++result.begin;
-      while (result.cutBehind && result.end > offset && isContinuation(result.end))
+      while (result.cutAfter && result.end > offset && isContinuation(result.end))
         --result.end;
     }
   }
@@ -156,7 +156,7 @@ private:
     const uint32_t begin = std::max(range.begin, excerpt.begin);
     const llvm::StringRef bytes = file.text(excerpt.begin, excerpt.end);
     const Encoding encoding = isAscii(bytes) ? Encoding::Utf8 : file.encoding();
-    std::string shown = excerpt.cutInFront ? "..." : "";
+    std::string shown = excerpt.cutBefore ? "..." : "";
     auto cell = static_cast<uint32_t>(shown.size());
     std::string marks;
     for (uint32_t at = excerpt.begin; at < excerpt.end;) {
@@ -179,7 +179,7 @@ private:
       marks.resize(cell, ' ');
       marks.push_back('^');
     }
-    if (excerpt.cutBehind)
+    if (excerpt.cutAfter)
       shown += "...";
     const std::string number = std::to_string(positionOf(report, range).line);
     const auto width = std::max<size_t>(gutterDigits, number.size());

@@ -54,17 +54,16 @@ bool blockHasCode(const ConditionContext &context, CodeIndex wanted) {
 }
 
 /// Whether words are before the code, or after it, as the condition wants.
-bool standsAround(const Condition &condition, const CodeInfo *code,
-                  const ConditionContext &context) {
+bool isAround(const Condition &condition, const CodeInfo *code, const ConditionContext &context) {
   for (const CodeUse &use : context.codes) {
     if (!code || !use.word || context.dialect.codes[use.code].base != code->base)
       continue;
-    bool before = !condition.before, behind = !condition.behind;
+    bool before = !condition.before, after = !condition.after;
     for (const Word &word : context.block.words) {
       before |= word.offset < use.word->offset && (condition.before & maskOf(word.address));
-      behind |= word.offset > use.word->offset && (condition.behind & maskOf(word.address));
+      after |= word.offset > use.word->offset && (condition.after & maskOf(word.address));
     }
-    return before && behind;
+    return before && after;
   }
   return false;
 }
@@ -123,7 +122,7 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
   if ((condition.on & ~before.switches.areOn(condition.on)) ||
       before.switches.mayBeOn(condition.off))
     return false;
-  if ((condition.before || condition.behind) && !standsAround(condition, code, context))
+  if ((condition.before || condition.after) && !isAround(condition, code, context))
     return false;
   constexpr uint8_t turning = spindleCw | spindleCcw;
   if (condition.spindleTurns &&

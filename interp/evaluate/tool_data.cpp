@@ -16,8 +16,8 @@ std::string radiusVariable(llvm::StringRef source, const Dialect &dialect,
   for (llvm::StringRef rest = source; !rest.empty();) {
     const auto [before, from] = rest.split('{');
     name += before;
-    const auto [field, behind] = from.split('}');
-    rest = behind;
+    const auto [field, after] = from.split('}');
+    rest = after;
     if (field.empty())
       continue;
     const int32_t offset = radiusOffsetNumber(dialect, state);

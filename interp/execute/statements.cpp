@@ -77,7 +77,7 @@ void Execution::assign(const Item &item) {
   }
   const int64_t variable = std::llround(number.number.value());
   event.setVariable(variable);
-  if (dialect_.lexical.assignsBehind) {
+  if (dialect_.lexical.assignsAfterWords) {
     if (isUnset(state_, double(variable))) // its name exists from here on
       writeVariable(state_, variable, Value::of(0));
     pending_.emplace_back(variable, assigned);

@@ -100,10 +100,10 @@ CornerFit fitCorner(const ContourElement &first, const ContourElement &second, c
   }
   const ContourElement &round = second.arc ? second : first;
   if (round.arc && round.clockwise == (left > 0)) {
-    const Vector behind = first.to + out * std::fabs(left); // nearer to the one of two meetings
+    const Vector further = first.to + out * std::fabs(left); // nearer to the one of two meetings
     cutOff(fit,
            {first, second, in, out, first.to + leftOf(in) * left, second.from + leftOf(out) * left},
-           left, meetingBeside(first, second, left, behind));
+           left, meetingBeside(first, second, left, further));
   } else {
     fit.kind = CornerFit::Kind::Outside;
     fit.gain = std::fabs(left);

@@ -50,10 +50,10 @@ bool FramedProfile::move(double step) {
     if (piece.size() < ProfileLimits::shortest)
       continue;
     if (!moved.empty() && moved.back().to.x() - piece.from.x() > ProfileLimits::widestGap) {
-      ProfilePiece before = moved.back(), behind = piece;
+      ProfilePiece before = moved.back(), after = piece;
       before.offset(-step);
-      behind.offset(-step);
-      moved.push_back({moved.back().to, piece.from, true, step > 0, (before.to + behind.from) / 2});
+      after.offset(-step);
+      moved.push_back({moved.back().to, piece.from, true, step > 0, (before.to + after.from) / 2});
     }
     moved.push_back(piece);
   }

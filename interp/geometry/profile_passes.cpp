@@ -140,7 +140,7 @@ private:
     return !piece.counterClockwise;
   }
   /// Goes straight on to the piece and up along it, where it climbs at all.
-  void climbsBehindPockets(const ProfilePiece &piece) {
+  void climbsAfterPockets(const ProfilePiece &piece) {
     if (!piece.arc && piece.to.y() < piece.from.y())
       return;
     const auto places = piece.at(at_.y());
@@ -172,7 +172,7 @@ private:
       if (!dives(piece, level)) {
         for (; fits_ && piece < pieces_.size(); ++piece)
           if (around)
-            climbsBehindPockets(pieces_[piece]);
+            climbsAfterPockets(pieces_[piece]);
           else if (!climbs(pieces_[piece]))
             return piece;
         return piece;

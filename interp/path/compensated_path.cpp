@@ -51,7 +51,7 @@ void CompensatedPath::give(Tagged &tagged, const Vector &end, Take take) {
 
 /// What was after the waiting move happens where that one ends.
 void CompensatedPath::flush(Take take) {
-  for (Tagged &tagged : behind_) {
+  for (Tagged &tagged : between_) {
     if (isTravel(tagged.move)) {
       for (const Axis axis : tagged.move.plane)
         tagged.move.to[size_t(axis)] = centre_[size_t(axis)];
@@ -59,7 +59,7 @@ void CompensatedPath::flush(Take take) {
     }
     take(tagged.tag, tagged.move);
   }
-  behind_.clear();
+  between_.clear();
   waiting_.reset();
   element_.reset();
 }
@@ -109,7 +109,7 @@ bool CompensatedPath::isStraight(const ContourElement &next) const {
 }
 
 /// The waiting move ends where the path beside `next`, the element of `after`, begins.
-void CompensatedPath::meet(const ContourElement &next, const Tagged &behind, Take take) {
+void CompensatedPath::meet(const ContourElement &next, const Tagged &after, Take take) {
   if (!element_) {
     give(*waiting_, beside(next, next.from, left_), take);
     return flush(take);
@@ -129,7 +129,7 @@ void CompensatedPath::meet(const ContourElement &next, const Tagged &behind, Tak
     const ContourElement element = *element_;
     give(*waiting_, end, take);
     flush(take);
-    return goRound(element, next, behind, take);
+    return goRound(element, next, after, take);
   }
   if (outside &&
       (habits_.outside == OutsideCorner::Lines || waiting_->move.kind == MoveKind::Rapid)) {
@@ -174,7 +174,7 @@ void CompensatedPath::finish(Take take) {
 void CompensatedPath::add(uint64_t tag, const Move &move, Take take) {
   if (!isTravel(move)) {
     if (waiting_)
-      behind_.push_back({tag, move});
+      between_.push_back({tag, move});
     else
       take(tag, move);
     return;
@@ -185,7 +185,7 @@ void CompensatedPath::add(uint64_t tag, const Move &move, Take take) {
   const auto element = left != 0 ? plane.element(programmed_, move) : std::nullopt;
   programmed_ = workPlace(move);
   if (left != 0 && waiting_ && from && to && move.kind != MoveKind::Arc && *from == *to) {
-    behind_.push_back({tag, move}); // along the tool's axis only
+    between_.push_back({tag, move}); // along the tool's axis only
     return;
   }
   const bool wasOn = std::exchange(on_, left != 0);

@@ -49,7 +49,7 @@ private:
     uint64_t tag = 0;
     Move move;
   };
-  void meet(const ContourElement &next, const Tagged &behind, Take take);
+  void meet(const ContourElement &next, const Tagged &after, Take take);
   void give(Tagged &tagged, const Vector &end, Take take);
   void goAlongLines(const ContourElement &next, Take take);
   void goRound(const ContourElement &element, const ContourElement &next, const Tagged &like,
@@ -67,8 +67,8 @@ private:
   std::optional<ContourElement> element_;
   double left_ = 0;         ///< mm, of the waiting move
   double furtherTurns_ = 0; ///< of the waiting arc, beside the one that leads to its end
-  llvm::SmallVector<Tagged, 4> behind_; ///< what is between it and the next one
-  bool on_ = false;                     ///< the last move ended beside the path
+  llvm::SmallVector<Tagged, 4> between_; ///< what is between it and the next one
+  bool on_ = false;                      ///< the last move ended beside the path
 };
 
 } // namespace ncvet

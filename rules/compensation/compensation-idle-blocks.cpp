@@ -7,9 +7,9 @@ namespace ncvet {
 namespace {
 
 struct CompensationIdleBlocksMemory {
-  uint32_t behindInfeed = ~0u; ///< after the last block that was one
+  uint32_t afterInfeed = ~0u; ///< after the last block that was one
   unsigned inARow = 0;
-  uint32_t behindApproach = ~0u; ///< the block to come if it follows an approach and idle blocks
+  uint32_t afterApproach = ~0u; ///< the block to come if it follows an approach and idle blocks
 };
 
 class CompensationIdleBlocks final : public StatefulRule<CompensationIdleBlocksMemory> {
@@ -20,7 +20,7 @@ public:
     allowed_ = unsigned(to.number("allowed", 1));
     infeeds_ = to.dialect().facts->compensation.infeedMoves;
     inSpace_ = to.dialect().facts->compensation.onlyInPlane;
-    allowedBehindApproach_ = to.dialect().facts->compensation.idleBlocksAfterApproach;
+    allowedAfterApproach_ = to.dialect().facts->compensation.idleBlocksAfterApproach;
     severity_ = to.dialect().facts->compensation.mayPassIdleBlocks
                     ? std::optional(Severity::Warning)
                     : std::nullopt;
@@ -32,7 +32,7 @@ public:
       if (inSpace_)
         inSpace(event, ctx);
     } else {
-      if (allowedBehindApproach_)
+      if (allowedAfterApproach_)
         approach(ctx);
       idle(ctx);
       if (infeeds_)
@@ -50,14 +50,14 @@ private:
                        state.profile != ProfileMode::Recorded;
     if (ctx.block().isEmpty())
       return; // a remark is no block of the path
-    const bool follows = followsOn(memory().behindInfeed, ctx);
+    const bool follows = followsOn(memory().afterInfeed, ctx);
     // Until the first move in the plane nothing in between makes a difference.
     if (follows && !axes && ctx.before().compensation == phaseStarting) {
-      memory().behindInfeed = ctx.block().next;
+      memory().afterInfeed = ctx.block().next;
       return;
     }
     memory().inARow = alone ? follows ? memory().inARow + 1 : 1 : 0;
-    memory().behindInfeed = alone ? ctx.block().next : ~0u;
+    memory().afterInfeed = alone ? ctx.block().next : ~0u;
     if (memory().inARow != infeeds_ + 1)
       return;
     if (auto finding = ctx.report(ctx.blockRange(), state.compensation == phaseOn ||
@@ -70,32 +70,32 @@ private:
   }
 
   /// Whether only remarks and blank lines are between the place and the block.
-  static bool followsOn(uint32_t behind, const RuleContext &ctx) {
+  static bool followsOn(uint32_t at, const RuleContext &ctx) {
     constexpr unsigned most = 50; // lines
     Block block;
-    for (unsigned i = 0; behind < ctx.block().begin && i < most; ++i, behind = block.next) {
-      ctx.index().read(behind, block);
-      if (!block.isEmpty() || block.next <= behind)
+    for (unsigned i = 0; at < ctx.block().begin && i < most; ++i, at = block.next) {
+      ctx.index().read(at, block);
+      if (!block.isEmpty() || block.next <= at)
         return false;
     }
-    return behind == ctx.block().begin;
+    return at == ctx.block().begin;
   }
 
   /// Keeps which block comes next as long as only idle ones follow a soft approach.
   void approach(RuleContext &ctx) const {
     if (ctx.block().isEmpty())
       return;
-    const bool follows = followsOn(memory().behindApproach, ctx) && ctx.after().idleBlocks > 0;
+    const bool follows = followsOn(memory().afterApproach, ctx) && ctx.after().idleBlocks > 0;
     const bool begins = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
       return ctx.code(use).action == Action::SoftApproach;
     });
-    memory().behindApproach = begins || follows ? ctx.block().next : ~0u;
+    memory().afterApproach = begins || follows ? ctx.block().next : ~0u;
   }
 
   void idle(RuleContext &ctx) const {
     const MachineState &state = ctx.after();
-    const bool approached = memory().behindApproach == ctx.block().next;
-    const unsigned allowed = approached ? allowedBehindApproach_ : allowed_;
+    const bool approached = memory().afterApproach == ctx.block().next;
+    const unsigned allowed = approached ? allowedAfterApproach_ : allowed_;
     if (state.compensation != phaseOn || state.profile == ProfileMode::Recorded ||
         state.idleBlocks != allowed + 1 || ctx.before().idleBlocks != allowed ||
         ctx.outcome().flow.kind == FlowKind::End || !contourGoesOn(ctx))
@@ -209,9 +209,9 @@ private:
 
   std::optional<Severity> severity_; ///< of blocks that the control perhaps looks past
   unsigned allowed_ = 1;
-  unsigned infeeds_ = 0; ///< moves of the infeed axis alone that may follow each other
-  bool inSpace_ = false; ///< moves that leave the plane are reported
-  unsigned allowedBehindApproach_ = 0; ///< 0: as elsewhere
+  unsigned infeeds_ = 0;              ///< moves of the infeed axis alone that may follow each other
+  bool inSpace_ = false;              ///< moves that leave the plane are reported
+  unsigned allowedAfterApproach_ = 0; ///< 0: as elsewhere
 };
 
 } // namespace

@@ -85,7 +85,7 @@ private:
     bool feeding = cuts;
     const auto judge = [&](const Block &block) {
       if (findCode(dialect, block, {Action::CompensationOff}))
-        return Behind::Ends;
+        return AfterCall::Ends;
       for (const Word &word : block.words) {
         if (dialect.addresses[word.address].kind != AddressKind::Code)
           continue;
@@ -101,16 +101,17 @@ private:
         case Action::OptionalStop:
           break;
         default:
-          return Behind::Relies;
+          return AfterCall::Relies;
         }
       }
       const bool moves = block.hasAny(dialect.axisWords);
-      return (moves && !feeding) || block.has(letterAddress('T')) ? Behind::Relies : Behind::GoesOn;
+      return (moves && !feeding) || block.has(letterAddress('T')) ? AfterCall::Relies
+                                                                  : AfterCall::GoesOn;
     };
-    return behind_.allEnd(
+    return afterCalls_.allEnd(
         cuts, ctx, [&] { feeding = cuts; }, judge);
   }
-  BehindCalls behind_;
+  AfterCalls afterCalls_;
 
   static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {
     const Origin &origin = ctx.after().origin.of(StatePart::Compensation);

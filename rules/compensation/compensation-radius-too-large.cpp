@@ -20,7 +20,7 @@ public:
     exact_ = to.machine().number("interferenceCheck").value_or(0) != 0 ||
              to.dialect().facts->compensation.checksExactly;
     slack_ = to.dialect().facts->compensation.checksExactly ? 0 : shallowCut;
-    stopsBehind_ = to.dialect().facts->compensation.stopsAfterMove;
+    stopsAfter_ = to.dialect().facts->compensation.stopsAfterMove;
     memory().trail.emplace(to.dialect(), to.machine());
     to.on(EventKind::Motion);
   }
@@ -57,8 +57,8 @@ private:
             RuleContext &ctx) const {
     const double radius = std::fabs(at.left);
     const char *does = "the control stops, or the tool cuts into what is beside the path";
-    const bool behind = stopsBehind_ && what != Misfit::Arc;
-    auto finding = ctx.report(behind ? placeBehind(ctx) : at.range, at.certain);
+    const bool later = stopsAfter_ && what != Misfit::Arc;
+    auto finding = ctx.report(later ? placeAfterMove(ctx) : at.range, at.certain);
     if (!finding)
       return;
     if (what == Misfit::Arc && at.corner)
@@ -68,7 +68,7 @@ private:
     else if (what == Misfit::Arc)
       finding.message("this inside arc has a radius of {0:f3} mm, the tool one of {1:f3} mm: {2}",
                       at.line.radius(), radius, does);
-    else if (behind)
+    else if (later)
       finding
           .message("the tool with its radius of {0:f3} mm does not get into the corner before "
                    "this move: {1}",
@@ -87,7 +87,7 @@ private:
   }
 
   /// The current move, or the code that has ended the contour before it.
-  static SourceRange placeBehind(const RuleContext &ctx) {
+  static SourceRange placeAfterMove(const RuleContext &ctx) {
     const Origin end = ctx.after().originOf(ctx.dialect(), StandardGroup::Compensation);
     return ctx.after().compensation & phaseOn || !end.known() ? ctx.blockRange() : end.range();
   }
@@ -98,7 +98,7 @@ private:
   }
 
   bool exact_ = false;
-  bool stopsBehind_ = false; ///< told at the block that makes the control stop
+  bool stopsAfter_ = false; ///< told at the block that makes the control stop
   double slack_ = shallowCut;
 };
 

@@ -94,10 +94,10 @@ private:
       return;
     SourceRange element = ctx.blockRange();
     if (dx.lo == 0 && dx.hi == 0) { // along Z: the element after it tells
-      const auto behind = changeBehindAxial(ctx, element);
-      if (!behind)
+      const auto change = changeAfterAxial(ctx, element);
+      if (!change)
         return;
-      dx = *behind;
+      dx = *change;
     }
     const bool outside = dx.lo > 0 && before.must(Fact::EnteredInward);
     const bool bore = dx.hi < 0 && before.must(Fact::EnteredOutward);
@@ -121,7 +121,7 @@ private:
 
   /// How X changes in the first element towards the chuck that follows moves along Z; `where`
   /// becomes its place.
-  static std::optional<Interval> changeBehindAxial(const RuleContext &ctx, SourceRange &where) {
+  static std::optional<Interval> changeAfterAxial(const RuleContext &ctx, SourceRange &where) {
     PathAhead ahead(ctx);
     constexpr unsigned mostMoves = 4;
     for (unsigned i = 0; i < mostMoves && ahead.next(); ++i) {

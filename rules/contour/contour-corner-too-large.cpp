@@ -72,8 +72,8 @@ private:
     const auto taken = out ? takenByCorner(corner, *in, *out) : std::nullopt;
     if (!taken)
       return;
-    const SourceRange behind{ctx.source().id(), ahead.block().words.front().offset,
-                             ahead.block().endOf(ahead.block().words.back())};
+    const SourceRange next{ctx.source().id(), ahead.block().words.front().offset,
+                           ahead.block().endOf(ahead.block().words.back())};
     if (*taken > in->length() + tolerance_) {
       if (auto finding = ctx.report(word))
         finding.message("`{0}` takes {1:f3} mm of this line, and it is {2:f3} mm long",
@@ -85,7 +85,7 @@ private:
         finding
             .message("`{0}` takes {1:f3} mm of the next line, which is {2:f3} mm long",
                      ctx.text(word), *taken, out->length())
-            .note(behind, "the next line");
+            .note(next, "the next line");
       return;
     }
     // A corner at either end of the next line.
@@ -103,7 +103,7 @@ private:
           .message("`{0}` and the corner at its other end take {1:f3} mm of the next line, "
                    "which is {2:f3} mm long",
                    ctx.text(word), *taken + *further, out->length())
-          .note(behind, "the next line");
+          .note(next, "the next line");
   }
 
   CornerAddresses corners_;

@@ -72,7 +72,7 @@ public:
     if (!event.certain || ctx.before().profile == ProfileMode::Recorded)
       return;
     if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
-      return behindArc(event, plane, ctx);
+      return afterArc(event, plane, ctx);
     const bool line = event.motion == MotionKind::Feed || event.motion == MotionKind::Rapid;
     if (!line || !block.has(commaA) || (axesOf(ctx, block) & plane) != plane)
       return;
@@ -354,7 +354,7 @@ private:
   }
 
   /// An arc, and after it a circle or a line that is to be intersected with it.
-  static void behindArc(const Event &event, uint16_t plane, RuleContext &ctx) {
+  static void afterArc(const Event &event, uint16_t plane, RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     // A block with Q is itself the second one of two, and its centre is written otherwise.
     if (dialect.isLathe() || ctx.block().has(letterAddress('Q')) || event.inMachineCoordinates() ||

@@ -16,7 +16,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (next_)
-      return behind(event, ctx);
+      return afterMachineMove(event, ctx);
     if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
         event.motion == MotionKind::Skip || !event.axes || !before.must(Fact::AtMachinePosition) ||
         (event.axes & before.machineAxes) || !before.machineAxes ||
@@ -39,7 +39,7 @@ public:
 
 private:
   /// The very next block goes on with another axis, as far as no work goes.
-  void behind(const Event &event, RuleContext &ctx) const {
+  void afterMachineMove(const Event &event, RuleContext &ctx) const {
     Block previous;
     if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
         !ctx.codes().empty() || !readPrevious(ctx, previous) ||

@@ -38,7 +38,7 @@ private:
   /// Blocks that a program runs again: sections that it repeats, and what lies before a jump
   /// that leads back.
   struct Passes {
-    uint32_t first, behind;
+    uint32_t first, after;
     SourceRange by;
   };
 
@@ -46,7 +46,7 @@ private:
     std::vector<Passes> passes;
     const FileId file = ctx.source().id();
     for (const RepeatedSection &section : repeatedSections(ctx.index()))
-      passes.push_back({section.first, section.behind, {file, section.begin, section.end}});
+      passes.push_back({section.first, section.after, {file, section.begin, section.end}});
     for (const Block &block :
          blocks(ctx.index(), ctx.index().reader().first(), uint32_t(ctx.source().text().size()))) {
       for (const Item &item : block.items) {
@@ -68,7 +68,7 @@ private:
         !ctx.block().hasAny(ctx.dialect().incrementWords))
       return;
     for (const Passes &passes : passes_.of(ctx.source().id(), [&] { return passesOf(ctx); })) {
-      if (ctx.block().begin < passes.first || ctx.block().begin >= passes.behind)
+      if (ctx.block().begin < passes.first || ctx.block().begin >= passes.after)
         continue;
       if (auto finding = ctx.report(event))
         finding

@@ -83,7 +83,7 @@ public:
       return;
     if (event.kind == EventKind::CycleRun) {
       if (calls_)
-        behindCall(event, ctx);
+        afterCall(event, ctx);
       // Of a block that neither moves nor calls the cycle, other rules say that it runs it.
       if (ctx.dialect().emptyBlocksRun && !event.axes && !ctx.codeWord(event))
         return;
@@ -136,7 +136,7 @@ private:
   }
 
   /// A modal cycle called where a cycle of one hole has just made it.
-  void behindCall(const Event &event, RuleContext &ctx) const {
+  void afterCall(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
     std::array<double, axisCount> at{};

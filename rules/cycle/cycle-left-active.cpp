@@ -50,7 +50,7 @@ public:
     if (before.profile != ProfileMode::Off)
       return;
     if (event.kind == EventKind::CallReturned) {
-      behindCall(ctx);
+      afterCall(ctx);
       backInCaller(ctx);
       return;
     }
@@ -158,7 +158,7 @@ private:
 
   /// After a call that has left such a cycle active the caller goes on, without a motion code, to
   /// a place on the free side of the start: it positions, and cuts no further pass.
-  static void behindCall(RuleContext &ctx) {
+  static void afterCall(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
     const MachineState &after = ctx.after();
     if (after.cycleActive(dialect) != Truth::Yes || after.may(Fact::UnknownCode) ||
@@ -212,21 +212,21 @@ private:
     const auto left = memory().returned.find({origin.file, origin.begin});
     if (left == memory().returned.end() || ctx.after().cycleActive(ctx.dialect()) == Truth::No)
       return;
-    if (ctx.callDepth() > 0 && nothingBehind(ctx)) // handed on to the caller's caller
+    if (ctx.callDepth() > 0 && nothingAfter(ctx)) // handed on to the caller's caller
       return;
     left->second.judged = true;
-    if (!endsBehindPlaces(ctx))
+    if (!endsAfterPlaces(ctx))
       left->second.report(ctx);
   }
 
   /// Only the return is after the call.
-  static bool nothingBehind(RuleContext &ctx) {
+  static bool nothingAfter(RuleContext &ctx) {
     Block next;
     return !readNext(ctx, next) || findCode(ctx.dialect(), next, {Action::Return});
   }
 
   /// Whether only places in the plane are between the call and the end of the cycle.
-  static bool endsBehindPlaces(RuleContext &ctx) {
+  static bool endsAfterPlaces(RuleContext &ctx) {
     constexpr unsigned most = 200; // blocks that are read
     const Dialect &dialect = ctx.dialect();
     const uint16_t tool = uint16_t(1u << unsigned(toolAxis(dialect, ctx.after())));
@@ -284,19 +284,19 @@ private:
         if (code.action == Action::CycleCancel ||
             (code.cancelsCycle && (code.family.empty() || code.family == cycle.family)) ||
             (isMotion(code.action) && !dialect.cycleSurvivesMotion))
-          return Behind::Ends;
+          return AfterCall::Ends;
       }
       // Only codes that leave the tool where it is are before the cycle's end.
       const bool idle = llvm::all_of(block.words, [&](const Word &word) {
         const CodeIndex index = codeOf(dialect, word);
         return index != noCode && waits(dialect.codes[index].action);
       });
-      return idle && !dialect.emptyBlocksRun ? Behind::GoesOn : Behind::Relies;
+      return idle && !dialect.emptyBlocksRun ? AfterCall::GoesOn : AfterCall::Relies;
     };
-    return behind_.allEnd(
+    return afterCalls_.allEnd(
         cycle.base, ctx, [] {}, judge);
   }
-  BehindCalls behind_;
+  AfterCalls afterCalls_;
 
   /// Codes beside which an active cycle makes nothing.
   static bool waits(Action action) {

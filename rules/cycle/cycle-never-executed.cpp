@@ -104,10 +104,10 @@ private:
       for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
         // A jump before the frame only leads past something: a loop round the frame closes after
         // it.
-        const bool behind = block.begin >= ctx.block().begin;
+        const bool later = block.begin >= ctx.block().begin;
         if (llvm::any_of(block.items, [&](const Item &i) {
               return i.kind == ItemKind::Repeat || i.kind == ItemKind::Call ||
-                     (i.kind == ItemKind::Jump && behind);
+                     (i.kind == ItemKind::Jump && later);
             }))
           return;
       }

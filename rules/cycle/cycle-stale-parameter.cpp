@@ -41,7 +41,7 @@ public:
         memory().meant[spec.variable] = {code.base, code.base};
         continue;
       }
-      if (mayStandOnly(spec) || last == memory().meant.end() ||
+      if (mayBeGivenOnly(spec) || last == memory().meant.end() ||
           ctx.before().commons.given(spec.variable) != Truth::Yes)
         continue;
       if (last->second.taken == code.base || shared(spec) ||
@@ -100,7 +100,7 @@ private:
   bool kept_ = false; ///< values that stay the same are reported too
 
   /// A word that may be beside the code, and of which the table says nothing more.
-  static bool mayStandOnly(const WordSpec &spec) {
+  static bool mayBeGivenOnly(const WordSpec &spec) {
     return spec.need == Need::Optional && spec.role == Role::None && spec.note.empty();
   }
   /// A word without which a profile is worked along in another way.

@@ -25,7 +25,7 @@ public:
     if (memory().repeats) {
       setAgain(file, ctx);
       for (const RepeatedSection &section : repeatedSections(file.index))
-        standsStill(section, file, ctx);
+        neverChanges(section, file, ctx);
     }
     if (!memory().counts)
       return;
@@ -63,7 +63,7 @@ private:
         SourceRange where;
       };
       std::vector<First> firsts;
-      for (const Block &block : blocks(file.reader, section.first, section.behind)) {
+      for (const Block &block : blocks(file.reader, section.first, section.after)) {
         for (const Item &item : block.items) {
           if (item.kind == ItemKind::Jump) // another loop may count in here
             firsts.clear();
@@ -96,12 +96,12 @@ private:
   }
 
   /// A section lays a frame by a counter, and nothing in it counts on.
-  static void standsStill(const RepeatedSection &section, const FileSummary &file,
-                          RuleContext &ctx) {
+  static void neverChanges(const RepeatedSection &section, const FileSummary &file,
+                           RuleContext &ctx) {
     const CountedFrame frame = countedFrame(file.index, ctx.dialect(), section);
     if (!frame.code)
       return;
-    for (const Block &block : blocks(file.reader, section.first, section.behind)) {
+    for (const Block &block : blocks(file.reader, section.first, section.after)) {
       for (const Item &item : block.items)
         if (item.kind == ItemKind::Call || item.kind == ItemKind::Jump ||
             (item.kind == ItemKind::Assignment && block.keyOf(item.target) == frame.counter))

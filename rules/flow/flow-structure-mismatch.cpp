@@ -107,13 +107,13 @@ private:
 
   /// A jump out of the section: the control goes on to count the pass.
   static void left(const RepeatedSection &section, const FileSummary &file, RuleContext &ctx) {
-    for (const Block &block : blocks(file.reader, section.first, section.behind)) {
+    for (const Block &block : blocks(file.reader, section.first, section.after)) {
       for (const Item &item : block.items) {
         if (item.kind != ItemKind::Jump)
           continue;
         for (const Argument &target : block.argumentsOf(item)) {
           const auto to = blockNamed(file.index, block, item, target);
-          if (!to || section.holds(*to) || *to == section.behind || *to == section.at)
+          if (!to || section.holds(*to) || *to == section.after || *to == section.at)
             continue;
           const SourceRange where{file.source.id(), target.begin, target.end};
           if (auto finding = ctx.report(where))

@@ -23,7 +23,7 @@ SourceRange contentOf(const Block &block, const SourceFile &source) {
 
 class FlowUnreachableBlock final : public Rule {
 public:
-  void listen(Subscriptions &to) override { behindEnd_ = to.flag("behindEnd"); }
+  void listen(Subscriptions &to) override { afterEnd_ = to.flag("afterEnd"); }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!file.complete)
@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  bool behindEnd_ = false; ///< … of the program too, which is another rule's business elsewhere
+  bool afterEnd_ = false; ///< … of the program too, which is another rule's business elsewhere
 
   /// Reports what follows the end of a section that is executed, when it ends with a return
   /// or a jump. What follows a program end is another rule's business, and a section that
@@ -44,8 +44,8 @@ private:
       return;
     Block block;
     readBlockAt(file.source, file.reader, reached.end - 1, block);
-    const bool ends = behindEnd_ && findCode(ctx.dialect(), block,
-                                             {Action::ProgramEnd, Action::ProgramEndRewind});
+    const bool ends =
+        afterEnd_ && findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
     if (block.skip >= 0 || !(ends || leadsAway(block, ctx.dialect())))
       return;
     for (uint32_t at = reached.end; at < program.end; at = std::max(block.next, at + 1)) {

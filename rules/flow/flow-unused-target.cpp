@@ -71,8 +71,8 @@ private:
 
   /// The place after the blocks that run one after the other from the program's begin to one that
   /// ends it; where something else ends them, the program's begin.
-  static uint32_t behindMainPart(const FileSummary &file, const ProgramInfo &program,
-                                 const Dialect &dialect) {
+  static uint32_t afterMainPart(const FileSummary &file, const ProgramInfo &program,
+                                const Dialect &dialect) {
     const SourceRange *const run = llvm::find_if(file.reached, [&](const SourceRange &range) {
       return range.begin <= program.body && program.body < range.end;
     });
@@ -98,7 +98,7 @@ private:
     bool ended = false;
     SourceRange first;
     int64_t number = -1;
-    const uint32_t from = behindMainPart(file, program, ctx.dialect());
+    const uint32_t from = afterMainPart(file, program, ctx.dialect());
     if (from != program.body)
       ended = true;
     const auto read = [&](uint32_t, const Block &block) {

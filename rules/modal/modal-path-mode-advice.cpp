@@ -9,7 +9,7 @@ namespace {
 
 struct ModalPathModeAdviceMemory {
   unsigned inARow = 0;
-  uint32_t behind = ~0u; ///< after the last block that moved
+  uint32_t next = ~0u; ///< after the last block that moved
   bool said = false;
 };
 
@@ -25,8 +25,8 @@ public:
 
   /// Many short moves in a row, each of which stops at its end.
   void on(const Event &event, RuleContext &ctx) const override {
-    const bool goesOn = ctx.block().begin == memory().behind;
-    memory().behind = ctx.block().next;
+    const bool goesOn = ctx.block().begin == memory().next;
+    memory().next = ctx.block().next;
     if (event.motion != MotionKind::Feed || event.code == noCode || !isShort(event, ctx)) {
       memory().inARow = 0;
       return;

@@ -57,7 +57,7 @@ public:
     for (const auto &[place, block] : memory().still)
       if (place.first == file.source.id() &&
           !std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number))
-        stands(block.range, ctx);
+        staysPut(block.range, ctx);
   }
 
 private:
@@ -79,10 +79,10 @@ private:
                                                                 ctx.block().number};
       return;
     }
-    stands(ctx.blockRange(), ctx);
+    staysPut(ctx.blockRange(), ctx);
   }
 
-  static void stands(SourceRange range, RuleContext &ctx) {
+  static void staysPut(SourceRange range, RuleContext &ctx) {
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Style)
           .message("this block moves nothing: the tool is there already");

@@ -90,7 +90,7 @@ private:
                         "becomes a block of its own");
       return true;
     }
-    const std::string below = codeBehind(generated, block, text);
+    const std::string below = codeAfter(generated, block, text);
     if (code.equals_insensitive(below))
       return false;
     if (auto finding = ctx.report(range))

@@ -30,7 +30,7 @@ public:
       return;
     for (const Memory::End &end : memory().ends)
       if (end.block.file == file.source.id())
-        behind(end, file, ctx);
+        tellAfter(end, file, ctx);
   }
 
 private:
@@ -57,7 +57,7 @@ private:
            });
   }
 
-  void behind(const Memory::End &end, const FileSummary &file, RuleContext &ctx) const {
+  void tellAfter(const Memory::End &end, const FileSummary &file, RuleContext &ctx) const {
     const uint32_t stop = file.index.programAt(end.block.begin).end;
     SourceRange dead;
     uint64_t count = 0;

@@ -42,12 +42,12 @@ public:
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     // Comments of this kind are rare: looking for them in the text spares every block a test.
     file.index.eachPlaceOf('(', [&](uint32_t open) { look(file, open, ctx); });
-    file.index.eachPlaceOf('"', [&](uint32_t open) { lookBehind(file, open, ctx); });
+    file.index.eachPlaceOf('"', [&](uint32_t open) { lookAfterSecondMark(file, open, ctx); });
   }
 
 private:
   /// `" text " M3 S600`: the second mark of a comment that runs to the end of its line.
-  void lookBehind(const FileSummary &file, uint32_t open, RuleContext &ctx) const {
+  void lookAfterSecondMark(const FileSummary &file, uint32_t open, RuleContext &ctx) const {
     const uint32_t begin = file.source.lines().lineBegin(open);
     const llvm::StringRef line =
         file.source.text().substr(begin).take_until([](char c) { return c == '\n' || c == '\r'; });

@@ -24,12 +24,12 @@ public:
         finding.message("`{0}` has no address before it", ctx.text(range));
       return;
     }
-    if (issue.kind != SyntaxIssueKind::MissingValue || mayStandBare(issue, ctx))
+    if (issue.kind != SyntaxIssueKind::MissingValue || mayBeBare(issue, ctx))
       return;
     // The first such word of a block speaks for the others.
     for (size_t i = 0; i < event.issue(); ++i) {
       const SyntaxIssue &other = ctx.block().issues[i];
-      if (other.kind == SyntaxIssueKind::MissingValue && !mayStandBare(other, ctx))
+      if (other.kind == SyntaxIssueKind::MissingValue && !mayBeBare(other, ctx))
         return;
     }
     if (auto finding = ctx.report(range))
@@ -39,7 +39,7 @@ public:
 private:
   /// Axis letters alone name the axes of a reference return, on some controls those of a limit too;
   /// an unknown letter has its own rule.
-  bool mayStandBare(const SyntaxIssue &issue, const RuleContext &ctx) const {
+  bool mayBeBare(const SyntaxIssue &issue, const RuleContext &ctx) const {
     for (const Word &word : ctx.block().words) {
       if (word.offset != issue.begin)
         continue;

@@ -29,8 +29,8 @@ public:
     if (!atOnce || !before.must(Fact::Cut))
       return;
     if (before.may(Fact::AwayFromPart)) {
-      behindHole(event, ctx);
-      behindCut(event, ctx);
+      afterHole(event, ctx);
+      afterCut(event, ctx);
       return;
     }
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
@@ -41,7 +41,7 @@ public:
 
 private:
   /// On a lathe a drilling cycle ends at its R, before the face: nothing has moved since then.
-  static void behindHole(const Event &event, RuleContext &ctx) {
+  static void afterHole(const Event &event, RuleContext &ctx) {
     if (!ctx.dialect().isLathe() || ctx.before().may(Fact::AtMachinePosition) ||
         ctx.dialect().group(StandardGroup::ReturnLevel) != noGroup)
       return; // (another control may withdraw to where the cycle began)
@@ -65,7 +65,7 @@ private:
   }
 
   /// On a lathe the tool was lifted off the cut in X by a little, and has not moved since then.
-  static void behindCut(const Event &event, RuleContext &ctx) {
+  static void afterCut(const Event &event, RuleContext &ctx) {
     constexpr double little = 10; // mm of the diameter
     const Dialect &dialect = ctx.dialect();
     const MachineState &before = ctx.before();

@@ -15,7 +15,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::CycleRun)
-      return inFront(event, ctx);
+      return beforeProfile(event, ctx);
     const auto issue = event.flowIssue();
     if (issue != FlowIssue::ProfileMissing && issue != FlowIssue::ProfileReversed)
       return;
@@ -41,7 +41,7 @@ public:
 
 private:
   /// Roughing goes on after its contour; finishing may look back.
-  static void inFront(const Event &event, RuleContext &ctx) {
+  static void beforeProfile(const Event &event, RuleContext &ctx) {
     const Flow &flow = ctx.outcome().flow;
     if (flow.kind != FlowKind::Profile || event.code == noCode ||
         ctx.code(event).cycle == CycleKind::Finish || flow.first < 0 || flow.last < 0)

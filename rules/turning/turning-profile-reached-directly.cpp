@@ -33,11 +33,11 @@ public:
     }
     if (range.begin >= range.end)
       range = first;
-    const bool behind = first.begin > ctx.flowRange().begin;
+    const bool later = first.begin > ctx.flowRange().begin;
     if (auto finding = ctx.report(range))
       finding
           .message(
-              behind
+              later
                   ? "plain flow runs into the profile N{0} to N{1}: the control has gone on after "
                     "`{2}` of line {3}, and cuts the finished contour once more"
                   : "plain flow reaches the profile N{0} to N{1}: the finished contour is cut at "

@@ -48,12 +48,12 @@ public:
                            cz < std::max(z, startZ.value()) - pathTolerance;
         crosses |= onWay && (inside ? cx < x - pathTolerance : cx > x + pathTolerance);
       }
-      crosses |= !inside && standsInside(profile, startX.value(), startZ.value());
+      crosses |= !inside && isInside(profile, startX.value(), startZ.value());
     } else {
       // Along X where the last block ends: through the wall of a bore.
       const double wall = profile.blocks[profile.lastCut - 1].toX.value();
-      const bool behindFace = z < *profile.maxZ - pathTolerance;
-      crosses = inside && behindFace && startX.value() > wall + pathTolerance;
+      const bool pastFace = z < *profile.maxZ - pathTolerance;
+      crosses = inside && pastFace && startX.value() > wall + pathTolerance;
     }
     if (!crosses)
       return;
@@ -70,7 +70,7 @@ public:
 private:
   /// Whether the place lies in what an outside contour leaves uncut: below both ends of an
   /// element that passes by it.
-  static bool standsInside(const Profile &profile, double x, double z) {
+  static bool isInside(const Profile &profile, double x, double z) {
     for (size_t i = 1; i < profile.lastCut; ++i) {
       const ProfileBlock &block = profile.blocks[i];
       if (!block.moves || !block.fromX.isConstant() || !block.fromZ.isConstant() ||

@@ -58,7 +58,7 @@ private:
               text(*profile.maxZ / *unit));
     }
     if (code.cycle == CycleKind::RoughTurn && startZ.isConstant() && profile.maxZ &&
-        !ctx.after().inMachineCoordinates(Axis::Z) && startsBehindFront(profile, startZ.value())) {
+        !ctx.after().inMachineCoordinates(Axis::Z) && startsPastFront(profile, startZ.value())) {
       if (auto finding = ctx.report(event, event.certain))
         finding
             .message("`{0}` starts at Z{1}, inside its contour, which reaches from "
@@ -95,7 +95,7 @@ private:
 
   /// A contour that is cut towards the chuck begins before the place, by more than the distance
   /// at which one starts before a face.
-  static bool startsBehindFront(const Profile &profile, double z) {
+  static bool startsPastFront(const Profile &profile, double z) {
     const ProfileBlock &head = profile.blocks.front(), &tail = profile.blocks[profile.lastCut - 1];
     return head.toZ.isConstant() && tail.toZ.isConstant() &&
            head.toZ.value() >= *profile.maxZ - startTolerance &&

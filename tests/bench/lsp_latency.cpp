@@ -66,7 +66,7 @@ int main(int argc, char **argv) {
   std::ifstream in(argv[2], std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(in), {});
   const unsigned edits = argc > 4 ? unsigned(std::stoul(argv[4])) : 500;
-  const size_t undoBehind = argc > 5 ? std::stoul(argv[5]) : ~size_t(0);
+  const size_t undoAfter = argc > 5 ? std::stoul(argv[5]) : ~size_t(0);
   const std::string path = "/nowhere/bench.nc";
 
   LanguageClient client(argv[1]);
@@ -85,7 +85,7 @@ int main(int argc, char **argv) {
     if (i == std::min(edits / 2, 20u))
       before = memoryOf(client.process());
     RandomEdit change;
-    undoing = undoing ? !done.empty() : done.size() >= undoBehind;
+    undoing = undoing ? !done.empty() : done.size() >= undoAfter;
     if (undoing) {
       change = done.back();
       done.pop_back();

@@ -191,7 +191,7 @@ TEST(CheckCommand, StandardInputIsCheckedUnderItsName) {
   EXPECT_THAT(unnamed.out, StartsWith("<stdin>:4:"));
 }
 
-TEST(CheckCommand, CategoriesStandForTheirRules) {
+TEST(CheckCommand, CategoriesNameTheirRules) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());
   EXPECT_THAT(shop.findings({"--dialect", "haas-lathe", "--select", "feed", "a.nc"}),

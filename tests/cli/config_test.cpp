@@ -89,7 +89,7 @@ TEST(Configuration, DialectOfOnesOwnExtendsABuiltInOne) {
               HasSubstr("bar-lathe"));
 }
 
-TEST(Configuration, MachineProfileStandsInItOrBesideIt) {
+TEST(Configuration, MachineProfileIsInItOrBesideIt) {
   Shop shop;
   withProgram(shop, "a.nc");
   shop.file(".ncvet.json", R"({"machine": {"dialect": "haas-lathe"}, "select": "feed-missing"})");

@@ -71,7 +71,7 @@ TEST_F(Crash, OfManyFilesSideBySideIsToldForEach) {
   EXPECT_THAT(result.out, HasSubstr("good.nc:4:"));
 }
 
-TEST_F(Crash, StandsInTheReports) {
+TEST_F(Crash, IsInTheReports) {
   shop.file("bad.nc", programWith("(CRASH)"));
   const ProcessResult result = check({"--format", "sarif"});
   const Json report = Json::parse(result.out);

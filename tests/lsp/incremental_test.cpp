@@ -124,7 +124,7 @@ TEST(Incremental, SeveralEditsAtATimeGiveWhatAFreshCheckGives) {
 /// What leaves the path of the moves after it as it is, or not.
 class MovesGoOn : public ::testing::TestWithParam<const char *> {};
 
-TEST_P(MovesGoOn, BehindAnotherToolFeedOrWayHere) {
+TEST_P(MovesGoOn, AfterAnotherToolFeedOrWayHere) {
   const std::string text = machining(400);
   const size_t firstCut = text.find("G01 Z-1.");
   for (const char *added : {"T9 M06\n",
@@ -269,7 +269,7 @@ TEST(Incremental, AHoleIsMissedNowhere) {
   EXPECT_EQ(edited.difference(last), "");
 }
 
-TEST(Incremental, WhatStandsBehindTheClosingMarkStaysUnread) {
+TEST(Incremental, WhatIsAfterTheClosingMarkStaysUnread) {
   std::string text = "%\nO1\nM30\n";
   for (unsigned i = 0; i < 40; ++i)
     text += "G01 X1.\n";

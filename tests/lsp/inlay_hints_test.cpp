@@ -62,7 +62,7 @@ TEST(InlayHints, OnlyTheRangeIsLookedAt) {
   EXPECT_EQ(hints[0].text, " 2 ms");
 }
 
-TEST(InlayHints, BehindSomethingUnknownNothingIsShown) {
+TEST(InlayHints, AfterSomethingUnknownNothingIsShown) {
   EXPECT_EQ(hinted("fanuc-0m", "O1\n#1=5\nIF[#5001GT1]GOTO20\n#2=#1+1\nN20 M30\n"),
             "O1\n#1=5\nIF[#5001GT1]GOTO20\n#2=#1+1\nN20 M30\n");
 }

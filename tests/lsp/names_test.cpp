@@ -174,7 +174,7 @@ TEST(Names, ALabelIsTheSameInAllItsSpellings) {
             (Lines{1, 2}));
 }
 
-TEST(Names, AtAPlaceInFrontOfInAndBehindTheName) {
+TEST(Names, AtAPlaceBeforeInAndAfterTheName) {
   const auto text = test::markedText("fanuc-0m", "<|>N1<|>0<|> G0<|> X#10<|>1 Y1<|>0\n");
   const Names &names = text->names();
   EXPECT_TRUE(names.at(text.marks[0]));

@@ -57,7 +57,7 @@ TEST(References, OfAProgramInFurtherFiles) {
   EXPECT_EQ(placesOf(text, false, paths), (Places{"2", "O3.nc:2"}));
 }
 
-TEST(References, AreNoneWhereNoNameStands) {
+TEST(References, AreNoneWhereNoNameIs) {
   EXPECT_EQ(placesOf(test::markedText("mefi", "N10 X1<|>0\n"), true), Places());
   EXPECT_EQ(placesOf(test::markedText("ecs", "<|>"), true), Places());
 }

@@ -44,10 +44,10 @@ std::string renamed(const char *dialect, llvm::StringRef program, llvm::StringRe
   }
   const std::string after = applyEdits(text->text(), result.edits);
   const auto other = test::markedText(dialect, after, path);
-  Recorder before, behind;
+  Recorder before, renamed;
   trace(text->project(), text->unit(), {}, before);
-  trace(other->project(), other->unit(), {}, behind);
-  EXPECT_EQ(before.text(), behind.text()) << after;
+  trace(other->project(), other->unit(), {}, renamed);
+  EXPECT_EQ(before.text(), renamed.text()) << after;
   return after;
 }
 

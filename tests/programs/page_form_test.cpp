@@ -87,8 +87,28 @@ TEST(Sources, AreWrittenInPlainWords) {
       const fs::path &path = file.path();
       if (path.extension() != ".cpp" && path.extension() != ".h")
         continue;
-      EXPECT_EQ(std::vector<std::string>(), hardWords(textsOf(contentsOf(path)))) << path;
+      const std::string source = contentsOf(path);
+      EXPECT_EQ(std::vector<std::string>(), hardWords(textsOf(source))) << path;
+      EXPECT_EQ(std::vector<std::string>(), hardNames(source)) << path;
     }
+}
+
+TEST(Tests, AreWrittenInPlainWords) {
+  namespace fs = std::filesystem;
+  for (const auto &file : fs::recursive_directory_iterator(fs::path(NCVET_SOURCE_DIR) / "tests")) {
+    const fs::path &path = file.path();
+    if ((path.extension() == ".cpp" || path.extension() == ".h") && path.stem() != "plain_words" &&
+        path.stem() != "page_form_test") { // the two that know the words
+      EXPECT_EQ(std::vector<std::string>(), hardNames(contentsOf(path))) << path;
+    }
+  }
+}
+
+TEST(PlainWords, AreLookedForInsideOfNames) {
+  EXPECT_EQ(hardNames("const char *behindLineBlanks(size_t p);").size(), 1U);
+  EXPECT_EQ(hardNames("struct InFront {};").size(), 1U);
+  EXPECT_EQ(hardNames("bool standsInside_ = false;").size(), 1U);
+  EXPECT_TRUE(hardNames("understands(before, after);").empty());
 }
 
 TEST(PageOfOneControl, LeavesOutTheProgramsOfOthersAndWhatIntroducesOnlyThem) {

@@ -161,9 +161,9 @@ TEST_F(Features, TokensThatChangeAreTheWholeOnesAgain) {
   ASSERT_EQ(delta["edits"].size(), 1u);
   const Json &edit = delta["edits"][0];
   const auto begin = data.begin() + edit["start"].get<int>();
-  const auto behind = data.erase(begin, begin + edit["deleteCount"].get<int>());
+  const auto after = data.erase(begin, begin + edit["deleteCount"].get<int>());
   const std::vector<uint32_t> put = edit["data"];
-  data.insert(behind, put.begin(), put.end());
+  data.insert(after, put.begin(), put.end());
   EXPECT_EQ(Json(data), ask("semanticTokens/full")["data"]);
 }
 

@@ -333,7 +333,7 @@ TEST(LanguageServer, WrongSettingsAreSaidAndTheRestCounts) {
 
 /// Long documents are looked at before anybody asks, with every change: the answers stay those of a
 /// server that sees the text for the first time.
-TEST(LanguageServer, ALongDocumentIsAnsweredAlikeBehindManyChanges) {
+TEST(LanguageServer, ALongDocumentIsAnsweredAlikeAfterManyChanges) {
   std::string text = "%\nO1 (LONG)\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
                      "G01 Z-1. F200.\n";
   for (int i = 0; text.size() < 600000; ++i)
@@ -369,7 +369,7 @@ TEST(LanguageServer, ALongDocumentIsAnsweredAlikeBehindManyChanges) {
     fresh.initialize(Json::object(), options);
     fresh.open(path, text);
     for (const unsigned asked : {3u, 900u, 25000u})
-      EXPECT_EQ(ask(client, asked), ask(fresh, asked)) << "line " << asked << " behind " << added;
+      EXPECT_EQ(ask(client, asked), ask(fresh, asked)) << "line " << asked << " after " << added;
     if (line % 20 != 0)
       last = client.diagnostics(path, version);
     EXPECT_EQ(last, fresh.diagnostics(path)) << added;

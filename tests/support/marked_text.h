@@ -24,12 +24,12 @@ inline MarkedText markedText(llvm::StringRef dialect, llvm::StringRef program,
   MarkedText marked;
   std::string text;
   while (true) {
-    const auto [front, behind] = program.split(mark);
+    const auto [front, after] = program.split(mark);
     text += front;
     if (front.size() == program.size())
       break;
     marked.marks.push_back(uint32_t(text.size()));
-    program = behind;
+    program = after;
   }
   SessionOptions options;
   options.dialect = dialect.str();

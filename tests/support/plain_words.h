@@ -46,4 +46,30 @@ inline std::vector<std::string> hardWords(llvm::StringRef page) {
   return found;
 }
 
+/// A source in small letters with its names taken apart: `behindLineBlanks` is " behind line blanks
+/// ".
+inline std::string namesApart(llvm::StringRef source) {
+  std::string words = " ";
+  bool small = false; // the letter before
+  for (const char c : source) {
+    const bool letter = llvm::isAlpha(c), capital = letter && llvm::toLower(c) != c;
+    if (!letter || (capital && small))
+      words += ' ';
+    if (letter)
+      words += llvm::toLower(c);
+    small = letter && !capital;
+  }
+  return words + ' ';
+}
+
+/// What of the names of a source is to be said in another word.
+inline std::vector<std::string> hardNames(llvm::StringRef source) {
+  const std::string words = namesApart(source);
+  std::vector<std::string> found;
+  for (const char *word : {" behind ", " in front ", " stands ", " at hand "})
+    if (words.find(word) != std::string::npos)
+      found.push_back(word);
+  return found;
+}
+
 } // namespace ncvet::test

@@ -242,7 +242,7 @@ TEST(DialectLoader, AnUnknownWordOfTheVocabularyNamesItsLineAndWhatIsNear) {
               HasSubstr("one of any, running, clockwise, counter-clockwise, starts-itself"));
 }
 
-TEST(DialectLoader, AnUnknownKeyIsAnErrorWhereverItStands) {
+TEST(DialectLoader, AnUnknownKeyIsAnErrorWhereverItIs) {
   for (auto [codes, place] : std::initializer_list<std::pair<const char *, const char *>>{
            {R"("G01": { "tittle": "x" })", "codes.G01.tittle: unknown key; did you mean \"title\""},
            {R"("G01": { "words": { "Z": { "nead": "first" } } })", "codes.G01.words.Z.nead"},

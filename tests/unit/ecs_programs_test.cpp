@@ -74,7 +74,7 @@ TEST(EcsPrograms, RepeatsMayNestUpToTheControlsLevels) {
 }
 
 /// What `<TIM:ON>` has started may be read; before it nothing has set it.
-TEST(EcsPrograms, TheStopwatchIsReadBehindItsStart) {
+TEST(EcsPrograms, TheStopwatchIsReadAfterItsStart) {
   const auto unset = testing::Contains(testing::HasSubstr("variable-read-before-write"));
   const std::string head = "%\nN10 G16XYZ+\nN20 T1 M6\n";
   EXPECT_THAT(findings(head + "N30 R0=V1025\nN40 M30\n"), unset);

@@ -162,7 +162,7 @@ TEST_F(EcsReading, CallsNameAProgramOrTheVariableThatDoes) {
   EXPECT_NE(blocks[2].items[0].value, noExpression);
 }
 
-TEST_F(EcsReading, LabelsAreKnownByEightCharactersInFrontOfAColon) {
+TEST_F(EcsReading, LabelsAreKnownByEightCharactersBeforeAColon) {
   const auto blocks = blocksOf("[OBJECT 6]\nN10 <JMP:[F1:MAINWINDOW]>\n");
   EXPECT_TRUE(blocks[0].hasLabel());
   EXPECT_EQ(reader_->labelKey("OBJECT 6"), "OBJECT6");

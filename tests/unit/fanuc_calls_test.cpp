@@ -1,4 +1,4 @@
-// Calls of modern FANUC controls: the count in front of the number, names, blocks of the program.
+// Calls of modern FANUC controls: the count before the number, names, blocks of the program.
 #include "tests/support/written_trace.h"
 
 #include <gmock/gmock.h>

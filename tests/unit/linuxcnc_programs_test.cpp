@@ -28,7 +28,7 @@ std::vector<std::string> errors(const std::string &program) {
   return errors({{"part.ngc", program}});
 }
 
-TEST(LinuxCnc, AnAssignmentTakesEffectBehindTheWordsOfItsBlock) {
+TEST(LinuxCnc, AnAssignmentTakesEffectAfterTheWordsOfItsBlock) {
   EXPECT_THAT(errors("#1 = 5\n"
                      "#1 = 6 G0 X[1 / [#1 - 6]]\n"
                      "G0 X[1 / [#1 - 6]]\n"

@@ -28,7 +28,7 @@ std::vector<std::string> findings(const std::string &program, const std::string 
   return all;
 }
 
-TEST(MefiPrograms, AByteOrderMarkIsNoTextInFrontOfTheFirstBlock) {
+TEST(MefiPrograms, AByteOrderMarkIsNoTextBeforeTheFirstBlock) {
   const std::string program = "N PROGRAM\nN10 G0 X0\nN ENDPROGRAM\n";
   EXPECT_THAT(findings("\xEF\xBB\xBF" + program),
               Not(Contains(HasSubstr("program-block-number-order"))));
@@ -84,7 +84,7 @@ TEST(MefiPrograms, AStaleValueIsThatOfTheCycleThatItWasGivenFor) {
 
 /// A block in which a cycle runs unasked is told so once, by the rule that knows it best.
 TEST(MefiPrograms, ABlockUnderACycleIsToldOnceThatItDrills) {
-  const auto behind = [](const char *block) {
+  const auto after = [](const char *block) {
     return findings("N PROGRAM\n"
                     "N10 G0 G17 G90 G94 G54 X0 Y0 Z50\n"
                     "N20 T4 M06\n"
@@ -94,21 +94,21 @@ TEST(MefiPrograms, ABlockUnderACycleIsToldOnceThatItDrills) {
                     std::string(block) + "\nN60 G80\nN70 M5\nN ENDPROGRAM\n");
   };
   for (const char *block : {"M5", "T5", "R31=-20", "M00", "F80"})
-    EXPECT_THAT(behind(block), Not(Contains(HasSubstr("cycle-hole-drilled-twice")))) << block;
-  EXPECT_THAT(behind("M5"), Not(Contains(HasSubstr("cycle-left-active"))));
-  EXPECT_THAT(behind("M5"), Contains(HasSubstr("6 spindle-off-while-cutting")));
-  EXPECT_THAT(behind("T5"), Contains(HasSubstr("6 cycle-left-active")));
-  EXPECT_THAT(behind("R31=-20"), Contains(HasSubstr("6 mefi-cycle-fires-on-empty-block")));
+    EXPECT_THAT(after(block), Not(Contains(HasSubstr("cycle-hole-drilled-twice")))) << block;
+  EXPECT_THAT(after("M5"), Not(Contains(HasSubstr("cycle-left-active"))));
+  EXPECT_THAT(after("M5"), Contains(HasSubstr("6 spindle-off-while-cutting")));
+  EXPECT_THAT(after("T5"), Contains(HasSubstr("6 cycle-left-active")));
+  EXPECT_THAT(after("R31=-20"), Contains(HasSubstr("6 mefi-cycle-fires-on-empty-block")));
 }
 
 /// What is before a piece of a program may have started the spindle.
 TEST(MefiPrograms, AFragmentMayHaveASpindleThatTurns) {
-  const auto stands = Contains(HasSubstr("spindle-off-while-cutting"));
-  EXPECT_THAT(findings("N10 G0 X20\nN20 G1 X40 F120\nN30 Y40\n"), Not(stands));
-  EXPECT_THAT(findings("N10 G81 F100 R30=2 R31=-15 R32=10\nN20 G80\n"), Not(stands));
-  EXPECT_THAT(findings("N10 M5\nN20 G1 X40 F120\n"), stands);
-  EXPECT_THAT(findings("N10 S500\nN20 G1 X40 F120\n"), stands);
-  EXPECT_THAT(findings("N10 G0 X20\nN20 G1 X40 F120\nN30 M30\n"), stands);
+  const auto stopped = Contains(HasSubstr("spindle-off-while-cutting"));
+  EXPECT_THAT(findings("N10 G0 X20\nN20 G1 X40 F120\nN30 Y40\n"), Not(stopped));
+  EXPECT_THAT(findings("N10 G81 F100 R30=2 R31=-15 R32=10\nN20 G80\n"), Not(stopped));
+  EXPECT_THAT(findings("N10 M5\nN20 G1 X40 F120\n"), stopped);
+  EXPECT_THAT(findings("N10 S500\nN20 G1 X40 F120\n"), stopped);
+  EXPECT_THAT(findings("N10 G0 X20\nN20 G1 X40 F120\nN30 M30\n"), stopped);
 }
 
 } // namespace

@@ -118,7 +118,7 @@ TEST(TextReportTest, HasTheLayoutOfClang) {
             "programs/sub.nc:2:8: fix: write X100.\n");
 }
 
-TEST(TextReportTest, CaretsStandUnderTheRangeBehindUmlautsAndTabs) {
+TEST(TextReportTest, CaretsAreUnderTheRangeAfterUmlautsAndTabs) {
   EXPECT_EQ(excerptOf("(\xC3\xB6\xC3\xB6) X1 Y2\n", "X1"), "   1 | (\xC3\xB6\xC3\xB6) X1 Y2\n"
                                                            "     |      ^~\n");
   EXPECT_EQ(excerptOf("(\xF6\xF6) X1 Y2\n", "X1"), "   1 | (\xC3\xB6\xC3\xB6) X1 Y2\n"

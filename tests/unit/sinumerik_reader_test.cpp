@@ -117,7 +117,7 @@ TEST_F(SinumerikReading, ComparisonsJoinedByAndAreDecidedByThePriorities) {
     EXPECT_EQ(valueOf(blocks[i], blocks[i].items[0].value), wanted[i]) << i;
 }
 
-TEST_F(SinumerikReading, JumpsMayStandSeveralInABlock) {
+TEST_F(SinumerikReading, JumpsMayBeSeveralInABlock) {
   const Block block = blockOf("N120 IF R1==1 GOTOF DONE IF R1==2 GOTOB N100\n");
   ASSERT_EQ(block.items.size(), 4u);
   EXPECT_EQ(block.items[1].jump, JumpKind::Forward);

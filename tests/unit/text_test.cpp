@@ -138,7 +138,7 @@ TEST(LineIndexTest, FindsTheBeginOfEveryLine) {
   }
 }
 
-TEST(LineIndexTest, GoesOnBehindAChangeOfTheText) {
+TEST(LineIndexTest, GoesOnAfterAChangeOfTheText) {
   std::mt19937 random(3);
   const auto below = [&](size_t limit) { return limit == 0 ? 0 : size_t(random()) % limit; };
   std::string text;

@@ -51,7 +51,7 @@ TEST(Trace, ABranchIsChosenByComparisonsJoinedByAnd) {
 }
 
 /// Every block with a motion runs the program that `MCALL` names; its own motions do not.
-TEST(Trace, ModalCallsRunBehindMoves) {
+TEST(Trace, ModalCallsRunAfterMoves) {
   EXPECT_THAT(traceOf("sinumerik", {{"PART.MPF", "G17 G90 G0 X0 Y0 Z20\n"
                                                  "MCALL NOTCH(-3)\n"
                                                  "X10\n"
@@ -248,7 +248,7 @@ TEST(Trace, RoughingWithoutTheSettingKeepsItsLevels) {
 
 /// A pocket after a shoulder is cut level by level from above; the tool crosses the shoulder above
 /// it. The control runs the contour itself after the cycle.
-TEST(Trace, APocketIsRoughedBehindItsShoulder) {
+TEST(Trace, APocketIsRoughedAfterItsShoulder) {
   EXPECT_THAT(
       traceOf("nct-104t", "%O1\nG0 X30 Z2\nG71 U5 R1\nG71 P10 Q20 U0 W0 F0.2\n"
                           "N10 G0 X20 Z2\nG1 Z-10\nX10 Z-15\nZ-20\nN20 X30\nM30\n%\n"),
@@ -318,7 +318,7 @@ TEST(Trace, AThreadIsCutInPassesThatGetSmaller) {
 }
 
 /// Micrometres, and a run-out of 1.2 leads taken off the end.
-TEST(Trace, AThreadRunsOutInFrontOfItsEnd) {
+TEST(Trace, AThreadRunsOutBeforeItsEnd) {
   EXPECT_THAT(traceOf("fanuc-0t", "S600 M3\nG0 X30. Z4.\nG78 P011200 Q100 R0.\n"
                                   "G78 X18. Z-20. P1000 Q1000 F2.\nM30\n"),
               ElementsAre("2 rapid X30 Z4", "4 rapid X18 Z4", "4 thread X18 Z-17.6",
@@ -722,15 +722,15 @@ TEST(Trace, KeptModesComeBack) {
 }
 
 /// As rs274 goes on after them: from where the last pass ends.
-TEST(Trace, BehindPassesAlongAContourTheToolIsWhereTheLastOneEnds) {
+TEST(Trace, AfterPassesAlongAContourTheToolIsWhereTheLastOneEnds) {
   const std::string head = "G21 G18 G7 G90 F100\nO200 sub\nG1 X20 Z-5\nG1 Z-20\nG1 X30\n"
                            "O200 endsub\nG0 X40 Z2\n";
-  const auto behind = [&](const std::string &cycle) {
+  const auto after = [&](const std::string &cycle) {
     return only(traceOf("linuxcnc", head + cycle + "\nG91 G0 X2\nM2\n"), "9 ");
   };
-  EXPECT_THAT(behind("G71 Q200 X34 Z-1 D0.5 I4 R0.5"), ElementsAre("9 rapid X18 Z-19.5"));
-  EXPECT_THAT(behind("G70 Q200 X34 Z-1"), ElementsAre("9 rapid X16 Z-20"));
-  EXPECT_THAT(behind("G70 Q200 X34 Z-1 D[#31]"), ElementsAre("9 rapid")); // nobody knows #31
+  EXPECT_THAT(after("G71 Q200 X34 Z-1 D0.5 I4 R0.5"), ElementsAre("9 rapid X18 Z-19.5"));
+  EXPECT_THAT(after("G70 Q200 X34 Z-1"), ElementsAre("9 rapid X16 Z-20"));
+  EXPECT_THAT(after("G70 Q200 X34 Z-1 D[#31]"), ElementsAre("9 rapid")); // nobody knows #31
 }
 
 TEST(Trace, StoredPlacesAreOnTheMachine) {
@@ -805,7 +805,7 @@ TEST(Trace, DiametersDwellsPlacesAndDistances) {
 }
 
 /// Round the centre on which the tool is, at each depth; it stays down there.
-TEST(Trace, MillsACircularPocketWhereTheToolStands) {
+TEST(Trace, MillsACircularPocketWhereTheToolIs) {
   const std::string tool = R"({"tools": {"1": {"kind": "endmill", "radius": 5}}})";
   EXPECT_THAT(traceOf("haas-mill",
                       "O1\nG21 G90 G54 T1 M6\nG0 X10. Y20. Z2.\n"

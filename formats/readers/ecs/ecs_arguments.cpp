@@ -106,8 +106,8 @@ Argument EcsScanner::scanArgument(char separator, bool named) {
     return argument;
   }
   const llvm::StringRef symbol = name();
-  const char *const behind = behindBlanks(symbol.end());
-  const bool ends = endsArgument(behind);
+  const char *const after = afterBlanks(symbol.end());
+  const bool ends = endsArgument(after);
   // A symbol: ON, an axis, a name. `R12` is a variable.
   const bool variable = symbol.size() > 1 && (symbol[0] | 32) == 'r' &&
                         llvm::all_of(symbol.drop_front(), isNumberDigit);
@@ -124,10 +124,10 @@ Argument EcsScanner::scanArgument(char separator, bool named) {
     argument.end = offset(at_);
     return argument;
   }
-  if (!named && !symbol.empty() && isLetter(symbol[0]) && behind < end_ && *behind == '=') {
+  if (!named && !symbol.empty() && isLetter(symbol[0]) && after < end_ && *after == '=') {
     argument.nameBegin = argument.begin; // `AX=X`
     argument.nameEnd = offset(symbol.end());
-    at_ = behind + 1;
+    at_ = after + 1;
     skipBlanks();
     Argument value = scanArgument(separator, true);
     value.nameBegin = argument.nameBegin;

@@ -31,7 +31,7 @@ Op functionOf(llvm::StringRef upper) {
 } // namespace
 
 /// After what belongs to a bad expression: at a separator or bracket outside of its own.
-ExpressionParser::Rest EcsExpression::behindBad(const char *begin) const {
+ExpressionParser::Rest EcsExpression::afterBad(const char *begin) const {
   int depth = 0;
   const char *p = begin;
   for (; p < end_ && !isLineEnd(*p) && *p != '{'; ++p) {
@@ -53,7 +53,7 @@ uint16_t EcsExpression::read(Parse parse) {
   Expression result = open();
   const char *const begin = at_;
   if (!parse())
-    fail(result, behindBad(begin));
+    fail(result, afterBad(begin));
   return close(result);
 }
 
@@ -76,7 +76,7 @@ void EcsExpression::ambiguous(const char *begin) {
   issue(SyntaxIssueKind::AmbiguousExpression, begin, at_);
 }
 
-BinaryOperator EcsExpression::binaryAtHand() const {
+BinaryOperator EcsExpression::nextBinary() const {
   if (at_ == end_)
     return {};
   switch (*at_) {
@@ -113,7 +113,7 @@ bool EcsExpression::sum(unsigned depth) {
     return true;
   };
   return product(depth) && operators(
-                               sumStrength, [this] { return binaryAtHand(); }, apply);
+                               sumStrength, [this] { return nextBinary(); }, apply);
 }
 
 bool EcsExpression::product(unsigned depth) {
@@ -133,7 +133,7 @@ bool EcsExpression::product(unsigned depth) {
     return true;
   };
   return factor(depth) && operators(
-                              productStrength, [this] { return binaryAtHand(); }, apply);
+                              productStrength, [this] { return nextBinary(); }, apply);
 }
 
 /// The sign binds more than the power: -2**2 is -4.
@@ -147,7 +147,7 @@ bool EcsExpression::factor(unsigned depth) {
     at_ += dash ? dash : 1;
     if (dash)
       issue(SyntaxIssueKind::TypographicMinus, at, at_);
-    else if (const char *const digits = behindBlanks(at_);
+    else if (const char *const digits = afterBlanks(at_);
              digits > at_ && digits < end_ && isNumberDigit(*digits))
       issue(SyntaxIssueKind::BlankInNumber, at, digits + 1);
     const bool atomic = at_ < end_ && *at_ != '(';
@@ -223,10 +223,10 @@ uint64_t EcsExpression::variable() {
 bool EcsExpression::name(unsigned depth) {
   const char *const begin = at_;
   const llvm::StringRef word = llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNameCharacter);
-  const char *const behind = behindSpaces(word.end());
-  if (!word.empty() && behind < end_ && *behind == '(') {
+  const char *const after = afterSpaces(word.end());
+  if (!word.empty() && after < end_ && *after == '(') {
     const Op function = functionOf(word.upper());
-    at_ = behind + 1;
+    at_ = after + 1;
     if (!sum(depth + 1) || !take(')'))
       return false;
     if (function == Op::Unknown) {

@@ -19,9 +19,9 @@ public:
 private:
   template <typename Parse>
   uint16_t read(Parse parse);
-  Rest behindBad(const char *begin) const;
+  Rest afterBad(const char *begin) const;
   void ambiguous(const char *begin); ///< what was read since `begin` may be grouped otherwise
-  BinaryOperator binaryAtHand() const;
+  BinaryOperator nextBinary() const;
   bool sum(unsigned depth);
   bool product(unsigned depth);
   bool factor(unsigned depth);

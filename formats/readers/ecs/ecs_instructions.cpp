@@ -46,10 +46,10 @@ void EcsScanner::scanAngle() {
     closeAngle(begin);
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
   }
-  const char *const behind = behindBlanks(word.end());
-  const char c = behind < end_ ? *behind : '\n';
+  const char *const after = afterBlanks(word.end());
+  const char c = after < end_ ? *after : '\n';
   if (c == '=') {
-    at_ = behind + 1;
+    at_ = after + 1;
     if (isInstruction(word)) { // `<JMP=N40>`: read as what it is meant for
       issue(SyntaxIssueKind::MissingEquals, begin, at_);
       return scanInstruction(begin, word);
@@ -57,18 +57,18 @@ void EcsScanner::scanAngle() {
     return scanVariable(begin, word);
   }
   if (c == '<' && (word.equals_insensitive("IFF") || word.equals_insensitive("IFC"))) {
-    at_ = behind;
+    at_ = after;
     return scanChoice(begin, word.equals_insensitive("IFC"));
   }
   if (c == ':') {
-    at_ = behind + 1;
+    at_ = after + 1;
     if (!isInstruction(word) && isVariable(word) && dialect_.keyword(word.upper()) == noCode) {
       issue(SyntaxIssueKind::MissingEquals, begin, at_); // `<ENT:-5>`
       return scanVariable(begin, word);
     }
     return scanInstruction(begin, word);
   }
-  at_ = behind;
+  at_ = after;
   const CodeIndex code = dialect_.keyword(word);
   closeAngle(begin);
   if (code != noCode)
@@ -85,12 +85,12 @@ void EcsScanner::scanVariable(const char *begin, llvm::StringRef variable) {
   Word word;
   word.address = variableAddress;
   const llvm::StringRef symbol = name();
-  const char *const behind = behindBlanks(symbol.end());
+  const char *const after = afterBlanks(symbol.end());
   if (atLineEnd() || *at_ == '>') {
     word.flags = wordNoValue;
     issue(SyntaxIssueKind::MissingValue, begin, at_);
-  } else if (symbol.size() == 3 && symbol.startswith_insensitive("CF") && behind < end_ &&
-             *behind == '>') {
+  } else if (symbol.size() == 3 && symbol.startswith_insensitive("CF") && after < end_ &&
+             *after == '>') {
     // The name of an axis is its own value; as a number it is its key.
     item.value = constant(symbol.begin(), symbol.end(), double(variableKey(symbol)));
     word.flags = wordExpression;
@@ -101,7 +101,7 @@ void EcsScanner::scanVariable(const char *begin, llvm::StringRef variable) {
     const char *number = nullptr;
     if (isNumberDigit(*at_) || *at_ == '-')
       number = readPlainNumber(at_, end_, word);
-    const char *const next = number ? behindBlanks(number) : nullptr;
+    const char *const next = number ? afterBlanks(number) : nullptr;
     if (next && next < end_ && *next == '>') {
       at_ = number;
       item.value = constant(from, number, word.value());
@@ -213,8 +213,8 @@ void EcsScanner::scanInput(const char *begin) {
   Item item = itemAt(ItemKind::Input, begin);
   Argument prompt = scanArgument(0);
   bool complete = prompt.kind == ArgumentKind::Text;
-  if (const char behind = scanSeparator()) {
-    prompt.separator = behind;
+  if (const char after = scanSeparator()) {
+    prompt.separator = after;
     skipBlanks();
     item.nameBegin = offset(at_);
     item.target = parsed(&EcsExpression::parseTarget);

@@ -49,7 +49,7 @@ bool EcsScanner::beginsNextBlock() {
   const char *const begin = at_++;
   skipBlanks();
   const std::string key = name().upper();
-  at_ = behindBlanks(at_ + key.size());
+  at_ = afterBlanks(at_ + key.size());
   bool begins = false;
   if (!key.empty() && at_ < end_ && *at_ == ':') {
     ++at_;

@@ -24,7 +24,7 @@ bool EcsScanner::scanNumberOfBlock(const char *begin) {
     issue(SyntaxIssueKind::MalformedNumber, begin, at_);
     return true;
   }
-  if (const char *const value = behindBlanks(next);
+  if (const char *const value = afterBlanks(next);
       value < end_ && isNumberDigit(*value) && startsBlock() && block_.number < 0) {
     at_ = value;
     const int64_t number = takeWhole();
@@ -82,13 +82,13 @@ void EcsScanner::scanLetter() {
     const char *p = next;
     while (p < end_ && isNumberDigit(*p))
       ++p;
-    const char *const sign = behindBlanks(p);
+    const char *const sign = afterBlanks(p);
     if (p > next && sign < end_ && *sign == '=')
       return scanAssignment(begin);
     break;
   }
   case 'L': {
-    const char *const open = behindBlanks(next);
+    const char *const open = afterBlanks(next);
     if (open < end_ && *open == '<') {
       at_ = open;
       return scanCall(begin);
@@ -104,7 +104,7 @@ void EcsScanner::scanLetter() {
     break;
   case 'G':
     if (end_ - next > 2 && next[0] == '1' && next[1] == '6')
-      if (const char *const axes = behindBlanks(next + 2); axes < end_ && isLetter(*axes))
+      if (const char *const axes = afterBlanks(next + 2); axes < end_ && isLetter(*axes))
         return scanPlane(begin);
     break;
   default:
@@ -116,7 +116,7 @@ void EcsScanner::scanLetter() {
 
 /// `G16XYZ+`: a free plane, its axis and direction. A minus after it is a separate code.
 void EcsScanner::scanPlane(const char *begin) {
-  at_ = behindBlanks(begin + 3);
+  at_ = afterBlanks(begin + 3);
   const char *const axes = at_;
   while (at_ < end_ && isLetter(*at_))
     ++at_;
@@ -173,8 +173,8 @@ void EcsScanner::scanValue(AddressId address, const char *begin) {
   Word word;
   word.address = address;
   if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
-    if (const char *const behind = readPlainNumber(at_, end_, word)) {
-      at_ = behind;
+    if (const char *const after = readPlainNumber(at_, end_, word)) {
+      at_ = after;
       // `G54.01`: two digits after the point are a separate number.
       if (address == letterAddress('G') && word.decimals == 2)
         if (const CodeIndex code = dialect_.keyword({begin, size_t(at_ - begin)}); code != noCode)
@@ -189,7 +189,7 @@ void EcsScanner::scanValue(AddressId address, const char *begin) {
       return;
     }
   }
-  const char *const value = behindBlanks(at_);
+  const char *const value = afterBlanks(at_);
   const char c = value < end_ ? *value : '\n';
   if (c == '=' || c == '<') {
     // After K, and where axes are only named, a bracket is a separate item.
@@ -240,7 +240,7 @@ void EcsScanner::scanElement(const char *begin) {
   ++at_;
   word.mantissa = takeWhole(1'000'000'000);
   addWord(word, begin);
-  const char *const sign = behindBlanks(at_);
+  const char *const sign = afterBlanks(at_);
   if (sign == end_ || *sign != '=')
     return;
   // What defines it moves nothing: its words are its own.

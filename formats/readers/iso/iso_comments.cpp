@@ -45,7 +45,7 @@ void IsoScanner::scanNestedComment(const char *begin, const char *inner, const c
 void IsoScanner::scanLineComment() {
   const char *const begin = at_;
   const char *const line = lineEnd();
-  if (behindBlanks(at_ + 1) < line)
+  if (afterBlanks(at_ + 1) < line)
     block_.comments.push_back({offset(begin), offset(line)});
   at_ = line;
 }
@@ -60,7 +60,7 @@ void IsoScanner::nameCallee(const char *begin) {
   constexpr int64_t subprogram = 98, macro = 65;
   const bool calls = (last.address == letterAddress('M') && last.mantissa == subprogram) ||
                      (last.address == letterAddress('G') && last.mantissa == macro);
-  if (!calls || behindBlanks(base_ + block_.endOf(last)) != begin)
+  if (!calls || afterBlanks(base_ + block_.endOf(last)) != begin)
     return;
   block_.nameBegin = offset(begin) + 1;
   block_.nameEnd = offset(at_) - 1;

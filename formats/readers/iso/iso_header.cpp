@@ -7,7 +7,7 @@ namespace ncvet {
 void IsoScanner::scanTape() {
   const char *const begin = at_++;
   block_.kind = BlockKind::Tape;
-  const char *const after = behindBlanks(at_);
+  const char *const after = afterBlanks(at_);
   if (lexical_.percentHeader && after < end_ &&
       (*after == 'O' || *after == 'o' || *after == ':' || isNumberDigit(*after))) {
     at_ = after;

@@ -38,7 +38,7 @@ inline void IsoScanner::scanLetter() {
       return;
   }
   if (upper == 'O' && startsBlock()) {
-    const char *const p = behindBlanks(at_ + 1);
+    const char *const p = afterBlanks(at_ + 1);
     if (p < end_ && isNumberDigit(*p))
       return scanHeader(begin);
     if (p < end_ && *p == '<' && scanName(begin, p))

@@ -128,21 +128,21 @@ inline void IsoScanner::scanWord(AddressId address, const char *begin) {
 inline bool IsoScanner::continuesAfterBlanks(const char *p) const {
   if (!lexical_.freeNumbers || p >= end_ || !isLineBlank(*p))
     return false;
-  p = behindBlanks(p);
+  p = afterBlanks(p);
   return p < end_ && (isNumberDigit(*p) || *p == '.');
 }
 
 /// The usual number; false, with nothing read, for every other one.
 inline bool IsoScanner::scanPlainNumber(Word &word) {
   const Word before = word;
-  const char *const behind = readPlainNumber(at_, end_, word);
-  if (!behind)
+  const char *const after = readPlainNumber(at_, end_, word);
+  if (!after)
     return false;
-  if (continuesAfterBlanks(behind)) {
+  if (continuesAfterBlanks(after)) {
     word = before;
     return false;
   }
-  at_ = behind;
+  at_ = after;
   return true;
 }
 

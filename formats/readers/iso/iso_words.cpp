@@ -29,7 +29,7 @@ bool IsoScanner::opensExpression(const char *p) const {
   const char *const name = p;
   while (p < end_ && isLetter(*p))
     ++p;
-  return p - name > 1 && behindBlanks(p) < end_ && *behindBlanks(p) == '[';
+  return p - name > 1 && afterBlanks(p) < end_ && *afterBlanks(p) == '[';
 }
 
 /// Whether the signs that are here belong to an expression.

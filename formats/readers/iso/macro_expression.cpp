@@ -100,7 +100,7 @@ BinaryOperator ngcBinaryAt(llvm::StringRef text) {
 } // namespace
 
 /// After what belongs to a bad expression: at the next blank outside brackets.
-ExpressionParser::Rest MacroExpression::behindBad(const char *begin) const {
+ExpressionParser::Rest MacroExpression::afterBad(const char *begin) const {
   int depth = 0;
   const char *p = begin;
   for (; p < end_ && !isLineEnd(*p) && *p != '(' && *p != ';'; ++p) {
@@ -149,7 +149,7 @@ uint16_t MacroExpression::parse(Form form, Arithmetic arithmetic) {
     break;
   }
   if (!good)
-    fail(result, behindBad(begin));
+    fail(result, afterBad(begin));
   return close(result);
 }
 
@@ -223,7 +223,7 @@ bool MacroExpression::operand(unsigned depth) {
   if (*at_ == '#')
     return variable(depth);
   if (*at_ == '[') {
-    const char *const inside = behindBlanks(at_ + 1);
+    const char *const inside = afterBlanks(at_ + 1);
     if (names_ && inside + 1 < end_ && *inside == '#' && (inside[1] == '_' || isLetter(inside[1])))
       return bracketedName(Op::Variable);
     ++at_;
@@ -354,12 +354,12 @@ bool MacroExpression::function30(unsigned depth, bool &good) {
   constexpr llvm::StringLiteral asks[] = {"AXNUM", "AX", "PRM"};
   const llvm::StringRef rest(at_, size_t(end_ - at_));
   const auto opens = [&](llvm::StringRef name) {
-    const char *const bracket = behindSpaces(at_ + std::min(name.size(), rest.size()));
+    const char *const bracket = afterSpaces(at_ + std::min(name.size(), rest.size()));
     return beginsWith(rest, name) && bracket < end_ && *bracket == '[';
   };
   for (const llvm::StringLiteral name : asks)
     if (opens(name)) {
-      at_ = behindSpaces(at_ + name.size());
+      at_ = afterSpaces(at_ + name.size());
       good = passBrackets();
       if (good && at_ + 1 < end_ && *at_ == '/' && at_[1] == '[') { // PRM[1320]/[2]
         ++at_;
@@ -370,7 +370,7 @@ bool MacroExpression::function30(unsigned depth, bool &good) {
     }
   if (!opens("POW"))
     return false;
-  at_ = behindSpaces(at_ + 3) + 1;
+  at_ = afterSpaces(at_ + 3) + 1;
   good = group(depth + 1) && take(',') && group(depth + 1) && take(']');
   emit(Op::Power, at);
   return true;
@@ -391,7 +391,7 @@ bool MacroExpression::number() {
   bool any = false;
   // Blanks inside a number do not count where the language has none.
   const auto pass = [&] {
-    const char *const p = ngc_ ? behindBlanks(at_) : at_;
+    const char *const p = ngc_ ? afterBlanks(at_) : at_;
     if (p < end_ && (isNumberDigit(*p) || *p == '.'))
       at_ = p;
   };
@@ -426,7 +426,7 @@ bool MacroExpression::function(unsigned depth) {
   for (const FunctionName &entry : functions) {
     if (!beginsWith({at_, size_t(end_ - at_)}, entry.name))
       continue;
-    const char *const bracket = behindSpaces(at_ + entry.name.size());
+    const char *const bracket = afterSpaces(at_ + entry.name.size());
     if (bracket == end_ || *bracket != '[')
       continue;
     at_ = bracket + 1;

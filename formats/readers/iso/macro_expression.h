@@ -22,7 +22,7 @@ public:
   uint16_t parse(Form form, Arithmetic arithmetic);
 
 private:
-  Rest behindBad(const char *begin) const;
+  Rest afterBad(const char *begin) const;
   /// What a pair of brackets holds.
   bool group(unsigned depth);
   bool level(unsigned depth, unsigned strength);

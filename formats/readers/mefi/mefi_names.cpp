@@ -5,13 +5,13 @@ namespace ncvet {
 
 void MefiScanner::scanName() {
   const llvm::StringRef name = takeName();
-  const char *const behind = behindLineBlanks(at_);
-  if (behind < end_ && *behind == '=') {
-    at_ = behind + 1;
+  const char *const after = afterLineBlanks(at_);
+  if (after < end_ && *after == '=') {
+    at_ = after + 1;
     return scanAssignment(name);
   }
-  const bool call = behind < end_ && *behind == '(';
-  const CodeIndex code = codeNamed(name, behind);
+  const bool call = after < end_ && *after == '(';
+  const CodeIndex code = codeNamed(name, after);
   if (code != noCode) {
     Word word;
     word.address = keywordAddress;
@@ -19,7 +19,7 @@ void MefiScanner::scanName() {
     addWord(word, name.begin());
   }
   if (call) {
-    at_ = behind;
+    at_ = after;
     scanCall(name);
   }
   if (code == noCode)
@@ -27,10 +27,10 @@ void MefiScanner::scanName() {
 }
 
 /// The code with this name. A call has an entry for each program that it may name:
-/// `CALLCYCLE(CYC_COPY)`; `behind` is the place after the name.
-CodeIndex MefiScanner::codeNamed(llvm::StringRef name, const char *behind) const {
-  if (behind < end_ && *behind == '(') {
-    const llvm::StringRef program = llvm::StringRef(behind + 1, size_t(end_ - behind - 1))
+/// `CALLCYCLE(CYC_COPY)`; `after` is the place after the name.
+CodeIndex MefiScanner::codeNamed(llvm::StringRef name, const char *after) const {
+  if (after < end_ && *after == '(') {
+    const llvm::StringRef program = llvm::StringRef(after + 1, size_t(end_ - after - 1))
                                         .ltrim(" \t")
                                         .take_while(isNameCharacter);
     const CodeIndex code = dialect_.keyword((name + "(" + program + ")").str());

@@ -23,12 +23,12 @@ private:
 
   llvm::StringRef rest() const { return {at_, size_t(end_ - at_)}; }
   /// The place after the blanks at `p`; the line goes on there.
-  const char *behindLineBlanks(const char *p) const {
+  const char *afterLineBlanks(const char *p) const {
     while (p < end_ && (*p == ' ' || *p == '\t'))
       ++p;
     return p;
   }
-  void skipLineBlanks() { at_ = behindLineBlanks(at_); }
+  void skipLineBlanks() { at_ = afterLineBlanks(at_); }
   llvm::StringRef takeName() {
     const llvm::StringRef name = rest().take_while(isNameCharacter);
     at_ = name.end();
@@ -66,7 +66,7 @@ private:
 
   // mefi_names.cpp
   void scanName();
-  CodeIndex codeNamed(llvm::StringRef name, const char *behind) const;
+  CodeIndex codeNamed(llvm::StringRef name, const char *after) const;
   void scanCall(llvm::StringRef name);
   Word scanArgument(Argument &argument);
 

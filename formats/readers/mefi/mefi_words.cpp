@@ -28,18 +28,18 @@ bool MefiScanner::scanParameter() {
   const llvm::StringRef name(at_, 1 + rest().drop_front().take_while(isNumberDigit).size());
   if (name.size() == 1)
     return false;
-  const char *const behind = behindLineBlanks(name.end());
-  if (behind < end_ && *behind == '=') {
-    at_ = behind + 1;
+  const char *const after = afterLineBlanks(name.end());
+  if (after < end_ && *after == '=') {
+    at_ = after + 1;
     scanAssignment(name);
     return true;
   }
-  const char *digit = behind;
+  const char *digit = after;
   while (digit < end_ && (*digit == '-' || *digit == '+'))
     ++digit;
   if (digit == name.end() || digit == end_ || !isNumberDigit(*digit) || !isParameter(name))
     return false;
-  at_ = behind;
+  at_ = after;
   scanAssignment(name);
   issue(SyntaxIssueKind::MissingEquals, name.begin(), at_);
   return true;
@@ -62,8 +62,8 @@ bool MefiScanner::scanLetterNumber() {
     return false;
   while (++at_ < end_ && (*at_ == 'O' || *at_ == 'o' || *at_ == '.' || isNumberDigit(*at_)))
     ;
-  const char *const behind = behindLineBlanks(at_);
-  if (behind < end_ && (*behind == '=' || *behind == '(')) {
+  const char *const after = afterLineBlanks(at_);
+  if (after < end_ && (*after == '=' || *after == '(')) {
     at_ = begin;
     return false;
   }

@@ -36,10 +36,10 @@ void SinumerikScanner::scanCode(CodeIndex code, llvm::StringRef name) {
   word.address = keywordAddress;
   word.mantissa = code;
   addWord(word, name.begin());
-  const char *const behind = behindBlanks(at_);
-  if (behind == end_ || *behind != '(')
+  const char *const after = afterBlanks(at_);
+  if (after == end_ || *after != '(')
     return;
-  at_ = behind;
+  at_ = after;
   Item item = itemAt(ItemKind::Instruction, name.begin());
   item.nameBegin = item.begin;
   item.nameEnd = offset(name.end());
@@ -50,14 +50,14 @@ void SinumerikScanner::scanCode(CodeIndex code, llvm::StringRef name) {
 /// A call of program `name`, which comes before: arguments and passes.
 void SinumerikScanner::scanCall(llvm::StringRef name, Item &item) {
   nameItem(item, name);
-  const char *behind = behindBlanks(at_);
-  if (behind < end_ && *behind == '(') {
-    at_ = behind;
+  const char *after = afterBlanks(at_);
+  if (after < end_ && *after == '(') {
+    at_ = after;
     scanArguments(item, /*words=*/false);
-    behind = behindBlanks(at_);
+    after = afterBlanks(at_);
   }
-  if (behind + 1 < end_ && (*behind | 32) == 'p') {
-    const char *const value = behindBlanks(behind + 1);
+  if (after + 1 < end_ && (*after | 32) == 'p') {
+    const char *const value = afterBlanks(after + 1);
     if (value < end_ && (isNumberDigit(*value) || *value == '-' || isEquals(value))) {
       at_ = value + (*value == '=');
       item.count = expression();
@@ -115,7 +115,7 @@ void SinumerikScanner::scanText(Argument &argument) {
   const auto text = scanString();
   if (!text)
     return;
-  const char *const next = behindBlanks(at_);
+  const char *const next = afterBlanks(at_);
   if (next < end_ && (*next == ',' || *next == ')')) {
     argument.kind = ArgumentKind::Text;
     argument.begin = offset(text->begin());
@@ -137,10 +137,10 @@ void SinumerikScanner::scanArgument(Item &item, char separator, bool words) {
   word.address = argumentAddress;
   if (const llvm::StringRef name = identifier(); !name.empty() && !isNumberDigit(name[0])) {
     // A name before the value.
-    const char *const behind = behindBlanks(name.end());
-    if (isEquals(behind)) {
-      issue(SyntaxIssueKind::NamedArgument, begin, behind + 1);
-      at_ = behind + 1;
+    const char *const after = afterBlanks(name.end());
+    if (isEquals(after)) {
+      issue(SyntaxIssueKind::NamedArgument, begin, after + 1);
+      at_ = after + 1;
       skipBlanks();
       begin = at_;
     }
@@ -157,14 +157,14 @@ void SinumerikScanner::scanArgument(Item &item, char separator, bool words) {
     word.flags = wordExpression;
     word.mantissa = opaque(begin, at_);
   } else {
-    const char *const behind = (isNumberDigit(*at_) || *at_ == '-') && words
-                                   ? readPlainNumber<true>(at_, end_, word)
-                                   : nullptr;
-    const char *const next = behind ? behindBlanks(behind) : nullptr;
+    const char *const after = (isNumberDigit(*at_) || *at_ == '-') && words
+                                  ? readPlainNumber<true>(at_, end_, word)
+                                  : nullptr;
+    const char *const next = after ? afterBlanks(after) : nullptr;
     argument.kind = ArgumentKind::Expression;
     if (next && next < end_ && (*next == ')' || *next == ',')) {
-      at_ = behind;
-      argument.expression = constant(begin, behind, word.value());
+      at_ = after;
+      argument.expression = constant(begin, after, word.value());
     } else {
       const size_t issues = block_.issues.size();
       argument.expression = expression();
@@ -190,9 +190,9 @@ void SinumerikScanner::scanModalCall(const char *begin, llvm::StringRef name) {
   if (atBlockEnd())
     return;
   const llvm::StringRef called = identifier();
-  const char *const behind = behindBlanks(called.end());
+  const char *const after = afterBlanks(called.end());
   const bool isProgram = called.size() > 1 && codeNamed(called) == noCode &&
-                         sinumerikKeyword(called) == Keyword::None && !isEquals(behind) &&
+                         sinumerikKeyword(called) == Keyword::None && !isEquals(after) &&
                          (isNameLetter(called[1]) || (called[0] | 32) == 'l');
   if (!isProgram)
     return;
@@ -246,7 +246,7 @@ void SinumerikScanner::scanIndirectCall(Keyword keyword, const char *begin) {
   item.external = keyword == Keyword::ExternalCall;
   skipBlanks();
   const bool bracket = at_ < end_ && *at_ == '(';
-  const char *const open = bracket ? behindBlanks(at_ + 1) : at_;
+  const char *const open = bracket ? afterBlanks(at_ + 1) : at_;
   if (open < end_ && *open == '"') {
     at_ = open;
     const auto name = scanString();

@@ -113,7 +113,7 @@ llvm::StringRef SinumerikExpression::identifier() const {
 }
 
 /// After what belongs to a bad expression: at the next blank outside brackets.
-ExpressionParser::Rest SinumerikExpression::behindBad(const char *begin) const {
+ExpressionParser::Rest SinumerikExpression::afterBad(const char *begin) const {
   int depth = 0;
   const char *p = begin;
   for (; p < end_ && !isLineEnd(*p) && *p != ';'; ++p) {
@@ -135,7 +135,7 @@ uint16_t SinumerikExpression::read(Parse parse) {
   const char *const begin = at_;
   ambiguous_ = false;
   if (!parse()) {
-    fail(result, behindBad(begin));
+    fail(result, afterBad(begin));
   } else if (ambiguous_) {
     issue(SyntaxIssueKind::AmbiguousExpression, begin, at_);
     result.bad = true;
@@ -149,7 +149,7 @@ uint16_t SinumerikExpression::parse() {
 
 uint16_t SinumerikExpression::parseCondition() {
   const uint16_t index = parse();
-  const char *const sign = behindBlanks(at_);
+  const char *const sign = afterBlanks(at_);
   if (sign == end_ || *sign != '=' || index + 1u != block_.expressions.size())
     return index;
   issue(SyntaxIssueKind::AssignmentInTest, sign, sign + 1);
@@ -172,8 +172,8 @@ uint16_t SinumerikExpression::parseValue(WordReading &reading) {
   reading = WordReading::Modal;
   return read([&] {
     const llvm::StringRef head = identifier();
-    const char *const behind = behindSpaces(head.end());
-    if ((head.size() == 2 || head.size() == 3) && behind < end_ && *behind == '(')
+    const char *const after = afterSpaces(head.end());
+    if ((head.size() == 2 || head.size() == 3) && after < end_ && *after == '(')
       reading = llvm::StringSwitch<WordReading>(head.upper())
                     .Case("AC", WordReading::Absolute)
                     .Case("IC", WordReading::Incremental)
@@ -183,7 +183,7 @@ uint16_t SinumerikExpression::parseValue(WordReading &reading) {
                     .Default(WordReading::Modal);
     if (reading == WordReading::Modal)
       return group(0);
-    at_ = behind + 1;
+    at_ = after + 1;
     return group(1) && take(')');
   });
 }
@@ -367,9 +367,9 @@ bool SinumerikExpression::name(unsigned depth) {
   }
   if (at_ < end_ && *at_ == '[')
     return elements(depth + 1, Op::ElementAt, variableKey(name), begin);
-  const char *const behind = behindSpaces(at_);
-  if (behind < end_ && *behind == '(') {
-    at_ = behind;
+  const char *const after = afterSpaces(at_);
+  if (after < end_ && *after == '(') {
+    at_ = after;
     return function(depth, name, begin);
   }
   if (name.size() == 1) { // the name of an axis

@@ -30,7 +30,7 @@ private:
 
   template <typename Parse>
   uint16_t read(Parse parse);
-  Rest behindBad(const char *begin) const;
+  Rest afterBad(const char *begin) const;
   bool group(unsigned depth);
   bool level(unsigned depth, unsigned strength, Seen &seen);
   bool unary(unsigned depth, Seen &seen);

@@ -109,7 +109,7 @@ void SinumerikScanner::scanTarget(Item &item) {
     target.kind = ArgumentKind::BlockNumber;
     target.expression = constant(begin, at_, number);
   } else if (!name.empty() &&
-             !llvm::StringRef(behindBlanks(name.end()), size_t(end_ - behindBlanks(name.end())))
+             !llvm::StringRef(afterBlanks(name.end()), size_t(end_ - afterBlanks(name.end())))
                   .startswith("<<")) {
     target.kind = ArgumentKind::Label;
     at_ = name.end();
@@ -217,12 +217,12 @@ void SinumerikScanner::scanRepeat(bool single, const char *begin) {
   item.jump = single ? JumpKind::Anywhere : JumpKind::Backward;
   while (!atBlockEnd()) {
     const llvm::StringRef name = identifier();
-    const char *const behind = behindBlanks(name.end());
+    const char *const after = afterBlanks(name.end());
     const bool passes = name.size() >= 1 && (name[0] | 32) == 'p' &&
                         (name.size() == 1 || llvm::all_of(name.drop_front(), isNumberDigit)) &&
-                        (name.size() > 1 || isEquals(behind));
+                        (name.size() > 1 || isEquals(after));
     if (passes) {
-      at_ = name.size() > 1 ? name.begin() + 1 : behind + 1;
+      at_ = name.size() > 1 ? name.begin() + 1 : after + 1;
       item.count = expression();
       break;
     }

@@ -29,7 +29,7 @@ bool SinumerikScanner::scanStart(char letter) {
   if (letter == 'L') {
     Item item = itemAt(ItemKind::Call, begin);
     const llvm::StringRef name = identifier();
-    if (llvm::all_of(name.drop_front(), isNumberDigit) && !isEquals(behindBlanks(name.end()))) {
+    if (llvm::all_of(name.drop_front(), isNumberDigit) && !isEquals(afterBlanks(name.end()))) {
       at_ = name.end();
       scanCall(name, item);
       return true;
@@ -72,20 +72,20 @@ void SinumerikScanner::scanLetter() {
   if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
     Word word;
     word.address = address;
-    if (const char *const behind = readPlainNumber(at_, end_, word)) {
-      if (behind < end_ && *behind == '=' && isEquals(behind) && word.isWhole() &&
+    if (const char *const after = readPlainNumber(at_, end_, word)) {
+      if (after < end_ && *after == '=' && isEquals(after) && word.isWhole() &&
           !word.has(wordMinus)) {
         at_ = begin;
         return scanExtended(letter, begin);
       }
       // An exponent is part of the number.
-      if (!(behind + 1 < end_ && (behind[0] | 32) == 'e' && (behind[1] | 32) == 'x')) {
-        at_ = behind;
+      if (!(after + 1 < end_ && (after[0] | 32) == 'e' && (after[1] | 32) == 'x')) {
+        at_ = after;
         return addWord(word, begin);
       }
     }
   }
-  const char *const value = behindBlanks(at_);
+  const char *const value = afterBlanks(at_);
   if (isEquals(value)) {
     at_ = value + 1;
     return scanValue(address, begin);
@@ -148,16 +148,16 @@ void SinumerikScanner::scanValue(AddressId address, const char *begin) {
   if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
     Word word;
     word.address = address;
-    if (const char *const behind = readPlainNumber(at_, end_, word)) {
-      const char *const next = behindBlanks(behind);
+    if (const char *const after = readPlainNumber(at_, end_, word)) {
+      const char *const next = afterBlanks(after);
       const bool ends = next == end_ || isLineEnd(*next) || *next == ';' ||
-                        (isNameLetter(*next) && next > behind) ||
+                        (isNameLetter(*next) && next > after) ||
                         (isLetter(*next) && next + 1 < end_ && !isNameLetter(next[1]));
       const llvm::StringRef word2 =
           llvm::StringRef(next, size_t(end_ - next)).take_while(isNameCharacter);
       if (ends && !word2.equals_insensitive("DIV") && !word2.equals_insensitive("MOD") &&
           !word2.startswith_insensitive("B_")) {
-        at_ = behind;
+        at_ = after;
         return addWord(word, begin);
       }
     }
@@ -176,7 +176,7 @@ void SinumerikScanner::scanValue(AddressId address, const char *begin) {
 
 /// `M[R1]=3`, `AX[_OSA]=5`, `FL[X]=100`, `POS[Y]=20`.
 void SinumerikScanner::scanIndexed(const char *begin, AddressId address) {
-  const char *p = behindBlanks(at_);
+  const char *p = afterBlanks(at_);
   int depth = 0;
   for (; p < end_ && !isLineEnd(*p) && *p != ';'; ++p) {
     depth += *p == '[';
@@ -189,7 +189,7 @@ void SinumerikScanner::scanIndexed(const char *begin, AddressId address) {
     at_ = p;
     return;
   }
-  at_ = behindBlanks(p + 1);
+  at_ = afterBlanks(p + 1);
   if (!isEquals(at_)) {
     issue(SyntaxIssueKind::MissingEquals, begin, p + 1);
     return;
@@ -237,25 +237,25 @@ void SinumerikScanner::scanName() {
     at_ = name.end();
     return scanStatement(keyword, begin);
   }
-  const char *const behind = behindBlanks(name.end());
+  const char *const after = afterBlanks(name.end());
   const auto address = addresses_.find(name.upper());
   if (address != addresses_.end()) {
     at_ = name.end();
-    if (isEquals(behind)) {
-      at_ = behind + 1;
+    if (isEquals(after)) {
+      at_ = after + 1;
       return scanValue(address->second, begin);
     }
-    if (behind < end_ && *behind == '[')
+    if (after < end_ && *after == '[')
       return scanIndexed(begin, address->second);
     issue(SyntaxIssueKind::MissingEquals, begin, at_);
-    at_ = behind;
+    at_ = after;
     if (!atBlockEnd() && (isNumberDigit(*at_) || *at_ == '-' || *at_ == '(' || *at_ == '.'))
       return scanValue(address->second, begin);
     return;
   }
-  if (isEquals(behind))
+  if (isEquals(after))
     return scanAssignment(begin);
-  if (behind < end_ && *behind == '[') {
+  if (after < end_ && *after == '[') {
     at_ = name.end();
     return scanIndexed(begin, noAddress);
   }
