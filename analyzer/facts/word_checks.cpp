@@ -2,6 +2,7 @@
 // words have a value that their code does not take.
 #include "analyzer/facts/word_checks.h"
 
+#include "formats/text/number_text.h"
 #include "interp/evaluate/cycle_words.h"
 #include "interp/evaluate/expression.h"
 
@@ -137,14 +138,12 @@ bool isOutside(const ValueTest &test, double value) {
          (!test.oneOf.empty() && !llvm::is_contained(test.oneOf, value));
 }
 
-std::string number(double value) { return llvm::formatv("{0}", llvm::format("%g", value)).str(); }
-
 std::string listOf(llvm::ArrayRef<double> values) {
   std::string text;
   for (size_t i = 0; i < values.size(); ++i) {
     if (i)
       text += i + 1 == values.size() ? " or " : ", ";
-    text += number(values[i]);
+    text += shortNumber(values[i]);
   }
   return text;
 }
@@ -161,7 +160,7 @@ std::string describe(const ValueTest &test) {
       bounds += ' ';
     bounds += text;
     bounds += ' ';
-    bounds += number(value);
+    bounds += shortNumber(value);
   };
   const bool low = std::isfinite(test.min), high = std::isfinite(test.max);
   if (low && high && !test.minExclusive && !test.maxExclusive) {
@@ -253,7 +252,7 @@ void reportKeptRanges(RuleContext &ctx, const Event &event, KeptFaults &faults,
     if (auto finding = ctx.report(event, event.certain))
       finding
           .message("`{0}` takes {1} = {2}{3} of a block before, which is not {4}", code.name,
-                   spec.name, number(value), spec.note.empty() ? "" : " (" + spec.note + ")",
+                   spec.name, shortNumber(value), spec.note.empty() ? "" : " (" + spec.note + ")",
                    describe(spec.range))
           .severity(spec.rangeSeverity);
   }

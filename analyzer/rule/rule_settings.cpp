@@ -6,9 +6,9 @@
 #include "formats/dialect/json_reader.h"
 #include "formats/dialect/records.h"
 #include "formats/text/failure.h"
+#include "formats/text/number_text.h"
 
 #include "llvm/ADT/StringExtras.h"
-#include "llvm/Support/FormatVariadic.h"
 #include <nlohmann/json.hpp>
 
 namespace ncvet {
@@ -24,8 +24,6 @@ std::string nearestRule(llvm::StringRef given) {
   return llvm::StringRef(text).startswith("; did") ? text : "; `ncvet rules` lists them";
 }
 
-std::string numberText(double number) { return llvm::formatv("{0}", number).str(); }
-
 llvm::Expected<OptionValue> readFlag(llvm::StringRef name, const Json &value) {
   if (value.is_boolean())
     return OptionValue(double(value.get<bool>()));
@@ -39,9 +37,9 @@ llvm::Expected<OptionValue> readNumber(const RuleOption &option, const Json &val
     return failure("a number is expected");
   const double number = value.get<double>();
   if (option.min && number < *option.min)
-    return failure("option \"" + option.name + "\" must be at least " + numberText(*option.min));
+    return failure("option \"" + option.name + "\" must be at least " + shortNumber(*option.min));
   if (option.max && number > *option.max)
-    return failure("option \"" + option.name + "\" must be at most " + numberText(*option.max));
+    return failure("option \"" + option.name + "\" must be at most " + shortNumber(*option.max));
   return OptionValue(number);
 }
 

@@ -1,6 +1,7 @@
 // A value outside of what its code takes.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
+#include "formats/text/number_text.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -69,13 +70,11 @@ private:
     const AddressInfo &address = ctx.dialect().addresses[event.word->address];
     if (!(event.wordValue().hi < address.least) && !(event.wordValue().lo > address.most))
       return;
-    const auto number = [](double bound) {
-      return llvm::formatv("{0}", llvm::format("%g", bound)).str();
-    };
-    const std::string range = !std::isfinite(address.least) ? "at most " + number(address.most)
-                              : !std::isfinite(address.most)
-                                  ? "at least " + number(address.least)
-                                  : "from " + number(address.least) + " to " + number(address.most);
+    const std::string range =
+        !std::isfinite(address.least) ? "at most " + shortNumber(address.most)
+        : !std::isfinite(address.most)
+            ? "at least " + shortNumber(address.least)
+            : "from " + shortNumber(address.least) + " to " + shortNumber(address.most);
     if (auto finding = ctx.report(*event.word))
       finding.message("`{0}` ({1}) is not {2}", ctx.text(*event.word), address.title, range);
   }

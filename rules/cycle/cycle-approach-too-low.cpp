@@ -1,5 +1,6 @@
 // A cycle begins below its retraction plane, at the part.
 #include "analyzer/facts/lookahead.h"
+#include "formats/text/number_text.h"
 
 #include <array>
 
@@ -56,8 +57,7 @@ public:
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}` begins at {1}, below its retraction plane {2} and inside the safety "
                       "distance: the path to its first point is not free",
-                      code.name, llvm::formatv("{0}", llvm::format("%g", from.value() / *unit)),
-                      ctx.text(*words[0]));
+                      code.name, shortNumber(from.value() / *unit), ctx.text(*words[0]));
   }
 
 private:
@@ -84,11 +84,7 @@ private:
     if (auto finding = ctx.report(event, event.certain))
       finding.severity(Severity::Warning)
           .message("the path to this hole of `{0}` is made at {1}, below the start plane {2}",
-                   code.name, number(from.value() / *unit), number(*start));
-  }
-
-  static std::string number(double value) {
-    return llvm::formatv("{0}", llvm::format("%g", value)).str();
+                   code.name, shortNumber(from.value() / *unit), shortNumber(*start));
   }
 };
 

@@ -1,6 +1,7 @@
 // The levels of a drilling cycle lie in the wrong order: start, R, depth.
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -86,7 +87,8 @@ private:
       if (auto finding = ctx.report(*zWord, event.certain))
         finding.message("`{0}` leads away from the bottom of the hole: `{1}` begins at {2} and "
                         "there is nothing to drill",
-                        ctx.text(*zWord), code.name, text(state.initialLevel.value() / *unit));
+                        ctx.text(*zWord), code.name,
+                        shortNumber(state.initialLevel.value() / *unit));
       return;
     }
     if (!unit || !r || !z || increments || mixed(state.cycle, code, ctx.dialect()) ||
@@ -116,7 +118,7 @@ private:
       return;
     if (auto finding = ctx.report(levels.word, event.certain))
       finding.message("back boring `{0}` cuts upwards: its R ({1}) must lie deeper than Z ({2})",
-                      code.name, text(levels.r), text(levels.z));
+                      code.name, shortNumber(levels.r), shortNumber(levels.z));
   }
 
   static void nothingBetween(const Event &event, const CodeInfo &code, const Levels &levels,
@@ -126,7 +128,7 @@ private:
     if (auto finding = ctx.report(levels.word, event.certain))
       finding.message("{0} and depth of `{1}` are both {2}: there is nothing to drill between "
                       "them",
-                      retractOf(code), code.name, text(levels.z));
+                      retractOf(code), code.name, shortNumber(levels.z));
   }
 
   static void belowDepth(const Event &event, const CodeInfo &code, const Levels &levels,
@@ -139,7 +141,7 @@ private:
     if (auto finding = ctx.report(levels.word, event.certain && (startKnown || !lathe)))
       finding.message("{0} ({1}) of `{2}` lies below the depth {3}: there is nothing to drill "
                       "between them",
-                      retractOf(code), text(levels.r), code.name, text(levels.z));
+                      retractOf(code), shortNumber(levels.r), code.name, shortNumber(levels.z));
   }
 
   /// The tool is below R where the cycle begins.
@@ -153,7 +155,8 @@ private:
     if (auto finding = ctx.report(levels.word, event.certain && inside))
       finding
           .message("`{0}` begins at {1}, below its {3} ({2}): the tool rises to {3} at rapid first",
-                   code.name, text(from.value() / levels.unit), text(levels.r), retractOf(code))
+                   code.name, shortNumber(from.value() / levels.unit), shortNumber(levels.r),
+                   retractOf(code))
           .severity(inside ? Severity::Warning : Severity::Style);
   }
 
@@ -253,17 +256,17 @@ private:
         if (auto finding = report(event, planes, planes.to, planes.from, ctx))
           finding.message("back boring `{0}` cuts upwards: its {3} ({1}) must lie deeper than the "
                           "depth {2}",
-                          code.name, text(start), text(depth), retractOf(code));
+                          code.name, shortNumber(start), shortNumber(depth), retractOf(code));
     } else if (planes.isBelow(start, depth)) {
       if (auto finding = report(event, planes, planes.to, planes.from, ctx))
         finding.message("{0} ({1}) of `{2}` lies {4} the depth {3}: there is nothing to drill "
                         "between them",
-                        retractOf(code), text(start), code.name, text(depth),
+                        retractOf(code), shortNumber(start), code.name, shortNumber(depth),
                         planes.up < 0 ? "above" : "below");
     } else if (absolute_ && !planes.isBelow(depth, start)) {
       if (auto finding = report(event, planes, planes.to, planes.from, ctx))
         finding.message("{0} of `{1}` is its depth {2} too: there is nothing to drill between them",
-                        retractOf(code), code.name, text(depth));
+                        retractOf(code), code.name, shortNumber(depth));
     }
   }
 
@@ -273,8 +276,9 @@ private:
     if (std::isnan(height) || !planes.isBelow(height, start))
       return;
     if (auto finding = report(event, planes, planes.back, planes.from, ctx))
-      finding.message("the return plane {0} of `{1}` lies {3} its start plane {2}", text(height),
-                      code.name, text(start), planes.up < 0 ? "above" : "below");
+      finding.message("the return plane {0} of `{1}` lies {3} its start plane {2}",
+                      shortNumber(height), code.name, shortNumber(start),
+                      planes.up < 0 ? "above" : "below");
   }
 
   /// The machine's programs have their zero on the surface of the work.
@@ -285,12 +289,12 @@ private:
       if (auto finding = report(event, planes, planes.from, nullptr, ctx))
         finding.severity(Severity::Warning)
             .message("the start plane {0} of `{1}` is not above the surface, which is Z0",
-                     text(start), code.name);
+                     shortNumber(start), code.name);
     if ((planes.call || planes.to) && depth >= 0)
       if (auto finding = report(event, planes, planes.to, nullptr, ctx))
         finding.severity(Severity::Warning)
-            .message("the depth {0} of `{1}` is not below the surface, which is Z0", text(depth),
-                     code.name);
+            .message("the depth {0} of `{1}` is not below the surface, which is Z0",
+                     shortNumber(depth), code.name);
   }
 
   /// The word that calls the cycle in this block, or null.
@@ -311,9 +315,6 @@ private:
     return "R";
   }
 
-  static std::string text(double value) {
-    return llvm::formatv("{0}", llvm::format("%g", value)).str();
-  }
   /// The depth was given as an increment (W), alone or beside an absolute one.
   static bool mixed(const CycleWords &words, const CodeInfo &code, const Dialect &dialect) {
     const AddressMask mask = addressesOf(code, Role::Depth);

@@ -1,6 +1,7 @@
 // The side step of a grooving cycle is wider than the insert, or leaves an uneven last step.
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -59,8 +60,7 @@ public:
       finding
           .message(
               "the step `{0}` of `{1}` does not divide the width {2}: the last step is smaller",
-              ctx.text(*word), code.name,
-              llvm::formatv("{0}", llvm::format("%g", width / *unit)).str())
+              ctx.text(*word), code.name, shortNumber(width / *unit))
           .severity(Severity::Style);
   }
 

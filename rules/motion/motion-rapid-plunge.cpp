@@ -1,5 +1,6 @@
 // A rapid move along the tool axis ends in the work.
 #include "analyzer/facts/lookahead.h"
+#include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
 
 namespace ncvet {
@@ -38,8 +39,7 @@ public:
     if (auto finding = ctx.report(event, top_.has_value()))
       finding.message("this rapid move ends {0} mm below {1}: the tool goes into the work at full "
                       "speed",
-                      llvm::formatv("{0}", llvm::format("%g", top - to.value())),
-                      top_ ? "the top of the stock" : "zero");
+                      shortNumber(top - to.value()), top_ ? "the top of the stock" : "zero");
   }
 
 private:

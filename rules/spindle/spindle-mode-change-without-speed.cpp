@@ -1,5 +1,6 @@
 // The speed mode changed without a new S, and an S that does not fit its mode.
 #include "analyzer/rule/rule.h"
+#include "formats/text/number_text.h"
 
 namespace ncvet {
 namespace {
@@ -38,7 +39,7 @@ private:
     if (auto finding = ctx.report(origin.range())) {
       std::string number = "the old S";
       if (state.speed->isConstant())
-        number = llvm::formatv("S{0}", llvm::format("%g", state.speed->value())).str();
+        number = "S" + shortNumber(state.speed->value());
       finding
           .message("`{0}` comes without an S: {1} counts as {2} from here on", mode->name, number,
                    surface ? "cutting speed" : "revolutions per minute")

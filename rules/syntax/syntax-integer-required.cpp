@@ -1,6 +1,7 @@
 // A word that takes a whole number has a fraction or a decimal point.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/number_text.h"
 #include "interp/evaluate/expression.h"
 
 #include <cmath>
@@ -99,7 +100,7 @@ private:
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
           .message("`{0}` holds whole numbers, and gets {1}", ctx.text(name),
-                   llvm::formatv("{0}", llvm::format("%g", value.number.value())));
+                   shortNumber(value.number.value()));
   }
 
   double codes_ = 0; ///< codes are whole numbers too: 1 all, 2 those that exist

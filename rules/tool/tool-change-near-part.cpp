@@ -1,5 +1,6 @@
 // A tool change while the tool is in the work or too low.
 #include "analyzer/facts/lookahead.h"
+#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -20,7 +21,7 @@ public:
           before.must(Fact::MovedSinceTool) && z.value() < *lowest) {
         if (auto finding = ctx.report(event))
           finding.message("the tool is changed at Z{0}, below the safe Z{1}",
-                          llvm::format("%g", z.value()), llvm::format("%g", *lowest));
+                          shortNumber(z.value()), shortNumber(*lowest));
         return;
       }
     }
@@ -105,7 +106,7 @@ private:
       finding
           .message("the tool is changed {0} mm in X off the last cut: the next one may hit part, "
                    "chuck or clamps",
-                   llvm::format("%g", way))
+                   shortNumber(way))
           .note(lift, "nothing but this move has led away from it");
   }
 

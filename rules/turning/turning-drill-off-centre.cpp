@@ -1,5 +1,6 @@
 // A drilling cycle that the main spindle drives runs beside its axis.
 #include "analyzer/facts/lookahead.h"
+#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -33,7 +34,7 @@ public:
       finding
           .message("`{0}` drills at X{1} while the main spindle turns: the drill is not on "
                    "its axis",
-                   ctx.code(event).name, llvm::formatv("{0}", llvm::format("%g", x.value())).str())
+                   ctx.code(event).name, shortNumber(x.value()))
           .note(before.origin.of(StatePart::Spindle), "the spindle is started here");
   }
 };

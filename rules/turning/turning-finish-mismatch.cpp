@@ -2,6 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -84,10 +85,9 @@ private:
         finding
             .message("`{0}` starts at {1}{2}, the roughing of line {3} started at {1}{4}: the tool "
                      "returns to its own start",
-                     cycle.name, axis == Axis::X ? "X" : "Z",
-                     llvm::formatv("{0}", llvm::format("%g", is.value() / *unit)).str(),
+                     cycle.name, axis == Axis::X ? "X" : "Z", shortNumber(is.value() / *unit),
                      lineOf(ctx, before.origin.of(StatePart::Roughing)),
-                     llvm::formatv("{0}", llvm::format("%g", was.value() / *unit)).str())
+                     shortNumber(was.value() / *unit))
             .note(before.origin.of(StatePart::Roughing), "the roughing cycle");
       return;
     }

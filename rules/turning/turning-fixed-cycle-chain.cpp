@@ -1,5 +1,6 @@
 // Increments of successive passes look like a chain, but count from the start point.
 #include "analyzer/facts/lookahead.h"
+#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -39,8 +40,7 @@ public:
           .message("`{0}` counts from the start point of `{1}`, as the {2}{3} before it did: this "
                    "pass is "
                    "not deeper",
-                   ctx.text(*word), code.name, std::string(1, letter),
-                   llvm::formatv("{0}", llvm::format("%g", last)).str())
+                   ctx.text(*word), code.name, std::string(1, letter), shortNumber(last))
           .note(ctx.before().origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
 };

@@ -1,6 +1,7 @@
 // The return to the start point at the end of a cycle can cross the part.
 #include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/number_text.h"
 
 namespace ncvet {
 namespace {
@@ -86,7 +87,7 @@ private:
 
   static std::string text(double value, RuleContext &ctx) {
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());
-    return llvm::formatv("{0}", llvm::format("%g", value / unit.value_or(1))).str();
+    return shortNumber(value / unit.value_or(1));
   }
 };
 

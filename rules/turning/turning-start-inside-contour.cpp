@@ -1,5 +1,6 @@
 // A turning cycle starts inside of what it is to cut.
 #include "analyzer/facts/turning_profile.h"
+#include "formats/text/number_text.h"
 
 namespace ncvet {
 namespace {
@@ -34,10 +35,6 @@ public:
   }
 
 private:
-  static std::string text(double value) {
-    return llvm::formatv("{0}", llvm::format("%g", value)).str();
-  }
-
   static void rough(const Event &event, const CodeInfo &code, RuleContext &ctx) {
     if (ctx.outcome().flow.kind != FlowKind::Profile)
       return;
@@ -54,8 +51,8 @@ private:
           finding.message(
               "`{0}` starts at Z{1}, inside of its contour, which reaches from Z{2} to Z{3}: "
               "the tool returns to the start at rapid",
-              code.name, text(startZ.value() / *unit), text(*profile.minZ / *unit),
-              text(*profile.maxZ / *unit));
+              code.name, shortNumber(startZ.value() / *unit), shortNumber(*profile.minZ / *unit),
+              shortNumber(*profile.maxZ / *unit));
     }
     if (code.cycle == CycleKind::RoughTurn && startZ.isConstant() && profile.maxZ &&
         !ctx.after().inMachineCoordinates(Axis::Z) && startsPastFront(profile, startZ.value())) {
@@ -63,8 +60,8 @@ private:
         finding
             .message("`{0}` starts at Z{1}, inside its contour, which reaches from "
                      "Z{2} to Z{3}: every pass returns there at rapid",
-                     code.name, text(startZ.value() / *unit), text(*profile.maxZ / *unit),
-                     text(*profile.minZ / *unit))
+                     code.name, shortNumber(startZ.value() / *unit),
+                     shortNumber(*profile.maxZ / *unit), shortNumber(*profile.minZ / *unit))
             .note(profile.blocks.front().range, "the profile begins here");
       return;
     }
@@ -87,7 +84,8 @@ private:
           .message(
               "`{0}` starts at X{1}, inside of its contour, which reaches from X{2} to X{3}: the "
               "tool returns to the start at rapid",
-              code.name, text(start / *unit), text(least / *unit), text(greatest / *unit))
+              code.name, shortNumber(start / *unit), shortNumber(least / *unit),
+              shortNumber(greatest / *unit))
           .severity(over <= overshoot + startTolerance ? std::optional(Severity::Warning)
                                                        : std::nullopt)
           .note(profile.blocks.front().range, "the profile begins here");
@@ -123,7 +121,7 @@ private:
                  "through it at rapid"
                : "`{0}` starts at X{1}, below the diameter X{2} that it turns, and then leaves "
                  "outwards: it returned through the part at rapid",
-          code.name, text(start.value() / *unit), text(*end / *unit));
+          code.name, shortNumber(start.value() / *unit), shortNumber(*end / *unit));
   }
 
   /// After the passes the tool leaves straight outwards in X, which a boring bar could not do; and

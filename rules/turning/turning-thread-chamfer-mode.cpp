@@ -1,5 +1,6 @@
 // The run-out mode of a thread is not stated, or shortens the full thread.
 #include "analyzer/facts/lookahead.h"
+#include "formats/text/number_text.h"
 
 namespace ncvet {
 namespace {
@@ -41,8 +42,7 @@ public:
         finding
             .message("`{0}` with {1} leaves the work {2} pitches before its end: the full thread "
                      "is shorter",
-                     code.name, mode.name,
-                     llvm::formatv("{0}", llvm::format("%g", pitches.value_or(1))).str())
+                     code.name, mode.name, shortNumber(pitches.value_or(1)))
             .note(state.origin.ofGroup(group_), mode.name + " becomes active here");
     }
   }

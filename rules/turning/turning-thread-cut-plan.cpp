@@ -2,6 +2,7 @@
 #include "analyzer/facts/path_ahead.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
+#include "formats/text/number_text.h"
 #include "interp/evaluate/cycle_parameters.h"
 
 #include <cmath>
@@ -53,11 +54,8 @@ private:
       finding
           .message("the finishing allowance of {0} mm is not smaller than the thread `{1}` of "
                    "`{2}`: nothing is left for the other passes",
-                   text(last->value()), ctx.text(*heightWord), code.name)
+                   shortNumber(last->value()), ctx.text(*heightWord), code.name)
           .note(before.origin.of(StatePart::PendingCycle), "the data block");
-  }
-  static std::string text(double value) {
-    return llvm::formatv("{0}", llvm::format("%g", value)).str();
   }
 
   void multi(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
@@ -91,8 +89,7 @@ private:
       finding
           .message(
               "the first cut `{0}` of `{1}` is smaller than the least cut {2} of its data block",
-              ctx.text(*firstWord), code.name,
-              llvm::formatv("{0}", llvm::format("%g", *least)).str())
+              ctx.text(*firstWord), code.name, shortNumber(*least))
           .note(before.origin.of(StatePart::PendingCycle), "the data block");
   }
 
@@ -127,7 +124,7 @@ private:
       finding
           .message("the pass at `{0}` of `{1}` is less deep than the one before at X{2}: it cuts "
                    "nothing",
-                   ctx.text(*x), code.name, llvm::formatv("{0}", llvm::format("%g", last)).str())
+                   ctx.text(*x), code.name, shortNumber(last))
           .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
   }
 

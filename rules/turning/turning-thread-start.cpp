@@ -1,6 +1,7 @@
 // A thread starts too near in diameter or in run-in length.
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -32,10 +33,6 @@ public:
   }
 
 private:
-  static std::string text(double value) {
-    return llvm::formatv("{0}", llvm::format("%g", value)).str();
-  }
-
   void diameter(const Event &event, const CodeInfo &code, const Word &word,
                 RuleContext &ctx) const {
     const Interval &start = ctx.before().at(Axis::X);
@@ -65,7 +62,7 @@ private:
       finding.message(
           "`{0}` starts at X{1}, and the crest of the thread lies at X{2}: the tool returns "
           "{3} the crest",
-          code.name, text(start.value() / *unit), text(crest / *unit),
+          code.name, shortNumber(start.value() / *unit), shortNumber(crest / *unit),
           clear < 0 ? "through" : "too near to");
   }
 
@@ -89,7 +86,8 @@ private:
           .message("`{0}` starts {1} before the face: the slide needs about {2} pitches ({3}) to "
                    "reach its "
                    "speed",
-                   code.name, text(distance / *unit), text(runIn_), text(runIn_ * pitch.value()))
+                   code.name, shortNumber(distance / *unit), shortNumber(runIn_),
+                   shortNumber(runIn_ * pitch.value()))
           .severity(Severity::Warning);
   }
 

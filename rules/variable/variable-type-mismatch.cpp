@@ -1,5 +1,6 @@
 // A text where a number is due, or a number where a text is.
 #include "analyzer/rule/rule.h"
+#include "formats/text/number_text.h"
 #include "interp/evaluate/expression.h"
 
 #include "llvm/ADT/StringMap.h"
@@ -157,7 +158,7 @@ private:
       if (auto finding = ctx.report(word))
         finding.severity(Severity::Warning)
             .message("`{0}` cuts the fraction of {1} off", ctx.text(word),
-                     llvm::formatv("{0}", llvm::format("%g", value.value())));
+                     shortNumber(value.value()));
     }
   }
 

@@ -95,7 +95,7 @@ TEST(OptionsOfConfigurations, ChoicesAreNamesAndInOlderFilesTheirIndex) {
 
 TEST(OptionsOfConfigurations, NumbersHaveARange) {
   EXPECT_EQ(".ncvet.json:1: options.feed-implausible.perMinuteBelow: option \"perMinuteBelow\" "
-            "must be at least 0.00",
+            "must be at least 0",
             problemOfConfig(R"({"options": {"feed-implausible": {"perMinuteBelow": -1}}})"));
   EXPECT_EQ(".ncvet.json:1: options.feed-implausible.perMinuteBelow: a number is expected",
             problemOfConfig(R"({"options": {"feed-implausible": {"perMinuteBelow": true}}})"));
