@@ -58,7 +58,7 @@ bool lineMeets(const ElementGeometry &line, const ElementGeometry &other) {
   case ElementGeometry::Kind::Line:
     break;
   }
-  return std::fabs(std::sin(radiansOf(line.size - other.size))) > parallel ||
+  return std::fabs(sineOf(line.size - other.size)) > parallel ||
          distanceFrom(line, other.x, other.y) <= tolerance;
 }
 

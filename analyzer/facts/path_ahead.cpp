@@ -15,10 +15,6 @@ constexpr double shortest = 1e-6; // mm
 /// Directions are parallel when their sine is below this.
 constexpr double parallel = 1e-6;
 
-double dot(const std::array<double, 2> &a, const std::array<double, 2> &b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-
 bool goesOn(const Outcome &outcome) {
   return outcome.flow.kind == FlowKind::Next && outcome.callsModally == Truth::No;
 }
@@ -28,18 +24,7 @@ bool keepsLengths(const FrameStack &frames) {
   if (frames.empty())
     return true;
   const auto total = frames.total();
-  if (!total)
-    return false;
-  constexpr double same = 1e-9;
-  for (size_t i = 0; i < 3; ++i)
-    for (size_t j = 0; j < 3; ++j) {
-      double product = 0;
-      for (size_t k = 0; k < 3; ++k)
-        product += total->turn[k][i] * total->turn[k][j];
-      if (std::fabs(product - (i == j ? 1 : 0)) > same)
-        return false;
-    }
-  return true;
+  return total && total->keepsLengths();
 }
 
 /// The block's only move, when it stays in its plane and in its coordinates; else null.
@@ -109,13 +94,6 @@ bool PathAhead::next() {
   return false;
 }
 
-double StraightElement::length() const { return std::hypot(to[0] - from[0], to[1] - from[1]); }
-
-std::array<double, 2> StraightElement::direction() const {
-  const double all = length();
-  return {(to[0] - from[0]) / all, (to[1] - from[1]) / all};
-}
-
 std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
   const Dialect &dialect = executed.dialect;
   const MachineState &before = executed.before, &after = executed.after;
@@ -136,7 +114,7 @@ std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
   return result.length() < shortest ? std::nullopt : std::optional(result);
 }
 
-std::optional<std::array<double, 2>> directionAt(const ExecutedBlock &executed, bool end) {
+std::optional<Vector> directionAt(const ExecutedBlock &executed, bool end) {
   if (const auto line = straightElement(executed))
     return line->direction();
   const Event *motion = moveInPlane(executed);
@@ -150,18 +128,16 @@ std::optional<std::array<double, 2>> directionAt(const ExecutedBlock &executed, 
   const auto &place = end ? arc.end : arc.start;
   if (!centre || !place || words.angle)
     return std::nullopt;
-  const double x = (*place)[0] - (*centre)[0], y = (*place)[1] - (*centre)[1];
-  const double radius = std::hypot(x, y);
+  const double radius = distance(*centre, *place);
   if (radius < shortest)
     return std::nullopt;
-  const double sense = clockwise ? -1 : 1;
-  return std::array<double, 2>{-y / radius * sense, x / radius * sense};
+  return Vector(leftOf(*place - *centre) / radius * (clockwise ? -1 : 1));
 }
 
 std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,
                                     const StraightElement &out) {
-  const auto a = in.direction(), b = out.direction();
-  const double sine = std::fabs(a[0] * b[1] - a[1] * b[0]), cosine = dot(a, b);
+  const Vector a = in.direction(), b = out.direction();
+  const double sine = std::fabs(cross(a, b)), cosine = a.dot(b);
   if (sine < parallel)
     return std::nullopt;
   switch (corner.kind) {
@@ -170,7 +146,7 @@ std::optional<double> takenByCorner(const CornerRequest &corner, const StraightE
   case CornerRequest::Kind::Legs:
     return corner.size;
   case CornerRequest::Kind::Across:
-    return corner.size / std::sqrt(2 + 2 * cosine);
+    return legOfChamfer(corner.size, a, b);
   case CornerRequest::Kind::None:
     break;
   }

@@ -38,10 +38,10 @@ private:
 /// A straight element of a contour: millimetres along the axes of its plane, where a diameter is
 /// turned into a radius.
 struct StraightElement {
-  std::array<double, 2> from{}, to{};
+  Point from = Point::Zero(), to = Point::Zero();
 
-  double length() const; ///< mm
-  std::array<double, 2> direction() const;
+  double length() const { return distance(from, to); } ///< mm
+  Vector direction() const { return (to - from) / length(); }
 };
 
 /// The line that the block cuts in its plane and nowhere else; none when it is no line, or its ends
@@ -50,7 +50,7 @@ std::optional<StraightElement> straightElement(const ExecutedBlock &executed);
 
 /// Direction in which the line or arc that the block cuts in its plane begins, or ends; a vector of
 /// length one, none under the conditions of `straightElement`, or when the circle is not known.
-std::optional<std::array<double, 2>> directionAt(const ExecutedBlock &executed, bool end);
+std::optional<Vector> directionAt(const ExecutedBlock &executed, bool end);
 
 /// What a corner takes away of each of the two lines that meet in it, in millimetres; none when
 /// there is no corner.

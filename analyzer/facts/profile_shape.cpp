@@ -7,8 +7,6 @@ namespace ncvet {
 
 namespace {
 
-using std::numbers::pi;
-
 /// By how much (mm) an arc leads beyond both of its ends before that is more than rounding: the
 /// centre of an arc that runs out along an axis is rarely met to the last digit.
 constexpr double leastBulge = 0.02;
@@ -50,18 +48,14 @@ llvm::SmallVector<double, 2> turnsOf(const RuleContext &ctx, const ProfileBlock 
   if (std::fabs(distance(*centre, end) - radius) > fits)
     return turns;
   const double begin = angleOf(start - *centre);
-  // The path from the start to an angle, in the sense of the arc.
-  const auto wayTo = [&](double angle) {
-    const double way = clockwise ? begin - angle : angle - begin;
-    return way - std::floor(way / (2 * pi)) * 2 * pi;
-  };
-  const double whole = wayTo(angleOf(end - *centre));
+  const double whole = turnBetween(begin, angleOf(end - *centre), clockwise);
   const size_t along = axis == Axis::Z ? 0 : 1;
   const double low = std::min(start[along], end[along]), high = std::max(start[along], end[along]);
   llvm::SmallVector<std::pair<double, double>, 2> found; // way, place
   for (const double sign : {1.0, -1.0}) {
     const double place = (*centre)[along] + sign * radius;
-    const double way = wayTo(along ? sign * pi / 2 : sign > 0 ? 0 : pi);
+    const double outermost = along ? sign * quarterTurn : sign > 0 ? 0 : halfTurn;
+    const double way = turnBetween(begin, outermost, clockwise);
     if (way < whole && (place > high + leastBulge || place < low - leastBulge))
       found.push_back({way, place * (along ? perX : 1)});
   }

@@ -194,8 +194,7 @@ private:
     }
     const double turn = radiansOf(angle.value()), side = clockwise_ ? -1 : 1;
     const auto place = [&](double x, double y) {
-      return Point{middle[0] + x * std::cos(turn) - y * side * std::sin(turn),
-                   middle[1] + x * std::sin(turn) + y * side * std::cos(turn)};
+      return Point(middle + turnedBy({x, y * side}, turn));
     };
     // From the middle of a side: the four corners, each by the end of its side, its centre, its
     // end. Clockwise it is the mirror image.

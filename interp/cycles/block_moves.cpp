@@ -22,20 +22,13 @@ void resolveArc(const Frame &frame, Move &move) {
   centre[a] = move.centre[0];
   centre[b] = move.centre[1];
   centre[normal] = Interval::exactly(0);
-  const auto &turn = frame.turn;
-  const bool tilts =
-      turn[normal][a] != 0 || turn[normal][b] != 0 || turn[a][normal] != 0 || turn[b][normal] != 0;
-  const double across = turn[a][a] * turn[b][b] - turn[a][b] * turn[b][a];
-  constexpr double sameLength = 1e-9;
-  const bool round = std::fabs(std::hypot(turn[a][a], turn[b][a]) -
-                               std::hypot(turn[a][b], turn[b][b])) < sameLength;
-  if (tilts || !round) {
+  if (!frame.keepsCircles(a, b)) {
     move.centre = {};
     return;
   }
   centre = frame * centre;
   move.centre = {centre[a], centre[b]};
-  if (across < 0)
+  if (frame.mirrors(a, b))
     move.clockwise = !move.clockwise;
 }
 

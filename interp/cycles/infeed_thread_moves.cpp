@@ -40,7 +40,7 @@ private:
 
   void readForm(double end) {
     const double direction = end > z_ ? -1 : 1;
-    slope_ = direction * std::tan(radiansOf(number(Role::Angle).value_or(0)));
+    slope_ = direction * tangentOf(number(Role::Angle).value_or(0));
     end_ = end + depth_ * slope_;
     const int ends = int(number(Role::ThreadForm).value_or(0));
     const double taper = direction * std::max(0.0, number(Role::Taper).value_or(0));

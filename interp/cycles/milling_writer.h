@@ -5,14 +5,13 @@
 #include "interp/cycles/cycle_writer.h"
 #include "interp/evaluate/cycle_parameters.h"
 #include "interp/evaluate/tool_data.h"
+#include "interp/geometry/plane_place.h"
 
 namespace ncvet {
 
 /// A milling cycle with its plane, the tool's axis, and the feeds that its own words give.
 class MillingWriter : protected CycleWriter {
 protected:
-  using PlanePlace = std::array<Interval, 2>; ///< along the plane's first and second axis
-
   MillingWriter(const ExecutedBlock &executed, const CodeInfo &cycle,
                 llvm::SmallVectorImpl<Move> &moves)
       : CycleWriter(executed, cycle, moves), parameters_(executed, cycle),

@@ -1,10 +1,10 @@
 // The passes of turning cycles along a contour: parallel to an axis down to the contour, the
 // contour shifted again and again, the path back.
 #include "interp/cycles/contour_cycle.h"
+#include "interp/geometry/circle.h"
 #include "interp/geometry/turned_contour.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
@@ -258,9 +258,7 @@ private:
     move.centre = {Interval::exactly(piece.centre[ofZ] * lengthsOf(ofZ)),
                    Interval::exactly(piece.centre[ofX] * lengthsOf(ofX))};
     move.clockwise = piece.clockwise;
-    const double chord = distance(from, to);
-    move.turns =
-        Interval::exactly(std::asin(std::min(1.0, chord / (2 * piece.radius))) / std::numbers::pi);
+    move.turns = Interval::exactly(turnsOverChord(distance(from, to), piece.radius));
     give(move);
   }
 

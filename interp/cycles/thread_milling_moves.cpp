@@ -60,9 +60,8 @@ private:
       return;
     }
     const auto place = [&](double turns) -> PlanePlace {
-      const double angle = fullTurn * turns;
-      return {centre[0] + Interval::exactly(*away * std::cos(angle)),
-              centre[1] + Interval::exactly(*away * std::sin(angle))};
+      const Vector off = *away * unitVector(fullTurn * turns);
+      return {centre[0] + Interval::exactly(off.x()), centre[1] + Interval::exactly(off.y())};
     };
     setPlane(place(0));
     feed(go(MoveKind::Linear, tool_, top), Measure::FeedAlong);

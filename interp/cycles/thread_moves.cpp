@@ -3,7 +3,7 @@
 #include "interp/cycles/cycle_writer.h"
 #include "interp/cycles/thread_depths.h"
 #include "interp/evaluate/cycle_parameters.h"
-#include "interp/value/units.h"
+#include "interp/geometry/direction.h"
 
 #include <cmath>
 
@@ -118,8 +118,7 @@ private:
     thread(Interval::exactly(end_.value() - sign * length));
     const double out = startX().value() < x.value() ? -1 : 1;
     const double most = std::fabs(startX().value() - x.value());
-    atX() = x + Interval::exactly(
-                    out * std::min(most, length * std::tan(angle * radiansPerDegree) * unit_));
+    atX() = x + Interval::exactly(out * std::min(most, length * tangentOf(angle) * unit_));
     thread(end_);
   }
 

@@ -2,15 +2,16 @@
 // it cannot.
 #include "interp/evaluate/operators.h"
 
-#include "interp/value/units.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace ncvet {
 
 namespace {
+
+constexpr double radiansPerDegree = std::numbers::pi / 180;
 
 using Compute = Interval (*)(const Interval *operands, const OperatorRules &rules);
 using Outside = bool (*)(const Interval *operands);

@@ -4,6 +4,7 @@
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/expression.h"
 #include "interp/execute/mode_masks.h"
+#include "interp/geometry/plane_place.h"
 #include "interp/state/modes.h"
 
 namespace ncvet {
@@ -191,10 +192,10 @@ private:
   void moveTo(const std::array<Interval, axisCount> &place);
 
   // polar.cpp: end points by angle and radius
-  std::array<Interval, 2> inPlane() const;
-  void setInPlane(const std::array<Interval, 2> &place);
+  PlanePlace inPlane() const;
+  void setInPlane(const PlanePlace &place);
   Truth countsFromBefore(const Word &word) const;
-  void polarInput(const std::array<Interval, 2> &from);
+  void polarInput(const PlanePlace &from);
   void polarTarget();
   void setPole(Action reference);
 

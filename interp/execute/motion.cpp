@@ -5,7 +5,6 @@
 #include "interp/value/units.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
@@ -198,9 +197,7 @@ void Execution::alongAngle(uint16_t written) {
   const Axis wanted = given == first ? second : first;
   if (!angle.isConstant() || !state_.at(given).isConstant())
     return;
-  const double degrees = angle.value() * std::numbers::pi / 180;
-  const double ratio = wanted == first ? std::cos(degrees) / std::sin(degrees)
-                                       : std::sin(degrees) / std::cos(degrees);
+  const double ratio = slopeOf(angle.value(), wanted == first);
   constexpr double steepest = 1e6;
   if (!(std::fabs(ratio) < steepest))
     return;

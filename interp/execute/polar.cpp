@@ -1,27 +1,11 @@
 // End points by angle and radius: G16, and the words AP and RP about a pole.
 #include "interp/execute/execution.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace ncvet {
 
-namespace {
-
-std::array<Interval, 2> pointAt(const std::array<Interval, 2> &pole, const Interval &radius,
-                                const Interval &degrees) {
-  if (!radius.isConstant() || !degrees.isConstant())
-    return {};
-  const double angle = degrees.value() * std::numbers::pi / 180;
-  return {pole[0] + Interval::exactly(radius.value() * std::cos(angle)),
-          pole[1] + Interval::exactly(radius.value() * std::sin(angle))};
-}
-
-} // namespace
-
-std::array<Interval, 2> Execution::inPlane() const {
+PlanePlace Execution::inPlane() const {
   const auto [first, second] = planeOrder(dialect_, state_);
-  std::array<Interval, 2> place;
+  PlanePlace place;
   if (!state_.inMachineCoordinates(first))
     place[0] = state_.at(first);
   if (!state_.inMachineCoordinates(second))
@@ -29,7 +13,7 @@ std::array<Interval, 2> Execution::inPlane() const {
   return place;
 }
 
-void Execution::setInPlane(const std::array<Interval, 2> &place) {
+void Execution::setInPlane(const PlanePlace &place) {
   const auto [first, second] = planeOrder(dialect_, state_);
   state_.at(first) = place[0];
   state_.at(second) = place[1];
@@ -48,7 +32,7 @@ Truth Execution::countsFromBefore(const Word &word) const {
 
 /// G16: the words of the plane's axes are a radius and an angle about the zero point. `from` is the
 /// place in the plane before the block.
-void Execution::polarInput(const std::array<Interval, 2> &from) {
+void Execution::polarInput(const PlanePlace &from) {
   const auto [first, second] = planeOrder(dialect_, state_);
   bool along = false;
   for (const Word &word : block_.words) {
@@ -68,20 +52,13 @@ void Execution::polarInput(const std::array<Interval, 2> &from) {
                                      : Interval::unknown();
     }
   }
-  const std::array<Interval, 2> zero{Interval::exactly(0), Interval::exactly(0)};
-  setInPlane(pointAt(along ? from : zero, state_.polar[0], state_.polar[1]));
+  const PlanePlace zero{Interval::exactly(0), Interval::exactly(0)};
+  setInPlane(placeAt(along ? from : zero, {state_.polar[0], state_.polar[1]}));
 }
 
 /// Words for angle and radius about the pole; what is left out is as it was before the block.
 void Execution::polarTarget() {
-  const std::array<Interval, 2> pole = state_.pole, from = inPlane();
-  Interval radius, degrees;
-  if (from[0].isConstant() && from[1].isConstant() && pole[0].isConstant() &&
-      pole[1].isConstant()) {
-    const double x = from[0].value() - pole[0].value(), y = from[1].value() - pole[1].value();
-    radius = Interval::exactly(std::hypot(x, y));
-    degrees = Interval::exactly(std::atan2(y, x) * 180 / std::numbers::pi);
-  }
+  auto [radius, degrees] = polarOf(state_.pole, inPlane());
   for (const Word &word : block_.words) {
     const AddressInfo &address = dialect_.addresses[word.address];
     if (address.kind != AddressKind::Polar)
@@ -96,18 +73,18 @@ void Execution::polarTarget() {
   }
   if (block_.hasAny(dialect_.elementWords)) // a point of the contour's own geometry
     radius = Interval::unknown();
-  setInPlane(pointAt(pole, radius, degrees));
+  setInPlane(placeAt(state_.pole, {radius, degrees}));
 }
 
 /// The pole itself: about the zero point, the present place, or the pole so far.
 void Execution::setPole(Action reference) {
   state_.set(Fact::PoleSet);
-  const std::array<Interval, 2> zero{Interval::exactly(0), Interval::exactly(0)};
-  const std::array<Interval, 2> base = reference == Action::PoleFromPlace  ? inPlane()
-                                       : reference == Action::PoleFromPole ? state_.pole
-                                                                           : zero;
+  const PlanePlace zero{Interval::exactly(0), Interval::exactly(0)};
+  const PlanePlace base = reference == Action::PoleFromPlace  ? inPlane()
+                          : reference == Action::PoleFromPole ? state_.pole
+                                                              : zero;
   const auto [first, second] = planeOrder(dialect_, state_);
-  std::array<Interval, 2> by = zero;
+  PlanePlace by = zero;
   Interval radius, degrees;
   for (const Word &word : block_.words) {
     const AddressInfo &address = dialect_.addresses[word.address];
@@ -119,7 +96,7 @@ void Execution::setPole(Action reference) {
       by[address.axis == first ? 0 : 1] = coordinate(word);
   }
   if (block_.hasAny(dialect_.polarWords))
-    by = pointAt(zero, radius, degrees);
+    by = placeAt(zero, {radius, degrees});
   for (size_t i = 0; i < 2; ++i)
     state_.pole[i] = base[i] + by[i];
 }

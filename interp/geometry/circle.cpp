@@ -5,6 +5,15 @@
 
 namespace ncvet {
 
+double turnBetween(double from, double to, bool clockwise) {
+  const double turn = clockwise ? from - to : to - from;
+  return turn - std::floor(turn / fullTurn) * fullTurn;
+}
+
+double turnsOverChord(double chord, double radius) {
+  return std::asin(std::fmin(1, chord / (2 * radius))) / std::numbers::pi;
+}
+
 double turnsAround(const Point &centre, const Point &from, const Point &to, bool clockwise) {
   double turns = angleBetween(from - centre, to - centre) / fullTurn;
   if (clockwise)

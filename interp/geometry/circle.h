@@ -18,6 +18,15 @@ inline double radiusDifference(const Point &centre, const Point &a, const Point 
   return std::fabs(distance(a, centre) - distance(b, centre));
 }
 
+inline double circumferenceOf(double diameter) { return std::numbers::pi * diameter; }
+
+/// How far an arc has turned, in radians from 0 to below a full turn, when it comes from one angle
+/// to another.
+double turnBetween(double from, double to, bool clockwise);
+
+/// Part of a full turn that the shorter arc over a chord of that length makes.
+double turnsOverChord(double chord, double radius);
+
 /// Angle of the path from one point to another round `centre`, in full turns: above 0, at most 1.
 double turnsAround(const Point &centre, const Point &from, const Point &to, bool clockwise);
 

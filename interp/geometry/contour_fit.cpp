@@ -28,7 +28,7 @@ Vector beside(const ContourElement &element, const Vector &at, double left) {
 double turnTo(const ContourElement &arc, const Vector &at, const Vector &end, double left,
               int sense) {
   const Vector a = at - arc.centre, b = end - arc.centre;
-  const double angle = std::atan2(cross(a, b), a.dot(b)) * sense;
+  const double angle = angleBetween(a, b) * sense;
   return (arc.clockwise ? -angle : angle) * arc.radiusBeside(left);
 }
 

@@ -21,4 +21,10 @@ double distanceFromSegment(const Point &a, const Point &b, const Point &point) {
   return std::hypot(point.x() - a.x() - t * x, point.y() - a.y() - t * y);
 }
 
+PlaceOnLine placeOnLine(const SpacePoint &a, const SpacePoint &b, const SpacePoint &point) {
+  const SpacePoint line = b - a;
+  const double along = (point - a).dot(line) / line.squaredNorm();
+  return {along, (point - a - along * line).norm()};
+}
+
 } // namespace ncvet

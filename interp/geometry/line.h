@@ -23,4 +23,14 @@ inline double distanceFromLine(const Point &on, double angle, const Point &point
 /// Distance of `point` from the straight way between `a` and `b`.
 double distanceFromSegment(const Point &a, const Point &b, const Point &point);
 
+/// A place in space, in millimetres.
+using SpacePoint = Eigen::Vector3d;
+
+/// Where a point lies about the line from `a` to `b`.
+struct PlaceOnLine {
+  double along; ///< of its foot: 0 at `a`, 1 at `b`
+  double aside; ///< mm from the line
+};
+PlaceOnLine placeOnLine(const SpacePoint &a, const SpacePoint &b, const SpacePoint &point);
+
 } // namespace ncvet

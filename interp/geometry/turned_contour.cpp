@@ -9,7 +9,6 @@ namespace ncvet {
 
 namespace {
 constexpr double contourTolerance = 1e-7; ///< mm
-constexpr double quarter = std::numbers::pi / 2;
 
 /// Where the move ends; none when a coordinate is not known.
 std::optional<Point> endAsTurned(const Move &move, double lengthsOfX) {
@@ -76,13 +75,13 @@ void TurnedContour::addArc(const Point &from, const Point &to, const Move &move,
   const bool clockwise = move.clockwise != swapped;
   const double begin = angleOf(from - centre);
   const double sign = clockwise ? -1 : 1;
-  const double end = begin + sign * move.turns.value() * 2 * std::numbers::pi;
+  const double end = begin + sign * move.turns.value() * fullTurn;
   constexpr double sameAngle = 1e-9;
   double angle = begin;
   Point at = from;
   while ((end - angle) * sign > sameAngle) {
-    const double count = std::floor(angle / quarter * sign + 1 + sameAngle);
-    double next = count * quarter * sign;
+    const double count = std::floor(angle / quarterTurn * sign + 1 + sameAngle);
+    double next = count * quarterTurn * sign;
     const bool last = (next - end) * sign > -sameAngle;
     if (last)
       next = end;
@@ -92,8 +91,8 @@ void TurnedContour::addArc(const Point &from, const Point &to, const Move &move,
     piece.arc = true;
     piece.centre = centre;
     piece.radius = radius;
-    const double middle = (angle + next) / 2;
-    piece.side = {std::cos(middle) < 0 ? -1.0 : 1.0, std::sin(middle) < 0 ? -1.0 : 1.0};
+    const Vector towards = unitVector((angle + next) / 2);
+    piece.side = {towards.x() < 0 ? -1.0 : 1.0, towards.y() < 0 ? -1.0 : 1.0};
     piece.clockwise = clockwise;
     at = piece.to;
     angle = next;

@@ -67,10 +67,9 @@ void CompensatedPath::flush(Take take) {
 /// Round an outside corner along straight lines: on to where the paths beside the two elements
 /// meet, or to a point of each when that would be far away.
 void CompensatedPath::goAlongLines(const ContourElement &next, Take take) {
-  constexpr double square = std::numbers::pi / 4;
   const Vector in = element_->direction(element_->to), out = next.direction(next.from);
-  const double half = std::fabs(angleBetween(in, out)) / 2;
-  const double on = std::fabs(left_) * std::tan(std::min(half, square));
+  const double turn = std::fabs(angleBetween(in, out));
+  const double on = reachOfCorner(std::fabs(left_), std::min(turn, quarterTurn));
   const Vector end = beside(*element_, element_->to, left_), goal = beside(next, next.from, left_);
   Tagged line = *waiting_;
   if (line.move.kind == MoveKind::Arc) {
@@ -78,7 +77,7 @@ void CompensatedPath::goAlongLines(const ContourElement &next, Take take) {
     line.move.kind = MoveKind::Linear;
   }
   give(line, end + in * on, take);
-  if (half > square)
+  if (turn > quarterTurn)
     give(line, goal - out * on, take);
   if (next.arc)
     give(line, goal, take);

@@ -6,7 +6,6 @@
 #include "interp/geometry/contour_element.h"
 #include "interp/geometry/tolerance.h"
 #include "interp/state/modes.h"
-#include "interp/value/units.h"
 
 namespace ncvet {
 
@@ -14,7 +13,7 @@ namespace {
 
 bool isCut(const Move &move) { return move.kind == MoveKind::Linear || move.kind == MoveKind::Arc; }
 
-Vector directionOf(double degrees) { return unitVector(degrees * radiansPerDegree); }
+Vector directionOf(double degrees) { return unitVector(radiansOf(degrees)); }
 
 /// The direction of a line by its angle: the words tell which of the two directions is meant.
 Vector directionAlong(const ContourPlane &plane, const CornerRequest &line, const Vector &from) {
@@ -293,7 +292,7 @@ bool CornerPath::putCorner(Waiting &first, Waiting &second, Take take) {
     return false;
   const double legs = first.corner.kind == CornerRequest::Kind::Legs
                           ? first.corner.size
-                          : first.corner.size / std::sqrt(2 + 2 * in.dot(out));
+                          : legOfChamfer(first.corner.size, in, out);
   Move chamfer = first.move;
   plane.set(first.move.to, meet - in * legs);
   give(first.tag, first.move, take);

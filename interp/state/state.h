@@ -2,9 +2,9 @@
 #pragma once
 
 #include "formats/dialect/dialect.h"
+#include "interp/geometry/frame.h"
 #include "interp/state/modal_call.h"
 #include "interp/state/saved_modes.h"
-#include "interp/value/frame.h"
 #include "interp/value/spindle.h"
 #include "interp/value/variables.h"
 

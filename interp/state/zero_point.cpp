@@ -1,7 +1,7 @@
 // Where programmed coordinates lie on the machine, for controls that keep that in variables.
 #include "interp/state/zero_point.h"
 
-#include <numbers>
+#include "interp/geometry/plane_place.h"
 
 namespace ncvet {
 
@@ -33,14 +33,10 @@ Place minus(const Place &a, const Place &b) {
 Place turned(Place place, const Interval &degrees) {
   if (degrees == Interval::exactly(0))
     return place;
-  const Interval x = place[0], y = place[1];
-  place[0] = place[1] = Interval::unknown();
-  if (!degrees.isConstant() || x.isUnknown() || y.isUnknown())
-    return place;
-  const double radians = degrees.value() * std::numbers::pi / 180;
-  const double cosine = std::cos(radians), sine = std::sin(radians);
-  place[0] = x * cosine - y * sine;
-  place[1] = x * sine + y * cosine;
+  const PlanePlace turned =
+      degrees.isConstant() ? turnedPlace({place[0], place[1]}, degrees.value()) : PlanePlace();
+  place[0] = turned[0];
+  place[1] = turned[1];
   return place;
 }
 

@@ -93,7 +93,7 @@ private:
     unsigned i = 0;
     for (unsigned axis = 0; axis < 3 && i < 2; ++axis)
       if (plane >> axis & 1)
-        factor[i++] = std::hypot(frame->turn[0][axis], frame->turn[1][axis], frame->turn[2][axis]);
+        factor[i++] = frame->stretchOf(axis);
     return std::fabs(factor[0] - factor[1]) > 1e-6;
   }
 

@@ -1,5 +1,6 @@
 // An arc through three points that lie on a line, or a tangential one that nothing leads to.
 #include "analyzer/facts/lookahead.h"
+#include "interp/geometry/line.h"
 
 #include <array>
 #include <cmath>
@@ -25,17 +26,15 @@ public:
   }
 
 private:
-  using Point = std::array<double, 3>;
-
   struct ThreePoints {
-    Point start{}, middle{}, end{};
+    SpacePoint start = SpacePoint::Zero(), middle = SpacePoint::Zero(), end = SpacePoint::Zero();
   };
 
   static void threePoints(const Event &event, RuleContext &ctx) {
     if (lacksCoordinate(event, ctx))
       return;
     const std::optional<ThreePoints> points = pointsOf(ctx);
-    const std::optional<double> place = points ? placeOnLine(*points) : std::nullopt;
+    const std::optional<double> place = points ? partOfLine(*points) : std::nullopt;
     if (!place)
       return;
     auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode));
@@ -87,21 +86,12 @@ private:
 
   /// Where the intermediate point lies on the line from start (0) to end (1); none when it lies
   /// beside that line, or when the arc ends where it begins, which is another matter.
-  static std::optional<double> placeOnLine(const ThreePoints &points) {
+  static std::optional<double> partOfLine(const ThreePoints &points) {
     const auto &[start, middle, end] = points;
-    double along = 0, length = 0, distance = 0;
-    for (unsigned i = 0; i < 3; ++i) {
-      along += (middle[i] - start[i]) * (end[i] - start[i]);
-      length += (end[i] - start[i]) * (end[i] - start[i]);
-    }
-    if (length < tolerance * tolerance)
+    if ((end - start).norm() < tolerance)
       return std::nullopt;
-    along /= length;
-    for (unsigned i = 0; i < 3; ++i) {
-      const double away = middle[i] - start[i] - along * (end[i] - start[i]);
-      distance += away * away;
-    }
-    return std::sqrt(distance) > tolerance ? std::nullopt : std::optional(along);
+    const PlaceOnLine place = placeOnLine(start, end, middle);
+    return place.aside > tolerance ? std::nullopt : std::optional(place.along);
   }
 
   /// Of the intermediate point one coordinate in the plane is given, and not the other.

@@ -83,9 +83,8 @@ private:
         ctx.block().hasAny(ctx.dialect().elementWords) ||
         ctx.outcome().kinds & bitOf(EventKind::CompensationMove)) // on its way to the contour
       return;
-    const double length = std::hypot(way[0], way[1]);
     const double aside = std::fabs(cross(direction, way));
-    if (aside < leastAside || aside < leastSine * length)
+    if (aside < leastAside || aside < leastSine * way.norm())
       return;
     if (auto finding = ctx.report(word))
       finding.message("the line at `{0}` through its end passes {1:f3} mm beside its start",

@@ -95,7 +95,7 @@ private:
     const Interval size = ctx.value(*word);
     if (!in || !out || !size.isConstant() || size.value() == 0)
       return;
-    const double turn = (*in)[0] * (*out)[1] - (*in)[1] * (*out)[0];
+    const double turn = cross(*in, *out);
     constexpr double straight = 1e-3; // sine of the turn below which no side is told
     const bool left = size.value() > 0;
     if (std::fabs(turn) < straight || (turn > 0) == left)

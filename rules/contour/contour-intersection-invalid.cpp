@@ -10,7 +10,6 @@
 
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 namespace {

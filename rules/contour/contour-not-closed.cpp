@@ -43,7 +43,7 @@ public:
     for (size_t i = 1; i + 1 < points_.size(); ++i)
       turned += turn(points_[i - 1], points_[i], points_[i + 1]);
     constexpr double about = 0.02; // rad
-    if (std::fabs(turned) < 1.5 * std::numbers::pi - about || std::fabs(turned) > fullTurn + about)
+    if (std::fabs(turned) < 0.75 * fullTurn - about || std::fabs(turned) > fullTurn + about)
       return std::nullopt;
     const Point &a = points_[0], &b = points_[1];
     const Point &p = points_[points_.size() - 2], &q = points_.back();

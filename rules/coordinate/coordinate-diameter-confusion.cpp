@@ -1,5 +1,6 @@
 // An arc fits only when the increment in X is read as a radius.
 #include "analyzer/rule/rule.h"
+#include "interp/geometry/circle.h"
 
 #include <cmath>
 
@@ -32,14 +33,12 @@ public:
                    ck = k ? ctx.value(*k) : Interval::exactly(0);
     if (!dx.isConstant() || !dz.isConstant() || !ci.isConstant() || !ck.isConstant())
       return;
-    const double radius = std::hypot(ci.value(), ck.value());
-    const auto misfit = [&](double x) {
-      return std::fabs(std::hypot(x - ci.value(), dz.value() - ck.value()) - radius);
-    };
+    const Point start = Point::Zero(), centre{ci.value(), ck.value()};
+    const auto misfit = [&](double x) { return radiusDifference(centre, {x, dz.value()}, start); };
     const double asDiameter = misfit(dx.value() / 2);
     const bool asRadius = misfit(dx.value()) <= tolerance;
     const bool doubled = misfit(dx.value() / 4) <= tolerance;
-    if (radius <= tolerance || asDiameter <= tolerance || !(asRadius || doubled))
+    if (distance(centre, start) <= tolerance || asDiameter <= tolerance || !(asRadius || doubled))
       return;
     if (auto finding = ctx.report(*u))
       finding.message("`{0}` is a difference of diameters: the arc fits only if it is read as {1}",

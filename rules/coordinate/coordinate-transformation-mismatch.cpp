@@ -1,9 +1,9 @@
 // A transformation that does not fit the machine.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/stored_names.h"
+#include "interp/geometry/circle.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 namespace {
@@ -57,7 +57,7 @@ private:
     if (state.commons.given(cylinder()) != Truth::Yes || !diameter.isConstant() ||
         diameter.number.value() <= 0)
       return std::nullopt;
-    return std::numbers::pi * diameter.number.value();
+    return circumferenceOf(diameter.number.value());
   }
 
   /// On the surface of a cylinder the words of its rotary axis are lengths along it.

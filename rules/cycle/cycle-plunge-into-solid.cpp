@@ -2,6 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/gathering_rule.h"
 #include "formats/dialect/measure.h"
+#include "interp/geometry/point.h"
 
 #include <cmath>
 
@@ -26,7 +27,7 @@ public:
   bool isMade(double x, double y) const {
     constexpr double near = 0.01; // mm
     return llvm::any_of(made_.holes.items(), [&](const std::array<double, 2> &hole) {
-      return std::hypot(hole[0] - x, hole[1] - y) < near;
+      return distance({hole[0], hole[1]}, {x, y}) < near;
     });
   }
   const auto &remembered() const { return made_; }

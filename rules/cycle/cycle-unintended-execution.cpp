@@ -2,6 +2,7 @@
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
+#include "interp/geometry/point.h"
 
 #include <cmath>
 
@@ -262,9 +263,6 @@ private:
     const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
     if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
       return false;
-    struct Point {
-      double x, y;
-    };
     std::vector<Point> points;
     Block block;
     uint32_t at = ctx.source().lines().lineBegin(origin.begin);
@@ -291,12 +289,10 @@ private:
       return false;
     (void)code;
     double longest = 0;
-    const auto distance = [&](size_t i) {
-      return std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
-    };
+    const auto stepTo = [&](size_t i) { return distance(points[i - 1], points[i]); };
     for (size_t i = 1; i + 1 < points.size(); ++i)
-      longest = std::fmax(longest, distance(i));
-    const double last = distance(points.size() - 1);
+      longest = std::fmax(longest, stepTo(i));
+    const double last = stepTo(points.size() - 1);
     return longest > 0 && last > farFactor_ * longest;
   }
 

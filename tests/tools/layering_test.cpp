@@ -130,6 +130,21 @@ bool forbiddenHeader(std::string_view path, std::string_view header) {
          header == "llvm/Support/MemoryBuffer.h";
 }
 
+/// The rooms that calculate with angles: the geometry, which the others ask, and the functions of
+/// the controls' own language.
+bool mayCalculateAngles(std::string_view path) {
+  return isIn(path, "interp/geometry/") || isIn(path, "interp/evaluate/");
+}
+
+/// A function of trigonometry in a line of code, or the number pi; empty without one.
+std::string trigonometryIn(const std::string &line) {
+  static const std::regex function(
+      R"(\bstd::(sin|cos|tan|asin|acos|atan|atan2|hypot|numbers)\b|\bM_PI\b)");
+  const std::string code = line.substr(0, line.find("//"));
+  std::smatch match;
+  return std::regex_search(code, match, function) ? match[0].str() : std::string();
+}
+
 /// What a line of code holds beside comments: the header that it includes, and its string literals.
 struct Line {
   std::string header;
@@ -200,6 +215,9 @@ std::vector<std::string> violations(const std::string &path, const std::string &
     report(1, "does not open with a comment of one sentence on what the file is for");
   for (size_t i = 0; i < lines.size(); ++i) {
     const Line line = readLine(lines[i]);
+    if (const std::string angle = trigonometryIn(lines[i]);
+        !angle.empty() && !mayCalculateAngles(path))
+      report(i + 1, "calls " + angle + "; a function of interp/geometry does");
     if (!line.header.empty()) {
       if (forbiddenHeader(path, line.header))
         report(i + 1, "may not include " + line.header);
@@ -378,6 +396,15 @@ TEST(Layering, AFileWithoutAnOpeningSentenceIsSeen) {
   EXPECT_EQ(violations("interp/x.cpp", "// TODO\n").size(), 1U);
   EXPECT_TRUE(
       violations("interp/x.cpp", "// A sentence that goes on\n// in a second line.\n").empty());
+}
+
+TEST(Layering, TrigonometryOutsideOfTheGeometryIsSeen) {
+  const std::string call = sentence + "const double x = std::cos(angle);\n";
+  EXPECT_EQ(violations("rules/arc/x.cpp", call).size(), 1U);
+  EXPECT_EQ(violations("interp/execute/x.cpp", sentence + "return std::numbers::pi;\n").size(), 1U);
+  EXPECT_TRUE(violations("rules/arc/x.cpp", sentence + "int x = 1; // std::cos(angle)\n").empty());
+  EXPECT_TRUE(violations("interp/geometry/x.cpp", call).empty());
+  EXPECT_TRUE(violations("interp/evaluate/x.cpp", call).empty());
 }
 
 TEST(Layering, HeadersOutsideTheProjectThatCostOrBreakTooMuchAreSeen) {

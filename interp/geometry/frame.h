@@ -26,6 +26,15 @@ struct Frame {
   /// The whole map: its rows, each of three factors and a shift.
   static Frame ofRows(const std::array<double, 12> &rows);
 
+  /// By how much lengths along the axis 0, 1 or 2 are stretched.
+  double stretchOf(size_t axis) const;
+  /// Whether lengths are the same inside and outside.
+  bool keepsLengths() const;
+  /// Whether a circle in the plane of two axes stays one, in that plane.
+  bool keepsCircles(size_t a, size_t b) const;
+  /// Whether what turns counter-clockwise in the plane of two axes turns clockwise outside.
+  bool mirrors(size_t a, size_t b) const;
+
   /// None when it flattens space: a factor of zero.
   std::optional<Frame> inverse() const;
   /// First `inner`, then `outer`.

@@ -1,5 +1,7 @@
 // Frames: how the coordinates that a program writes lie in those of its work offset.
-#include "interp/value/frame.h"
+#include "interp/geometry/frame.h"
+
+#include "interp/geometry/direction.h"
 
 #include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/STLExtras.h"
@@ -7,14 +9,13 @@
 
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 namespace ncvet {
 
 namespace {
 
 using Map = Eigen::Transform<double, 3, Eigen::AffineCompact>;
-using Vector = Eigen::Vector3d;
+using SpaceVector = Eigen::Vector3d;
 
 /// A coefficient this small is the rounding of a zero: cos 90 degrees.
 constexpr double zero = 1e-15;
@@ -41,10 +42,10 @@ Frame frameOf(const Map &map) {
   return frame;
 }
 
-Vector vectorOf(const std::array<double, 3> &v) { return {v[0], v[1], v[2]}; }
+SpaceVector vectorOf(const std::array<double, 3> &v) { return {v[0], v[1], v[2]}; }
 
 /// `linear` with `centre` kept where it is.
-Map about(const Vector &centre, const Eigen::Matrix3d &linear) {
+Map about(const SpaceVector &centre, const Eigen::Matrix3d &linear) {
   Map map;
   map.linear() = linear;
   // Axis by axis: a centre that is not known spoils only what is turned or scaled about it.
@@ -67,7 +68,7 @@ Frame Frame::shifted(const std::array<double, 3> &by) {
 }
 
 Frame Frame::turned(unsigned axis, double degrees, const std::array<double, 3> &centre) {
-  const Eigen::AngleAxisd rotation(degrees * std::numbers::pi / 180, Vector::Unit(int(axis)));
+  const Eigen::AngleAxisd rotation(radiansOf(degrees), SpaceVector::Unit(int(axis)));
   return frameOf(about(vectorOf(centre), rotation.toRotationMatrix()));
 }
 
@@ -84,6 +85,27 @@ Frame Frame::ofRows(const std::array<double, 12> &rows) {
     frame.shift[i] = rows[i * width + 3];
   }
   return frame;
+}
+
+double Frame::stretchOf(size_t axis) const { return mapOf(*this).linear().col(int(axis)).norm(); }
+
+bool Frame::keepsLengths() const {
+  constexpr double same = 1e-9;
+  const Eigen::Matrix3d linear = mapOf(*this).linear();
+  const Eigen::Matrix3d products = linear.transpose() * linear;
+  return (products - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= same;
+}
+
+bool Frame::keepsCircles(size_t a, size_t b) const {
+  const size_t normal = 3 - a - b;
+  const bool tilts =
+      turn[normal][a] != 0 || turn[normal][b] != 0 || turn[a][normal] != 0 || turn[b][normal] != 0;
+  constexpr double sameLength = 1e-9;
+  return !tilts && std::fabs(stretchOf(a) - stretchOf(b)) < sameLength;
+}
+
+bool Frame::mirrors(size_t a, size_t b) const {
+  return turn[a][a] * turn[b][b] - turn[a][b] * turn[b][a] < 0;
 }
 
 std::optional<Frame> Frame::inverse() const {
