@@ -78,6 +78,9 @@ private:
     const auto key = uint64_t(event.variable());
     if (event.variable() < int64_t(firstNamedVariable) || ctx.callDepth() > 0 || isSubprogram(ctx))
       return;
+    // Among the words of a move it is an axis that the builder has named.
+    if (ctx.block().hasAny(ctx.dialect().axisWords))
+      return;
     const FileId file = ctx.source().id();
     if (!memory().spoken.insert(key).second)
       return;
@@ -89,8 +92,9 @@ private:
       const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
       const bool parameter =
           name.startswith_insensitive("R") && llvm::all_of(name.drop_front(), llvm::isDigit);
-      if (name.empty() || parameter || !(llvm::isAlpha(name[0]) || name[0] == '_') ||
-          name.contains('[') || ctx.index().definition(program, name))
+      if (name.empty() || parameter || !llvm::isAlpha(name[0]) || // `_NAME` is the builder's
+          name.contains('[') || ctx.index().definition(program, name) ||
+          ctx.dialect().keyword(name) != noCode)
         return;
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)

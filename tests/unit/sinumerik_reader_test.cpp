@@ -179,6 +179,83 @@ TEST_F(SinumerikReading, SlipsAreIssuesAndTheRestIsRead) {
             std::vector{SyntaxIssueKind::NamedArgument});
 }
 
+TEST_F(SinumerikReading, ASynchronisedActionIsTheRestOfItsBlock) {
+  for (const char *text :
+       {"WHEN $A_IN[1]==1 DO DELDTG(X) $AC_MARKER[1]=2\n",
+        "N10 ID=1 EVERY $A_DBB[5]<>0 DO POS[Q1]=$A_DBB[5] FA[Q1]=500\n",
+        "IDS=20 WHENEVER G710 ($AC_PARAM[31]+$A_DBB[55]) DO $A_OUT[1]=1 ELSE $A_OUT[1]=0\n",
+        "FROM ($AA_IM[X]>5) AND ($AA_IM[X]<9) DO RDISABLE\n", "DO $A_OUTA[1]=$AA_IM[X]*2\n",
+        "WHEN TRUE DO SPOS=0 M8 H10 MOV[U]=1\n"}) {
+    const Block block = blockOf(text);
+    EXPECT_TRUE(block.issues.empty()) << text;
+    for (const Item &item : block.items)
+      EXPECT_EQ(item.kind, ItemKind::Output) << text;
+  }
+  EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]==1\n")), std::vector{SyntaxIssueKind::BadStatement});
+  EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]=1 DO M8\n")),
+            std::vector{SyntaxIssueKind::AssignmentInTest});
+  // What nobody knows from here on.
+  const Block written = blockOf("WHEN $A_IN[2]==1 DO $R[280]=$AA_IM[X]\n");
+  ASSERT_EQ(written.items.size(), 2u);
+  EXPECT_EQ(written.items[0].kind, ItemKind::Assignment);
+  EXPECT_EQ(valueOf(written, written.items[0].target), double(blockOf("R280=1\n").keyOf(0)));
+  EXPECT_TRUE(std::isnan(valueOf(written, written.items[0].value)));
+}
+
+TEST_F(SinumerikReading, AndOfWholeNumbersAsksWhetherTheyAreZero) {
+  const auto blocks = blocksOf("R1=5 AND 2\nR1=5 B_AND 2\nR1=5 B_AND 4\nR1=0 OR 6\nR1=2 XOR 3\n"
+                               "R1=2 B_XOR 3\nR1=NOT 5\nR1=(1==1) AND 8\n");
+  const double wanted[] = {1, 0, 4, 1, 0, 1, 0, 1};
+  ASSERT_EQ(blocks.size(), std::size(wanted));
+  for (size_t i = 0; i < blocks.size(); ++i)
+    EXPECT_EQ(valueOf(blocks[i], blocks[i].items[0].value), wanted[i]) << i;
+}
+
+TEST_F(SinumerikReading, ALinkOfAChainMayBeAlone) {
+  EXPECT_TRUE(blockOf("MSG(<<R1)\n").issues.empty());
+  EXPECT_TRUE(blockOf("TXT=<<R1<<\" mm\"\n").issues.empty());
+  EXPECT_TRUE(blockOf("MSG(\"R1=\"<<R1<<\"; done\")\n").issues.empty());
+}
+
+TEST_F(SinumerikReading, APolynomialMovesItsAxisSomewhere) {
+  const Block block = blockOf("PO[X]=(10,2,3) PO[Y]=(3,4)/(2,1) Z5\n");
+  EXPECT_TRUE(block.issues.empty());
+  ASSERT_EQ(block.words.size(), 3u);
+  EXPECT_TRUE(std::isnan(valueOf(block, uint16_t(block.find('X')->mantissa))));
+  EXPECT_EQ(spelling(block.words[1].offset, block.endOf(block.words[1])), "PO[Y]=(3,4)/(2,1)");
+}
+
+TEST_F(SinumerikReading, AStrayTextIsOneIssue) {
+  for (const char *text : {"G1 X10 'A' Y20\n", "G1 X10 \"G2 X5\" Y20\n"}) {
+    const Block block = blockOf(text);
+    EXPECT_EQ(issuesOf(block), std::vector{SyntaxIssueKind::InvalidCharacter});
+    ASSERT_EQ(block.words.size(), 3u);
+    EXPECT_EQ(block.find('Y')->value(), 20);
+  }
+}
+
+TEST_F(SinumerikReading, ADecimalCommaKeepsTheValueThatIsMeant) {
+  const auto blocks = blocksOf("R1=0,5\nX=-1,25\nCR=7,5\n");
+  for (const Block &block : blocks)
+    EXPECT_EQ(issuesOf(block), std::vector{SyntaxIssueKind::DecimalComma});
+  EXPECT_EQ(valueOf(blocks[0], blocks[0].items[0].value), 0.5);
+  EXPECT_EQ(blocks[1].find('X')->value(), -1.25);
+}
+
+TEST_F(SinumerikReading, WhatOldEditorsLeaveIsBlank) {
+  const auto blocks = blocksOf("\x11N10 M30\x13\n\x1A");
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_TRUE(blocks[0].issues.empty());
+  EXPECT_EQ(blocks[1].kind, BlockKind::Empty);
+}
+
+TEST_F(SinumerikReading, ARedefinitionSaysNothingOfTheProgram) {
+  const Block block = blockOf("REDEF $MN_USER_DATA_INT APR 7 APW 1\n");
+  EXPECT_TRUE(block.issues.empty());
+  ASSERT_EQ(block.items.size(), 1u);
+  EXPECT_EQ(block.items[0].kind, ItemKind::Output);
+}
+
 TEST_F(SinumerikReading, BeginningAnywhereReadsTheSameBlocks) {
   const auto blocks = blocksOf(
       "%_N_A_MPF\nN10 G54 G17\n\nA1: IF R1==1 GOTOB A1\nDEF INT K\r\nMSG(\"a;b\") ; c\nM30");

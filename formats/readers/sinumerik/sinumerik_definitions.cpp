@@ -178,6 +178,13 @@ void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
   add(item);
 }
 
+/// `REDEF $MN_NAME APR 7`: who may read and write a variable, and when it begins anew.
+void SinumerikScanner::scanRedefinition(const char *begin) {
+  Item item = itemAt(ItemKind::Output, begin);
+  rest();
+  add(item);
+}
+
 /// `DEFINE NAME AS G1 G91`: what it means is read where it is written only.
 void SinumerikScanner::scanMacro(const char *begin) {
   Item item = itemAt(ItemKind::Macro, begin);

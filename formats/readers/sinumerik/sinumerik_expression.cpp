@@ -1,6 +1,8 @@
 // Parser of Sinumerik expressions: text to operations in postfix order.
 #include "formats/readers/sinumerik/sinumerik_expression.h"
 
+#include "formats/readers/sinumerik/sinumerik_functions.h"
+
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringSwitch.h"
@@ -14,7 +16,7 @@ namespace {
 bool isNameLetter(char c) { return llvm::isAlpha(c) || c == '_'; }
 bool isNameCharacter(char c) { return llvm::isAlnum(c) || c == '_'; }
 
-constexpr unsigned comparisonStrength = 1, andStrength = 5, strongest = 10;
+constexpr unsigned comparisonStrength = 1, chainStrength = 2, andStrength = 5, strongest = 10;
 
 /// The operator at the head of `text`; strength 0: there is none.
 BinaryOperator binaryAt(llvm::StringRef text) {
@@ -23,7 +25,7 @@ BinaryOperator binaryAt(llvm::StringRef text) {
     return text.startswith("==") ? BinaryOperator{Op::Equal, comparisonStrength, 2}
                                  : BinaryOperator();
   case '<':
-    return text.startswith("<<")   ? BinaryOperator{Op::Opaque, 2, 2}
+    return text.startswith("<<")   ? BinaryOperator{Op::Opaque, chainStrength, 2}
            : text.startswith("<>") ? BinaryOperator{Op::NotEqual, comparisonStrength, 2}
            : text.startswith("<=") ? BinaryOperator{Op::LessEqual, comparisonStrength, 2}
                                    : BinaryOperator{Op::Less, comparisonStrength, 1};
@@ -31,7 +33,7 @@ BinaryOperator binaryAt(llvm::StringRef text) {
     return text.startswith(">=") ? BinaryOperator{Op::GreaterEqual, comparisonStrength, 2}
                                  : BinaryOperator{Op::Greater, comparisonStrength, 1};
   case ':':
-    return {Op::Opaque, 2, 1};
+    return {Op::Opaque, chainStrength, 1};
   case '+':
     return {Op::Add, 9, 1};
   case '-':
@@ -62,39 +64,6 @@ BinaryOperator binaryAt(llvm::StringRef text) {
 
 bool isLogical(const BinaryOperator &binary) {
   return binary.strength >= 3 && binary.strength <= 5;
-}
-
-/// A function with one number in and one number out.
-Op functionOf(llvm::StringRef upper) {
-  return llvm::StringSwitch<Op>(upper)
-      .Case("SIN", Op::Sin)
-      .Case("COS", Op::Cos)
-      .Case("TAN", Op::Tan)
-      .Case("ASIN", Op::Asin)
-      .Case("ACOS", Op::Acos)
-      .Case("SQRT", Op::Sqrt)
-      .Case("ABS", Op::Abs)
-      .Case("POT", Op::Square)
-      .Case("TRUNC", Op::Truncate)
-      .Case("ROUND", Op::Round)
-      .Case("ROUNDUP", Op::Fup)
-      .Case("LN", Op::Ln)
-      .Case("EXP", Op::Exp)
-      .Default(Op::Unknown);
-}
-
-/// `SQR(2)`: one letter off a function, and no function itself.
-bool isMisspelt(llvm::StringRef upper) {
-  // Functions that look like another one.
-  for (const char *other : {"ASIN", "ACOS", "ATAN2", "MINVAL", "MAXVAL", "AC", "IC", "DC", "ACP",
-                            "ACN", "CROT", "CROTS", "SPI", "POSM"})
-    if (upper == other)
-      return false;
-  for (const char *function : {"SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN2", "SQRT", "ABS", "POT",
-                               "TRUNC", "ROUND", "ROUNDUP", "EXP", "MINVAL", "MAXVAL"})
-    if (upper.size() > 2 && upper.edit_distance(function, true, 1) == 1)
-      return true;
-  return false;
 }
 
 /// Key of `R12`; 0: the name is another.
@@ -229,14 +198,32 @@ bool SinumerikExpression::group(unsigned depth) {
   return true;
 }
 
+/// AND, OR and XOR ask of each side whether it is 0: `5 AND 2` is true, where `5 B_AND 2` has no
+/// bit.
+void SinumerikExpression::makeTruth(const char *at) {
+  const Op last = block_.operations.back().op;
+  if ((last >= Op::Equal && last <= Op::LessEqual) || last == Op::Not ||
+      block_.operations.size() == truthEnd_)
+    return;
+  emit(Op::Not, at);
+  emit(Op::Not, at);
+}
+
 /// Operands and operators at least as strong as `strength`, grouped from the left.
 bool SinumerikExpression::level(unsigned depth, unsigned strength, Seen &seen) {
   const auto apply = [&](const BinaryOperator &binary, const char *at) {
     seen.comparison |= binary.strength == comparisonStrength;
-    seen.logical |= isLogical(binary);
+    const bool logical = isLogical(binary);
+    seen.logical |= logical;
+    if (logical)
+      makeTruth(at);
     if (!level(depth, binary.strength + 1, seen))
       return false;
+    if (logical)
+      makeTruth(at);
     emit(binary.op, at, binary.op == Op::Opaque ? 2 : 0);
+    if (logical)
+      truthEnd_ = block_.operations.size();
     return true;
   };
   return unary(depth, seen) && operators(
@@ -258,6 +245,14 @@ bool SinumerikExpression::unary(unsigned depth, Seen &seen) {
       return false;
     if (negative)
       emit(Op::Negate, at);
+    return true;
+  }
+  if (end_ - at_ > 1 && at_[0] == '<' && at_[1] == '<') {
+    // `<<R1`: a chain of one link makes a text of a number.
+    at_ += 2;
+    if (!unary(depth + 1, seen))
+      return false;
+    emit(Op::Opaque, at, 1);
     return true;
   }
   if (const llvm::StringRef word = identifier(); word.equals_insensitive("NOT")) {
@@ -388,7 +383,7 @@ bool SinumerikExpression::function(unsigned depth, llvm::StringRef name, const c
   if (count < 0)
     return false;
   const std::string upper = name.upper();
-  const Op unary = functionOf(upper);
+  const Op unary = sinumerikFunction(upper);
   if (unary != Op::Unknown && count == 1)
     emit(unary, begin);
   else if (upper == "ATAN2" && count == 2)
@@ -400,7 +395,7 @@ bool SinumerikExpression::function(unsigned depth, llvm::StringRef name, const c
   else if (unary != Op::Unknown)
     return false; // a number of arguments that the function does not take
   else {
-    if (isMisspelt(upper))
+    if (isMisspeltFunction(upper))
       issue(SyntaxIssueKind::UnknownWord, begin, begin + name.size());
     emit(Op::Opaque, begin, count);
   }

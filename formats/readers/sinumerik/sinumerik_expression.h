@@ -33,6 +33,7 @@ private:
   Rest afterBad(const char *begin) const;
   bool group(unsigned depth);
   bool level(unsigned depth, unsigned strength, Seen &seen);
+  void makeTruth(const char *at);
   bool unary(unsigned depth, Seen &seen);
   bool operand(unsigned depth);
   bool number();
@@ -53,6 +54,7 @@ private:
   llvm::StringRef identifier() const;
 
   bool ambiguous_ = false;
+  size_t truthEnd_ = 0; ///< operations of the block after the last AND, OR or XOR
 };
 
 } // namespace ncvet

@@ -60,6 +60,12 @@ void SinumerikScanner::scanStatement(Keyword keyword, const char *begin) {
   case Keyword::PathCall:
   case Keyword::ExternalCall:
     return scanIndirectCall(keyword, begin);
+  case Keyword::Redefine:
+    return scanRedefinition(begin);
+  case Keyword::When:
+  case Keyword::Do:
+  case Keyword::Identity:
+    return scanSynchronised(keyword, begin);
   case Keyword::None:
     break;
   }

@@ -36,6 +36,10 @@ SinumerikKeyword sinumerikKeyword(llvm::StringRef name) {
       .Case("PCALL", SinumerikKeyword::PathCall)
       .Case("EXTCALL", SinumerikKeyword::ExternalCall)
       .Case("ISOCALL", SinumerikKeyword::ExternalCall)
+      .Case("REDEF", SinumerikKeyword::Redefine)
+      .Cases("WHEN", "WHENEVER", "FROM", "EVERY", SinumerikKeyword::When)
+      .Case("DO", SinumerikKeyword::Do)
+      .Cases("ID", "IDS", SinumerikKeyword::Identity)
       .Default(SinumerikKeyword::None);
 }
 

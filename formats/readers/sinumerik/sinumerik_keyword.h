@@ -35,7 +35,11 @@ enum class SinumerikKeyword : uint8_t {
   ModalCall,
   Call,
   PathCall,
-  ExternalCall
+  ExternalCall,
+  Redefine,
+  When,    ///< the condition of a synchronised action
+  Do,      ///< its actions
+  Identity ///< its number
 };
 
 /// The keyword that a name is, in any case of letters; `None` for other names.

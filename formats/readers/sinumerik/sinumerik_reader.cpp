@@ -111,6 +111,27 @@ void SinumerikScanner::scanNumberOfBlock(const char *begin) {
   }
 }
 
+/// `"POCKETS"` at the begin of a block calls a program. A text that nothing takes is no code,
+/// whatever it holds.
+void SinumerikScanner::scanQuotes() {
+  const char *const begin = at_;
+  if (*at_ == '"') {
+    Item item = itemAt(ItemKind::Call, begin);
+    const bool called = startsBlock();
+    const auto text = scanString();
+    if (!text)
+      return;
+    if (called)
+      return scanCall(*text, item);
+  } else {
+    do
+      ++at_;
+    while (!atLineEnd() && *at_ != '\'' && !isSinumerikBlank(*at_));
+    at_ += !atLineEnd() && *at_ == '\'';
+  }
+  issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+}
+
 void SinumerikScanner::scanOther() {
   const char *const begin = at_;
   switch (*at_) {
@@ -122,13 +143,8 @@ void SinumerikScanner::scanOther() {
     }
     break;
   case '"':
-    if (startsBlock()) {
-      Item item = itemAt(ItemKind::Call, begin);
-      if (const auto name = scanString())
-        scanCall(*name, item);
-      return;
-    }
-    break;
+  case '\'':
+    return scanQuotes();
   case '$':
     return scanAssignment(begin);
   case '(': {

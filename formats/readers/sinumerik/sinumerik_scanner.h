@@ -11,8 +11,11 @@
 
 namespace ncvet {
 
-/// Other characters that do not print count as blanks; `&` does too.
-inline bool isSinumerikBlank(char c) { return isLineBlank(c) || c == '&'; }
+/// Characters that do not print count as blanks, as those that punch tapes and old editors leave in
+/// a text (Ctrl-Z, DC1, DC3); `&` does too.
+inline bool isSinumerikBlank(char c) {
+  return isLineBlank(c) || c == '&' || (uint8_t(c) < 0x20 && !isLineEnd(c));
+}
 
 /// Reads one block. Each part of the grammar has a file of its own.
 class SinumerikScanner : BlockScanner<isSinumerikBlank> {
@@ -64,6 +67,7 @@ private:
   void scanHeader();
   bool scanLabel();
   void scanNumberOfBlock(const char *begin);
+  void scanQuotes();
   void scanOther();
 
   // sinumerik_words.cpp
@@ -75,7 +79,10 @@ private:
   void scanExtended(char letter, const char *begin);
   void scanValue(AddressId address, const char *begin);
   void scanIndexed(const char *begin, AddressId address);
+  void scanPolynomial(const char *begin);
   bool scanNumber(Word &word, const char *begin);
+  bool atDecimalComma() const;
+  void scanAddress(AddressId address, const char *begin);
   void scanName();
   void scanAssignment(const char *begin);
 
@@ -107,7 +114,19 @@ private:
   void scanDefinitions();
   Argument scanParameter(char separator);
   void scanParameters(ItemKind kind, const char *begin);
+  void scanRedefinition(const char *begin);
   void scanMacro(const char *begin);
+
+  // sinumerik_actions.cpp
+  /// What a synchronised action does to the machine, as far as it matters.
+  struct Deeds {
+    bool turns = false; ///< it may start or stop a spindle
+  };
+  void addKeyword(llvm::StringRef name);
+  void scanSynchronised(Keyword keyword, const char *begin);
+  void scanActionCondition(Item &item);
+  void scanAction(Deeds &deeds);
+  bool scanActionValue(llvm::StringRef name, const char *begin);
 
   const Reader &reader_;
   const Dialect &dialect_;

@@ -142,12 +142,26 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
   addExpression(letterAddress(letter), begin, value);
 }
 
+/// `0,5`: a number with a comma for its point.
+bool SinumerikScanner::atDecimalComma() const {
+  const char *p = at_;
+  p += p < end_ && *p == '-';
+  const char *const digits = p;
+  while (p < end_ && isNumberDigit(*p))
+    ++p;
+  return p > digits && p + 1 < end_ && *p == ',' && isNumberDigit(p[1]);
+}
+
 /// What comes after `=`: most often a plain number.
 void SinumerikScanner::scanValue(AddressId address, const char *begin) {
   skipBlanks();
+  Word word;
+  word.address = address;
+  if (atDecimalComma()) {
+    scanNumber(word, begin);
+    return addWord(word, begin);
+  }
   if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
-    Word word;
-    word.address = address;
     if (const char *const after = readPlainNumber(at_, end_, word)) {
       const char *const next = afterBlanks(after);
       const bool ends = next == end_ || isLineEnd(*next) || *next == ';' ||
@@ -163,8 +177,6 @@ void SinumerikScanner::scanValue(AddressId address, const char *begin) {
     }
   }
   if (atBlockEnd()) {
-    Word word;
-    word.address = address;
     word.flags = wordNoValue;
     issue(SyntaxIssueKind::MissingValue, begin, at_);
     return addWord(word, begin);
@@ -172,6 +184,34 @@ void SinumerikScanner::scanValue(AddressId address, const char *begin) {
   WordReading reading;
   const uint16_t index = parsed(&SinumerikExpression::parseValue, reading);
   addExpression(address, begin, index, reading);
+}
+
+/// `PO[X]=(20,1.5,-0.2)`, `PO[]=(1,0.5)/(2,0.1)`: the axis goes along a polynomial, where to is not
+/// followed. The cursor is at the bracket.
+void SinumerikScanner::scanPolynomial(const char *begin) {
+  const llvm::StringRef axis =
+      llvm::StringRef(at_, size_t(end_ - at_)).drop_front().take_while(isNameCharacter);
+  skipIndices();
+  skipBlanks();
+  if (!isEquals(at_)) {
+    issue(SyntaxIssueKind::MissingEquals, begin, at_);
+    return;
+  }
+  ++at_;
+  Item item = itemAt(ItemKind::Output, begin);
+  skipBlanks();
+  while (at_ < end_ && *at_ == '(') {
+    scanArguments(item, /*words=*/false);
+    if (const char *const after = afterBlanks(at_); after < end_ && *after == '/')
+      at_ = afterBlanks(after + 1);
+  }
+  if (!item.arguments) {
+    issue(SyntaxIssueKind::BadExpression, begin, at_);
+    return rest();
+  }
+  if (axis.size() == 1 && isLetter(axis[0]))
+    return addExpression(letterAddress(char(axis[0] & ~32)), begin, opaque(begin, at_));
+  add(item);
 }
 
 /// `M[R1]=3`, `AX[_OSA]=5`, `FL[X]=100`, `POS[Y]=20`.
@@ -227,13 +267,30 @@ bool SinumerikScanner::scanNumber(Word &word, const char *begin) {
   return true;
 }
 
+/// What comes after an address of several letters, which begins at `begin`.
+void SinumerikScanner::scanAddress(AddressId address, const char *begin) {
+  const char *const after = afterBlanks(at_);
+  if (isEquals(after)) {
+    at_ = after + 1;
+    return scanValue(address, begin);
+  }
+  if (after < end_ && *after == '[')
+    return scanIndexed(begin, address);
+  issue(SyntaxIssueKind::MissingEquals, begin, at_);
+  at_ = after;
+  if (!atBlockEnd() && (isNumberDigit(*at_) || *at_ == '-' || *at_ == '(' || *at_ == '.'))
+    scanValue(address, begin);
+}
+
 /// Two letters and more: a keyword, an address with `=`, a variable, a code, a call.
 void SinumerikScanner::scanName() {
   const char *const begin = at_;
   if (scanLabel())
     return;
   const llvm::StringRef name = identifier();
-  if (const Keyword keyword = sinumerikKeyword(name); keyword != Keyword::None) {
+  const Keyword keyword = sinumerikKeyword(name);
+  if (keyword != Keyword::None &&
+      (keyword != Keyword::Identity || isEquals(afterBlanks(name.end())))) {
     at_ = name.end();
     return scanStatement(keyword, begin);
   }
@@ -241,22 +298,16 @@ void SinumerikScanner::scanName() {
   const auto address = addresses_.find(name.upper());
   if (address != addresses_.end()) {
     at_ = name.end();
-    if (isEquals(after)) {
-      at_ = after + 1;
-      return scanValue(address->second, begin);
-    }
-    if (after < end_ && *after == '[')
-      return scanIndexed(begin, address->second);
-    issue(SyntaxIssueKind::MissingEquals, begin, at_);
-    at_ = after;
-    if (!atBlockEnd() && (isNumberDigit(*at_) || *at_ == '-' || *at_ == '(' || *at_ == '.'))
-      return scanValue(address->second, begin);
-    return;
+    return scanAddress(address->second, begin);
   }
   if (isEquals(after))
     return scanAssignment(begin);
   if (after < end_ && *after == '[') {
     at_ = name.end();
+    if (name.equals_insensitive("PO")) {
+      at_ = after;
+      return scanPolynomial(begin);
+    }
     return scanIndexed(begin, noAddress);
   }
   if (const CodeIndex code = codeNamed(name); code != noCode)
@@ -306,7 +357,14 @@ void SinumerikScanner::scanAssignment(const char *begin) {
     issue(SyntaxIssueKind::MissingValue, begin, at_);
     return;
   }
-  item.value = expression();
+  if (atDecimalComma()) {
+    Word word;
+    const char *const number = at_;
+    scanNumber(word, begin);
+    item.value = constant(number, at_, word.value());
+  } else {
+    item.value = expression();
+  }
   add(item);
 }
 
