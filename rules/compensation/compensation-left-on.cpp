@@ -12,6 +12,7 @@ namespace {
 struct CompensationLeftOnMemory {
   /// Last block of a profile (file, offset) → offset of its first, number of its last.
   std::map<std::pair<FileId, uint32_t>, std::pair<uint32_t, int64_t>> profiles;
+  bool retracted = false; ///< the tool was lifted at rapid while compensation was on
 };
 
 class CompensationLeftOn final : public StatefulRule<CompensationLeftOnMemory> {
@@ -19,6 +20,9 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
                  EventKind::CycleRun, EventKind::Block, EventKind::FlowIssue});
+    to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
+    if (!to.dialect().isLathe())
+      to.onMoves({MotionKind::Rapid});
     if (to.dialect().facts->tools.cuttingEdges)
       to.on(EventKind::OffsetWord);
   }
@@ -30,6 +34,12 @@ public:
       return;
     case EventKind::Block:
       atProfileEnd(event, ctx);
+      return;
+    case EventKind::Code:
+      onceMore(event, ctx);
+      return;
+    case EventKind::Motion:
+      memory().retracted |= isRetract(ctx);
       return;
     case EventKind::ToolChange:
       if (ctx.after().profile == ProfileMode::Off)
@@ -132,6 +142,33 @@ private:
         finding.fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                     ctx.insertBlockBefore(off));
     }
+  }
+
+  /// A rapid move up under compensation.
+  static bool isRetract(const RuleContext &ctx) {
+    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
+    return from.isConstant() && to.isConstant() && to.value() > from.value() &&
+           ctx.before().compensationActive(ctx.dialect()) == Truth::Yes &&
+           ctx.after().profile == ProfileMode::Off;
+  }
+
+  /// Compensation is switched on for the next contour, and that of the last one was never
+  /// cancelled: the tool came down beside its place.
+  void onceMore(const Event &event, RuleContext &ctx) const {
+    const MachineState &before = ctx.before();
+    const CodeInfo *active = before.activeCode(ctx.dialect(), StandardGroup::Compensation);
+    const bool same = active && active->action == ctx.code(event).action &&
+                      before.compensationActive(ctx.dialect()) == Truth::Yes;
+    if (!std::exchange(memory().retracted, false) || !same || !event.certain ||
+        ctx.after().profile != ProfileMode::Off || before.may(Fact::UnknownCode))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message(
+              "`{0}` is switched on again, and was not cancelled after the contour before: the "
+              "tool came down beside its place",
+              active->name)
+          .note(before.origin.of(StatePart::Compensation), "it is switched on here");
   }
 
   static void describe(FindingBuilder &finding, RuleContext &ctx) {

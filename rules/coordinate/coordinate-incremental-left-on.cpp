@@ -5,18 +5,29 @@
 namespace ncvet {
 namespace {
 
-class CoordinateIncrementalLeftOn final : public Rule {
+struct CoordinateIncrementalLeftOnMemory {
+  bool saysAbsolute =
+      false; ///< a program that never does may be meant to be incremental as a whole
+};
+
+class CoordinateIncrementalLeftOn final : public StatefulRule<CoordinateIncrementalLeftOnMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::Distance) != noGroup &&
         to.dialect().facts->program.modesOutliveEnd)
       to.on({EventKind::ProgramEnd, EventKind::FlowIssue});
-    if (to.dialect().group(StandardGroup::Distance) != noGroup && to.flag("early"))
+    if (to.dialect().group(StandardGroup::Distance) != noGroup) {
       to.onChange({EventKind::CycleRun, EventKind::Motion});
+      to.onAction({Action::Absolute});
+    }
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
+    if (event.kind == EventKind::Code) {
+      memory().saysAbsolute = true;
+      return;
+    }
     if (event.kind == EventKind::CycleRun || event.kind == EventKind::Motion)
       return early(event, ctx);
     // A subprogram's end ends a main program too.
@@ -49,10 +60,11 @@ public:
 
 private:
   /// A cycle is called, or the first move with another tool made, under what was on before.
-  static void early(const Event &event, RuleContext &ctx) {
+  void early(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     const bool cycle = event.kind == EventKind::CycleRun;
-    if (event.code == noCode || !event.certain || before.may(Fact::UnknownCode) ||
+    if (!memory().saysAbsolute || event.code == noCode || !event.certain ||
+        before.may(Fact::UnknownCode) ||
         before.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::Yes ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=

@@ -14,6 +14,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::FeedWord, EventKind::Motion});
     perMinuteBelow_ = to.number("perMinuteBelow", 1);
+    perMinuteAbove_ = to.number("perMinuteAbove", 60'000);
     perRevolutionAbove_ = to.number("perRevolutionAbove", 5);
   }
 
@@ -27,6 +28,10 @@ public:
     if (!value.isConstant() || value.value() <= 0 || state.may(Fact::FeedIsLead) || isLead(ctx))
       return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
+    // In inches it is still more, and per revolution too.
+    if (!carried && value.value() > perMinuteAbove_ &&
+        (!mode || mode->action == Action::FeedPerMinute))
+      return tooMuch(event, ctx);
     if (!mode)
       return;
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
@@ -56,6 +61,12 @@ public:
   }
 
 private:
+  static void tooMuch(const Event &event, RuleContext &ctx) {
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` is a feed of {1}: no machine cuts so fast", ctx.text(*event.word),
+                      llvm::formatv("{0}", llvm::format("%.0f", event.feed().value())));
+  }
+
   static bool cuts(const Event &event) {
     return event.code != noCode &&
            (event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
@@ -80,7 +91,8 @@ private:
     return false;
   }
 
-  double perMinuteBelow_ = 1;     // mm/min
+  double perMinuteBelow_ = 1; // mm/min
+  double perMinuteAbove_ = 60'000;
   double perRevolutionAbove_ = 5; // mm
 };
 

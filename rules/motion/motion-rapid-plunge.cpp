@@ -1,4 +1,4 @@
-// A rapid move along the tool axis ends in the work.
+// A rapid move along the tool axis leads into the work.
 #include "analyzer/facts/lookahead.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
@@ -6,7 +6,12 @@
 namespace ncvet {
 namespace {
 
-class MotionRapidPlunge final : public Rule {
+struct MotionRapidPlungeMemory {
+  /// Rapid moves in the air have an F too: some post-processors write one into every block.
+  bool feedsRapids = false;
+};
+
+class MotionRapidPlunge final : public StatefulRule<MotionRapidPlungeMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
@@ -15,21 +20,24 @@ public:
     top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
                                                   : machine.number("stockTopZ");
     wanted_ = to.flag("belowZero");
-    if (top_ || wanted_ || !machine.clamps.empty())
-      to.onMoves({MotionKind::Rapid});
+    to.onMoves({MotionKind::Rapid});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
-    // With a stock it is the end that counts, wherever the tool comes from.
-    const bool down =
-        top_ || !ctx.machine().clamps.empty() ? (event.axes & tool) != 0 : event.axes == tool;
-    if (!down || event.inMachineCoordinates() || !from.isConstant() || !to.isConstant() ||
-        ctx.before().inMachineCoordinates(Axis::Z) || ctx.after().inMachineCoordinates(Axis::Z) ||
-        to.value() >= from.value() || ctx.before().may(Fact::UnknownCode))
+    if (isRapidWithFeed(ctx) && !leadsDownBelowZero(ctx))
+      memory().feedsRapids = true;
+    if (!(event.axes & tool) || event.inMachineCoordinates() || !from.isConstant() ||
+        !to.isConstant() || ctx.before().inMachineCoordinates(Axis::Z) ||
+        ctx.after().inMachineCoordinates(Axis::Z) || to.value() >= from.value() ||
+        ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
+        hasWorkOfItsOwn(ctx))
       return;
-    if (intoClamp(event, ctx) || (!top_ && (!wanted_ || event.axes != tool)))
+    if (intoClamp(event, ctx) || outOfCut(event, ctx) || withFeed(event, ctx))
+      return;
+    // With a stock it is the end that counts, wherever the tool comes from.
+    if (!top_ && (!wanted_ || event.axes != tool))
       return;
     const double top = top_.value_or(0);
     if (to.value() >= top || from.value() < top || besideStock(ctx))
@@ -53,6 +61,78 @@ private:
     if (auto finding = ctx.report(event))
       finding.message("this rapid move leads down into a clamp of the machine profile");
     return true;
+  }
+
+  /// The tool has just cut at a level to which it was fed down, and goes further down at rapid; the
+  /// same number with the other sign would be the retract.
+  static bool outOfCut(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const Interval &level = before.fedFrom.get();
+    const double from = before.at(Axis::Z).value(), to = ctx.after().at(Axis::Z).value();
+    if (!event.certain || !level.isConstant() || from >= level.value() ||
+        before.may(Fact::AwayFromPart) || !before.must(Fact::CutSinceTool))
+      return false;
+    const Truth incremental =
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental});
+    const double mirrored = incremental == Truth::Yes ? from + (from - to) : -to;
+    if (incremental == Truth::Unknown || mirrored < level.value() || isFedOnDown(ctx))
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message("this rapid move goes {0} mm further down out of the cut: a retract has the "
+                      "other sign",
+                      llvm::formatv("{0}", llvm::format("%g", from - to)));
+    return true;
+  }
+
+  /// The next block feeds the tool along its axis: the rapid move went down a groove that is cut.
+  static bool isFedOnDown(const RuleContext &ctx) {
+    Block next;
+    return readNext(ctx, next) && findCode(ctx.dialect(), next, {Action::Linear}) &&
+           (axesOf(ctx.dialect(), next) >> unsigned(Axis::Z) & 1);
+  }
+
+  /// Down below zero at rapid, with a feed in the block or in the move after it: G1 was meant.
+  bool withFeed(const Event &event, RuleContext &ctx) const {
+    if (!event.certain || !leadsDownBelowZero(ctx))
+      return false;
+    const bool here = ctx.block().has(letterAddress('F'));
+    // Another G code may take the words, whatever the table knows of it.
+    if (ctx.block().has(letterAddress('G')) && !ctx.find({Action::Rapid}))
+      return false;
+    if (isRapidWithFeed(ctx) ? memory().feedsRapids : !here && !nextMoveIsFed(ctx))
+      return false;
+    if (auto finding = ctx.report(event))
+      finding.message("this rapid move ends {0} mm below zero, and {1} has a feed: the tool is not "
+                      "fed, it goes in at full speed",
+                      llvm::formatv("{0}", llvm::format("%g", -ctx.after().at(Axis::Z).value())),
+                      here ? "its block" : "the next move");
+    return true;
+  }
+
+  /// A code of the block takes its words: engraving or another cycle, while G00 is in force.
+  static bool hasWorkOfItsOwn(const RuleContext &ctx) {
+    return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      const CodeInfo &code = ctx.code(use);
+      return code.cycle != CycleKind::None || code.action == Action::MachineSpecific;
+    });
+  }
+
+  /// The block names both a rapid move and a feed.
+  static bool isRapidWithFeed(const RuleContext &ctx) {
+    return ctx.block().has(letterAddress('F')) && ctx.find({Action::Rapid});
+  }
+
+  static bool leadsDownBelowZero(const RuleContext &ctx) {
+    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
+    return from.isConstant() && to.isConstant() && from.value() >= 0 && to.value() < 0;
+  }
+
+  /// The next block moves in the plane, still at rapid, and has a feed.
+  static bool nextMoveIsFed(const RuleContext &ctx) {
+    constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    Block next;
+    return readNext(ctx, next) && (axesOf(ctx.dialect(), next) & plane) &&
+           next.has(letterAddress('F')) && !hasMotionCode(ctx.dialect(), next);
   }
 
   /// The tool comes down where the stock certainly is not.

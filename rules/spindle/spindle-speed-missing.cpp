@@ -7,19 +7,25 @@ namespace {
 
 struct SpindleSpeedMissingMemory {
   OncePerCause once;
+  TextPlace cutWith; ///< the S with which the tool before has cut; offset 0: none
 };
 
 class SpindleSpeedMissing final : public StatefulRule<SpindleSpeedMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::SpindleChange, EventKind::CycleStart, EventKind::SpeedWord});
-    if (to.dialect().facts->feed.perRevolutionNeedsSpeed)
+    perRevolution_ = to.dialect().facts->feed.perRevolutionNeedsSpeed;
+    if (perRevolution_ || !to.dialect().isLathe())
       to.onChange({EventKind::Motion});
+    if (!to.dialect().isLathe())
+      to.on(EventKind::ToolChange);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::SpeedWord)
       atSpeed(event, ctx);
+    else if (event.kind == EventKind::ToolChange)
+      atToolChange(ctx);
     else if (event.kind == EventKind::Motion)
       atFeed(event, ctx);
     else
@@ -27,6 +33,13 @@ public:
   }
 
 private:
+  void atToolChange(RuleContext &ctx) const {
+    const MachineState &before = ctx.before();
+    memory().cutWith = before.must(Fact::CutSinceTool) && before.must(Fact::SpeedSet)
+                           ? placeOf(before.origin.of(StatePart::Speed))
+                           : TextPlace();
+  }
+
   static void atStart(const Event &event, RuleContext &ctx) {
     if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
@@ -64,6 +77,27 @@ private:
     }
   }
 
+  /// The first cut with a tool that has no S of its own, after one that has cut with this S.
+  void ofToolBefore(const Event &event, RuleContext &ctx) const {
+    const MachineState &state = ctx.after();
+    const Origin &tool = state.origin.of(StatePart::Tool);
+    if (!(state.spindle & (spindleCw | spindleCcw)))
+      return; // that it does not turn is another rule's matter
+    if (!event.certain || event.code == noCode || ctx.before().may(Fact::CutSinceTool) ||
+        !state.must(Fact::SpeedSet) || state.may(Fact::UnknownCode) || !tool.known() ||
+        memory().cutWith != placeOf(state.origin.of(StatePart::Speed)) || !memory().cutWith.offset)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("the first cut with this tool runs at the speed of the tool before: it has no S")
+          .note(tool, "the tool is changed here")
+          .note(state.origin.of(StatePart::Speed), "the speed is programmed here");
+  }
+
+  static TextPlace placeOf(const Origin &origin) {
+    return origin.known() ? TextPlace{origin.file, origin.begin} : TextPlace();
+  }
+
   /// A feed per revolution of a spindle that has no speed: the control stops.
   void atFeed(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
@@ -71,7 +105,10 @@ private:
                        event.motion == MotionKind::ArcCcw;
     const bool none = !state.may(Fact::SpeedSet) ||
                       (state.must(Fact::SpeedSet) && state.speed == Interval::exactly(0));
-    if (!feeds || !none || event.code == noCode || state.may(Fact::UnknownCode) ||
+    if (feeds && !ctx.dialect().isLathe())
+      ofToolBefore(event, ctx);
+    if (!perRevolution_ || !feeds || !none || event.code == noCode ||
+        state.may(Fact::UnknownCode) ||
         state.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedPerRevolution)
       return;
     const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
@@ -96,6 +133,8 @@ private:
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));
   }
+
+  bool perRevolution_ = false; ///< a feed per revolution needs a speed
 };
 
 } // namespace

@@ -14,9 +14,10 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
-    if ((code.action != Action::LengthPositive && code.action != Action::LengthNegative) ||
-        ctx.after().lengthOffset != notSet)
+    if (code.action != Action::LengthPositive && code.action != Action::LengthNegative)
       return;
+    if (ctx.after().lengthOffset != notSet)
+      return ofToolBefore(event, ctx);
     if (auto finding = ctx.report(event, !ctx.after().may(Fact::UnknownCode)))
       finding.message(
           "`{0}` without an H, and none was programmed before: the length offset is zero",
@@ -24,6 +25,27 @@ public:
   }
 
 private:
+  /// The H in force was given for the tool before this one.
+  static void ofToolBefore(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const Origin &tool = before.origin.of(StatePart::Tool);
+    const Origin &offset = before.origin.of(StatePart::LengthOffset);
+    if (ctx.after().lengthOffset <= 0 || ctx.block().has(letterAddress('H')) ||
+        ctx.dialect().offsetsOfTool || ctx.find({Action::ToolChange}) ||
+        !before.must(Fact::ToolCalled) || before.may(Fact::LengthSinceTool) ||
+        before.may(Fact::UnknownCode) || !tool.known() || !offset.known() ||
+        tool.file != offset.file || offset.begin >= tool.begin)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message(
+              "`{0}` without an H takes H{1} of the tool before: the tool goes too deep, or not "
+              "deep enough, by the difference of their lengths",
+              ctx.code(event).name, ctx.after().lengthOffset)
+          .note(tool, "the tool is changed here")
+          .note(offset, "the offset is programmed here");
+  }
+
   static constexpr const char *id = "tool-length-offset-incomplete";
 };
 

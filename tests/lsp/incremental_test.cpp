@@ -245,7 +245,7 @@ TEST(Incremental, ALongTextIsTakenOverInFewSteps) {
       EXPECT_EQ(edited.difference(version), "");
       const TakenRuns taken = edited.taken();
       EXPECT_GT(taken.blocks, blocks - 2000u);
-      EXPECT_LT(taken.runs, 80u);
+      EXPECT_LT(taken.runs, 120u); // a rule looks at each rapid move: the steps end there
     }
   }
 }

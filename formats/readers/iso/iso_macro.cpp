@@ -100,12 +100,15 @@ bool IsoScanner::scanOutputWord(llvm::StringRef keyword) {
   return true;
 }
 
-/// `DPRNT[..]`: the rest of the line is its text.
+/// `DPRNT[..]`: the rest of the line is its text, which a bracket closes.
 bool IsoScanner::scanOutputLine(llvm::StringRef keyword) {
   Item item = itemAt(ItemKind::Output, at_);
   if (!isKeyword(keyword))
     return false;
+  const char *const begin = at_;
   at_ = lineEnd();
+  if (!llvm::StringRef(begin, size_t(at_ - begin)).contains(']'))
+    issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
   add(item);
   return true;
 }
