@@ -284,8 +284,4 @@ const Word *undefinedElement(const RuleContext &ctx) {
   return &word;
 }
 
-unsigned lineOf(const RuleContext &ctx, const Origin &origin) {
-  return ctx.source().lines().lineOf(origin.begin);
-}
-
 } // namespace ncvet

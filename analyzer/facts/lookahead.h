@@ -62,7 +62,5 @@ llvm::StringRef verbOf(CycleKind kind);
 /// The block's only word, when it names an element of a contour that this main program does not
 /// define: `L100` on a control whose lines are called so; else null.
 const Word *undefinedElement(const RuleContext &ctx);
-/// Line number of a place, from 1.
-unsigned lineOf(const RuleContext &ctx, const Origin &origin);
 
 } // namespace ncvet

@@ -92,6 +92,7 @@ FileUnit &Project::unit(const SourceFile &file, FileScan *kept) {
   auto &unit = units_[file.id()];
   if (!unit) {
     unit = std::make_unique<FileUnit>(file, dialect_, machine_, kept);
+    unit->project = this;
     if (!dialect_->hiddenPrograms.empty())
       unit->reader->setHidesProgram(
           [this, &from = *unit](llvm::StringRef name) { return hidesProgram(from, name); });

@@ -15,6 +15,7 @@
 namespace ncvet {
 
 class Executor;
+class Project;
 
 /// A file with its dialect, reader, index and executor.
 struct FileUnit {
@@ -27,6 +28,7 @@ struct FileUnit {
   const MachineProfile &machine;
   std::unique_ptr<Reader> reader;
   FileIndex index;
+  Project *project = nullptr;  ///< that it is a file of; null: it is alone
   llvm::StringMap<bool> hides; ///< names of the control's programs, as far as they were asked for
 
   const Executor &executor() const { return *executor_; }

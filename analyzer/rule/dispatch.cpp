@@ -83,6 +83,7 @@ void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outc
                          unsigned callDepth) {
   context_.dialect_ = unit.dialect.get();
   context_.machine_ = &unit.machine;
+  context_.unit_ = &unit;
   context_.source_ = &unit.source;
   context_.index_ = &unit.index;
   context_.block_ = &block;

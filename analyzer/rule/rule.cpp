@@ -1,6 +1,7 @@
 // What rules look at and how they report.
 #include "analyzer/rule/rule.h"
 
+#include "analyzer/program/project.h"
 #include "analyzer/rule/collector.h"
 
 namespace ncvet {
@@ -37,6 +38,19 @@ const CodeUse *RuleContext::find(std::initializer_list<Action> actions) const {
     if (llvm::is_contained(actions, code(use).action))
       return &use;
   return nullptr;
+}
+
+FileUnit &RuleContext::unitOf(FileId file) const {
+  if (file == source_->id())
+    return *unit_;
+  assert(unit_->project && "what is known of another file was learned in a project");
+  return unit_->project->unit(unit_->project->sources().get(file));
+}
+
+const FileIndex &RuleContext::indexOf(FileId file) const { return unitOf(file).index; }
+
+llvm::StringRef RuleContext::text(SourceRange range) const {
+  return unitOf(range.file).source.text(range.begin, range.end);
 }
 
 SourceRange RuleContext::blockRange() const {

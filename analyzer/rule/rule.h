@@ -20,6 +20,7 @@ namespace ncvet {
 
 class Collector;
 class RuleContext;
+struct FileUnit;
 
 /// Fills in a finding; false when nobody will see it, so that nothing is formatted in vain:
 ///
@@ -170,6 +171,11 @@ public:
   const MachineProfile &machine() const { return *machine_; }
   const SourceFile &source() const { return *source_; }
   const FileIndex &index() const { return *index_; }
+  /// The file of the current block, and any other of which something is known here: the state may
+  /// come from a caller or from a called program.
+  FileUnit &unit() const { return *unit_; }
+  FileUnit &unitOf(FileId file) const;
+  const FileIndex &indexOf(FileId file) const;
   const Block &block() const { return *block_; }
   llvm::ArrayRef<CodeUse> codes() const { return outcome_->codes; }
   /// Word of this block that names the event's code; null: the code runs on from an earlier block.
@@ -203,7 +209,8 @@ public:
   llvm::StringRef text(const Word &word) const {
     return source_->text(word.offset, block_->endOf(word));
   }
-  llvm::StringRef text(SourceRange range) const { return source_->text(range.begin, range.end); }
+  /// Of any file.
+  llvm::StringRef text(SourceRange range) const;
 
   SourceRange range(const Word &word) const {
     return {source_->id(), word.offset, block_->endOf(word)};
@@ -246,6 +253,7 @@ private:
   RuleId rule_ = 0;
   const Dialect *dialect_ = nullptr;
   const MachineProfile *machine_ = nullptr;
+  FileUnit *unit_ = nullptr;
   const SourceFile *source_ = nullptr;
   const FileIndex *index_ = nullptr;
   const Block *block_ = nullptr;

@@ -41,7 +41,7 @@ private:
         before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}))
       return;
     const SourceRange lastTool = memory().lastTool.look();
-    if (lastTool.file != ctx.source().id() || lastTool.empty())
+    if (lastTool.empty())
       return;
     if (auto finding = ctx.report(lastTool, event.certain))
       finding

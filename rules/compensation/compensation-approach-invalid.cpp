@@ -55,8 +55,7 @@ private:
       const bool leaves = llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
         return ctx.code(use).action == Action::SoftRetract;
       });
-      if (!leaves && memory().approach.file == ctx.source().id() &&
-          !ctx.before().may(Fact::UnknownCode) &&
+      if (!leaves && !ctx.before().may(Fact::UnknownCode) &&
           ctx.before().compensationActive(ctx.dialect()) == Truth::Yes)
         if (auto finding = ctx.report(event))
           finding.severity(Severity::Warning)

@@ -1,5 +1,6 @@
 // Radius compensation that is still on at a tool change, a return or the program's end.
 #include "analyzer/facts/after_calls.h"
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
@@ -124,9 +125,7 @@ private:
   AfterCalls afterCalls_;
 
   static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {
-    const Origin &origin = ctx.after().origin.of(StatePart::Compensation);
-    return origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
-           origin.begin < program.end;
+    return isIn(ctx, ctx.after().origin.of(StatePart::Compensation), program);
   }
 
   static void leftOn(const Event &event, const char *when, std::optional<Severity> severity,
@@ -198,8 +197,8 @@ private:
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     const Origin &origin = ctx.after().origin.of(StatePart::Compensation);
     // Only what the contour itself has switched on; the rest is the program's.
-    if (active == Truth::No || !origin.known() || origin.file != ctx.source().id() ||
-        origin.begin < found->second.first || origin.begin > ctx.block().end)
+    if (active == Truth::No || !isHere(ctx, origin) || origin.begin < found->second.first ||
+        origin.begin > ctx.block().end)
       return;
     if (auto finding = ctx.report(ctx.blockRange(), active == Truth::Yes && event.certain)) {
       finding.message("the contour ends in N{0} with {1} still on: the cycle returns under "

@@ -1,5 +1,7 @@
 // A turned contour with slants or arcs and no compensation, or compensation around a contour cycle.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 
@@ -10,6 +12,7 @@ struct CompensationMissingOnContourMemory {
   FileId contourFile = 0;
   uint32_t contourEnd = ~0u;
   bool reported = false;
+  OncePerCause once;
 };
 
 class CompensationMissingOnContour final : public StatefulRule<CompensationMissingOnContourMemory> {
@@ -68,19 +71,22 @@ private:
                       "out wrong by the nose radius");
   }
 
-  static void atCycle(const Event &event, RuleContext &ctx) {
+  void atCycle(const Event &event, RuleContext &ctx) const {
     if (ctx.outcome().flow.kind != FlowKind::Profile || event.code == noCode ||
         ctx.before().compensationActive(ctx.dialect()) != Truth::Yes)
       return;
     const Origin &origin = ctx.before().origin.of(StatePart::Compensation);
-    if (!origin.known() || origin.file != ctx.source().id())
+    if (!origin.known())
       return;
-    if (auto finding = ctx.report(origin.range(), event.certain))
+    const CausePlace place = causePlace(ctx, origin);
+    if (!place.isCause && !memory().once.speaks(origin, ctx))
+      return;
+    if (auto finding = ctx.report(place.at, event.certain))
       finding
           .message("compensation is on around the contour cycle `{0}`: it belongs into the "
                    "contour, on in its first block and off in its last",
                    ctx.code(event).name)
-          .note(ctx.blockRange(), "the cycle is called here");
+          .note(place.other, place.note("the cycle is called here", "it is switched on here"));
   }
 
   /// Compensation belongs on in the first block of the contour and off in its last.

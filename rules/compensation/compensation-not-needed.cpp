@@ -1,4 +1,5 @@
 // Nose radius compensation around a path that runs parallel to the axes only.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -15,16 +16,17 @@ public:
     const MachineState &state = ctx.before();
     const Origin &origin = state.origin.of(StatePart::Compensation);
     if (state.compensation != phaseOn || !state.must(Fact::CompensatedCut) ||
-        state.may(Fact::ContourCompensated) || !origin.known() || origin.file != ctx.source().id())
+        state.may(Fact::ContourCompensated) || !origin.known())
       return;
     const uint16_t plane = uint16_t(1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z));
     if (planeAxes(ctx.dialect(), state) != plane)
       return;
-    if (auto finding = ctx.report(origin.range()))
+    const CausePlace place = causePlace(ctx, origin, ctx.range(*event.word));
+    if (auto finding = ctx.report(place.at))
       finding
           .message("compensation is on for moves parallel to the axes only: the nose radius does "
                    "nothing there")
-          .note(ctx.range(*event.word), "it is switched off here");
+          .note(place.other, place.note("it is switched off here", "it is switched on here"));
   }
 };
 

@@ -1,4 +1,5 @@
 // A drilling or threading cycle, or a thread, while radius compensation is on.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 
 #include <set>
@@ -61,7 +62,7 @@ public:
 private:
   /// Whether the current block is the one that makes the cycle active.
   static bool writes(const Origin &origin, const RuleContext &ctx) {
-    return origin.file == ctx.source().id() && origin.begin >= ctx.block().begin &&
+    return isHere(ctx, origin) && origin.begin >= ctx.block().begin &&
            origin.begin < ctx.block().end;
   }
 

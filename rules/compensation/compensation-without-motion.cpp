@@ -1,4 +1,5 @@
 // A compensation code without a move in the plane, and a subprogram that begins without one.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
@@ -52,13 +53,13 @@ private:
   static bool closesContour(RuleContext &ctx) {
     const Origin &on = ctx.before().origin.of(StatePart::Compensation);
     const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
-    if (!motion || motion->action != Action::Linear || on.file != ctx.source().id() ||
-        ctx.callDepth() > 0 || !ctx.before().frames.empty() ||
+    if (!motion || motion->action != Action::Linear || !on.known() ||
+        !ctx.before().frames.empty() ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Absolute}) !=
             Truth::Yes)
       return false;
     Block first;
-    ctx.index().read(ctx.source().lines().lineBegin(on.begin), first);
+    readBlockOf(ctx, on, first);
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     uint16_t same = 0, moved = 0;
     for (const Word &word : first.words) {
@@ -190,8 +191,7 @@ private:
         return; // another block comes before
     // Switched on in the caller, not in a previous pass of this program.
     const Origin &origin = ctx.before().origin.of(StatePart::Compensation);
-    if (origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
-        origin.begin < program.end)
+    if (isIn(ctx, origin, program))
       return;
     if (auto finding = ctx.report(ctx.blockRange())) {
       const CodeInfo *code = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);

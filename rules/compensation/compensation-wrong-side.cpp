@@ -1,4 +1,5 @@
 // Radius compensation on the side of the material, or on that which the tool's nose does not have.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/report_once.h"
 #include "interp/evaluate/tool_data.h"
@@ -62,8 +63,7 @@ private:
     if (touchesAbove == inside || !memory().noses.speaks(origin, ctx))
       return;
     const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
-    const bool here = origin.known() && origin.file == ctx.source().id();
-    if (auto finding = ctx.report(here ? origin.range() : ctx.blockRange(), /*certain=*/false))
+    if (auto finding = ctx.report(causePlace(ctx, origin).at, /*certain=*/false))
       finding
           .message("`{0}` cuts with the side of the nose at X{1}, and the tool's nose direction "
                    "{2} is that of a tool which turns {3}",
@@ -109,8 +109,7 @@ private:
         (code->action != Action::CompensationLeft && code->action != Action::CompensationRight))
       return;
     const Origin &origin = after.origin.of(StatePart::Compensation);
-    const bool here = origin.known() && origin.file == ctx.source().id();
-    if (auto finding = ctx.report(here ? origin.range() : ctx.blockRange(), event.certain))
+    if (auto finding = ctx.report(causePlace(ctx, origin).at, event.certain))
       finding
           .message("`{0}` on {1} cut towards the chuck: the nose runs on the side of the material, "
                    "`{2}` belongs there",
@@ -202,8 +201,7 @@ private:
         (right ? left <= tolerance : left >= -tolerance))
       return;
     const Origin &origin = after.origin.of(StatePart::Compensation);
-    const bool here = origin.known() && origin.file == ctx.source().id();
-    if (auto finding = ctx.report(here ? origin.range() : memory().entry, event.certain))
+    if (auto finding = ctx.report(causePlace(ctx, origin, memory().entry).at, event.certain))
       finding
           .message("`{0}` keeps the tool {1} of the contour, and it comes from the other side: it "
                    "crosses the first element",

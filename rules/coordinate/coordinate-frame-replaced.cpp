@@ -15,8 +15,7 @@ public:
       return;
     const Origin &origin = ctx.before().origin.ofSwitch(code.effect.index);
     // The same frame with other values is meant to replace it.
-    if (origin.known() && origin.file == ctx.source().id() &&
-        ctx.text(origin.range()).equals_insensitive(ctx.text(*event.word)))
+    if (origin.known() && ctx.text(origin.range()).equals_insensitive(ctx.text(*event.word)))
       return;
     if (auto finding = ctx.report(event))
       finding

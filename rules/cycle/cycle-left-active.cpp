@@ -1,5 +1,6 @@
 // A modal cycle is still active where the operation is over: tool change, program end, return.
 #include "analyzer/facts/after_calls.h"
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_series.h"
@@ -114,8 +115,7 @@ private:
   /// A cycle that the caller switched on, or that all callers end, is theirs to switch off.
   bool isOfCaller(const CodeInfo &cycle, const Origin &origin, const RuleContext &ctx) const {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    if (origin.file != ctx.source().id() || origin.begin < program.begin ||
-        origin.begin >= program.end || callersEnd(cycle, ctx))
+    if (!isIn(ctx, origin, program) || callersEnd(cycle, ctx))
       return true;
     // The caller's next motion code ends it: what follows the call decides.
     return endsByMotion(cycle, ctx.dialect()) && ctx.callDepth() > 0;
@@ -166,8 +166,7 @@ private:
       return;
     const CodeInfo *cycle = activeCycle(after, dialect);
     const Origin &origin = after.origin.of(StatePart::Cycle);
-    if (!cycle || !endsByMotion(*cycle, dialect) || !origin.known() ||
-        origin.file != ctx.source().id())
+    if (!cycle || !endsByMotion(*cycle, dialect) || !origin.known())
       return;
     Block next;
     bool more = readNext(ctx, next);

@@ -1,5 +1,6 @@
 // A cycle is set up without a hole and cancelled before it made one, or its data are in a place
 // where they are lost.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
@@ -74,11 +75,14 @@ public:
     if (event.kind == EventKind::CycleStart && &ctx.code(event) == cycle)
       return;
     const Origin &origin = before.origin.of(StatePart::Cycle);
-    if (!origin.known() || origin.file != ctx.source().id())
+    if (!origin.known())
       return;
-    if (auto finding = ctx.report(origin.range()))
-      finding.message("`{0}` is set up here and ends without having made a hole", cycle->name)
-          .note(ctx.blockRange(), "the cycle ends here");
+    const CausePlace place = causePlace(ctx, origin);
+    if (auto finding = ctx.report(place.at))
+      finding
+          .message("`{0}` is set up {1} and ends without having made a hole", cycle->name,
+                   place.where)
+          .note(place.other, place.note("the cycle ends here", "it is set up here"));
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {

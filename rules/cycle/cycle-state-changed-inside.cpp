@@ -1,4 +1,5 @@
 // A code that is not known to cancel a drilling cycle, while the cycle is active.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"

@@ -1,4 +1,5 @@
 // A block runs the active cycle again although it looks like a retract or a plain move.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
@@ -261,7 +262,8 @@ private:
   /// Whether this position lies farther from the one before than any two of the list.
   bool isFar(const CodeInfo &code, RuleContext &ctx) const {
     const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
-    if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
+    // The list is read from its text: one that another file has begun is not all here.
+    if (!isHere(ctx, origin) || origin.begin >= ctx.block().begin)
       return false;
     std::vector<Point> points;
     Block block;

@@ -1,4 +1,5 @@
 // A drilling cycle runs again in a block that moves nowhere.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 

@@ -73,13 +73,13 @@ private:
             event.motion == MotionKind::ArcCcw);
   }
 
-  /// The mode was switched after the F, in the same text.
+  /// The mode was switched after the F.
   static bool isCarried(RuleContext &ctx) {
     if (!ctx.after().must(Fact::FeedCarried) || ctx.after().may(Fact::UnknownCode))
       return false;
     const Origin &feed = ctx.after().origin.of(StatePart::Feed);
     const Origin mode = ctx.after().originOf(ctx.dialect(), StandardGroup::FeedMode);
-    return feed.known() && mode.known() && feed.file == mode.file;
+    return feed.known() && mode.known();
   }
 
   /// The F of a threading or tapping block may be a lead.

@@ -1,4 +1,5 @@
 // A called program leaves a mode changed that the caller relies on.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/mode_reliance.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
@@ -73,10 +74,8 @@ private:
       return;
     const Dialect &dialect = ctx.dialect();
     const MachineState &state = ctx.after();
-    const auto own = [&](const Origin &origin) {
-      return origin.known() && origin.file == ctx.source().id() && origin.begin >= program.begin &&
-             origin.begin < program.end;
-    };
+    // What a program that it calls has left on is told at that call.
+    const auto own = [&](const Origin &origin) { return isIn(ctx, origin, program); };
     llvm::SmallVector<std::string, 2> left;
     llvm::SmallVector<Origin, 2> origins;
     for (unsigned i = 0; i < dialect.groups.size(); ++i) {

@@ -1,4 +1,5 @@
 // A move leads into a forbidden zone.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 
 #include <array>
@@ -37,15 +38,11 @@ std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const Machine
     const CodeInfo &code =
         dialect.codes[dialect.groups[i].members[size_t(std::countr_zero(state.group(i)))]];
     const Origin origin = state.origin.ofGroup(i);
-    if (code.action != Action::ZoneOn || !origin.known() || origin.file != ctx.source().id())
+    if (code.action != Action::ZoneOn || !origin.known())
       continue;
     // The limits are literal words of the block that switched the zone on.
-    const llvm::StringRef text = ctx.source().text();
-    const size_t line = text.rfind('\n', origin.begin);
-    const uint32_t at =
-        line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1);
     Block block;
-    ctx.index().read(at, block);
+    readBlockOf(ctx, origin, block);
     Zone zone;
     zone.origin = origin;
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -172,14 +169,11 @@ private:
     const Origin distance = state.originOf(ctx.dialect(), StandardGroup::Distance);
     if (state.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::No ||
-        !cycle.known() || cycle.file != ctx.source().id() ||
+        !cycle.known() ||
         (distance.known() && distance.file == cycle.file && distance.begin > cycle.end))
       return false;
-    const llvm::StringRef text = ctx.source().text();
-    const size_t line = text.rfind('\n', cycle.begin);
     Block first;
-    ctx.index().read(
-        line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1), first);
+    readBlockOf(ctx, cycle, first);
     const auto increment = [](const Word &word) { return word.has(wordIncremental); };
     return llvm::none_of(first.words, increment) && llvm::none_of(ctx.block().words, increment);
   }

@@ -1,5 +1,6 @@
 // A mode that the next program does not expect: left on at the end, or, on lathes, the plane that a
 // drilling cycle selected.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/switch_left_on.h"
 
@@ -9,7 +10,7 @@ namespace ncvet {
 namespace {
 
 struct ModalLeftChangedAtEndMemory {
-  std::set<uint32_t> reported;
+  std::set<std::pair<FileId, uint32_t>> reported;
 };
 
 class ModalLeftChangedAtEnd final : public StatefulRule<ModalLeftChangedAtEndMemory> {
@@ -40,7 +41,7 @@ public:
     // The plane was selected in the block of a drilling cycle, or for one.
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::Plane);
     if (!origin.known() || !origin.range().begin ||
-        !memory().reported.insert(origin.begin).second || !drillsAt(origin, ctx))
+        !memory().reported.insert({origin.file, origin.begin}).second || !drillsAt(origin, ctx))
       return;
     if (auto finding = ctx.report(event))
       finding
@@ -71,13 +72,11 @@ private:
 
   /// Whether the block of `origin` or one of the next two holds a cycle.
   static bool drillsAt(const Origin &origin, RuleContext &ctx) {
-    const llvm::StringRef text = ctx.source().text();
-    if (origin.file != ctx.source().id())
-      return false;
-    const size_t line = text.rfind('\n', origin.begin);
-    const uint32_t at =
-        line == llvm::StringRef::npos ? ctx.index().reader().first() : uint32_t(line + 1);
-    for (const Block &block : blocks(ctx.index(), at, uint32_t(text.size()), 3))
+    Block first;
+    readBlockOf(ctx, origin, first);
+    const FileIndex &index = ctx.indexOf(origin.file);
+    const auto end = uint32_t(index.source().text().size());
+    for (const Block &block : blocks(index, first.begin, end, 3))
       for (const Word &word : block.words)
         if (word.address == letterAddress('G') && word.isNumber()) {
           const CodeIndex code = ctx.dialect().find('G', word.codeNumber());

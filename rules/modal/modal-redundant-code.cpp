@@ -1,5 +1,6 @@
 // Codes and words that change nothing: a code that switches off what is off already, a feed in a
 // rapid block, an increment under incremental dimensions, a block that holds nothing.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
@@ -71,7 +72,11 @@ private:
   /// a block after it. What is redundant after it is then needed on the other path.
   static bool otherWayLeadsHere(const Origin &off, RuleContext &ctx) {
     constexpr unsigned lookBack = 200; // blocks
-    if (!off.known() || off.file != ctx.source().id() || off.begin >= ctx.block().begin)
+    // A called program states what it needs, whoever calls it.
+    if (ctx.callDepth() > 0 && off.known() &&
+        !isIn(ctx, off, ctx.index().programAt(ctx.block().begin)))
+      return true;
+    if (!isHere(ctx, off) || off.begin >= ctx.block().begin)
       return false;
     if (ctx.block().hasLabel())
       return true;

@@ -1,11 +1,17 @@
 // The speed mode changed without a new S, and an S that does not fit its mode.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/cause_place.h"
+#include "analyzer/rule/report_once.h"
 #include "formats/text/number_text.h"
 
 namespace ncvet {
 namespace {
 
-class SpindleModeChangeWithoutSpeed final : public Rule {
+struct SpindleModeChangeWithoutSpeedMemory {
+  OncePerCause once;
+};
+
+class SpindleModeChangeWithoutSpeed final
+    : public StatefulRule<SpindleModeChangeWithoutSpeedMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::SpeedWord});
@@ -21,7 +27,7 @@ public:
 
 private:
   /// Reported where the mode changes, but only when something is cut with the old number.
-  static void atCut(const Event &event, RuleContext &ctx) {
+  void atCut(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     if (event.code == noCode || state.profile == ProfileMode::Recorded ||
         !state.must(Fact::SpeedSet) || state.may(Fact::SpeedSinceMode) ||
@@ -33,19 +39,23 @@ private:
       return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::SpeedMode);
-    if (!mode || !origin.known() || origin.file != ctx.source().id())
+    if (!mode || !origin.known())
+      return;
+    const CausePlace place = causePlace(ctx, origin);
+    if (!place.isCause && !memory().once.speaks(origin, ctx))
       return;
     const bool surface = mode->action == Action::SurfaceSpeed;
-    if (auto finding = ctx.report(origin.range())) {
+    if (auto finding = ctx.report(place.at)) {
       std::string number = "the old S";
       if (state.speed->isConstant())
         number = "S" + shortNumber(state.speed->value());
       finding
-          .message("`{0}` comes without an S: {1} counts as {2} from here on", mode->name, number,
-                   surface ? "cutting speed" : "revolutions per minute")
+          .message("`{0}`{3} comes without an S: {1} counts as {2} from here on", mode->name,
+                   number, surface ? "cutting speed" : "revolutions per minute",
+                   place.isCause ? "" : " " + place.where)
           .note(state.origin.of(StatePart::Speed),
                 "the speed is programmed here, for the other mode")
-          .note(ctx.blockRange(), "the first cut with it is here");
+          .note(place.other, place.note("the first cut with it is here", "the mode changes here"));
     }
   }
 

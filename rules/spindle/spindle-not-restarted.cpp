@@ -1,4 +1,5 @@
 // A cut after rigid tapping, a tool change or an oriented stop, which have stopped the spindle.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
@@ -78,7 +79,7 @@ private:
   /// The code that stopped the spindle besides doing its own work; null: a tapping cycle did.
   static const CodeInfo *stoppedBy(const RuleContext &ctx) {
     const Origin &origin = ctx.before().origin.of(StatePart::Spindle);
-    if (!origin.known() || origin.file != ctx.source().id())
+    if (!origin.known())
       return nullptr;
     const CodeIndex code = ctx.dialect().find(ctx.text(origin.range()));
     return code != noCode && ctx.dialect().codes[code].stopsSpindle ? &ctx.dialect().codes[code]
@@ -118,8 +119,7 @@ private:
     const MachineState &state = ctx.after();
     const Origin &cause = state.origin.of(StatePart::Spindle);
     if (!wanted_ || event.code == noCode || event.inMachineCoordinates() || !cause.known() ||
-        cause.file != ctx.source().id() || state.spindle != spindleOriented ||
-        state.may(Fact::UnknownCode))
+        state.spindle != spindleOriented || state.may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);
     const bool cuts =
@@ -130,12 +130,13 @@ private:
                   code.spindle == SpindleNeed::CounterClockwise;
     if (!cuts || !memory().once.speaks(cause, ctx))
       return;
-    if (auto finding = ctx.report(cause.range(), event.certain))
+    const CausePlace place = causePlace(ctx, cause);
+    if (auto finding = ctx.report(place.at, event.certain))
       finding
           .message("`{0}` stops the spindle as well, and nothing starts it again before the "
                    "next cut",
                    ctx.text(cause.range()))
-          .note(ctx.blockRange(), "the cut");
+          .note(place.other, place.note("the cut", "it stops here"));
   }
 
   bool wanted_ = false; ///< other codes than tapping stop it as well

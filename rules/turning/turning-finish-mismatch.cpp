@@ -1,4 +1,5 @@
 // The finishing cycle runs along other blocks, or starts elsewhere, than the roughing before it.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"

@@ -1,4 +1,5 @@
 // Roughing leaves an allowance that no finishing pass removes.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 
@@ -15,9 +16,9 @@ public:
     if (event.kind == EventKind::CycleRun)
       return replaced(event, ctx);
     if (before.roughFirst < 0 || ctx.callDepth() != 0 || ctx.dialect().profileRunsThrough ||
-        before.may(Fact::UnknownCode) || !origin.known() || origin.file != ctx.source().id())
+        before.may(Fact::UnknownCode) || !origin.known())
       return;
-    report(origin.range(), before.roughFirst, before.roughLast, "the program ends here", ctx);
+    report(origin, before.roughFirst, before.roughLast, "the program ends here", ctx);
   }
 
 private:
@@ -29,18 +30,25 @@ private:
     if (flow.kind != FlowKind::Profile || event.code == noCode || before.roughFirst < 0 ||
         ctx.code(event).cycle == CycleKind::Finish || flow.first == before.roughFirst ||
         ctx.dialect().profileRunsThrough || before.may(Fact::UnknownCode) || !origin.known() ||
-        origin.file != ctx.source().id() || isFinished(origin, before.roughFirst, ctx))
+        isFinished(origin, before.roughFirst, ctx))
       return;
-    report(origin.range(), before.roughFirst, before.roughLast, "the next contour is roughed here",
-           ctx);
+    report(origin, before.roughFirst, before.roughLast, "the next contour is roughed here", ctx);
   }
 
   /// Whether a finishing cycle of the program names the contour, or one that cannot be read does.
   static bool isFinished(const Origin &roughing, int64_t first, const RuleContext &ctx) {
-    const ProgramInfo &program = ctx.index().programAt(roughing.begin);
+    const FileIndex &index = ctx.indexOf(roughing.file);
+    const ProgramInfo &program = index.programAt(roughing.begin);
+    const ProgramInfo &here = ctx.index().programAt(ctx.block().begin);
+    return finishes(index, program, first, ctx) ||
+           (&here != &program && finishes(ctx.index(), here, first, ctx));
+  }
+
+  static bool finishes(const FileIndex &index, const ProgramInfo &program, int64_t first,
+                       const RuleContext &ctx) {
     if (program.end - program.body > longest)
       return true;
-    for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
+    for (const Block &block : blocks(index, program.body, program.end)) {
       if (!block.items.empty() ||
           findCode(ctx.dialect(), block,
                    {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
@@ -50,8 +58,8 @@ private:
         continue;
       // A code that roughs by itself finishes where its block says nothing of roughing.
       const bool roughs = block.hasAny(lettersMask("UWFD"));
-      for (const CodeIndex index : codesOf(ctx.dialect(), block)) {
-        const CodeInfo &code = ctx.dialect().codes[index];
+      for (const CodeIndex each : codesOf(ctx.dialect(), block)) {
+        const CodeInfo &code = ctx.dialect().codes[each];
         const bool finishes = code.cycle == CycleKind::Finish ||
                               llvm::any_of(code.variants, [&](const Variant &variant) {
                                 return ctx.dialect().codes[variant.code].cycle == CycleKind::Finish;
@@ -66,13 +74,13 @@ private:
 
   static constexpr uint32_t longest = 200000; ///< bytes: no longer program is looked through
 
-  static void report(SourceRange at, int64_t first, int64_t last, const char *end,
+  static void report(const Origin &cause, int64_t first, int64_t last, const char *end,
                      RuleContext &ctx) {
     // The cycle's own words tell whether it left anything.
     Block block;
-    ctx.index().read(ctx.source().lines().lineBegin(at.begin), block);
+    readBlockOf(ctx, cause, block);
     bool leaves = false;
-    std::string name = ctx.source().text(at.begin, at.end).str();
+    std::string name = ctx.text(cause.range()).str();
     for (const CodeIndex index : codesOf(ctx.dialect(), block))
       name = ctx.dialect().codes[index].name;
     for (const Word &word : block.words)
@@ -80,12 +88,13 @@ private:
         leaves |= !word.isNumber() || word.mantissa != 0;
     if (!leaves)
       return;
-    if (auto finding = ctx.report(at))
+    const CausePlace place = causePlace(ctx, cause);
+    if (auto finding = ctx.report(place.at))
       finding
           .message(
               "`{0}` leaves an allowance along N{1} to N{2}, and no finishing cycle removes it",
               name, first, last)
-          .note(ctx.blockRange(), end);
+          .note(place.other, place.note(end, "it is called here"));
   }
 };
 

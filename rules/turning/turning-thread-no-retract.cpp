@@ -1,4 +1,5 @@
 // A single thread stroke is not followed by a retract at rapid.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {

@@ -1,4 +1,5 @@
 // A thread is cut with a feed that was not given as its pitch.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
 #include "formats/dialect/control_facts.h"
