@@ -2,6 +2,7 @@
 #include "analyzer/check/checker.h"
 
 #include "analyzer/check/contour_report.h"
+#include "analyzer/check/due_where.h"
 #include "analyzer/check/fold_repeats.h"
 #include "analyzer/check/foreign_text.h"
 #include "analyzer/flow/analyze.h"
@@ -169,6 +170,7 @@ void checkUnder(const FileSetup &setup, Session &session, SourceSet &sources,
   const auto otherControl = [&] {
     return session.otherControl(*setup.config, nameOf(file), file.text());
   };
+  dropUndue(project, unit, result.findings);
   foldForeignText(project, unit, {result.blocks, setup.detected, otherControl}, result.findings);
   SuppressionStep(project, unit, *setup.rules).run(result.findings, outcome);
   if (session.options().contours)

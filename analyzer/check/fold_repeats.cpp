@@ -16,6 +16,8 @@ namespace {
 
 /// Further places that a reader is shown; the number of all of them is in the message.
 constexpr size_t mostNotes = 8;
+/// More findings alike of one rule in one file are no slips of single blocks.
+constexpr size_t many = 10;
 
 /// The message without its numbers.
 std::string withoutNumbers(llvm::StringRef message) {
@@ -26,21 +28,7 @@ std::string withoutNumbers(llvm::StringRef message) {
   return text;
 }
 
-/// What the rules' pages say; each is read once, and only when the rule has spoken twice.
-class Pages {
-public:
-  RepeatedFindings repeated(RuleId rule) {
-    const auto [known, fresh] = known_.try_emplace(rule);
-    if (fresh)
-      known->second = readRulePage(allRules()[rule].info).repeated;
-    return known->second;
-  }
-
-private:
-  std::map<RuleId, RepeatedFindings> known_;
-};
-
-void fold(const std::vector<Finding *> &group) {
+void fold(const std::vector<Finding *> &group, RepeatedFindings repeated) {
   Finding &first = *group.front();
   for (Finding *further : llvm::makeArrayRef(group).drop_front()) {
     if (first.notes.size() < mostNotes)
@@ -50,6 +38,8 @@ void fold(const std::vector<Finding *> &group) {
     further->message.clear(); // taken out by the caller
   }
   first.message += llvm::formatv("; {0} more times in this file", group.size() - 1);
+  if (repeated == RepeatedFindings::Many)
+    first.message += ": the whole text is made so";
 }
 
 } // namespace
@@ -58,27 +48,28 @@ void foldRepeats(std::vector<Finding> &findings) {
   std::map<RuleId, size_t> counts;
   for (const Finding &finding : findings)
     ++counts[finding.rule];
-  Pages pages;
   std::map<std::pair<RuleId, std::string>, std::vector<Finding *>> groups;
   for (Finding &finding : findings) {
     if (finding.suppressed || counts[finding.rule] < 2)
       continue;
-    const RepeatedFindings repeated = pages.repeated(finding.rule);
+    const RepeatedFindings repeated = rulePage(finding.rule).repeated;
     if (repeated == RepeatedFindings::Each)
       continue;
     const std::string said =
-        repeated == RepeatedFindings::Alike ? withoutNumbers(finding.message) : finding.message;
+        repeated == RepeatedFindings::Same ? finding.message : withoutNumbers(finding.message);
     groups[{finding.rule,
             llvm::formatv("{0} {1} {2} {3}", finding.range.file, unsigned(finding.severity),
                           unsigned(finding.certainty), said)}]
         .push_back(&finding);
   }
   bool folded = false;
-  for (auto &[key, group] : groups)
-    if (group.size() > 1) {
-      fold(group);
+  for (auto &[key, group] : groups) {
+    const RepeatedFindings repeated = rulePage(key.first).repeated;
+    if (group.size() > (repeated == RepeatedFindings::Many ? many : 1)) {
+      fold(group, repeated);
       folded = true;
     }
+  }
   if (folded)
     llvm::erase_if(findings, [](const Finding &finding) { return finding.message.empty(); });
 }

@@ -1,8 +1,13 @@
 // A rule's page: the fenced JSON block at its head, and what follows.
 #include "analyzer/rule/rule_page.h"
 
+#include "analyzer/rule/rule.h"
+
 #include "llvm/ADT/STLExtras.h"
 #include <nlohmann/json.hpp>
+
+#include <map>
+#include <mutex>
 
 namespace ncvet {
 
@@ -89,12 +94,27 @@ RulePage readRulePage(const RuleInfo &info) {
       if (id.is_string())
         page.dialects.push_back(id.get<std::string>());
   if (const auto repeated = json.find("repeated"); repeated != json.end())
-    page.repeated = *repeated == "alike" ? RepeatedFindings::Alike : RepeatedFindings::Same;
+    page.repeated = *repeated == "alike"  ? RepeatedFindings::Alike
+                    : *repeated == "many" ? RepeatedFindings::Many
+                                          : RepeatedFindings::Same;
+  if (const auto due = json.find("dueWhere"); due != json.end() && due->is_array())
+    for (const PageJson &trait : *due)
+      page.dueWhere |= trait == "spindle" ? programsSpindle : programsThreeAxes;
   if (const auto options = json.find("options"); options != json.end() && options->is_object())
     for (const auto &[name, value] : options->items())
       if (value.is_object())
         page.options.push_back(readOption(name, value));
   return page;
+}
+
+const RulePage &rulePage(RuleId rule) {
+  static std::mutex mutex;
+  static std::map<RuleId, RulePage> pages;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto [known, isNew] = pages.try_emplace(rule);
+  if (isNew)
+    known->second = readRulePage(allRules()[rule].info);
+  return known->second;
 }
 
 std::string withProgramsOf(llvm::StringRef dialect, llvm::StringRef body) {

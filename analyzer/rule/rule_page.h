@@ -21,19 +21,29 @@ struct RuleOption {
   std::vector<std::string> names; ///< of a choice
 };
 
-/// How findings of a rule that say the same thing of one file are told.
-enum class RepeatedFindings : uint8_t { Each, Same, Alike };
+/// How findings of a rule that say the same thing of one file are told. `Many`: alike ones, once
+/// there are so many that the text is made so.
+enum class RepeatedFindings : uint8_t { Each, Same, Alike, Many };
+
+/// What a text must program for findings of a rule to be due in it, as bits.
+enum TextTrait : uint8_t {
+  programsSpindle = 1,   ///< a speed, a code of the spindle, a tool change
+  programsThreeAxes = 2, ///< X, Y and Z
+};
 
 struct RulePage {
   std::vector<std::string> dialects; ///< ids that the page claims to work for
   std::vector<RuleOption> options;
   RepeatedFindings repeated = RepeatedFindings::Each;
+  uint8_t dueWhere = 0; ///< TextTrait bits, all of which a text must have
   llvm::StringRef body; ///< Markdown without the metadata
 };
 
 /// The page of a rule. A page's form is checked when ncvet is built; on bad metadata the lists are
 /// empty.
 RulePage readRulePage(const RuleInfo &info);
+/// The same, read once for the whole run. For several threads.
+const RulePage &rulePage(RuleId rule);
 
 /// The page's text with the programs of one control only, without the paragraphs that introduce
 /// others alone; unchanged when it has none of them.

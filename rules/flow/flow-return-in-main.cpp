@@ -32,8 +32,12 @@ public:
     constexpr int64_t firstMacro = 8000;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const bool named = !ctx.dialect().mainExtensions.empty();
-    if (program.number >= firstMacro || (named && program.kind != ProgramKind::Main) ||
-        (opens_ && !memory().opened))
+    // Neither zero point nor tool nor spindle: a piece that some other program calls.
+    const MachineState &end = ctx.after();
+    const bool piece = !end.must(Fact::ToolCalled) && !end.must(Fact::SpindleStated) &&
+                       !end.must(Fact::WorkOffsetStated);
+    if (program.number >= firstMacro || (piece && !named && !opens_) ||
+        (named && program.kind != ProgramKind::Main) || (opens_ && !memory().opened))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding

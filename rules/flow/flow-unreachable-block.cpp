@@ -52,7 +52,7 @@ private:
       file.reader.read(at, block);
       if (block.isEmpty() || block.kind != BlockKind::Normal)
         continue;
-      if (!file.isReached(block.begin) && !onlyEndsLoop(block))
+      if (!file.isReached(block.begin) && !onlyEndsLoop(block) && !endsAfterLoop(block, ctx))
         if (auto finding = ctx.report(contentOf(block, file.source)))
           finding.message("no path leads to this block: it is never executed");
       return;
@@ -64,6 +64,12 @@ private:
     return block.words.empty() && llvm::all_of(block.items, [](const Item &item) {
              return item.kind == ItemKind::End || item.kind == ItemKind::Structure;
            });
+  }
+
+  /// The `M30` that a program has by habit after a loop without end, or after `M99`.
+  bool endsAfterLoop(const Block &block, const RuleContext &ctx) const {
+    return !afterEnd_ &&
+           findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
   }
 
   static bool leadsAway(const Block &block, const Dialect &dialect) {

@@ -24,6 +24,11 @@ public:
                                  : wordOf(ctx.block(), ctx.code(event), Role::Dwell);
     if (!time || !time->isNumber())
       return;
+    // Away from a cut a spindle may run warm, and a door may wait.
+    const MachineState &before = ctx.before();
+    if (event.kind == EventKind::Dwell &&
+        (!before.may(Fact::CutSinceTool) || before.must(Fact::AwayFromPart)))
+      return;
     const Word &word = *time;
     // `X2` is read as the control reads X: only P changes its unit with the point.
     const AddressKind kind = ctx.dialect().addresses[word.address].kind;

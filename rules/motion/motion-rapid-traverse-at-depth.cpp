@@ -65,8 +65,9 @@ private:
     if (!clamp && !stock)
       return false;
     if (auto finding = ctx.report(event))
-      finding.message(clamp ? "rapid in the plane through a clamp of the machine profile"
-                            : "rapid in the plane through the stock: nothing has been cut yet");
+      finding.severity(Severity::Error)
+          .message(clamp ? "rapid in the plane through a clamp of the machine profile"
+                         : "rapid in the plane through the stock: nothing has been cut yet");
     return true;
   }
 

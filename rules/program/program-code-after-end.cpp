@@ -1,5 +1,5 @@
 // Blocks after the program's end that nothing reaches.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
 namespace {
@@ -57,6 +57,12 @@ private:
            });
   }
 
+  /// `M30` after `M99`: the switch between one part and many.
+  static bool isFurtherEnd(const Block &block, const RuleContext &ctx) {
+    return block.items.empty() &&
+           findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
+  }
+
   void tellAfter(const Memory::End &end, const FileSummary &file, RuleContext &ctx) const {
     const uint32_t stop = file.index.programAt(end.block.begin).end;
     SourceRange dead;
@@ -64,7 +70,7 @@ private:
     const auto read = [&](uint32_t at, const Block &block) {
       if (block.kind == BlockKind::Tape || block.kind == BlockKind::ProgramHeader)
         return false;
-      if (block.isEmpty() || isOnlyBracket(block))
+      if (block.isEmpty() || isOnlyBracket(block) || isFurtherEnd(block, ctx))
         return true;
       if (file.isReached(at))
         return false;
