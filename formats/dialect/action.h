@@ -112,6 +112,7 @@ namespace ncvet {
   X(LiveToolCcw, "live-tool-ccw")                                                                  \
   X(LiveToolStop, "live-tool-stop")                                                                \
   X(ToolChange, "tool-change")                                                                     \
+  X(SetTool, "set-tool")                                                                           \
   X(CoolantOn, "coolant-on")                                                                       \
   X(CoolantOff, "coolant-off")                                                                     \
   X(Clamp, "clamp")                                                                                \

@@ -166,6 +166,7 @@ struct Execution::Actions {
       {Action::LiveToolCcw, Phase::Early, turnsLiveTool<spindleCcw>},
       {Action::LiveToolStop, Phase::Late, turnsLiveTool<spindleOff>},
       {Action::ToolChange, Phase::Early, does<&Execution::takeTool>},
+      {Action::SetTool, Phase::Early, does<&Execution::nameTool>},
       {Action::Clamp, Phase::Early, sets<Fact::SpindleClamped>},
       {Action::Unclamp, Phase::Early, clears<Fact::SpindleClamped>},
       {Action::ChuckClose, Phase::Early, clears<Fact::ChuckOpen>},

@@ -117,6 +117,7 @@ private:
   void orientSpindle(const CodeUse &use);
   void turnAnything(const CodeUse &use);
   void takeTool(const CodeUse &use);
+  void nameTool(const CodeUse &use);
   void changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by);
   void toolWord(const Word &word);
 

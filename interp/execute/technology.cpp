@@ -185,6 +185,20 @@ void Execution::takeTool(const CodeUse &use) {
   }
 }
 
+/// M61 Q: says which tool is in the spindle; nothing is changed.
+void Execution::nameTool(const CodeUse &use) {
+  const Word *word = info(use).words.empty() ? nullptr : wordFor(block_, info(use).words.front());
+  const Interval number = word ? value(*word) : Interval::unknown();
+  state_.tool = number.isConstant() && number.value() >= 0 && number.value() < 1e6
+                    ? int32_t(number.value())
+                    : notKnown;
+  state_.origin.set(StatePart::Tool, originOf(*use.word));
+  state_.set(Fact::ToolCalled);
+  state_.clear(Fact::LengthSinceTool);
+  state_.clear(Fact::CutSinceTool);
+  outcome_.setupChanged = true;
+}
+
 void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeIndex by) {
   outcome_.setupChanged = true;
   Event &event = outcome_.emit(EventKind::ToolChange);

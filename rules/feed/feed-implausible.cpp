@@ -15,6 +15,7 @@ public:
     to.onChange({EventKind::FeedWord, EventKind::Motion});
     perMinuteBelow_ = to.number("perMinuteBelow", 1);
     perMinuteAbove_ = to.number("perMinuteAbove", 60'000);
+    perRevolutionBelow_ = to.number("perRevolutionBelow", 0.008);
     perRevolutionAbove_ = to.number("perRevolutionAbove", 5);
   }
 
@@ -35,13 +36,15 @@ public:
     if (!mode)
       return;
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
-    const bool unitKnown =
-        inch != Truth::Unknown || state.active(ctx.dialect(), StandardGroup::Units) == groupUnset;
-    if (!unitKnown)
+    const bool unitsSaid = state.active(ctx.dialect(), StandardGroup::Units) != groupUnset;
+    if (inch == Truth::Unknown && unitsSaid)
       return;
     const double feed = value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
     const bool tooSlow = mode->action == Action::FeedPerMinute && feed < perMinuteBelow_;
     const bool tooFast = mode->action == Action::FeedPerRevolution && feed > perRevolutionAbove_;
+    if (mode->action == Action::FeedPerRevolution && !carried &&
+        feed * (unitsSaid ? 1 : millimetresPerInch) < perRevolutionBelow_)
+      return tooLittle(event, ctx);
     if (!tooSlow && !tooFast)
       return;
     if (carried &&
@@ -65,6 +68,12 @@ private:
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is a feed of {1}: no machine cuts so fast", ctx.text(*event.word),
                       llvm::formatv("{0}", llvm::format("%.0f", event.feed().value())));
+  }
+
+  static void tooLittle(const Event &event, RuleContext &ctx) {
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` per revolution rubs and does not cut: was a digit or the point lost?",
+                      ctx.text(*event.word));
   }
 
   static bool cuts(const Event &event) {
@@ -93,7 +102,8 @@ private:
 
   double perMinuteBelow_ = 1; // mm/min
   double perMinuteAbove_ = 60'000;
-  double perRevolutionAbove_ = 5; // mm
+  double perRevolutionBelow_ = 0.008; // mm
+  double perRevolutionAbove_ = 5;     // mm
 };
 
 } // namespace

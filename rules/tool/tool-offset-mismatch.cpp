@@ -9,7 +9,7 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().isLathe())
       to.on(EventKind::ToolWord);
-    else if (!to.dialect().offsetsOfTool) // a tool's own edges are numbered from 1
+    else
       to.on(EventKind::OffsetWord);
   }
 
@@ -32,6 +32,9 @@ public:
       }
       return;
     }
+    // A tool's own edges are numbered from 1; an H still names a tool of the table.
+    if (ctx.dialect().offsetsOfTool && word.address != letterAddress('H'))
+      return;
     const int32_t tool = state.tool != notSet ? state.tool : state.preselected;
     if (!event.offset().isConstant() || tool <= 0 || event.offset().value() == 0 ||
         event.offset().value() == tool)
