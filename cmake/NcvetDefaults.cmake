@@ -29,9 +29,12 @@ if(NCVET_FUZZ)
 endif()
 
 function(ncvet_warnings target)
-  # In a batch a local name may hide one of another file.
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
-                         $<IF:$<BOOL:${NCVET_BATCHES}>,-Wshadow=local,-Wshadow> -Werror)
+  # In a batch a local name may hide one of another file, which only g++ can leave out.
+  set(shadow -Wshadow)
+  if(NCVET_BATCHES)
+    set(shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
+  endif()
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion ${shadow} -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 warns of its own string concatenation (GCC bug 105329), and of LLVM's formatting of
     # whole numbers, which does not use the variable in question.

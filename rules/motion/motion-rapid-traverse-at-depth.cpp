@@ -33,16 +33,17 @@ public:
                         "in between");
     if (!(event.axes & plane) || staysInPlane(before, after))
       return;
-    // The last move was a cut.
-    if (throughObstacle(event, ctx) || before.compensation != phaseOff ||
-        before.must(Fact::AwayFromPart) || !before.fedFrom.get().isConstant())
+    if (throughObstacle(event, ctx) || !before.fedFrom.get().isConstant())
       return;
     const Interval &from = before.at(tool), &to = after.at(tool);
     const double level = before.fedFrom.get().value();
     // Down in the work at both ends of the move.
     if (!from.isConstant() || !to.isConstant() || from.value() >= level || to.value() >= level)
       return;
-    if (auto finding = ctx.report(event, !before.may(Fact::AwayFromPart)))
+    // After a cut, or lifted from it by too little.
+    if (before.must(Fact::AwayFromPart) && (to.value() >= 0 || staysWhereItHasCut(after)))
+      return;
+    if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown))
       finding.message("rapid in the plane at depth {0:f3}: the tool was fed in from {1:f3}",
                       from.value(), level);
   }
@@ -69,6 +70,17 @@ private:
           .message(clamp ? "rapid in the plane through a clamp of the machine profile"
                          : "rapid in the plane through the stock: nothing has been cut yet");
     return true;
+  }
+
+  /// The move ends inside the box of what this tool has cut, or it is not known.
+  static bool staysWhereItHasCut(const MachineState &after) {
+    constexpr double beside = 1; // mm
+    const auto cut = after.cutArea.get();
+    return llvm::all_of(std::array{0, 1}, [&](int axis) {
+      const Interval &area = cut[axis], &to = after.position[axis];
+      return !area.isBounded() || !to.isConstant() ||
+             (to.value() >= area.lo - beside && to.value() <= area.hi + beside);
+    });
   }
 
   /// The tool is there already: post-processors repeat the point at which the next pass begins.

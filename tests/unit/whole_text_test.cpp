@@ -1,6 +1,7 @@
 // What a text as a whole says: findings that are due in some texts only, and findings that tell how
 // the whole text is made.
 #include "analyzer/check/checker.h"
+#include "analyzer/rule/rule_table.h"
 
 #include <gtest/gtest.h>
 
