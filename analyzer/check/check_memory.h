@@ -14,7 +14,7 @@
 namespace ncvet {
 
 class ProgramFolders;
-class RuleSelection;
+struct RuleSelection;
 class StraightRuns;
 struct FileSetup;
 
