@@ -72,7 +72,7 @@ public:
 
 private:
   /// Remembers where a choice by sign can go.
-  void remember(const Item &item, SourceRange range, RuleContext &ctx) const {
+  void noteChoice(const Item &item, SourceRange range, RuleContext &ctx) const {
     Memory::Choice &choice = memory().choices[{ctx.source().id(), item.begin}];
     choice.range = range;
     const Value value = evaluate(ctx.block(), item.condition, ctx.before(), nullptr);
@@ -97,7 +97,7 @@ private:
       return;
     }
     if (item.condition < block.expressions.size() && !block.expressions[item.condition].bad)
-      remember(item, range, ctx);
+      noteChoice(item, range, ctx);
   }
 
   /// FOR counts upwards only.

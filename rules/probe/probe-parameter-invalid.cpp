@@ -75,7 +75,7 @@ private:
   void tooFast(const CodeInfo &code, const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Origin &origin = state.origin.of(StatePart::Feed);
-    if (!fastest_ || !state.feed.get().isConstant() || state.feed.get().value() <= fastest_ ||
+    if (fastest_ <= 0 || !state.feed.get().isConstant() || state.feed.get().value() <= fastest_ ||
         !origin.known() || origin == memory().feed || origin == memory().fast ||
         state.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedPerMinute)
       return;
