@@ -167,9 +167,7 @@ void checkUnder(const FileSetup &setup, Session &session, SourceSet &sources,
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);
-  const auto otherControl = [&] {
-    return session.otherControl(*setup.config, nameOf(file), file.text());
-  };
+  const auto otherControl = [&] { return session.otherControl(setup, nameOf(file), file.text()); };
   dropUndue(project, unit, result.findings);
   foldForeignText(project, unit, {result.blocks, setup.detected, otherControl}, result.findings);
   SuppressionStep(project, unit, *setup.rules).run(result.findings, outcome);
@@ -196,6 +194,8 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   }
   outcome->dialect = setup->dialect->id;
   outcome->reason = setup->reason;
+  outcome->guessed = setup->detected;
+  outcome->sure = setup->sure;
   if (setup->config->failOn)
     outcome->failOn = *setup->config->failOn;
   // Setups are shared, and made under a lock: only what belongs to this file alone may crash.
@@ -237,7 +237,7 @@ void prepareChecks(Session &session, SourceSet &sources, const SourceFile &file,
   auto setup = session.setup(nameOf(file), file.text());
   if (!setup)
     return llvm::consumeError(setup.takeError()); // the check has told
-  session.otherControl(*setup->config, nameOf(file), file.text());
+  session.otherControl(*setup, nameOf(file), file.text());
   Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                   setup->folders);
   FileUnit &unit = project.unit(file, first.memory.scanFor(*setup, file, first.text));

@@ -18,8 +18,48 @@ constexpr uint64_t unreadablePart = 6; // a sixth
 constexpr uint64_t fewestWrong = 3;
 constexpr uint64_t wrongPart = 20; // a twentieth
 
-bool isSyntax(const Finding &finding) {
-  return allRules()[finding.rule].info.category == "syntax" && finding.severity != Severity::Style;
+/// What a control says to the language of another one: no block, no code, no word of its own.
+bool isOfLanguage(const Finding &finding) {
+  const llvm::StringRef category = allRules()[finding.rule].info.category;
+  return category == "syntax" || category == "block";
+}
+
+/// The lines of one file with findings that are no advice.
+struct WrongLines {
+  std::set<uint32_t> all, ofLanguage, unreadable;
+  const Finding *first = nullptr; ///< the first that cannot be read, else the first
+
+  WrongLines(const LineIndex &lines, FileId file, llvm::ArrayRef<Finding> findings) {
+    for (const Finding &finding : findings)
+      if (finding.range.file == file && finding.severity != Severity::Style)
+        add(finding, lines.lineBegin(finding.range.begin));
+  }
+
+private:
+  void add(const Finding &finding, uint32_t line) {
+    all.insert(line);
+    if (isOfLanguage(finding))
+      ofLanguage.insert(line);
+    const bool isSyntax = allRules()[finding.rule].info.category == "syntax";
+    if (isSyntax)
+      unreadable.insert(line);
+    if (!first || (isSyntax && unreadable.size() == 1 && !firstIsSyntax_)) {
+      first = &finding;
+      firstIsSyntax_ = isSyntax;
+    }
+  }
+
+  bool firstIsSyntax_ = false;
+};
+
+bool areMany(const std::set<uint32_t> &lines, uint64_t blocks) {
+  return lines.size() >= fewestUnreadable ||
+         (lines.size() >= fewestWrong && lines.size() * wrongPart >= blocks);
+}
+
+/// In a short text a block or two that cannot be read are enough.
+bool areSome(const std::set<uint32_t> &lines, uint64_t blocks) {
+  return !lines.empty() && lines.size() * wrongPart >= blocks;
 }
 
 } // namespace
@@ -27,32 +67,29 @@ bool isSyntax(const Finding &finding) {
 void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &origin,
                      std::vector<Finding> &findings) {
   const FileId file = unit.source.id();
-  const LineIndex &lines = project.sources().get(file).lines();
-  std::set<uint32_t> unreadable, wrong;
-  const Finding *first = nullptr;
-  for (const Finding &finding : findings) {
-    if (finding.range.file != file || finding.severity == Severity::Style)
-      continue;
-    const uint32_t line = lines.lineBegin(finding.range.begin);
-    wrong.insert(line);
-    if (isSyntax(finding))
-      unreadable.insert(line);
-    if (!first || (isSyntax(finding) && !isSyntax(*first)))
-      first = &finding;
-  }
-  std::string other;
-  const bool manyWrong = wrong.size() >= fewestUnreadable ||
-                         (wrong.size() >= fewestWrong && wrong.size() * wrongPart >= origin.blocks);
-  if (manyWrong)
+  const WrongLines wrong(project.sources().get(file).lines(), file, findings);
+  OtherControl other;
+  const std::set<uint32_t> *counted = nullptr;
+  if (areMany(wrong.all, origin.blocks) || areSome(wrong.unreadable, origin.blocks)) {
     other = origin.otherControl();
-  if (other.empty() && (!origin.detected || unreadable.size() < fewestUnreadable ||
-                        unreadable.size() * unreadablePart < origin.blocks))
+    // A control with a table is another one only by what is not of this one's language.
+    if (!other.name.empty() && (!other.hasTable || areMany(wrong.ofLanguage, origin.blocks)))
+      counted = other.hasTable ? &wrong.ofLanguage : &wrong.all;
+  }
+  if (!counted && origin.detected && wrong.unreadable.size() >= fewestUnreadable &&
+      wrong.unreadable.size() * unreadablePart >= origin.blocks) {
+    other = {};
+    counted = &wrong.unreadable;
+  }
+  if (!counted)
     return;
-  Finding one = *first;
-  const std::set<uint32_t> &counted = other.empty() ? unreadable : wrong;
-  one.message += llvm::formatv("; {0} blocks are wrong here: ", counted.size());
-  one.message += other.empty() ? "the text is no program of this control"
-                               : "the text is for another control (" + other + ")";
+  Finding one = *wrong.first;
+  const std::string cause =
+      other.name.empty() ? "cannot be read: the text is no program of this control"
+                         : "are for another control: " + other.name + " (" + other.marks + ")";
+  one.message =
+      llvm::formatv("{0} of {1} blocks {2}; the first: {3}", counted->size(),
+                    std::max<uint64_t>(origin.blocks, counted->size()), cause, one.message);
   one.fix.reset();
   llvm::erase_if(findings, [&](const Finding &finding) { return finding.range.file == file; });
   findings.insert(findings.begin(), std::move(one));

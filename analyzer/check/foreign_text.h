@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/project.h"
+#include "analyzer/setup/session.h"
 
 namespace ncvet {
 
@@ -9,9 +10,9 @@ namespace ncvet {
 struct TextOrigin {
   uint64_t blocks = 0;   ///< with content
   bool detected = false; ///< its control was found out, nobody named it
-  /// Names the control that the text is for by its own marks, or nothing; asked only where it
-  /// matters.
-  llvm::function_ref<std::string()> otherControl;
+  /// The control that the text is for by its own marks, when it is another one; asked only where
+  /// it matters.
+  llvm::function_ref<OtherControl()> otherControl;
 };
 
 /// Folds the findings of `unit` into one when they have one cause: several blocks are wrong and the

@@ -54,6 +54,7 @@ private:
   void writeTo(const ReportTarget &target);
   void writeReports();
   void writeStats() const;
+  void writeGuess() const;
   void problem(llvm::StringRef path, const std::string &message);
 
   CheckRequest request_;
@@ -249,7 +250,8 @@ void Check::buildReport() {
       continue;
     }
     report_.files.push_back({job.input.display, job.outcome.dialect, job.outcome.blocks,
-                             job.outcome.complete, job.outcome.reason});
+                             job.outcome.complete, job.outcome.reason, job.outcome.guessed,
+                             job.outcome.sure});
   }
   addFindings();
   sortReport(report_);
@@ -286,6 +288,35 @@ void Check::writeReports() {
   }
   for (const ReportTarget &target : request_.reports)
     writeTo(target);
+}
+
+/// Says once which control was guessed, on standard error and to people only.
+void Check::writeGuess() const {
+  const Job *one = nullptr;
+  std::map<std::string, size_t> files; ///< by dialect
+  size_t guessed = 0;
+  for (const Job &job : jobs_)
+    if (job.outcome.guessed && job.outcome.error.empty()) {
+      one = &job;
+      ++files[job.outcome.dialect];
+      ++guessed;
+    }
+  if (!one)
+    return;
+  llvm::raw_ostream &out = llvm::errs();
+  out << "control: ";
+  if (guessed == 1) {
+    out << one->outcome.dialect << ", guessed: " << one->outcome.reason;
+  } else {
+    out << "guessed for " << guessed << " files: ";
+    llvm::StringRef separator;
+    for (const auto &[dialect, count] : files) {
+      out << separator << dialect << " (" << count << ')';
+      separator = ", ";
+    }
+    out << "; --stats says why";
+  }
+  out << "; --dialect names it\n";
 }
 
 void Check::writeStats() const {
@@ -335,6 +366,8 @@ int Check::run() {
   writeReports();
   if (request_.stats)
     writeStats();
+  else if (request_.format == "text")
+    writeGuess();
   if (!request_.timeTrace.empty()) {
     if (llvm::Error wrong = llvm::timeTraceProfilerWrite(request_.timeTrace, "ncvet"))
       problem("", "cannot write " + request_.timeTrace + ": " + llvm::toString(std::move(wrong)));

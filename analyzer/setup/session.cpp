@@ -2,6 +2,8 @@
 // them.
 #include "analyzer/setup/session.h"
 
+#include "analyzer/setup/remaps.h"
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/text/failure.h"
 
@@ -237,6 +239,20 @@ llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, con
   });
 }
 
+llvm::Expected<Session::Language> Session::withRemaps(Language known, llvm::StringRef folder) {
+  const auto [entry, isNew] =
+      remapped_.try_emplace({known.dialect.get(), folder.str()}, known.dialect);
+  if (isNew)
+    if (const auto remaps = remapsNear(folder, *known.dialect)) {
+      auto table = overlay(known.dialect, remaps->name, remaps->text);
+      if (!table)
+        return table.takeError();
+      entry->second = *table;
+      noteRead({remaps->name});
+    }
+  return Language{entry->second, known.machine};
+}
+
 llvm::Expected<std::shared_ptr<const RuleSelection>>
 Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
                    const UnsureReports *unsure) {
@@ -350,6 +366,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     dialect = std::move(detection.dialect);
     setup.reason = std::move(detection.reason);
     setup.detected = true;
+    setup.sure = detection.sure;
     if (!detection.sure) {
       setup.reason += "; not sure: what rests on facts of the control is not reported";
       unsure = &(*found)->unsure();
@@ -358,6 +375,12 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
   auto known = language(dialect, *setup.config, machine);
   if (!known)
     return known.takeError();
+  if (known->dialect->facts->program.remapsInIni) {
+    const llvm::StringRef folder = path::parent_path(fileName);
+    known = withRemaps(std::move(*known), folder.empty() ? "." : folder);
+    if (!known)
+      return known.takeError();
+  }
   setup.dialect = known->dialect;
   setup.machine = known->machine;
   auto rules = selection(setup.dialect, *setup.config, unsure);
@@ -367,15 +390,30 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
   return setup;
 }
 
-std::string Session::otherControl(const Config &config, llvm::StringRef fileName,
-                                  llvm::StringRef text) {
+namespace {
+
+/// Dialects of one maker begin with its name.
+llvm::StringRef makerOf(llvm::StringRef dialect) { return dialect.split('-').first; }
+
+} // namespace
+
+OtherControl Session::otherControl(const FileSetup &setup, llvm::StringRef fileName,
+                                   llvm::StringRef text) {
   std::unique_lock<std::mutex> lock(mutex_);
-  auto found = detector(config);
+  auto found = detector(*setup.config);
   lock.unlock();
-  if (found)
-    return detect(**found, fileName, text).other;
-  llvm::consumeError(found.takeError());
-  return {};
+  if (!found) {
+    llvm::consumeError(found.takeError());
+    return {};
+  }
+  const Detection detection = detect(**found, fileName, text);
+  if (!detection.other.empty()) {
+    const auto [name, marks] = llvm::StringRef(detection.other).split(": ");
+    return {name.str(), marks.str(), false};
+  }
+  if (!detection.sure || makerOf(detection.dialect) == makerOf(setup.dialect->id))
+    return {};
+  return {detection.dialect, detection.reason, true};
 }
 
 } // namespace ncvet

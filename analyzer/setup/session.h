@@ -26,6 +26,13 @@ struct SessionOptions {
   bool edited = false;   ///< texts come again and again, each time a little changed
 };
 
+/// A control that a text is for.
+struct OtherControl {
+  std::string name;  ///< empty: none
+  std::string marks; ///< what speaks for it
+  bool hasTable = false;
+};
+
 /// All that the check of one file needs.
 struct FileSetup {
   std::shared_ptr<const Config> config;
@@ -36,6 +43,7 @@ struct FileSetup {
   AnalysisLimits limits;
   std::string reason;    ///< why this dialect
   bool detected = false; ///< the dialect was found out from the file, nobody named it
+  bool sure = false;     ///< … without doubt
 };
 
 /// Finds and keeps configurations, dialects and machine profiles. Safe for several threads.
@@ -55,8 +63,9 @@ public:
   void forgetFolders();
   /// Where programs are looked up; another object when they were forgotten.
   std::shared_ptr<ProgramFolders> folders();
-  /// The control without a table that the text is for, with the evidence; empty: none.
-  std::string otherControl(const Config &config, llvm::StringRef fileName, llvm::StringRef text);
+  /// The control that the text is for by its own marks where that is not `dialect`: one without a
+  /// table, or surely one of another maker.
+  OtherControl otherControl(const FileSetup &setup, llvm::StringRef fileName, llvm::StringRef text);
 
 private:
   struct Language {
@@ -94,6 +103,8 @@ private:
   Detection detect(const Detector &detector, llvm::StringRef fileName, llvm::StringRef text);
   llvm::Expected<Language> language(llvm::StringRef dialect, const Config &config,
                                     const MachineSource *machine);
+  /// `known` with the codes that INI files near `folder` make.
+  llvm::Expected<Language> withRemaps(Language known, llvm::StringRef folder);
   /// `unsure`: how the reports are narrowed because the dialect is a guess; null when it is not.
   llvm::Expected<std::shared_ptr<const RuleSelection>>
   selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
@@ -107,6 +118,7 @@ private:
   std::set<std::string> readFiles_; ///< absolute paths of what setups come from
   bool failed_ = false;             ///< something that setups come from cannot be read
   std::map<std::string, std::string> configOfFolder_;
+  std::map<std::pair<const Dialect *, std::string>, std::shared_ptr<const Dialect>> remapped_;
   std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file
   std::map<std::string, Kept<std::shared_ptr<const Detector>>> detectors_;
   std::map<std::string, Kept<Language>> languages_;

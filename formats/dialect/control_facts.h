@@ -110,6 +110,8 @@ struct CycleFacts {
   bool planeStatedFirst = false;
   /// The moves of a subprogram that is called while a cycle is active are places of the cycle.
   bool firesInCalls = false;
+  /// Back boring leaves the bore whatever the return level is.
+  bool backBoreAtAnyLevel = false;
 };
 
 /// About feed.
@@ -174,6 +176,8 @@ struct ProgramFacts {
   bool modesStatedAtTargets = false;
   /// Every block has a number.
   bool everyBlockNumbered = false;
+  /// The INI file of the machine makes codes.
+  bool remapsInIni = false;
 };
 
 /// About the spindle.

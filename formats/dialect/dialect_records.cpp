@@ -255,6 +255,10 @@ constexpr Field switchFields[] = {
 constexpr Field ruleFields[] = {
     field<&RuleOverride::severity>("severity", name("severity", severityNames),
                                    "severity of its findings on this control", "\"style\""),
+    elsewhere("because", text,
+              "why the same finding weighs more or less on this control than its page says; needed "
+              "beside `severity`",
+              "\"parameter 3403#6 decides between the last word and an alarm\""),
     field<&RuleOverride::enabled>("enabled", boolean,
                                   "whether the rule is on unless a user says "
                                   "otherwise",

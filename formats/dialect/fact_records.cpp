@@ -133,6 +133,8 @@ constexpr Field cyclesFields[] = {
         "cycles take their values from variables, which do nothing without a cycle"),
     flag<&CycleFacts::planeStatedFirst>("planeStatedFirst",
                                         "the program states the plane before its first cycle"),
+    flag<&CycleFacts::backBoreAtAnyLevel>(
+        "backBoreAtAnyLevel", "back boring leaves the bore whatever the return level is"),
     flag<&CycleFacts::firesInCalls>(
         "firesInCalls",
         "the moves of a subprogram that is called while a cycle is active are places of the cycle"),
@@ -214,6 +216,8 @@ constexpr Field programFields[] = {
     flag<&ProgramFacts::modesStatedAtTargets>(
         "modesStatedAtTargets", "a block that several paths reach states the modes that it needs"),
     flag<&ProgramFacts::everyBlockNumbered>("everyBlockNumbered", "every block has a number"),
+    flag<&ProgramFacts::remapsInIni>(
+        "remapsInIni", "the machine's INI file, near the program, makes codes (`REMAP=`)"),
     flag<&ProgramFacts::returnRestarts>(
         "returnRestarts", "a return code in a main program starts it again, which may be meant"),
 };

@@ -12,7 +12,6 @@ constexpr llvm::StringLiteral yesNo[] = {"Y", "N"};
 constexpr llvm::StringLiteral centres[] = {"absolute", "incremental", "by-mode"};
 constexpr llvm::StringLiteral arcsWithoutCentre[] = {"line", "alarm"};
 constexpr llvm::StringLiteral cornerForms[] = {"any", "comma", "plain"};
-constexpr llvm::StringLiteral programFormats[] = {"any", "standard", "series15"};
 constexpr llvm::StringLiteral tappings[] = {"any", "m29", "always"};
 constexpr llvm::StringLiteral codeSets[] = {"A", "B", "C"};
 constexpr llvm::StringLiteral pointChoices[] = {"any", "required", "calculator", "increment"};
@@ -95,10 +94,6 @@ constexpr Field optionFields[] = {
               "\"G17 G90 G94 G54\""),
     elsewhere("probeOff", text, "code that switches the probe off", "\"M46\""),
     elsewhere("probeOn", text, "code that switches the probe on", "\"M45\""),
-    elsewhere("programFormat", oneOf<programFormats>,
-              "how cycles are written on a FANUC: in one line in the format of Series 15 "
-              "(parameter 0001#1)",
-              "\"standard\""),
     elsewhere("rearTurret", boolean, "the turret is on the far side of the centre line", "true"),
     elsewhere("rigidTap", oneOf<tappings>,
               "when a FANUC taps rigidly: after M29, or always (parameter 5200#0)", "\"m29\""),

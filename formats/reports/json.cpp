@@ -22,7 +22,8 @@ public:
       dumpJson({{"path", file.path},
                 {"dialect", file.dialect},
                 {"blocks", file.blocks},
-                {"complete", file.complete}},
+                {"complete", file.complete},
+                {"guess", guessJson(file)}},
                out);
       separator = ",\n";
     }
@@ -40,6 +41,13 @@ public:
   }
 
 private:
+  /// How the dialect was found out; null where somebody named it.
+  static Json guessJson(const FileReport &file) {
+    if (!file.guessed)
+      return nullptr;
+    return {{"sure", file.sure}, {"from", file.detail}};
+  }
+
   static void addRegion(Json &object, const Report &report, const SourceRange &range) {
     const Region region = regionOf(report, range);
     object["path"] = fileOf(report, range).display();

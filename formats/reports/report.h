@@ -19,6 +19,8 @@ struct FileReport {
   uint64_t blocks = 0;
   bool complete = true; ///< false: the analysis was cut short, findings may be missing
   std::string detail;   ///< why this dialect
+  bool guessed = false; ///< the dialect was found out, nobody named it
+  bool sure = false;    ///< of the guess
 };
 
 /// Something about the run itself, such as a file that cannot be read. That an analysis was cut

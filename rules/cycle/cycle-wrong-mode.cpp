@@ -1,5 +1,6 @@
 // A cycle runs under a mode that it does not work in.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <set>
 
@@ -31,7 +32,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (places_)
       return incremental(event, ctx);
-    if (code.cycle != CycleKind::BackBore ||
+    if (code.cycle != CycleKind::BackBore || ctx.dialect().facts->cycles.backBoreAtAnyLevel ||
         ctx.dialect().group(StandardGroup::ReturnLevel) == noGroup ||
         ctx.after().active(ctx.dialect(), StandardGroup::ReturnLevel) == groupUnset)
       return;

@@ -26,6 +26,9 @@ public:
     // Drilling goes along the tool axis in every hole.
     if (event.kind == EventKind::Motion && !(event.axes >> unsigned(tool) & 1))
       return;
+    // In a plane for arcs only the tool still points along Z.
+    if (event.kind == EventKind::Motion && !(event.axes >> unsigned(Axis::Z) & 1))
+      return;
     const bool called = state.must(Fact::ToolCalled) || state.preselected > 0;
     if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode ||
         event.inMachineCoordinates() || event.motion == MotionKind::Reference ||

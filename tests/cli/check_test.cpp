@@ -40,6 +40,31 @@ TEST(CheckCommand, ExitsWithZeroWhenNothingIsFound) {
   EXPECT_EQ("", result.err);
 }
 
+TEST(CheckCommand, SaysInOneLineWhichControlWasGuessed) {
+  Shop shop;
+  shop.file("a.nc", goodProgram());
+  shop.file("b.mpf", "G54 G17 G90\nT1 D1 M6\nM30\n");
+  const ProcessResult one = shop.run({"check", "a.nc"});
+  EXPECT_THAT(one.err, StartsWith("control: "));
+  EXPECT_THAT(one.err, HasSubstr(", guessed: "));
+  EXPECT_THAT(one.err, HasSubstr("; --dialect names it\n"));
+  EXPECT_EQ(1, std::count(one.err.begin(), one.err.end(), '\n')) << one.err;
+  const ProcessResult two = shop.run({"check", "a.nc", "b.mpf"});
+  EXPECT_THAT(two.err, StartsWith("control: guessed for 2 files: "));
+  EXPECT_EQ(1, std::count(two.err.begin(), two.err.end(), '\n')) << two.err;
+  EXPECT_EQ("", shop.run({"check", "--dialect", "haas-lathe", "a.nc"}).err);
+}
+
+TEST(CheckCommand, AGuessIsAFieldOfTheJsonReport) {
+  Shop shop;
+  shop.file("b.mpf", "G54 G17 G90\nT1 D1 M6\nM30\n");
+  const ProcessResult guessed = shop.run({"check", "--format", "json", "b.mpf"});
+  EXPECT_EQ("", guessed.err);
+  EXPECT_THAT(guessed.out, HasSubstr("\"guess\":{\"sure\":true,\"from\":"));
+  EXPECT_THAT(shop.run({"check", "--format", "json", "--dialect", "sinumerik", "b.mpf"}).out,
+              HasSubstr("\"guess\":null"));
+}
+
 TEST(CheckCommand, ExitsWithOneWhenSomethingIsFound) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());

@@ -42,7 +42,9 @@ constexpr const char *courseMachine = R"({
   "options": { "courseProfile": true }
 })";
 
-/// Those that are beside the project.
+/// Those that are beside the project. The programs that a course wrote wrong on purpose (`BAD`) are
+/// listed without what is advice by docs/severity.md: a block without a tool is one of the course's
+/// mistakes, and what programs of machines with one tool look like.
 std::vector<Printed> printedPrograms() {
   std::vector<Printed> list = {
       {"fanuc-nct/common-g52-local-pair.nc", "nct-104m", true, {}},
@@ -99,16 +101,16 @@ std::vector<Printed> printedPrograms() {
       {"fanuc-nct/nct104t-O807-2-L807-2-outer.nc",
        "nct-104t",
        false,
-       {"1 program-name-invalid", "10 turning-start-inside-contour", "40 cycle-left-active"}},
+       {"10 turning-start-inside-contour", "40 cycle-left-active"}},
       {"fanuc-nct/nct104t-O8071-L807-1-inner.nc",
        "nct-104t",
        false,
        {"23 turning-start-inside-contour"}},
       {"fanuc-nct/nct104t-g71-rough.nc", "nct-104t", true, {"3 syntax-decimal-comma"}},
-      {"fanuc-nct/nct104t-g77-stepped-shaft.nc", "nct-104t", false, {"1 program-frame-missing"}},
-      {"fanuc-nct/nct104t-g77-taper.nc", "nct-104t", false, {"1 program-frame-missing"}},
-      {"fanuc-nct/nct104t-g79-facing-disc.nc", "nct-104t", false, {"1 program-frame-missing"}},
-      {"fanuc-nct/nct104t-g79-facing-taper.nc", "nct-104t", false, {"1 program-frame-missing"}},
+      {"fanuc-nct/nct104t-g77-stepped-shaft.nc", "nct-104t", false, {}},
+      {"fanuc-nct/nct104t-g77-taper.nc", "nct-104t", false, {}},
+      {"fanuc-nct/nct104t-g79-facing-disc.nc", "nct-104t", false, {}},
+      {"fanuc-nct/nct104t-g79-facing-taper.nc", "nct-104t", false, {}},
       {"haas-lathe/angle-01-a110-x50.nc", "haas-lathe", true, {}},
       {"haas-lathe/angle-02-a110-zneg5.nc", "haas-lathe", true, {}},
       {"haas-lathe/angle-03-a190-x40.nc", "haas-lathe", true, {}},
@@ -169,13 +171,11 @@ std::vector<Printed> printedPrograms() {
       {"haas-lathe/g90-turning-passes.nc",
        "haas-lathe",
        false,
-       {"1 coordinate-machine-move-suspicious", "1 program-frame-missing",
-        "3 spindle-css-without-clamp"}},
+       {"1 coordinate-machine-move-suspicious", "3 spindle-css-without-clamp"}},
       {"haas-lathe/g92-thread-m30x3-5.nc",
        "haas-lathe",
        false,
-       {"1 coordinate-machine-move-suspicious", "1 program-frame-missing",
-        "12 syntax-malformed-number"}},
+       {"1 coordinate-machine-move-suspicious", "12 syntax-malformed-number"}},
       {"haas-lathe/o1-uebung.nc",
        "haas-lathe",
        false,
@@ -271,8 +271,8 @@ std::vector<Printed> printedPrograms() {
       {"sinumerik/BADNAS.MPF",
        "sinumerik",
        false,
-       {"3 tool-change-without-tool", "6 tool-missing", "8 tool-not-changed",
-        "9 block-value-out-of-range", "11 coordinate-incremental-left-on"}},
+       {"3 tool-change-without-tool", "8 tool-not-changed", "9 block-value-out-of-range",
+        "11 coordinate-incremental-left-on"}},
       {"sinumerik/BADOBL.MPF",
        "sinumerik",
        false,

@@ -39,7 +39,26 @@ TEST(ForeignText, AProgramOfAnotherControlIsToldOnceByItsName) {
   const auto findings = check("fanuc-0t", "$FLANGE.MIN%\n(FLANGE)\nPRES=1\nFLAN=318\nSPIG=268.975\n"
                                           "NM59 M59\nG50 S2000\nT0101\nG0 X100. Z10.\nM02\n");
   ASSERT_EQ(1u, findings.size());
-  EXPECT_NE(std::string::npos, findings[0].finding.message.find("Okuma"))
+  EXPECT_EQ(0u, findings[0].finding.message.find("5 of 5 blocks are for another control: Okuma ("))
+      << findings[0].finding.message;
+}
+
+TEST(ForeignText, AProgramOfAControlWithATableIsToldOnceToo) {
+  std::string text = "; MILLED\nDEF REAL DEPTH=5\nG54 G17 G90\nT1 D1 M6\nS2000 M3\n";
+  for (int i = 0; i < 12; ++i)
+    text += "N" + std::to_string(i) + " POCKET3(10,0,2,-5,40,30,6,0,0,0,2,0,0,200,100,0,11)\n";
+  const auto findings = check("fanuc-0m", text + "M30\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_NE(std::string::npos,
+            findings[0].finding.message.find("are for another control: sinumerik ("))
+      << findings[0].finding.message;
+}
+
+TEST(ForeignText, AShortTextOfAControlWithoutATableIsNamedWhereNobodyNamedOne) {
+  const auto findings = check("auto", "BEGIN PGM PLATE MM\nTOOL CALL 1 Z S2000\n"
+                                      "L X+10 Y+5 R0 FMAX M3\nEND PGM PLATE MM\n");
+  ASSERT_EQ(1u, findings.size());
+  EXPECT_NE(std::string::npos, findings[0].finding.message.find("Heidenhain ("))
       << findings[0].finding.message;
 }
 
@@ -50,7 +69,7 @@ TEST(ForeignText, AFewMistakesAreToldEach) {
                         "G0 Z50.\nM5\nM30\n");
   EXPECT_LE(2u, findings.size());
   for (const CheckedFinding &found : findings)
-    EXPECT_EQ(std::string::npos, found.finding.message.find("blocks are wrong here"));
+    EXPECT_EQ(std::string::npos, found.finding.message.find("another control"));
 }
 
 TEST(ForeignText, AGuessedControlGivesNoErrorAndNothingThatRestsOnItsFacts) {

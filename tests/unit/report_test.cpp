@@ -211,8 +211,9 @@ TEST(JsonReportTest, IsVersionOneWithItsKeysInOrder) {
       written("json", SampleReport().report),
       "{\"version\":1,\"tool\":{\"name\":\"ncvet\",\"version\":\"0.1.0\"},\n\"files\":[\n"
       "{\"path\":\"programs/bore \xC3\xB6.nc\",\"dialect\":\"haas-mill\",\"blocks\":7,"
-      "\"complete\":true},\n"
-      "{\"path\":\"programs/sub.nc\",\"dialect\":\"haas-mill\",\"blocks\":3,\"complete\":false}\n"
+      "\"complete\":true,\"guess\":null},\n"
+      "{\"path\":\"programs/sub.nc\",\"dialect\":\"haas-mill\",\"blocks\":3,\"complete\":false,"
+      "\"guess\":null}\n"
       "],\n\"findings\":[\n"
       "{\"rule\":\"cycle-unintended-execution\",\"severity\":\"warning\",\"certainty\":"
       "\"definite\",\"message\":\"X30. Y0. drills again: G83 of line 3 is still active\","

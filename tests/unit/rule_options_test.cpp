@@ -36,6 +36,41 @@ TEST(OptionsOfTables, EveryBuiltInTableNamesRulesAndOptionsThatThereAre) {
   }
 }
 
+TEST(SeveritiesOfTables, DifferFromThePageOnlyWithAReason) {
+  std::map<std::string, std::string> parents;
+  std::map<std::string, std::map<std::string, std::string>> given; ///< by table, by rule
+  std::vector<std::pair<std::string, nlohmann::json>> tables;
+  for (const RulesetFile &file : builtinRulesetFiles())
+    if (file.name.startswith("dialects/")) {
+      tables.emplace_back("", nlohmann::json::parse(file.text.begin(), file.text.end()));
+      tables.back().first = tables.back().second["id"];
+      parents[tables.back().first] = tables.back().second.value("extends", "");
+    }
+  for (const auto &[id, table] : tables)
+    if (table.contains("rules"))
+      for (const auto &[rule, entry] : table["rules"].items())
+        if (entry.contains("severity"))
+          given[id][rule] = entry["severity"];
+  const auto otherwise = [&](const std::string &id, const std::string &rule) {
+    for (std::string table = parents[id]; !table.empty(); table = parents[table])
+      if (given[table].count(rule))
+        return given[table][rule];
+    for (const RuleEntry &known : allRules())
+      if (known.info.id == rule)
+        return toString(known.info.severity).str();
+    return std::string();
+  };
+  size_t reasons = 0;
+  for (const auto &[id, table] : tables)
+    for (const auto &[rule, severity] : given[id]) {
+      EXPECT_NE(otherwise(id, rule), severity) << id << ": " << rule << ": says it again";
+      EXPECT_LT(10u, table["rules"][rule].value("because", "").size())
+          << id << ": " << rule << ": why " << severity << "?";
+      ++reasons;
+    }
+  EXPECT_LT(20u, reasons);
+}
+
 TEST(OptionsOfTables, WhatThereIsNotIsToldWithItsFileLineAndKey) {
   EXPECT_EQ("own.json:2: rules.feed-implausable: unknown rule \"feed-implausable\"; did you mean "
             "\"feed-implausible\"?",
