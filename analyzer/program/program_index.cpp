@@ -211,6 +211,8 @@ void FileIndex::eachBlock(uint32_t begin, uint32_t end,
 
 const Defined *FileIndex::definition(const ProgramInfo &program, llvm::StringRef name) const {
   const Definitions &all = definitions(program);
+  if (all.empty()) // as on controls whose variables have numbers, and they ask with every block
+    return nullptr;
   const auto known = all.find(name.upper());
   return known == all.end() ? nullptr : &known->second;
 }

@@ -18,6 +18,7 @@ public:
     reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
     reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
     numbered_ = to.dialect().facts->variables.numbered;
+    named_ = greatest_ || to.dialect().lexical.commaSeparates;
     to.on(EventKind::Statement);
     to.onChange({EventKind::Block});
     if (reservedFrom_) // what nobody can write is read without a value
@@ -38,7 +39,7 @@ public:
     const SourceRange place{ctx.source().id(), item.nameBegin, item.nameEnd};
     if (item.kind == ItemKind::Assignment && numbered_)
       return numbered(item, ctx);
-    if (item.kind != ItemKind::Assignment && item.kind != ItemKind::Input)
+    if (!named_ || (item.kind != ItemKind::Assignment && item.kind != ItemKind::Input))
       return;
     parameter(ctx.text(place).rtrim(), place, ctx);
     if (item.nameEnd > item.nameBegin)
@@ -165,7 +166,8 @@ private:
   }
 
   int64_t greatest_ = 0;
-  bool numbered_ = false;                      ///< variables have numbers after `#`
+  bool named_ = false;    ///< the control has parameters with a letter, or arrays
+  bool numbered_ = false; ///< variables have numbers after `#`
   int64_t reservedFrom_ = 0, reservedTo_ = -1; ///< of the control itself
 };
 
