@@ -301,7 +301,7 @@ void Check::writeGuess() const {
       ++files[job.outcome.dialect];
       ++guessed;
     }
-  if (!one)
+  if (!one || failed_) // what went wrong comes first, and alone
     return;
   llvm::raw_ostream &out = llvm::errs();
   out << "control: ";
