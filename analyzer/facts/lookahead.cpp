@@ -201,16 +201,9 @@ bool comesFromBelow(const MachineState &state) {
   return state.commons.given(storedKey(StoredName::Below)) == Truth::Yes;
 }
 
-bool makesHole(CycleKind kind) {
+/// Widens a hole that is there.
+static bool bores(CycleKind kind) {
   switch (kind) {
-  case CycleKind::Drill:
-  case CycleKind::DrillDwell:
-  case CycleKind::Peck:
-  case CycleKind::ChipBreak:
-  case CycleKind::Tap:
-  case CycleKind::TapLeft:
-  case CycleKind::RigidTap:
-  case CycleKind::RigidTapLeft:
   case CycleKind::Ream:
   case CycleKind::ReamDwell:
   case CycleKind::BoreStop:
@@ -222,6 +215,11 @@ bool makesHole(CycleKind kind) {
   default:
     return false;
   }
+}
+
+bool makesHole(CycleKind kind) {
+  return kind == CycleKind::Drill || kind == CycleKind::DrillDwell || kind == CycleKind::Peck ||
+         kind == CycleKind::ChipBreak || taps(kind) || bores(kind);
 }
 
 bool taps(CycleKind kind) {
@@ -236,15 +234,9 @@ bool cutsThread(CycleKind kind) {
 llvm::StringRef verbOf(CycleKind kind) {
   if (taps(kind))
     return "taps";
-  switch (kind) {
-  case CycleKind::Ream:
-  case CycleKind::ReamDwell:
-  case CycleKind::BoreStop:
-  case CycleKind::BoreManual:
-  case CycleKind::BoreDwellManual:
-  case CycleKind::FineBore:
-  case CycleKind::BackBore:
+  if (bores(kind))
     return "bores";
+  switch (kind) {
   case CycleKind::TurnPass:
     return "turns";
   case CycleKind::FacePass:

@@ -34,20 +34,9 @@ bool restate(ModeChanges &changes, const Block &block, const Dialect &dialect) {
   if (block.has(letterAddress('T')))
     changes.tool = false;
   const bool known = forCodes(block, dialect, [&](const CodeInfo &code) {
-    switch (code.action) {
-    case Action::CallProgram:
-    case Action::CallLocal:
-    case Action::MacroCall:
-    case Action::MacroModal:
-    case Action::ConditionalJump:
-    case Action::Return:
-    case Action::ProgramEnd:
-    case Action::ProgramEndRewind:
+    if (namesTarget(code.action) || code.action == Action::ProgramEnd ||
+        code.action == Action::ProgramEndRewind)
       straight = false;
-      break;
-    default:
-      break;
-    }
     if (code.group != noGroup)
       changes.groups &= ~(uint64_t(1) << code.group);
     // A motion code ends a cycle, a cycle's code replaces the motion.

@@ -31,17 +31,8 @@ WordTopic topicOf(const CodeInfo &code, const WordSpec &spec) {
     break;
   case Role::Program:
   case Role::Sequence:
-    switch (code.action) {
-    case Action::CallProgram:
-    case Action::CallLocal:
-    case Action::MacroCall:
-    case Action::MacroModal:
-    case Action::ConditionalJump:
-    case Action::Return:
+    if (namesTarget(code.action))
       return WordTopic::Target;
-    default:
-      break;
-    }
     break;
   default:
     break;

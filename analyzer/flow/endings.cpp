@@ -25,6 +25,12 @@ bool callsMacro(const Block &block, const Dialect &dialect) {
   });
 }
 
+bool ends(const Block &block, const Dialect &dialect) {
+  Endings endings;
+  endings.add(block, dialect);
+  return endings.any();
+}
+
 /// Reads blocks from the run's begin on, up to `stop`, into the run.
 void readRun(const FileUnit &unit, uint32_t stop, EndingRun &run) {
   Block block;
@@ -75,23 +81,17 @@ Endings endingsOf(const FileUnit &unit, uint32_t begin, uint32_t end, StraightRu
 }
 
 bool holdsEnd(const FileUnit &unit, uint32_t begin, uint32_t end) {
-  for (const Block &block : blocks(*unit.reader, begin, end)) {
-    Endings endings;
-    endings.add(block, *unit.dialect);
-    if (endings.any() && block.skip < 0)
+  for (const Block &block : blocks(*unit.reader, begin, end))
+    if (ends(block, *unit.dialect) && block.skip < 0)
       return true;
-  }
   return false;
 }
 
 bool holdsWayOut(const FileUnit &unit, uint32_t begin, uint32_t end) {
-  for (const Block &block : blocks(*unit.reader, begin, end)) {
-    Endings endings;
-    endings.add(block, *unit.dialect);
-    if (endings.any() || block.has(letterAddress('M')) || leavesByItem(block) ||
+  for (const Block &block : blocks(*unit.reader, begin, end))
+    if (ends(block, *unit.dialect) || block.has(letterAddress('M')) || leavesByItem(block) ||
         callsMacro(block, *unit.dialect))
       return true;
-  }
   return false;
 }
 

@@ -48,18 +48,8 @@ ReferenceReader::ReferenceReader(const Dialect &dialect) : dialect_(dialect) {
     words.take(dialect.codes[i]);
     for (const Variant &variant : dialect.codes[i].variants)
       words.take(dialect.codes[variant.code]);
-    switch (words.action) {
-    case Action::CallProgram:
-    case Action::MacroCall:
-    case Action::MacroModal:
-    case Action::CallLocal:
-    case Action::Return:
-    case Action::ConditionalJump:
-      words.any = true;
-      break;
-    default:
-      words.any = words.first || words.last || words.sequence || words.contour;
-    }
+    words.any =
+        namesTarget(words.action) || words.first || words.last || words.sequence || words.contour;
   }
 }
 

@@ -155,6 +155,12 @@ constexpr bool isMotion(Action action) {
          action == Action::CurveThrough || action == Action::CurveTangent ||
          action == Action::CurvePoint;
 }
+/// True for actions whose words name where the control goes: calls, jumps and returns.
+constexpr bool namesTarget(Action action) {
+  return action == Action::CallProgram || action == Action::CallLocal ||
+         action == Action::MacroCall || action == Action::MacroModal ||
+         action == Action::ConditionalJump || action == Action::Return;
+}
 constexpr bool isArc(Action action) { return action == Action::ArcCw || action == Action::ArcCcw; }
 
 } // namespace ncvet

@@ -14,34 +14,46 @@ constexpr uint16_t bit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
 void Execution::machineMove(uint16_t axes) {
   compensationStep(MotionKind::Rapid, axes);
   const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
-  Event &event = outcome_.emit(EventKind::Motion);
-  event.axes = axes;
-  event.motion = motion && motion->action == Action::Linear ? MotionKind::Feed : MotionKind::Rapid;
-  event.code = motion ? CodeIndex(motion - dialect_.codes.data()) : noCode;
-  event.setInMachineCoordinates();
+  const bool feeds = motion && motion->action == Action::Linear;
+  emitMotion(feeds ? MotionKind::Feed : MotionKind::Rapid, axes,
+             motion ? CodeIndex(motion - dialect_.codes.data()) : noCode)
+      .setInMachineCoordinates();
   state_.fedFrom.forget();
   for (const Word &word : block_.words)
     if (dialect_.axisWords & maskOf(word.address))
       storeTarget(word, true);
+  arriveOnMachine();
+}
+
+Event &Execution::emitMotion(MotionKind kind, uint16_t axes, CodeIndex code) {
+  Event &event = outcome_.emit(EventKind::Motion);
+  event.motion = kind;
+  event.axes = axes;
+  event.code = code;
+  return event;
+}
+
+/// Axis words that have a value lead where they say.
+void Execution::storeGivenTargets() {
+  for (const Word &word : block_.words)
+    if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
+      storeTarget(word, false);
+}
+
+/// The axes are at a place of the machine.
+void Execution::arriveOnMachine() {
   fromMachine();
-  state_.set(Fact::Moved);
-  state_.set(Fact::MovedSinceTool);
-  state_.set(Fact::MovedSincePreset);
-  state_.set(Fact::AwayFromPart);
-  state_.set(Fact::AtMachinePosition);
+  for (const Fact fact : {Fact::Moved, Fact::MovedSinceTool, Fact::MovedSincePreset,
+                          Fact::AwayFromPart, Fact::AtMachinePosition})
+    state_.set(fact);
 }
 
 /// G28, G30 and their like.
 bool Execution::referenceReturn(const CodeUse &use, uint16_t axes) {
   compensationStep(MotionKind::Reference, axes);
-  Event &event = outcome_.emit(EventKind::Motion);
-  event.motion = MotionKind::Reference;
-  event.axes = axes;
-  event.code = use.code;
+  emitMotion(MotionKind::Reference, axes, use.code);
   state_.fedFrom.forget();
-  for (const Word &word : block_.words)
-    if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
-      storeTarget(word, false);
+  storeGivenTargets();
   outcome_.via = state_.position;
   for (unsigned i = 0; i < axisCount; ++i)
     if (axes == 0 || (axes >> i & 1)) {
@@ -49,22 +61,15 @@ bool Execution::referenceReturn(const CodeUse &use, uint16_t axes) {
       state_.position[i] = stored ? storedPlace(state_, stored)[i] : Interval::unknown();
       state_.machineAxes |= 1u << i;
     }
-  fromMachine();
-  state_.set(Fact::Moved);
-  state_.set(Fact::MovedSinceTool);
+  arriveOnMachine();
   state_.set(Fact::ReferenceReturned);
-  state_.set(Fact::MovedSincePreset);
-  state_.set(Fact::AwayFromPart);
-  state_.set(Fact::AtMachinePosition);
   return true;
 }
 
 /// G29: from the reference point to the block's end point.
 bool Execution::referenceFrom(const CodeUse &use, uint16_t axes) {
   referenceReturn(use, axes);
-  for (const Word &word : block_.words)
-    if ((dialect_.axisWords & maskOf(word.address)) && !word.has(wordNoValue))
-      storeTarget(word, false);
+  storeGivenTargets();
   state_.clear(Fact::AtMachinePosition);
   return true;
 }
@@ -72,10 +77,7 @@ bool Execution::referenceFrom(const CodeUse &use, uint16_t axes) {
 /// G31: the tool stops where the probe touches.
 bool Execution::skipMove(const CodeUse &use, uint16_t axes) {
   compensationStep(MotionKind::Skip, axes);
-  Event &event = outcome_.emit(EventKind::Motion);
-  event.motion = MotionKind::Skip;
-  event.axes = axes;
-  event.code = use.code;
+  emitMotion(MotionKind::Skip, axes, use.code);
   for (unsigned i = 0; i < axisCount; ++i)
     if (axes >> i & 1)
       state_.position[i] = Interval::unknown();
@@ -87,12 +89,10 @@ bool Execution::skipMove(const CodeUse &use, uint16_t axes) {
 
 /// The tool goes on to the last point of a curve.
 void Execution::endCurve(const CodeUse &use) {
-  Event &event = outcome_.emit(EventKind::Motion);
-  event.code = use.code;
-  event.motion = MotionKind::Feed;
-  event.axes = planeAxes(dialect_, state_);
+  const uint16_t axes = planeAxes(dialect_, state_);
+  emitMotion(MotionKind::Feed, axes, use.code);
   moveTo(storedPlace(state_, curvePoint));
-  afterMove(false, event.axes);
+  afterMove(false, axes);
 }
 
 /// True when the block does not move beside its dwell.

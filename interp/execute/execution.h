@@ -155,6 +155,9 @@ private:
   Interval lengthOfWord(const Word &word) const;
   void storeTarget(const Word &word, bool machineCoordinates);
   void storeTargets();
+  void storeGivenTargets();
+  void arriveOnMachine();
+  Event &emitMotion(MotionKind kind, uint16_t axes, CodeIndex code);
   void storePolarEnd(const CodeInfo &code);
   void trackDepth(bool rapid);
   void compensationStep(MotionKind kind, uint16_t axes);

@@ -174,18 +174,10 @@ bool FrameStack::has(uint8_t name) const {
   return data_ && llvm::any_of(data_->entries, [&](const Entry &e) { return e.name == name; });
 }
 
-FrameStack::Data &FrameStack::own() {
-  if (!data_)
-    data_ = new Data;
-  else if (data_->users > 1)
-    data_ = new Data(*data_);
-  return *data_;
-}
-
 void FrameStack::put(uint8_t name, const std::optional<Frame> &frame) {
   if (frame && *frame == Frame()) // G52 with zeros
     return remove(name);
-  auto &entries = own().entries;
+  auto &entries = ownEntries(data_);
   for (Entry &entry : entries)
     if (entry.name == name) {
       entry.frame = frame;
@@ -197,7 +189,7 @@ void FrameStack::put(uint8_t name, const std::optional<Frame> &frame) {
 void FrameStack::remove(uint8_t name) {
   if (!data_)
     return;
-  auto &entries = own().entries;
+  auto &entries = ownEntries(data_);
   llvm::erase_if(entries, [&](const Entry &entry) { return entry.name == name; });
   if (entries.empty())
     data_ = nullptr;

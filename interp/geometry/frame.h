@@ -1,9 +1,9 @@
 // Frames: how the coordinates that a program writes lie in those of its work offset.
 #pragma once
 
+#include "interp/value/shared_list.h"
 #include "interp/value/value.h"
 
-#include "llvm/ADT/IntrusiveRefCntPtr.h"
 #include "llvm/ADT/SmallVector.h"
 
 #include <array>
@@ -75,21 +75,9 @@ private:
     uint8_t name;
     std::optional<Frame> frame;
   };
-  struct Data {
-    llvm::SmallVector<Entry, 2> entries;
-    mutable unsigned users = 0;
-
-    Data() = default;
-    Data(const Data &other) : entries(other.entries) {}
-    void Retain() const { ++users; }
-    void Release() const {
-      if (--users == 0)
-        delete this;
-    }
-  };
-  Data &own();
-
-  llvm::IntrusiveRefCntPtr<Data> data_; ///< null: programmed coordinates are those of the offset
+  using Entries = llvm::SmallVector<Entry, 2>;
+  llvm::IntrusiveRefCntPtr<SharedList<Entries>>
+      data_; ///< null: programmed coordinates are those of the offset
 };
 
 } // namespace ncvet

@@ -48,21 +48,13 @@ Truth Variables::given(uint64_t number) const {
   return entry ? entry->given : othersGiven_;
 }
 
-std::vector<Variables::Entry> &Variables::own() {
-  if (!data_)
-    data_ = new Data;
-  else if (data_->users > 1)
-    data_ = new Data(*data_);
-  return data_->entries;
-}
-
 void Variables::set(uint64_t number, const Value &value) {
   touch();
   write({number, value});
 }
 
 void Variables::write(const Entry &entry) {
-  auto &entries = own();
+  auto &entries = ownEntries(data_);
   const auto at = std::lower_bound(entries.begin(), entries.end(), entry.number, before);
   if (at != entries.end() && at->number == entry.number)
     *at = entry;
@@ -75,7 +67,7 @@ void Variables::erase(uint64_t number) {
   if (othersGiven_ == Truth::No && !find(number))
     return;
   if (othersGiven_ == Truth::No)
-    llvm::erase_if(own(), [&](const Entry &e) { return e.number == number; });
+    llvm::erase_if(ownEntries(data_), [&](const Entry &e) { return e.number == number; });
   else
     write({number, fallback_, Truth::No});
 }
@@ -99,7 +91,7 @@ Variables Variables::merge(const Variables &a, const Variables &b, Combine combi
   const auto &right = b.data_ ? b.data_->entries : none;
   auto i = left.begin();
   auto j = right.begin();
-  llvm::IntrusiveRefCntPtr<Data> data(new Data);
+  llvm::IntrusiveRefCntPtr<SharedList<Entries>> data(new SharedList<Entries>);
   const auto add = [&](const Entry &x, const Entry &y) {
     data->entries.push_back({x.number, combine(x.value, y.value), both(x.given, y.given)});
   };

@@ -1,9 +1,9 @@
 // The variables of a macro program: a small map that is cheap to copy.
 #pragma once
 
+#include "interp/value/shared_list.h"
 #include "interp/value/value.h"
 
-#include "llvm/ADT/IntrusiveRefCntPtr.h"
 #include "llvm/ADT/STLExtras.h"
 
 #include <vector>
@@ -39,30 +39,17 @@ private:
     Value value;
     Truth given = Truth::Yes;
   };
-  struct Data {
-    std::vector<Entry> entries; ///< sorted by number
-    mutable unsigned users = 0;
-
-    Data() = default;
-    Data(const Data &other) : entries(other.entries) {}
-    void Retain() const { ++users; }
-    void Release() const {
-      if (--users == 0)
-        delete this;
-    }
-  };
+  using Entries = std::vector<Entry>; ///< sorted by number
   template <typename Combine>
   static Variables merge(const Variables &a, const Variables &b, Combine combine);
 
   const Entry *find(uint64_t key) const;
   /// What an entry says of a variable, or the rest does when there is none.
   Entry entryOf(uint64_t key) const;
-  /// The entries, shared with no other map.
-  std::vector<Entry> &own();
   void write(const Entry &entry);
   static bool before(const Entry &entry, uint64_t key);
 
-  llvm::IntrusiveRefCntPtr<Data> data_;
+  llvm::IntrusiveRefCntPtr<SharedList<Entries>> data_;
   Value fallback_;
   Truth othersGiven_ = Truth::No; ///< of variables without an entry; No or Unknown
 };

@@ -121,6 +121,8 @@ public:
     bindEditing(context_);
   }
 
+  std::vector<std::string> requestMethods() const { return context_.rpc.requestMethods(); }
+
   int run() {
     std::string body;
     while (!exited_) {
@@ -213,6 +215,11 @@ int serve(int in, int out, llvm::StringRef version) {
   // A client that goes away is seen when it is written to.
   std::signal(SIGPIPE, SIG_IGN);
   return Server(in, out, version).run();
+}
+
+std::vector<std::string> answeredRequests() {
+  constexpr int nobody = -1; // no message is read or written
+  return Server(nobody, nobody, "").requestMethods();
 }
 
 } // namespace ncvet::lsp

@@ -1,6 +1,7 @@
 // JSON-RPC: takes messages apart, and puts answers together.
 #include "lsp/transport/rpc.h"
 
+#include <algorithm>
 #include <exception>
 
 namespace ncvet::lsp {
@@ -111,6 +112,14 @@ void Rpc::request(llvm::StringRef method, Json params, AnswerHandler answer) {
 void Rpc::finished(const std::string &id) {
   const std::lock_guard<std::mutex> lock(mutex_);
   running_.erase(id);
+}
+
+std::vector<std::string> Rpc::requestMethods() const {
+  std::vector<std::string> methods;
+  for (const auto &request : requests_)
+    methods.push_back(request.getKey().str());
+  std::sort(methods.begin(), methods.end());
+  return methods;
 }
 
 void Rpc::handle(llvm::StringRef body) {

@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <vector>
 
 namespace ncvet::lsp {
 
@@ -82,6 +83,8 @@ public:
   void onNotification(llvm::StringRef method, NotificationHandler handler) {
     notifications_[method] = std::move(handler);
   }
+  /// Those that are bound, in alphabetical order.
+  std::vector<std::string> requestMethods() const;
   void setGate(Gate gate) { gate_ = std::move(gate); }
 
   /// Takes one message. Never fails: what is wrong with it is answered.

@@ -193,6 +193,54 @@ TEST_F(Features, FormattingPutsBlanksBetweenWords) {
   EXPECT_EQ(edits[0]["newText"], " X60. ");
 }
 
+TEST_F(Features, OnlyTheMarkedLinesAreFormatted) {
+  const std::string path = (shop_.path() / "O0003.nc").string();
+  client_.open(path, "%\nO3\nG00X1.\nG00X2.\nM30\n%\n");
+  const Json edits = client_.request("textDocument/rangeFormatting",
+                                     {{"textDocument", documentOf(path)},
+                                      {"range", {{"start", at(3, 0)}, {"end", at(3, 6)}}},
+                                      {"options", {{"tabSize", 2}, {"insertSpaces", true}}}});
+  ASSERT_EQ(edits.size(), 1u) << edits.dump();
+  EXPECT_EQ(edits[0]["range"]["start"]["line"], 3);
+}
+
+TEST_F(Features, ANewBlockGetsTheNextNumber) {
+  const std::string path = (shop_.path() / "O0003.nc").string();
+  client_.open(path, "%\nO3\nN10 G00 X1.\nN20 X2.\n\nM30\n%\n");
+  const Json edits = client_.request("textDocument/onTypeFormatting",
+                                     {{"textDocument", documentOf(path)},
+                                      {"position", at(4, 0)},
+                                      {"ch", "\n"},
+                                      {"options", {{"tabSize", 2}, {"insertSpaces", true}}}});
+  ASSERT_EQ(edits.size(), 1u) << edits.dump();
+  EXPECT_EQ(edits[0]["newText"], "N30 ");
+}
+
+TEST_F(Features, TokensOfLinesArePartOfThoseOfTheText) {
+  constexpr size_t numbersOfToken = 5; // line and column from the last one, length, type, modifiers
+  const std::vector<uint32_t> all = ask("semanticTokens/full")["data"];
+  const Json range = {{"start", at(0, 0)}, {"end", at(5, 0)}};
+  const std::vector<uint32_t> part = ask("semanticTokens/range", {{"range", range}})["data"];
+  ASSERT_FALSE(part.empty());
+  ASSERT_LT(part.size(), all.size());
+  EXPECT_EQ(part, std::vector<uint32_t>(all.begin(), all.begin() + long(part.size())));
+  uint32_t line = 0;
+  for (size_t i = 0; i < part.size(); i += numbersOfToken)
+    line += part[i];
+  EXPECT_EQ(line, 4u); // G96, the last one of the lines
+}
+
+TEST_F(Features, ACommandShowsThePageOfARule) {
+  const Json asked = {{"command", "ncvet.explain"}, {"arguments", {"feed-not-positive"}}};
+  EXPECT_TRUE(client_.request("workspace/executeCommand", asked).is_null());
+  const Json shown = client_.serverRequest("window/showDocument");
+  const std::string page = shown["params"]["uri"];
+  EXPECT_NE(page.find("feed-not-positive.md"), std::string::npos) << page;
+  const Json unknown = {{"command", "ncvet.explain"}, {"arguments", {"no-such-rule"}}};
+  const Json refused = client_.answer(client_.ask("workspace/executeCommand", unknown));
+  EXPECT_EQ(refused["error"]["code"], -32602) << refused.dump();
+}
+
 TEST_F(Features, HintsAndLensesComeForTheWholeText) {
   const Json range = {{"start", at(0, 0)}, {"end", at(15, 0)}};
   EXPECT_TRUE(ask("inlayHint", {{"range", range}}).is_array());
