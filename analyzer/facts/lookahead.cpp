@@ -1,6 +1,7 @@
 // Looks ahead in the text for rules: the next block and its words.
 #include "analyzer/facts/lookahead.h"
 
+#include "analyzer/program/block_reading.h"
 #include "formats/dialect/measure.h"
 #include "formats/dialect/stored_names.h"
 #include "interp/evaluate/expression.h"
@@ -256,6 +257,23 @@ llvm::StringRef verbOf(CycleKind kind) {
   }
 }
 
+/// Whether a block of the text defines the element that the word names.
+static bool isDefined(const Word &element, const RuleContext &ctx) {
+  const llvm::StringRef name = ctx.text(element), text = ctx.source().text();
+  const Dialect &dialect = ctx.dialect();
+  Block block;
+  for (size_t at = text.find_insensitive(name); at != llvm::StringRef::npos;
+       at = text.find_insensitive(name, at + 1)) {
+    readBlockAt(ctx.source(), ctx.index().reader(), uint32_t(at), block);
+    const Word *defined = findCode(dialect, block, {Action::DefineElement})
+                              ? block.findAny(dialect.elementWords)
+                              : nullptr;
+    if (defined && defined->address == element.address && defined->mantissa == element.mantissa)
+      return true;
+  }
+  return false;
+}
+
 const Word *undefinedElement(const RuleContext &ctx) {
   const Block &block = ctx.block();
   // What a called program uses its caller may have defined; main programs open with a mark.
@@ -267,13 +285,7 @@ const Word *undefinedElement(const RuleContext &ctx) {
   const AddressInfo &address = ctx.dialect().addresses[word.address];
   if (address.kind != AddressKind::Element)
     return nullptr;
-  const llvm::StringRef name = ctx.text(word), text = ctx.source().text();
-  for (size_t at = text.find_insensitive(name); at != llvm::StringRef::npos;
-       at = text.find_insensitive(name, at + 1))
-    if (text.substr(at + name.size()).ltrim(" \t").startswith("=") &&
-        (at == 0 || !llvm::isAlnum(text[at - 1])))
-      return nullptr;
-  return &word;
+  return isDefined(word, ctx) ? nullptr : &word;
 }
 
 } // namespace ncvet

@@ -2,6 +2,7 @@
 #include "analyzer/facts/turning_profile.h"
 
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/references.h"
 #include "formats/dialect/measure.h"
 
 #include <cmath>
@@ -21,11 +22,9 @@ ProfileEnds numberedProfile(const RuleContext &ctx, const Flow &flow) {
   if (flow.first < 0 || flow.last < 0)
     return std::nullopt;
   const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-  const auto first = ctx.index().block(program, flow.first, ctx.block().begin);
-  if (!first)
-    return std::nullopt;
-  const auto last = ctx.index().block(program, flow.last, *first ? *first - 1 : 0);
-  return last && *last > *first ? ProfileEnds({*first, *last}) : std::nullopt;
+  const ReferredBlocks blocks = resolveProfile(ctx.index(), program, Reference::toBlock(flow.first),
+                                               Reference::toBlock(flow.last), ctx.block().begin);
+  return blocks.areInOrder() ? ProfileEnds({*blocks.first, *blocks.last}) : std::nullopt;
 }
 
 /// Of the subprogram between brackets that a turning cycle names.

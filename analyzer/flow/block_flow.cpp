@@ -70,7 +70,8 @@ void BlockFlow::returnFrom(Step &step) {
     return run_.issue(FlowIssue::ReturnInMain, step, step.flowRange());
   // M99 P in a main program is a jump.
   run_.used.numbers.insert(target);
-  if (const auto offset = region.unit.index.block(region.program, target, step.at))
+  if (const auto offset =
+          resolveBlock(region.unit.index, region.program, Reference::toBlock(target), step.at))
     loops_.goTo(step, *offset, std::move(step.live), true);
   else
     run_.issue(FlowIssue::UnknownBlock, step, step.flowRange());

@@ -3,6 +3,7 @@
 
 #include "analyzer/flow/end_of_passes.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/references.h"
 
 namespace ncvet {
 
@@ -81,8 +82,8 @@ void Contours::section(const Step &step, llvm::StringRef labels) {
   const llvm::StringRef tail = labels.split(':').second.trim();
   run_.used.labels.insert(unit.reader->labelKey(head));
   run_.used.labels.insert(unit.reader->labelKey(tail));
-  const auto first = unit.index.label(region.program, head, from);
-  const auto last = unit.index.label(region.program, tail, first ? *first : from);
+  const auto [first, last] = resolveProfile(unit.index, region.program, Reference::toLabel(head),
+                                            Reference::toLabel(tail), from);
   if (!first || !last)
     return run_.issue(FlowIssue::UnknownProgram, step, where);
   Block end;
@@ -148,12 +149,12 @@ std::optional<Contours::Bounds> Contours::boundsOf(const Step &step) {
     return std::nullopt;
   run_.used.numbers.insert(flow.first);
   run_.used.numbers.insert(flow.last);
-  const auto first = index.block(program, flow.first, step.at);
-  const auto last = index.block(program, flow.last, first ? *first - 1 : step.at);
-  if (first && last && *last > *first)
-    return Bounds{*first, *last};
-  run_.issue(first && last ? FlowIssue::ProfileReversed : FlowIssue::ProfileMissing, step,
-             step.flowRange());
+  const ReferredBlocks blocks = resolveProfile(index, program, Reference::toBlock(flow.first),
+                                               Reference::toBlock(flow.last), step.at);
+  if (blocks.areInOrder())
+    return Bounds{*blocks.first, *blocks.last};
+  run_.issue(blocks.first && blocks.last ? FlowIssue::ProfileReversed : FlowIssue::ProfileMissing,
+             step, step.flowRange());
   return std::nullopt;
 }
 

@@ -80,10 +80,8 @@ std::optional<uint32_t> JumpTargets::resolveNumber(const Step &step, FileUnit &u
                            ? Value::vacant()
                            : evaluate(block, target.expression, step.live.state, nullptr);
   if (target.kind == ArgumentKind::BlockNumber && number.isConstant()) {
-    Reference reference;
-    reference.to = ReferredKind::Block;
-    reference.search = searchOf(kind);
-    reference.number = std::llround(number.number.value());
+    const Reference reference =
+        Reference::toBlock(std::llround(number.number.value()), searchOf(kind));
     run_.used.numbers.insert(reference.number);
     return resolveBlock(unit.index, program, reference, from);
   }
@@ -106,10 +104,8 @@ std::optional<uint32_t> JumpTargets::resolve(const Step &step, FileUnit &unit,
   const SourceFile &source = step.unit().source;
   std::optional<uint32_t> offset;
   if (target.kind == ArgumentKind::Label) {
-    Reference reference;
-    reference.to = ReferredKind::Label;
-    reference.search = searchOf(kind);
-    reference.text = source.text(target.begin, target.end);
+    const Reference reference =
+        Reference::toLabel(source.text(target.begin, target.end), searchOf(kind));
     run_.used.labels.insert(unit.reader->labelKey(reference.text));
     offset = resolveBlock(unit.index, program, reference, from);
   } else if (target.kind == ArgumentKind::Name) {

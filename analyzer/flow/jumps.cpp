@@ -59,7 +59,8 @@ void Jumps::byWord(Step &step) {
   }
   const auto number = int64_t(flow.target.number.value());
   run_.used.numbers.insert(number);
-  const auto target = step.unit().index.block(step.region().program, number, step.at);
+  const auto target =
+      resolveBlock(step.unit().index, step.region().program, Reference::toBlock(number), step.at);
   if (!target)
     run_.issue(FlowIssue::UnknownBlock, step, where);
   else if (loops_.isNeverLeft(step, step.unit(), *target))

@@ -1,6 +1,7 @@
 // How often a body runs, and where control goes on after it.
 #include "analyzer/flow/passes.h"
 
+#include "analyzer/program/references.h"
 #include "interp/evaluate/expression.h"
 #include "interp/state/kept_modes.h"
 
@@ -63,7 +64,8 @@ void PassRunner::jumpBack(const Step &step, const Passes &passes, Returned exit)
   restoreModalCall(exit.live.state, passes);
   if (passes.locals)
     exit.live.state.locals = *passes.locals;
-  const auto offset = step.unit().index.block(step.region().program, exit.target, step.at);
+  const auto offset = resolveBlock(step.unit().index, step.region().program,
+                                   Reference::toBlock(exit.target), step.at);
   if (!offset)
     return run_.issue(FlowIssue::UnknownBlock, step, step.before, exit.live.state,
                       step.flowRange());

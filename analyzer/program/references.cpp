@@ -24,6 +24,22 @@ Search searchOf(JumpKind kind) {
                                       : Search::Anywhere;
 }
 
+Reference Reference::toBlock(int64_t number, Search search) {
+  Reference reference;
+  reference.to = ReferredKind::Block;
+  reference.search = search;
+  reference.number = number;
+  return reference;
+}
+
+Reference Reference::toLabel(llvm::StringRef label, Search search) {
+  Reference reference;
+  reference.to = ReferredKind::Label;
+  reference.search = search;
+  reference.text = label;
+  return reference;
+}
+
 void ReferenceReader::CodeWords::take(const CodeInfo &code) {
   if (action == Action::None)
     action = code.action;
@@ -364,6 +380,16 @@ std::optional<uint32_t> resolveBlock(const FileIndex &index, const ProgramInfo &
   return reference.to == ReferredKind::Label
              ? index.label(program, reference.text, from, reference.search)
              : index.block(program, reference.number, from, reference.search);
+}
+
+ReferredBlocks resolveProfile(const FileIndex &index, const ProgramInfo &program,
+                              const Reference &first, const Reference &last, uint32_t from) {
+  ReferredBlocks blocks;
+  blocks.first = resolveBlock(index, program, first, from);
+  // A number is looked for after the place, and may be that of the first block again.
+  const uint32_t back = last.to == ReferredKind::Block && blocks.first.value_or(0) ? 1 : 0;
+  blocks.last = resolveBlock(index, program, last, blocks.first ? *blocks.first - back : from);
+  return blocks;
 }
 
 bool namesForeignJump(const FileUnit &unit, const ProgramInfo &program) {

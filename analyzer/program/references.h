@@ -38,6 +38,10 @@ struct Reference {
   /// Its spelling, a part of the file's text: a number without address, a label without marks. Of
   /// an untold one empty, where it is.
   llvm::StringRef text;
+
+  /// A block of the program, by its number or by its label.
+  static Reference toBlock(int64_t number, Search search = Search::Anywhere);
+  static Reference toLabel(llvm::StringRef label, Search search = Search::Anywhere);
 };
 
 /// Direction in which the target `target` of a jump `item` is looked for.
@@ -92,6 +96,19 @@ std::optional<ReferredPlace> resolveProgram(Project &project, FileUnit &from,
 /// Offset of the block of `program` that `reference` names, looked for from the block at `from`.
 std::optional<uint32_t> resolveBlock(const FileIndex &index, const ProgramInfo &program,
                                      const Reference &reference, uint32_t from);
+
+/// First and last block of a profile or a section.
+struct ReferredBlocks {
+  std::optional<uint32_t> first, last;
+
+  /// Both are there, one after the other.
+  bool areInOrder() const { return first && last && *first < *last; }
+};
+
+/// The blocks of `program` between which a profile lies. The first one is looked for from the block
+/// at `from`, the last one from the first.
+ReferredBlocks resolveProfile(const FileIndex &index, const ProgramInfo &program,
+                              const Reference &first, const Reference &last, uint32_t from);
 
 /// Whether blocks of `program` name a jump in another control's language, which the reader does not
 /// read. Comments do not count.

@@ -3,6 +3,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/references.h"
 #include "formats/dialect/control_facts.h"
 
 #include <map>
@@ -181,10 +182,9 @@ private:
     if (flow.kind != FlowKind::Profile || flow.first < 0 || flow.last < 0)
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    const auto first = ctx.index().block(program, flow.first, ctx.block().begin);
-    if (!first)
-      return;
-    if (const auto last = ctx.index().block(program, flow.last, *first - 1))
+    const auto [first, last] = resolveProfile(ctx.index(), program, Reference::toBlock(flow.first),
+                                              Reference::toBlock(flow.last), ctx.block().begin);
+    if (first && last)
       memory().profiles[{ctx.source().id(), *last}] = {*first, flow.last};
   }
 

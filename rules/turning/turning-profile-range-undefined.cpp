@@ -1,4 +1,5 @@
 // The blocks that a turning cycle names as its profile do not exist or are in the wrong order.
+#include "analyzer/program/references.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -31,7 +32,8 @@ public:
       return;
     }
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    const bool noFirst = !ctx.index().block(program, flow.first, ctx.block().begin);
+    const bool noFirst =
+        !resolveBlock(ctx.index(), program, Reference::toBlock(flow.first), ctx.block().begin);
     if (auto finding = ctx.report(ctx.flowRange()))
       finding.message(
           "`{0}` names N{1} as the {2} block of its profile, and this program has no such "
@@ -47,8 +49,10 @@ private:
         ctx.code(event).cycle == CycleKind::Finish || flow.first < 0 || flow.last < 0)
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    const auto begin = ctx.index().block(program, flow.first, ctx.block().begin);
-    const auto end = ctx.index().block(program, flow.last, ctx.block().begin);
+    const auto begin =
+        resolveBlock(ctx.index(), program, Reference::toBlock(flow.first), ctx.block().begin);
+    const auto end =
+        resolveBlock(ctx.index(), program, Reference::toBlock(flow.last), ctx.block().begin);
     if (!begin || !end || *begin >= ctx.block().begin || *end < *begin || *end >= ctx.block().begin)
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))

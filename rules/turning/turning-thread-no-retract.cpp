@@ -1,6 +1,7 @@
 // A single thread stroke is not followed by a retract at rapid.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/references.h"
 
 namespace ncvet {
 namespace {
@@ -83,7 +84,8 @@ private:
     const ProgramInfo &here = index.programAt(ctx.block().begin);
     if (!local)
       return fromHead && index.find(number) == &here;
-    const auto first = index.block(index.programAt(call.begin), number, call.begin);
+    const auto first =
+        resolveBlock(index, index.programAt(call.begin), Reference::toBlock(number), call.begin);
     return first && *first >= entry && *first <= ctx.block().begin;
   }
 

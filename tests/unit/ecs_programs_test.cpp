@@ -108,5 +108,14 @@ TEST(EcsPrograms, ADefinitionMovesNothing) {
               testing::Not(testing::Contains(testing::HasSubstr("spindle-off-while-cutting"))));
 }
 
+/// `L101` alone may be meant for a call: where a block defines the line it is the line.
+TEST(EcsPrograms, ACommentDefinesNoElement) {
+  const auto call = testing::Contains(testing::HasSubstr("flow-call-format"));
+  const std::string head = "%\nN10 G16XYZ+\nN20 T1 M6\n", tail = "N50 L101\nN60 M30\n";
+  EXPECT_THAT(findings(head + tail), call);
+  EXPECT_THAT(findings(head + "' L101=P1 A45\n" + tail), call);
+  EXPECT_THAT(findings(head + "N30 P1=X5 Y5\nN40 L101=P1 A45\n" + tail), testing::Not(call));
+}
+
 } // namespace
 } // namespace ncvet

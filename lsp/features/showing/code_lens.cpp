@@ -2,6 +2,7 @@
 #include "lsp/features/showing/code_lens.h"
 
 #include "analyzer/check/contour_report.h"
+#include "analyzer/program/references.h"
 #include "formats/dialect/packed_call.h"
 #include "interp/evaluate/condition.h"
 #include "lsp/features/number_text.h"
@@ -151,7 +152,8 @@ private:
     if (!target || local_.size() >= mostLenses)
       return;
     const FileIndex &index = snapshot_.unit().index;
-    if (const auto at = index.block(index.programAt(block.begin), target->mantissa, block.begin))
+    if (const auto at = resolveBlock(index, index.programAt(block.begin),
+                                     Reference::toBlock(target->mantissa), block.begin))
       note(local_[*at], {file_, word.offset, block.endOf(*target)});
   }
 
