@@ -93,6 +93,10 @@ void Check::collect() {
   Inputs inputs = collectInputs(request_.paths, session_);
   for (const std::string &error : inputs.errors)
     problem("", error);
+  std::vector<std::string> files;
+  for (const Input &input : inputs.files)
+    files.push_back(input.path);
+  session_.folders()->setChecked(files);
   for (Input &input : inputs.files) {
     jobs_.push_back({std::move(input), nullptr, {}, {}});
     if (jobs_.back().input.path == "-")

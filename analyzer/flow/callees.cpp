@@ -81,7 +81,8 @@ std::optional<Callee> Callees::external(const Step &step, const Item &item, llvm
   const Defined *known = unit.index.definition(step.region().program, name);
   const CodeIndex own = unit.dialect->keyword(name);
   if (item.external || (known && known->kind == ItemKind::Macro) ||
-      (own != noCode && unit.dialect->codes[own].isProgram))
+      (own != noCode && unit.dialect->codes[own].isProgram) ||
+      run_.project.liesElsewhere(unit, name))
     return std::nullopt; // it need not lie here
   return missing(FlowIssue::UnknownProgram, step, range);
 }

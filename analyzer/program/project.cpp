@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/program_names.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/execute/execute.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -144,13 +145,29 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
   return programs;
 }
 
+std::string Project::folderOf(const FileUnit &from) {
+  if (from.source.path().empty())
+    return {};
+  const llvm::StringRef parent = llvm::sys::path::parent_path(from.source.path());
+  return parent.empty() ? "." : parent.str();
+}
+
 std::vector<std::string> Project::foldersOf(const FileUnit &from) const {
   std::vector<std::string> folders;
-  if (!from.source.path().empty()) {
-    const llvm::StringRef parent = llvm::sys::path::parent_path(from.source.path());
-    folders.push_back(parent.empty() ? "." : parent.str());
-  }
+  if (const std::string own = folderOf(from); !own.empty())
+    folders.push_back(own);
   folders.insert(folders.end(), searchFolders_.begin(), searchFolders_.end());
+  return folders;
+}
+
+std::vector<std::string> Project::searchedFolders(const FileUnit &from) {
+  std::vector<std::string> folders = foldersOf(from);
+  const std::vector<std::string> &names = dialect_->facts->program.folders;
+  if (names.empty() || from.source.path().empty())
+    return folders;
+  for (const std::string &store : folders_->stores(folders.front(), names).searched)
+    if (!llvm::is_contained(folders, store))
+      folders.push_back(store);
   return folders;
 }
 
@@ -158,32 +175,65 @@ Project::Found
 Project::searchFolders(FileUnit &from,
                        llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
                        llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
-  for (const std::string &path : foldersOf(from)) {
+  for (const std::string &path : searchedFolders(from)) {
     const std::string name = fileOf(folders_->programs(path));
     if (name.empty())
       continue;
-    // A file of this project keeps its number. Others' files in the set are left alone: they may be
-    // at work on another thread.
-    const SourceFile *file = nullptr;
-    for (const auto &known : units_)
-      if (known.second->source.path() == name)
-        file = &known.second->source;
-    if (!file) {
-      auto opened = sources_.open(name);
-      if (!opened) {
-        llvm::consumeError(opened.takeError());
-        continue;
-      }
-      file = *opened;
-    }
-    FileUnit &other = unit(*file);
-    if (const ProgramInfo *program = programOf(other.index))
-      return {&other, program};
-    // The file's name says which program it is; what it holds needs no header of its own.
-    if (!other.index.programs().empty() && !other.index.programs()[0].hasHeader())
-      return {&other, &other.index.programs()[0]};
+    if (const Found found = open(name, programOf); found.first)
+      return found;
   }
   return {nullptr, nullptr};
+}
+
+Project::Found Project::open(const std::string &name,
+                             llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
+  // A file of this project keeps its number. Others' files in the set are left alone: they may be
+  // at work on another thread.
+  const SourceFile *file = nullptr;
+  for (const auto &known : units_)
+    if (known.second->source.path() == name)
+      file = &known.second->source;
+  if (!file) {
+    auto opened = sources_.open(name);
+    if (!opened) {
+      llvm::consumeError(opened.takeError());
+      return {nullptr, nullptr};
+    }
+    file = *opened;
+  }
+  FileUnit &other = unit(*file);
+  if (const ProgramInfo *program = programOf(other.index))
+    return {&other, program};
+  // The file's name says which program it is; what it holds needs no header of its own.
+  if (!other.index.programs().empty() && !other.index.programs()[0].hasHeader())
+    return {&other, &other.index.programs()[0]};
+  return {nullptr, nullptr};
+}
+
+std::vector<std::string> Project::filesElsewhere(const FileUnit &from, llvm::StringRef name) {
+  std::vector<std::string> files;
+  const std::vector<std::string> &names = dialect_->facts->program.folders;
+  if (names.empty() || from.source.path().empty())
+    return files;
+  const std::string key = name.upper();
+  for (const std::string &folder : folders_->stores(folderOf(from), names).further) {
+    const ProgramFolders::Programs &programs = folders_->programs(folder);
+    if (const auto file = programs.byName.find(key); file != programs.byName.end())
+      files.push_back(file->second);
+  }
+  for (const std::string &file : folders_->checked(key))
+    if (!llvm::is_contained(files, file))
+      files.push_back(file);
+  llvm::erase_if(files, [&](const std::string &file) {
+    llvm::StringRef ending = llvm::sys::path::extension(file);
+    ending.consume_front(".");
+    return file == from.source.path() || !isProgramEnding(ending, *dialect_);
+  });
+  return files;
+}
+
+bool Project::liesElsewhere(const FileUnit &from, llvm::StringRef name) {
+  return !filesElsewhere(from, bareProgramName(name, *from.dialect)).empty();
 }
 
 Project::Found Project::findProgram(FileUnit &from, int64_t number) {
@@ -208,13 +258,19 @@ Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
       return {&from, program};
   }
   const std::string key = name.upper();
-  return searchFolders(
+  const auto programOf = [name](const FileIndex &index) { return index.find(name); };
+  const Found found = searchFolders(
       from,
       [&key](const ProgramFolders::Programs &programs) {
-        const auto found = programs.byName.find(key);
-        return found == programs.byName.end() ? std::string() : found->second;
+        const auto file = programs.byName.find(key);
+        return file == programs.byName.end() ? std::string() : file->second;
       },
-      [name](const FileIndex &index) { return index.find(name); });
+      programOf);
+  if (found.first)
+    return found;
+  // Which of several it is depends on what the machine has loaded.
+  const std::vector<std::string> files = filesElsewhere(from, name);
+  return files.size() == 1 ? open(files.front(), programOf) : Found{nullptr, nullptr};
 }
 
 bool Project::hidesProgram(FileUnit &from, llvm::StringRef name) {

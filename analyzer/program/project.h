@@ -45,16 +45,30 @@ public:
     std::map<int64_t, std::string> byNumber; ///< file by program number
     llvm::StringMap<std::string> byName;     ///< file by its name without ending, in capitals
   };
+  /// Folders of a backup of a control, as the control would find a program in them.
+  struct Stores {
+    std::vector<std::string> searched; ///< in the order in which the control looks
+    std::vector<std::string> further;  ///< workpieces, and folders in the searched ones
+  };
   /// Programs of a folder, from file names like `O1234.nc` and from headers.
   const Programs &programs(const std::string &folder);
+  /// The stores of the backup that `folder` is part of; `names` are those that a control has.
+  const Stores &stores(const std::string &folder, llvm::ArrayRef<std::string> names);
+  /// These files are checked together. Called before anything is looked up.
+  void setChecked(llvm::ArrayRef<std::string> files);
+  /// Files of that name, in capitals and without its ending, among those that are checked together.
+  llvm::ArrayRef<std::string> checked(llvm::StringRef name) const;
 
 private:
   std::mutex mutex_;
   std::map<std::string, Programs> folders_;
+  std::map<std::string, Stores> stores_;
+  llvm::StringMap<std::vector<std::string>> checked_;
 };
 
-/// Finds programs that a file calls: in the same file, then in files of the same folder, then of
-/// the search folders; never outside of these.
+/// Finds programs that a file calls: in the same file, then in files of the same folder, of the
+/// folders where the control would look, of the search folders, and at last, when only one has the
+/// name, among the files that are checked together.
 class Project {
 public:
   Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
@@ -71,13 +85,24 @@ public:
   /// Whether a program of the project is called where `from` names this program of the control: one
   /// of the same file or folder, or one that the file declares.
   bool hidesProgram(FileUnit &from, llvm::StringRef name);
+  /// Whether a file of the name lies where the control does not look by itself: when
+  /// `findProgram` gave none of them, nobody knows which one is called.
+  bool liesElsewhere(const FileUnit &from, llvm::StringRef name);
   const Dialect &dialect() const { return *dialect_; }
   const MachineProfile &machine() const { return machine_; }
   SourceSet &sources() { return sources_; }
 
 private:
+  /// The folder of a file; empty: it lies in none.
+  static std::string folderOf(const FileUnit &from);
   /// The folder of a file, then those that are searched for every file.
   std::vector<std::string> foldersOf(const FileUnit &from) const;
+  /// The same with the folders of the control's backup that the file is part of.
+  std::vector<std::string> searchedFolders(const FileUnit &from);
+  /// Files of this name, in capitals, where the control does not look by itself.
+  std::vector<std::string> filesElsewhere(const FileUnit &from, llvm::StringRef name);
+  Found open(const std::string &file,
+             llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf);
   /// Looks through the folders; `fileOf` picks a folder's file, `programOf` the program in it.
   Found searchFolders(FileUnit &from,
                       llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,

@@ -1,6 +1,9 @@
 // What a control does where controls differ, as rules ask for it. The keys of `facts` in a table.
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace ncvet {
 
 /// About arcs.
@@ -178,6 +181,9 @@ struct ProgramFacts {
   bool everyBlockNumbered = false;
   /// The INI file of the machine makes codes.
   bool remapsInIni = false;
+  /// Folders in which the control keeps programs, in the order in which it looks for a called one:
+  /// `SPF` is also `SPF.DIR`, `.WPD` is the ending of such folders. Empty: it has no folders.
+  std::vector<std::string> folders;
 };
 
 /// About the spindle.

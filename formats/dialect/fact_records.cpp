@@ -218,6 +218,11 @@ constexpr Field programFields[] = {
     flag<&ProgramFacts::everyBlockNumbered>("everyBlockNumbered", "every block has a number"),
     flag<&ProgramFacts::remapsInIni>(
         "remapsInIni", "the machine's INI file, near the program, makes codes (`REMAP=`)"),
+    field<&ProgramFacts::folders>("folders", texts,
+                                  "folders in which the control keeps programs, in the order in "
+                                  "which it looks for a called one; an ending of names begins "
+                                  "with a point",
+                                  R"(["SPF", ".WPD"])"),
     flag<&ProgramFacts::returnRestarts>(
         "returnRestarts", "a return code in a main program starts it again, which may be meant"),
 };

@@ -75,10 +75,14 @@ private:
       if (block.kind != BlockKind::Tape)
         continue;
       const auto at = uint32_t(file.source.text().find('%', line));
+      // `%_N_INITIAL_INI`: a file of the control that is no program.
+      if (file.source.text().drop_front(at).startswith_insensitive("%_N_"))
+        continue;
       const SourceRange mark{file.source.id(), at, at + 1};
       if (auto finding = ctx.report(mark))
-        finding.text("`%` alone is the tape mark of another control: here a name and its kind "
-                     "follow it (`%_N_PLATE_MPF`)");
+        finding.severity(Severity::Style)
+            .text("`%` alone is the tape mark of another control: here a name and its kind "
+                  "follow it (`%_N_PLATE_MPF`)");
     }
   }
 

@@ -87,7 +87,7 @@ private:
     const CodeInfo *code = before.activeCode(ctx.dialect(), StandardGroup::Distance);
     const std::string name = code ? "`" + code->name + "`" : "incremental dimensions";
     if (auto finding = ctx.report(event))
-      finding
+      finding.severity(Severity::Warning)
           .message(cycle ? "`{0}` is called with {1} still on"
                          : "the first move with this tool is a distance: {1} is still on",
                    ctx.code(event).name, name)

@@ -152,7 +152,7 @@ private:
     if (auto finding = ctx.report(event))
       finding
           .message("`{0}` runs before the program has stated: {1}", ctx.code(event).name, missing)
-          .severity(Severity::Warning);
+          .severity(Severity::Style); // the control's defaults hold
   }
 
   std::set<uint64_t> axes_; ///< keys of variables that hold an axis

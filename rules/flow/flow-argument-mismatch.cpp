@@ -115,28 +115,46 @@ private:
 
   /// Definitions come before everything that runs, and the parameters of a program before them.
   void atDefinition(const Item &item, RuleContext &ctx) const {
-    if (item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration &&
-        item.kind != ItemKind::Parameters)
+    const bool head = item.kind == ItemKind::Parameters;
+    if (!head && item.kind != ItemKind::Definition && item.kind != ItemKind::Declaration)
+      return;
+    // A list of names is one slip, and so are further heads after the first that is misplaced.
+    if (&item != &ctx.block().items.front())
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    unsigned heads = 0;
+    bool moves = false;
+    std::optional<SourceRange> first;
     for (const Block &block : blocks(ctx.index(), program.body, ctx.block().begin)) {
-      const bool runs = !block.words.empty() || llvm::any_of(block.items, [&](const Item &i) {
-        return item.kind == ItemKind::Parameters ||
-               (i.kind != ItemKind::Definition && i.kind != ItemKind::Declaration &&
-                i.kind != ItemKind::Parameters && i.kind != ItemKind::Macro);
-      });
-      if (!runs)
-        continue;
-      const SourceRange range = ctx.range(item);
-      if (auto finding = ctx.report(range))
-        finding
-            .message(item.kind == ItemKind::Parameters
-                         ? "`{0}` has to be the program's first block"
-                         : "`{0}` has to come before the first block that runs",
-                     ctx.text(range))
-            .note(ctx.range(block), "this block comes before");
-      return;
+      moves |= block.hasAny(ctx.dialect().axisWords);
+      heads += llvm::any_of(block.items, isHead);
+      if (!first && runsBefore(block, head))
+        first = ctx.range(block);
     }
+    if (!first || (head && heads > 1))
+      return;
+    const SourceRange range = ctx.range(item);
+    auto finding = ctx.report(range);
+    if (!finding)
+      return;
+    finding
+        .message(head ? "`{0}` has to be the program's first block"
+                      : "`{0}` has to come before the first block that runs",
+                 ctx.text(range))
+        .note(*first, "this block comes before");
+    // Where only modes were set many controls take it.
+    if (!head && !moves)
+      finding.severity(Severity::Warning);
+  }
+
+  static bool isHead(const Item &item) { return item.kind == ItemKind::Parameters; }
+
+  /// Whether the block has to come after a definition, or after the head of the program.
+  static bool runsBefore(const Block &block, bool head) {
+    return !block.words.empty() || llvm::any_of(block.items, [&](const Item &i) {
+      return head || (i.kind != ItemKind::Definition && i.kind != ItemKind::Declaration &&
+                      i.kind != ItemKind::Parameters && i.kind != ItemKind::Macro);
+    });
   }
 
   static void atCall(const Event &event, RuleContext &ctx) {

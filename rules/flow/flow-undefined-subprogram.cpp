@@ -1,5 +1,6 @@
 // A called program, or a locally called block, exists nowhere.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -48,7 +49,9 @@ public:
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: nothing is known of what it does",
                    ctx.text(ctx.flowRange()));
-    else if (ctx.dialect().limits.protectedPrograms)
+    else if (ctx.dialect().limits.protectedPrograms ||
+             (flow.kind == FlowKind::CallNamed && !ctx.dialect().facts->program.folders.empty()))
+      // The builder's programs lie in folders of the control.
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: unless it lies on the control, this "
                    "one stops here",

@@ -104,10 +104,10 @@ private:
     if (own == noCode)
       return;
     if (auto finding = ctx.report(where))
-      finding.severity(Severity::Warning)
-          .message("this program is called `{0}` like what the control has itself: one of the two "
-                   "hides the other",
-                   name);
+      finding.message(
+          "this program is called `{0}` like what the control has itself: one of the two "
+          "hides the other",
+          name);
   }
 
   llvm::ArrayRef<int> reserved_;

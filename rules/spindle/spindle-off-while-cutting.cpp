@@ -1,6 +1,7 @@
 // A feed move or a cutting cycle while the spindle does not turn.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/silent_program.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
 #include "interp/evaluate/tool_data.h"
@@ -17,6 +18,7 @@ class SpindleOffWhileCutting final : public StatefulRule<SpindleOffWhileCuttingM
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun});
+    anyMachine_ = to.flag("anyMachine");
     hasHead_ = llvm::any_of(to.dialect().codes,
                             [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
   }
@@ -46,7 +48,9 @@ public:
       return;
     const Origin &origin = state.origin.of(StatePart::Spindle);
     // What is before a fragment may have started the spindle.
-    if (nothingSaid(state) && hasHead_ && (!memory().unsaid.speaks(origin, ctx) || isFragment(ctx)))
+    if (nothingSaid(state) && (hasHead_ || anyMachine_) &&
+        (!memory().unsaid.speaks(origin, ctx) || (hasHead_ && isFragment(ctx)) ||
+         (anyMachine_ && saysNothingOfTools(ctx))))
       return;
     if (!memory().once.speaks(origin, ctx))
       return;
@@ -131,7 +135,8 @@ private:
     return true;
   }
 
-  bool hasHead_ = false; ///< the control has a word that opens a program
+  bool anyMachine_ = false; ///< a program that names no spindle at all may be for a machine without
+  bool hasHead_ = false;    ///< the control has a word that opens a program
 };
 
 } // namespace

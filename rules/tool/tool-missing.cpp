@@ -1,4 +1,5 @@
 // A cut before any tool was called.
+#include "analyzer/facts/silent_program.h"
 #include "analyzer/facts/unnamed_tool_change.h"
 
 namespace ncvet {
@@ -12,6 +13,7 @@ class ToolMissing final : public StatefulRule<ToolMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::ToolChange});
+    anyMachine_ = to.flag("anyMachine");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -30,12 +32,19 @@ public:
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
          event.motion == MotionKind::Skip))
       return;
+    const bool unsaid =
+        !ctx.after().may(Fact::SpeedSet) && !ctx.after().may(Fact::SpindleStated) && !nameless;
+    if (anyMachine_ && unsaid && saysNothingOfTools(ctx))
+      return;
     const bool certain = event.certain && (nameless || !ctx.after().may(Fact::ToolCalled));
     if (auto finding = ctx.report(ctx.blockRange(), certain))
       finding.message("`{0}` cuts before any tool is called: whatever is in the machine cuts, with "
                       "its old data",
                       ctx.code(event).name);
   }
+
+private:
+  bool anyMachine_ = false; ///< a program that names no tool at all may be for a machine without
 };
 
 } // namespace

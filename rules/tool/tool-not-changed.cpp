@@ -1,5 +1,7 @@
 // A tool is named, and the program cuts or ends without having changed it in.
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/unnamed_tool_change.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -15,6 +17,7 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().toolChangeByT || !to.flag("wanted"))
       return;
+    mayChangeByT_ = to.flag("mayChangeByT");
     to.on({EventKind::ToolWord, EventKind::ToolChange, EventKind::ProgramEnd});
     to.onChange({EventKind::Motion});
   }
@@ -37,7 +40,7 @@ public:
     } else if (event.kind == EventKind::Motion) {
       atCut(event, ctx);
     } else if (event.kind == EventKind::ProgramEnd && memory().named.end &&
-               !ctx.after().may(Fact::UnknownCode)) {
+               !ctx.after().may(Fact::UnknownCode) && (!mayChangeByT_ || changesTools(ctx))) {
       if (auto finding = ctx.report(memory().named))
         finding.message("`{0}` names a tool that nothing changes in: the program cuts with the one "
                         "before",
@@ -46,6 +49,15 @@ public:
   }
 
 private:
+  /// A program that never changes a tool by a code may be for a machine where T does it.
+  static bool changesTools(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+      if (findCode(ctx.dialect(), block, {Action::ToolChange}))
+        return true;
+    return false;
+  }
+
   /// A tool that is got ready while another one cuts is usual; the program has changed in none yet.
   void atCut(const Event &event, RuleContext &ctx) const {
     if (!memory().named.end || event.code == noCode || event.motion == MotionKind::Rapid ||
@@ -77,6 +89,8 @@ private:
                    ctx.text(memory().named), ctx.text(*event.word))
           .note(ctx.range(*event.word), "the next tool is named here");
   }
+
+  bool mayChangeByT_ = false; ///< on some machines of the control T changes the tool by itself
 };
 
 } // namespace

@@ -242,6 +242,37 @@ TEST_F(SinumerikReading, ADecimalCommaKeepsTheValueThatIsMeant) {
   EXPECT_EQ(blocks[1].find('X')->value(), -1.25);
 }
 
+TEST_F(SinumerikReading, BlanksMayBeRoundTheEqualsSign) {
+  const Block block = blockOf("X1 = 10 S2 = 500 M1 = 3 R1 = 7 CR = 5\n");
+  EXPECT_TRUE(block.issues.empty());
+  EXPECT_EQ(block.find('M')->value(), 3);
+  EXPECT_TRUE(block.has(letterAddress('X')));
+  EXPECT_EQ(block.items.size(), 2u); // the speed of the second spindle, and R1
+}
+
+TEST_F(SinumerikReading, AStrayValueIsOneIssue) {
+  const Block block = blockOf("G0 = 10 X5\n");
+  EXPECT_EQ(issuesOf(block), std::vector{SyntaxIssueKind::InvalidCharacter});
+  EXPECT_EQ(block.find('X')->value(), 5);
+  EXPECT_EQ(issuesOf(blockOf("G0[10] = 10 X5\n")), std::vector{SyntaxIssueKind::UnbalancedBracket});
+}
+
+TEST_F(SinumerikReading, ALineOfProseIsOneIssue) {
+  const Block block = blockOf("Magazine slot number 1,1,1\n");
+  EXPECT_EQ(issuesOf(block), std::vector{SyntaxIssueKind::NotABlock});
+  EXPECT_TRUE(block.isEmpty());
+  EXPECT_TRUE(blockOf("ROUGH FAST X10\n").issues.empty()); // macros
+}
+
+TEST_F(SinumerikReading, StepsOfAShopfloorEditorNeedNotBeFound) {
+  const auto blocks = blocksOf("E_HEAD(1,2,3);*RO*\nE_DR_SIN(5,100);*RO*\nPOCKETS\n");
+  ASSERT_EQ(blocks.size(), 3u);
+  EXPECT_TRUE(blocks[0].items[0].external);
+  EXPECT_TRUE(blocks[1].items[0].external);
+  EXPECT_FALSE(blocks[2].items[0].external);
+  EXPECT_FALSE(blockOf("E_DR_SIN(5,100)\n").items[0].external); // a program of the shop's own
+}
+
 TEST_F(SinumerikReading, WhatOldEditorsLeaveIsBlank) {
   const auto blocks = blocksOf("\x11N10 M30\x13\n\x1A");
   ASSERT_EQ(blocks.size(), 2u);

@@ -3,6 +3,8 @@
 
 #include "formats/readers/sinumerik/sinumerik_scanner.h"
 
+#include "llvm/ADT/STLExtras.h"
+
 namespace ncvet {
 
 /// The code that is called by this name; none when a program of the project hides it.
@@ -31,9 +33,30 @@ void SinumerikScanner::scan() {
   }
   block_.end = offset(std::max(content, base_ + block_.begin));
   takeLineEnd();
+  if (isProse())
+    dropProse();
   if (block_.kind == BlockKind::Normal && block_.isEmpty() && block_.issues.empty() &&
       block_.number < 0 && block_.skip < 0 && !block_.hasLabel())
     block_.kind = BlockKind::Empty;
+}
+
+/// Three names in a row that nothing follows are no calls: a block calls one program.
+bool SinumerikScanner::isProse() const {
+  constexpr ptrdiff_t fewest = 3;
+  return llvm::count_if(block_.items, [](const Item &item) {
+           return item.kind == ItemKind::Call && !item.arguments && item.count == noExpression &&
+                  !item.modal && !item.external;
+         }) >= fewest;
+}
+
+/// Nothing in the block is code.
+void SinumerikScanner::dropProse() {
+  const uint32_t begin = block_.items.front().begin;
+  block_.words.clear();
+  block_.items.clear();
+  block_.issues.clear();
+  block_.addresses = block_.repeated = block_.pointed = block_.pointless = 0;
+  block_.issues.push_back({SyntaxIssueKind::NotABlock, begin, block_.end});
 }
 
 /// `/`, `/3`: before everything else.
@@ -132,6 +155,24 @@ void SinumerikScanner::scanQuotes() {
   issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
 }
 
+/// A `=` or `[1]=` that belongs to no name, with the number after it.
+void SinumerikScanner::skipValue() {
+  const char *const begin = at_;
+  skipIndices();
+  if (*begin == '=' || isEquals(afterBlanks(at_)))
+    at_ = afterBlanks(at_);
+  const char *const sign = at_;
+  while (at_ < end_ && *at_ == '=')
+    ++at_;
+  if (const char *const value = afterBlanks(at_);
+      at_ > sign && value < end_ && (isNumberDigit(*value) || *value == '-')) {
+    at_ = value;
+    skipNumberCharacters();
+  }
+  issue(*begin == '[' ? SyntaxIssueKind::UnbalancedBracket : SyntaxIssueKind::InvalidCharacter,
+        begin, at_);
+}
+
 void SinumerikScanner::scanOther() {
   const char *const begin = at_;
   switch (*at_) {
@@ -155,9 +196,11 @@ void SinumerikScanner::scanOther() {
       ++at_;
     return issue(SyntaxIssueKind::ForeignComment, begin, at_);
   }
+  case '[':
+  case '=':
+    return skipValue();
   case ')':
   case ']':
-  case '[':
     ++at_;
     return issue(*begin == ')' ? SyntaxIssueKind::StrayParenthesis
                                : SyntaxIssueKind::UnbalancedBracket,
@@ -190,11 +233,26 @@ SinumerikReader::SinumerikReader(const Dialect &dialect, llvm::StringRef text)
     : Reader(text), dialect_(dialect) {
   for (size_t i = 0; i < dialect.addressNames.size(); ++i)
     addresses_[llvm::StringRef(dialect.addressNames[i]).upper()] = AddressId(firstNamed + i);
+  // Both write the head and mark their blocks as read-only.
+  const llvm::StringRef head = text.take_front(4096);
+  steps_ = head.contains_insensitive("E_HEAD(") || head.contains_insensitive("F_HEAD(");
+}
+
+/// `E_DR_SIN(..)`, `F_ROUGH(..)`: what a step does only the control's own editor knows.
+void SinumerikReader::markSteps(Block &block) const {
+  for (Item &item : block.items) {
+    const llvm::StringRef name = text_.slice(item.nameBegin, item.nameEnd);
+    if (item.kind == ItemKind::Call && name.size() > 2 && name[1] == '_' &&
+        ((name[0] | 32) == 'e' || (name[0] | 32) == 'f') && text_[item.end - 1] == ')')
+      item.external = true;
+  }
 }
 
 void SinumerikReader::read(uint32_t offset, Block &block) const {
   block.clear();
   SinumerikScanner(*this, dialect_, addresses_, offset, block).scan();
+  if (steps_)
+    markSteps(block);
 }
 
 } // namespace ncvet

@@ -11,8 +11,11 @@ public:
   void read(uint32_t offset, Block &block) const override;
 
 private:
+  void markSteps(Block &block) const;
+
   const Dialect &dialect_;
   llvm::StringMap<AddressId> addresses_; ///< those of several letters, in capitals
+  bool steps_ = false; ///< the text is one of ShopMill or ShopTurn: it calls their working steps
 };
 
 } // namespace ncvet

@@ -61,6 +61,8 @@ private:
 
   // sinumerik_reader.cpp
   CodeIndex codeNamed(llvm::StringRef name) const;
+  bool isProse() const;
+  void dropProse();
   void scanSkip();
   void scanItem();
   void scanComment();
@@ -68,6 +70,7 @@ private:
   bool scanLabel();
   void scanNumberOfBlock(const char *begin);
   void scanQuotes();
+  void skipValue();
   void scanOther();
 
   // sinumerik_words.cpp

@@ -73,8 +73,8 @@ void SinumerikScanner::scanLetter() {
     Word word;
     word.address = address;
     if (const char *const after = readPlainNumber(at_, end_, word)) {
-      if (after < end_ && *after == '=' && isEquals(after) && word.isWhole() &&
-          !word.has(wordMinus)) {
+      // `X1 = 10`; a G code takes no value.
+      if (letter != 'G' && word.isWhole() && !word.has(wordMinus) && isEquals(afterBlanks(after))) {
         at_ = begin;
         return scanExtended(letter, begin);
       }
@@ -112,7 +112,7 @@ void SinumerikScanner::scanLetter() {
 void SinumerikScanner::scanExtended(char letter, const char *begin) {
   ++at_;
   const llvm::StringRef digits = llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNumberDigit);
-  at_ = digits.end() + 1; // after the `=`
+  at_ = afterBlanks(digits.end()) + 1; // after the `=`
   const auto named = addresses_.find(llvm::StringRef(begin, digits.size() + 1).upper());
   if (named != addresses_.end())
     return scanValue(named->second, begin);
