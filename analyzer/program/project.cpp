@@ -171,6 +171,19 @@ std::vector<std::string> Project::searchedFolders(const FileUnit &from) {
   return folders;
 }
 
+/// A file of this project keeps its number. Others' files in the set are left alone: they may be at
+/// work on another thread.
+FileUnit *Project::open(const std::string &path) {
+  for (const auto &known : units_)
+    if (known.second->source.path() == path)
+      return known.second.get();
+  auto opened = sources_.open(path);
+  if (opened)
+    return &unit(**opened);
+  llvm::consumeError(opened.takeError());
+  return nullptr;
+}
+
 Project::Found
 Project::searchFolders(FileUnit &from,
                        llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
@@ -187,21 +200,10 @@ Project::searchFolders(FileUnit &from,
 
 Project::Found Project::open(const std::string &name,
                              llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
-  // A file of this project keeps its number. Others' files in the set are left alone: they may be
-  // at work on another thread.
-  const SourceFile *file = nullptr;
-  for (const auto &known : units_)
-    if (known.second->source.path() == name)
-      file = &known.second->source;
-  if (!file) {
-    auto opened = sources_.open(name);
-    if (!opened) {
-      llvm::consumeError(opened.takeError());
-      return {nullptr, nullptr};
-    }
-    file = *opened;
-  }
-  FileUnit &other = unit(*file);
+  FileUnit *const opened = open(name);
+  if (!opened)
+    return {nullptr, nullptr};
+  FileUnit &other = *opened;
   if (const ProgramInfo *program = programOf(other.index))
     return {&other, program};
   // The file's name says which program it is; what it holds needs no header of its own.

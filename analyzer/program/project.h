@@ -1,6 +1,7 @@
 // The files of one analysis: the current program and those that it calls from elsewhere.
 #pragma once
 
+#include "analyzer/program/folder_calls.h"
 #include "analyzer/program/program_index.h"
 #include "formats/dialect/machine.h"
 #include "formats/readers/select/make_reader.h"
@@ -58,6 +59,8 @@ public:
   void setChecked(llvm::ArrayRef<std::string> files);
   /// Files of that name, in capitals and without its ending, among those that are checked together.
   llvm::ArrayRef<std::string> checked(llvm::StringRef name) const;
+  /// What the files of each folder call.
+  CallsOfFolders calls;
 
 private:
   std::mutex mutex_;
@@ -88,6 +91,11 @@ public:
   /// Whether a file of the name lies where the control does not look by itself: when
   /// `findProgram` gave none of them, nobody knows which one is called.
   bool liesElsewhere(const FileUnit &from, llvm::StringRef name);
+  /// The unit of the file at `path`; null when it cannot be read.
+  FileUnit *open(const std::string &path);
+  /// The folder of a file, then those that are searched for every file.
+  std::vector<std::string> foldersOf(const FileUnit &from) const;
+  CallsOfFolders &callsOfFolders() { return folders_->calls; }
   const Dialect &dialect() const { return *dialect_; }
   const MachineProfile &machine() const { return machine_; }
   SourceSet &sources() { return sources_; }
@@ -95,9 +103,7 @@ public:
 private:
   /// The folder of a file; empty: it lies in none.
   static std::string folderOf(const FileUnit &from);
-  /// The folder of a file, then those that are searched for every file.
-  std::vector<std::string> foldersOf(const FileUnit &from) const;
-  /// The same with the folders of the control's backup that the file is part of.
+  /// `foldersOf` with the folders of the control's backup that the file is part of.
   std::vector<std::string> searchedFolders(const FileUnit &from);
   /// Files of this name, in capitals, where the control does not look by itself.
   std::vector<std::string> filesElsewhere(const FileUnit &from, llvm::StringRef name);

@@ -4,6 +4,7 @@
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_series.h"
+#include "formats/dialect/control_facts.h"
 
 #include <map>
 
@@ -274,9 +275,12 @@ private:
     }
   }
 
-  /// Whether the first thing that every caller does is to end the cycle.
+  /// Whether the first thing that every caller does is to end the cycle. Where what a program sets
+  /// is to outlive its return, the program has to end what it has begun.
   bool callersEnd(const CodeInfo &cycle, const RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
+    if (dialect.facts->program.modesOutliveReturn)
+      return false;
     const auto judge = [&](const Block &block) {
       for (const CodeIndex index : codesOf(dialect, block)) {
         const CodeInfo &code = dialect.codes[index];

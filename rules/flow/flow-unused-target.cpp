@@ -1,6 +1,9 @@
 // A subprogram that nothing calls.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/callers.h"
+
+#include "llvm/Support/Path.h"
 
 #include <algorithm>
 
@@ -20,10 +23,12 @@ public:
       for (const ProgramInfo &program : programs.drop_front())
         if (program.hasHeader() && program.number >= 0 &&
             !llvm::is_contained(file.calledPrograms, program.number) &&
-            endsWithReturn(file, program, ctx.dialect()))
+            endsWithReturn(file, program, ctx.dialect()) && !calledFromElsewhere(program, ctx))
           if (auto finding =
                   ctx.report(SourceRange{file.source.id(), program.headerBegin, program.headerEnd}))
             finding.message("nothing calls program {0}", program.number);
+    if (ctx.asked())
+      filesBeside(ctx);
     for (const ProgramInfo &program : programs)
       labels(file, program, ctx);
     for (const ProgramInfo &program : programs)
@@ -31,6 +36,36 @@ public:
   }
 
 private:
+  static bool calledFromElsewhere(const ProgramInfo &program, const RuleContext &ctx) {
+    return llvm::any_of(callersOf(ctx.unit(), program).places,
+                        [&](const CallPlace &call) { return call.unit != &ctx.unit(); });
+  }
+
+  /// Advice: subprograms in files of their own that no file of the folder calls.
+  static void filesBeside(RuleContext &ctx) {
+    for (const std::string &path : uncalledFilesBeside(ctx.unit())) {
+      const FileUnit *const unit = ctx.unit().project->open(path);
+      const ProgramInfo &program = unit->index.programs().front();
+      if (isMacroOfBuilder(program.number))
+        continue;
+      SourceRange at{unit->source.id(), program.headerBegin, program.headerEnd};
+      for (const Block &block : blocks(unit->index, program.body, program.end, headBlocks))
+        if (!block.isEmpty()) {
+          at = {unit->source.id(), block.begin, block.end};
+          break;
+        }
+      if (auto finding = ctx.report(at))
+        finding.severity(Severity::Style)
+            .message("no program of this folder calls the subprogram `{0}`",
+                     llvm::sys::path::filename(unit->source.display()));
+    }
+  }
+
+  static constexpr unsigned headBlocks = 100; ///< among which a program's first one is
+
+  /// Codes that the machine's parameters name call programs of these numbers.
+  static bool isMacroOfBuilder(int64_t number) { return number >= 9000 && number < 9100; }
+
   /// Labels that nothing jumps to.
   static void labels(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
     constexpr uint32_t readable = 4u << 20; // a program that long was made by a machine
