@@ -20,12 +20,16 @@ struct LoopHead {
   unsigned lastForks = 0;     ///< forks of the activation at the last visit
   unsigned forkedVisits = 0;  ///< visits after a pass in which something unknown decided
   uint64_t firstStep = 0;     ///< blocks executed in the analysis at the first visit
+  uint64_t variables = 0;     ///< hash of the variables at the snapshot
+  unsigned joinedForks = 0;   ///< forks of the run when its states were first joined
+  unsigned joinedStops = 0;   ///< and how often the operator had been asked to go on by then
+  bool isAsked = false;       ///< whether it ends at all is being found out
+  uint64_t askedAt = 0;       ///< blocks executed in the analysis when that began
 };
 
 /// A region while it runs.
 struct Activation {
-  explicit Activation(const Region &of)
-      : region(of), pending(*of.unit.dialect), runBegin(of.start), runEnd(of.start) {}
+  explicit Activation(const Region &of) : region(of), runBegin(of.start), runEnd(of.start) {}
 
   const Region &region;
   Pending pending;

@@ -21,6 +21,7 @@ std::optional<Exits> CalledBodies::recall(const std::vector<Memo> &memos, uint64
     if (memo.hash == print && sections <= memo.sections && equal(memo.entry, live.state)) {
       Exits exits = memo.exits;
       run_.stops += memo.stops;
+      run_.forks += memo.forks;
       for (Returned &exit : exits)
         exit.live.path = live.path;
       return exits;
@@ -39,7 +40,7 @@ Exits CalledBodies::run(const Region &region, Live live) {
   run_.callStack.push_back(keyOf(region));
   const MachineState entry = live.state;
   const PathNode *path = live.path;
-  const unsigned stops = run_.stops;
+  const unsigned stops = run_.stops, forks = run_.forks;
   Lives lives;
   lives.push_back(std::move(live));
   Exits raw = run_.execute(region, std::move(lives));
@@ -48,13 +49,13 @@ Exits CalledBodies::run(const Region &region, Live live) {
   std::map<int64_t, Lives> byTarget;
   for (Returned &exit : raw) {
     exit.live.path = path;
-    mergeInto(*region.unit.dialect, byTarget[exit.target], std::move(exit.live));
+    mergeInto(byTarget[exit.target], std::move(exit.live));
   }
   for (auto &[target, group] : byTarget)
     for (Live &exit : group)
       exits.push_back({std::move(exit), target});
   if (!run_.stopped && !run_.listeners.followOnePath() && memos.size() < memosPerProgram)
-    memos.push_back({print, entry, exits, sections, run_.stops != stops});
+    memos.push_back({print, entry, exits, sections, run_.stops != stops, run_.forks != forks});
   return exits;
 }
 

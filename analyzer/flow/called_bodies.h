@@ -27,6 +27,7 @@ private:
     Exits exits;
     unsigned sections; ///< repeated sections round it
     bool stops;        ///< the program stops in it until the operator goes on
+    bool forks;        ///< something unknown decides in it
   };
   std::optional<Exits> recall(const std::vector<Memo> &memos, uint64_t print, unsigned sections,
                               const Live &live);

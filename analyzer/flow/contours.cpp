@@ -198,7 +198,7 @@ void Contours::goOnFinished(Step &step, Exits exits) {
     exit.live.state.position = step.live.state.position;
     exit.live.state.machineAxes = step.live.state.machineAxes;
     exit.live.path = step.live.path;
-    mergeInto(*step.unit().dialect, left, std::move(exit.live));
+    mergeInto(left, std::move(exit.live));
   }
   for (Live &one : left)
     step.activation.add(step.block.next, std::move(one));

@@ -64,6 +64,7 @@ void FlowRun::lose(SourceRange where, llvm::StringRef why) {
 
 void FlowRun::fork(Activation &activation, SourceRange where) {
   ++activation.forks;
+  ++forks;
   lose(where, "what decides here is not known");
 }
 

@@ -85,6 +85,7 @@ struct FlowRun {
   std::vector<RunningRegion> callStack;
   uint64_t steps = 0;         ///< blocks executed
   unsigned stops = 0;         ///< programmed stops so far: at each one the operator decides
+  unsigned forks = 0;         ///< times that a path went on in more than one direction
   uint64_t repeated = 0;      ///< blocks executed again, by what they cost
   uint64_t blocks = 0;        ///< blocks with content of the file's main programs
   bool abstract = false;      ///< the budget is spent: loops are no longer run for real

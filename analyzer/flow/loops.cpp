@@ -15,6 +15,16 @@ constexpr unsigned visitsBeforeWidening = 8;
 constexpr unsigned maxForkedVisits = 128, minForkedVisits = 4;
 constexpr uint64_t maxForkedSteps = 1000; ///< blocks, those of called programs included
 
+/// After so many passes without a choice it is asked whether a loop ends at all.
+constexpr unsigned visitsBeforeDoubt = 100;
+
+/// States that may be on the path at one block, at most.
+constexpr uint64_t mostStates = 8;
+
+uint64_t variablesOf(const MachineState &state) {
+  return llvm::hash_combine(state.locals.hash(), state.commons.hash());
+}
+
 /// Where a loop that begins at `target` is seen: at the head of a structure, else at the jump.
 SourceRange loopAt(const Activation &activation, uint32_t target) {
   const FileUnit &unit = activation.region.unit;
@@ -55,6 +65,7 @@ void Loops::runPass(const Step &step, uint32_t target, LoopHead &head, Live live
   Activation &activation = step.activation;
   if (head.visits == head.nextSnapshot) {
     head.snapshot = hash(live.state);
+    head.variables = variablesOf(live.state);
     head.snapshotForks = activation.forks;
     head.snapshotStops = run_.stops;
     head.windowEnd = head.visits + window;
@@ -65,8 +76,36 @@ void Loops::runPass(const Step &step, uint32_t target, LoopHead &head, Live live
     if (head.snapshotForks == activation.forks && head.snapshotStops == run_.stops)
       run_.issue(FlowIssue::EndlessLoop, step, live.state, live.state, loopAt(activation, target));
     return;
+  } else if (head.visits == head.windowEnd && head.visits > visitsBeforeDoubt &&
+             head.snapshotForks == activation.forks && head.snapshotStops == run_.stops &&
+             head.variables == variablesOf(live.state)) {
+    // Nothing counts, nothing was decided: the tool goes on and on. Joined states show whether
+    // there is a way out.
+    head.abstract = true;
   }
   activation.pending.wait(target, std::move(live));
+}
+
+/// A pass that brings nothing new is run once more where no pass before had a choice: when it has
+/// none either, nothing leaves the loop.
+bool Loops::runsOnceMore(const Step &step, uint32_t target, LoopHead &head, const Live &live) {
+  const bool undecided = head.joinedForks == run_.forks && head.joinedStops == run_.stops &&
+                         llvm::all_of(live.skip, [](SkipSwitch skip) {
+                           return skip == SkipSwitch::Unknown; // else the operator may leave it
+                         });
+  // Of a repeat without a count another finding speaks.
+  if (!undecided || step.outcome.flow.kind == FlowKind::Repeat)
+    return false;
+  if (!std::exchange(head.isAsked, true)) {
+    head.askedAt = run_.steps;
+    return true;
+  }
+  // Other states of the same block come here without having made a pass.
+  if (run_.steps - head.askedAt <= mostStates)
+    return true;
+  head.joinedForks = ~0u; // told once
+  run_.issue(FlowIssue::EndlessLoop, step, live.state, live.state, loopAt(step.activation, target));
+  return false;
 }
 
 void Loops::backTo(const Step &step, uint32_t target, Live live, bool certain) {
@@ -76,13 +115,19 @@ void Loops::backTo(const Step &step, uint32_t target, Live live, bool certain) {
   if (certain && runsForReal(activation, head))
     return runPass(step, target, head, std::move(live));
   if (head.hasSeen) {
-    if (covers(head.seen, live.state))
-      return;
+    if (covers(head.seen, live.state)) {
+      if (!runsOnceMore(step, target, head, live))
+        return;
+      live.state = head.seen;
+      return activation.pending.wait(target, std::move(live));
+    }
     head.seen = head.visits < visitsBeforeWidening ? join(head.seen, live.state)
                                                    : widen(head.seen, live.state);
   } else {
     head.seen = live.state;
     head.hasSeen = true;
+    head.joinedForks = run_.forks;
+    head.joinedStops = run_.stops;
   }
   live.state = head.seen;
   live.path = run_.lengthen(live.path, PathNode::Kind::LoopPass, activation.lastBlock());

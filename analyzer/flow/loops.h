@@ -21,6 +21,7 @@ public:
 
 private:
   bool runsForReal(const Activation &activation, LoopHead &head) const;
+  bool runsOnceMore(const Step &step, uint32_t target, LoopHead &head, const Live &live);
   void runPass(const Step &step, uint32_t target, LoopHead &head, Live live);
 
   FlowRun &run_;

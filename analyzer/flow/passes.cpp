@@ -85,7 +85,7 @@ Lives PassRunner::runOnce(const Step &step, const Region &body, const Passes &pa
         continue;
       }
       changed |= !equal(entry, exit.live.state);
-      mergeInto(*step.unit().dialect, left, std::move(exit.live));
+      mergeInto(left, std::move(exit.live));
     }
   }
   return left;

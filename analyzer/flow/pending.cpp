@@ -17,7 +17,7 @@ void joinSkip(Live &to, const Live &from) {
 
 } // namespace
 
-void mergeInto(const Dialect &dialect, Lives &lives, Live live) {
+void mergeInto(Lives &lives, Live live) {
   for (Live &other : lives)
     if (equal(other.state, live.state)) {
       joinSkip(other, live);
@@ -25,23 +25,25 @@ void mergeInto(const Dialect &dialect, Lives &lives, Live live) {
         other.path = live.path;
       return;
     }
-  const uint64_t print = controlFingerprint(dialect, live.state);
-  for (Live &other : lives)
-    if (other.skip == live.skip && controlFingerprint(dialect, other.state) == print) {
+  Live *closest = nullptr;
+  unsigned fewest = ~0u;
+  for (Live &other : lives) {
+    const unsigned differences = modeDifferences(other.state, live.state);
+    if (differences == 0 && other.skip == live.skip) {
       other.state = join(other.state, live.state);
       return;
     }
+    if (differences < fewest) {
+      fewest = differences;
+      closest = &other;
+    }
+  }
   if (lives.size() < maxLives) {
     lives.push_back(std::move(live));
     return;
   }
-  // Too many: join with one in the same modes if there is any, else with the last.
-  Live *target = &lives.back();
-  for (Live &other : lives)
-    if (controlFingerprint(dialect, other.state) == print)
-      target = &other;
-  target->state = join(target->state, live.state);
-  joinSkip(*target, live);
+  closest->state = join(closest->state, live.state);
+  joinSkip(*closest, live);
 }
 
 /// Whether a path that comes to a block executed before brings nothing new there. With many jumps
@@ -76,7 +78,7 @@ void Pending::add(uint32_t offset, Live live, uint32_t executed) {
 }
 
 void Pending::wait(uint32_t offset, Live live) {
-  mergeInto(dialect_, waiting_[offset], std::move(live));
+  mergeInto(waiting_[offset], std::move(live));
   next_ = waiting_.begin()->first;
 }
 

@@ -10,13 +10,11 @@ namespace ncvet {
 
 /// Adds a state to those at one place: equal ones become one, and of too many the closest are
 /// joined.
-void mergeInto(const Dialect &dialect, Lives &lives, Live live);
+void mergeInto(Lives &lives, Live live);
 
 /// The states of one region that wait at blocks until all paths that lead there have arrived.
 class Pending {
 public:
-  explicit Pending(const Dialect &dialect) : dialect_(dialect) {}
-
   bool isEmpty() const { return waiting_.empty(); }
   /// Offset of the first block at which states wait; `~0u`: there is none.
   uint32_t next() const { return next_; }
@@ -37,7 +35,6 @@ private:
   };
   bool bringsNothing(uint32_t offset, MachineState &state, uint32_t executed);
 
-  const Dialect &dialect_;
   std::map<uint32_t, Lives> waiting_;
   uint32_t next_ = ~0u;
   unsigned rounds_ = 0; ///< times that joined states went back over a backward jump

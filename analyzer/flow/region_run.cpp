@@ -71,7 +71,7 @@ bool RegionRun::arrive() {
     return true;
   } else if (pending.next() == at_) {
     for (Live &live : pending.take(at_))
-      mergeInto(*unit_.dialect, lives_, std::move(live));
+      mergeInto(lives_, std::move(live));
   } else {
     // A backward jump: those states go first, these wait.
     for (Live &live : lives_)

@@ -289,13 +289,20 @@ MachineState widen(const MachineState &previous, const MachineState &next) {
   return merge(previous, next, true);
 }
 
-uint64_t controlFingerprint(const Dialect &dialect, const MachineState &state) {
-  return llvm::hash_combine(
-      state.active(dialect, StandardGroup::Distance), state.active(dialect, StandardGroup::Plane),
-      state.active(dialect, StandardGroup::Units), state.active(dialect, StandardGroup::Cycle),
-      state.active(dialect, StandardGroup::Motion),
-      state.active(dialect, StandardGroup::Compensation), state.compensation, state.tool.peek(),
-      state.profile, state.seeksBranch, state.restoresModes);
+unsigned modeDifferences(const MachineState &a, const MachineState &b) {
+  unsigned count = 0;
+  for (size_t i = 0; i < a.groups.size(); ++i)
+    count += a.groups[i] != b.groups[i];
+  const bool others[] = {a.compensation != b.compensation,
+                         a.profile != b.profile,
+                         a.seeksBranch != b.seeksBranch,
+                         a.restoresModes != b.restoresModes,
+                         a.tool.peek() != b.tool.peek(),
+                         a.spindle.peek() != b.spindle.peek(),
+                         a.lengthOffset.peek() != b.lengthOffset.peek(),
+                         a.radiusOffset.peek() != b.radiusOffset.peek(),
+                         !(a.switches == b.switches)};
+  return count + unsigned(std::count(std::begin(others), std::end(others), true));
 }
 
 } // namespace ncvet

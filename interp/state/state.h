@@ -367,8 +367,8 @@ bool covers(const MachineState &a, const MachineState &b);
 MachineState join(const MachineState &a, const MachineState &b);
 /// As `join`, but with every value that moved given up: chains of it end.
 MachineState widen(const MachineState &previous, const MachineState &next);
-/// States with the same fingerprint differ in numbers only, not in modes: distance mode, plane,
-/// units, compensation, cycle, tool.
-uint64_t controlFingerprint(const Dialect &dialect, const MachineState &state);
+/// In how many modes the states of two paths that meet differ: codes in force, compensation, tool
+/// and its offsets, spindle, switches. Where it is none, they differ in numbers only.
+unsigned modeDifferences(const MachineState &a, const MachineState &b);
 
 } // namespace ncvet
