@@ -1,5 +1,6 @@
 // An arc block that says neither where its centre is nor how large its radius is.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/measure.h"
 #include "interp/path/arc_block.h"
 
 namespace ncvet {
@@ -7,9 +8,16 @@ namespace {
 
 class ArcCentreMissing final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw}); }
+  void listen(Subscriptions &to) override {
+    if (llvm::any_of(to.dialect().codes, isCurveByCentre))
+      to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw, MotionKind::Feed});
+    else
+      to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.motion == MotionKind::Feed)
+      return curve(event, ctx);
     const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
     // A centre word of the wrong axis is another rule's business.
     if (words.radius || words.angle || words.hasCentre() ||
@@ -35,6 +43,27 @@ public:
   }
 
 private:
+  /// `G12`: the words of its own block give the centre, as the table's measures say.
+  static bool isCurveByCentre(const CodeInfo &code) {
+    return code.action == Action::CurveFeed &&
+           llvm::any_of(code.measures, [](const CycleMeasure &measure) {
+             return measure.what == Measure::CentreFirst;
+           });
+  }
+
+  /// A further arc of a code that runs on; of the first one the table speaks.
+  static void curve(const Event &event, RuleContext &ctx) {
+    if (event.code == noCode || !isCurveByCentre(ctx.code(event)) || ctx.codeWord(event) ||
+        ctx.block().hasAny(lettersMask("IJK")))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding
+          .message("`{0}` is still in force and this arc has no centre: I and J, or K",
+                   ctx.code(event).name)
+          .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
+                "`" + ctx.code(event).name + "` becomes active here");
+  }
+
   /// The words that give an arc without its centre: the radius, and the opening angle where there
   /// is one.
   static std::string shapeWords(const Dialect &dialect) {
