@@ -294,6 +294,7 @@ struct CodeInfo {
   std::string family;             ///< of cycles and what cancels them; empty: all are one
   bool firesInPlane = false;      ///< runs with every move in the plane, in its own block too
   bool stopsSpindle = false;      ///< the spindle is stopped after it, unless its block starts it
+  bool leavesNoSpeed = false;     ///< its move uses the S up
   bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
   bool returns = false;      ///< the tool comes back to where the move began
   bool waits = false;        ///< a modal cycle that does not run in its own block

@@ -297,6 +297,8 @@ constexpr Field codeFields[] = {
     flag<&CodeInfo::stopsSpindle>(
         "stopsSpindle", "the spindle does not turn after the code, unless its block starts "
                         "it"),
+    flag<&CodeInfo::leavesNoSpeed>("leavesNoSpeed",
+                                   "its S is its own: after its move no speed is in force"),
     flag<&CodeInfo::endsMotion>("endsMotion", "no motion code is in force after it"),
     flag<&CodeInfo::firesByMotionCode>(
         "firesByMotionCode",

@@ -289,6 +289,8 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
     outcome_.via = state_.position;
     state_.position = before_.position;
   }
+  if (code->leavesNoSpeed)
+    state_.clear(Fact::SpeedSet);
   if (code->action == Action::Linear)
     angleWords();
   // An arc by its centre and opening angle ends where that leads.

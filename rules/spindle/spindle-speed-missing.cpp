@@ -1,4 +1,5 @@
 // A spindle that is started without a speed, or with none above zero.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
 
@@ -14,6 +15,8 @@ class SpindleSpeedMissing final : public StatefulRule<SpindleSpeedMissingMemory>
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::SpindleChange, EventKind::CycleStart, EventKind::SpeedWord});
+    usesUp_ =
+        llvm::any_of(to.dialect().codes, [](const CodeInfo &code) { return code.leavesNoSpeed; });
     perRevolution_ = to.dialect().facts->feed.perRevolutionNeedsSpeed;
     if (perRevolution_ || !to.dialect().isLathe())
       to.onChange({EventKind::Motion});
@@ -40,7 +43,7 @@ private:
                            : TextPlace();
   }
 
-  static void atStart(const Event &event, RuleContext &ctx) {
+  void atStart(const Event &event, RuleContext &ctx) const {
     if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
     const CodeInfo &code = ctx.code(event);
@@ -64,6 +67,9 @@ private:
     if (!starts && llvm::any_of(code.words, [](const WordSpec &spec) {
           return spec.role == Role::Speed && spec.need != Need::Optional;
         }))
+      return;
+    // The S may come before the cut, where it is asked for again.
+    if (starts && usesUp_ && ctx.after().origin.of(StatePart::Speed).known())
       return;
     // The machine's builder may give a speed by a code of his own.
     if (ctx.after().may(Fact::UnknownCode))
@@ -107,6 +113,8 @@ private:
                       (state.must(Fact::SpeedSet) && state.speed == Interval::exactly(0));
     if (feeds && !ctx.dialect().isLathe())
       ofToolBefore(event, ctx);
+    if (feeds && usesUp_ && !state.may(Fact::SpeedSet))
+      afterTap(event, ctx);
     if (!perRevolution_ || !feeds || !none || event.code == noCode ||
         state.may(Fact::UnknownCode) ||
         state.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedPerRevolution)
@@ -119,6 +127,21 @@ private:
           .message("`{0}` feeds per revolution, and the spindle has no speed: the control stops",
                    ctx.code(event).name)
           .note(mode, "feed per revolution is switched on here");
+  }
+
+  /// The spindle was started before rigid tapping ended, which leaves no speed.
+  void afterTap(const Event &event, RuleContext &ctx) const {
+    const MachineState &state = ctx.after();
+    const Origin &speed = state.origin.of(StatePart::Speed);
+    constexpr uint8_t turning = spindleCw | spindleCcw;
+    if (!event.certain || event.code == noCode || state.may(Fact::UnknownCode) || !speed.known() ||
+        !state.spindle || (state.spindle & ~turning) || !memory().once.speaks(speed, ctx))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` cuts, and the S of line {1} was for rigid tapping only",
+                   ctx.code(event).name, lineOf(ctx, speed))
+          .note(speed, "the speed is programmed here");
   }
 
   static void atSpeed(const Event &event, RuleContext &ctx) {
@@ -134,6 +157,7 @@ private:
       finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));
   }
 
+  bool usesUp_ = false;        ///< codes of the control leave no speed in force
   bool perRevolution_ = false; ///< a feed per revolution needs a speed
 };
 
