@@ -101,9 +101,12 @@ std::optional<MachineSource> remapsNear(llvm::StringRef folder, const Dialect &d
     llvm::sys::path::remove_filename(at);
   }
   nlohmann::json made = nlohmann::json::object();
-  for (const auto &[name, taken] : codes)
-    if (llvm::none_of(dialect.codes, [&](const CodeInfo &code) { return code.name == name; }))
-      made[name] = {{"does", "machine-specific"}, {"title", "remapped code"}, {"takes", taken}};
+  for (const auto &remapped : codes) {
+    const auto isIt = [&](const CodeInfo &code) { return code.name == remapped.first; };
+    if (llvm::none_of(dialect.codes, isIt))
+      made[remapped.first] = {
+          {"does", "machine-specific"}, {"title", "remapped code"}, {"takes", remapped.second}};
+  }
   if (made.empty())
     return std::nullopt;
   return MachineSource{first, nlohmann::json{{"codes", made}}.dump()};
