@@ -240,8 +240,10 @@ TEST_P(ManualTraces, LeadThroughTheirPoints) {
     if (!json.contains("to"))
       continue;
     auto &point = path.emplace_back();
-    for (const std::string &axis : axes)
-      point.push_back(json["to"][axis].is_number() ? json["to"][axis].get<double>() : NAN);
+    for (const std::string &axis : axes) {
+      const auto to = json["to"].find(axis); // an axis of which nothing is known may be absent
+      point.push_back(to != json["to"].end() && to->is_number() ? to->get<double>() : NAN);
+    }
   }
   const auto meets = [](const std::vector<double> &place, const std::vector<double> &point) {
     for (size_t i = 0; i < point.size(); ++i)
