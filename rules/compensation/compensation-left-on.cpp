@@ -1,4 +1,4 @@
-// Radius compensation that is still on at a tool change, a return or the program's end.
+// Radius compensation that is still on at a tool change, a return, the end or the next contour.
 #include "analyzer/facts/after_calls.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"

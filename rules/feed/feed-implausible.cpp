@@ -1,4 +1,4 @@
-// A feed whose size belongs to the other feed unit.
+// A feed whose size belongs to the other feed unit, or with which nothing cuts.
 #include "analyzer/rule/report_once.h"
 #include "interp/value/units.h"
 

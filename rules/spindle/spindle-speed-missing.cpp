@@ -1,4 +1,4 @@
-// A spindle that is started without a speed, or with none above zero.
+// A spindle without a speed, with none above zero, or with that of the tool before.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
