@@ -1,7 +1,7 @@
 // What the callers of a program do after their calls, for rules on what a return leaves in force.
 #include "analyzer/facts/after_calls.h"
 
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/program/callers.h"
 
 namespace ncvet {
@@ -11,11 +11,11 @@ namespace {
 /// Blocks after a call: modes are ended long before that.
 constexpr unsigned lookAhead = 60;
 
-/// Whether the blocks after `block` end the mode before one relies on it.
-bool endsAfter(const FileIndex &index, Block block,
-               llvm::function_ref<AfterCall(const Block &)> judge) {
+/// Whether the blocks that come end the mode before one relies on it.
+bool endsAfter(BlocksAhead ahead, llvm::function_ref<AfterCall(const Block &)> judge) {
+  Block block;
   for (unsigned i = 0; i < lookAhead; ++i) {
-    if (!readOn(index, block) || !block.items.empty())
+    if (!ahead.next(block) || !block.items.empty())
       return false;
     const AfterCall after = judge(block);
     if (after == AfterCall::Relies)
@@ -29,6 +29,11 @@ bool endsAfter(const FileIndex &index, Block block,
 bool endsAfterEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin,
                         llvm::function_ref<AfterCall(const Block &)> judge) {
   const ProgramInfo &own = ctx.index().programAt(ctx.block().begin);
+  // Blocks of the caller's own program: no other program calls them.
+  if (ctx.caller() && ctx.caller()->program == &own) {
+    begin();
+    return ctx.caller()->once && endsAfter(BlocksAhead(ctx), judge);
+  }
   const Callers callers = callersOf(ctx.unit(), own);
   if (!callers.all || callers.places.empty())
     return false;
@@ -36,7 +41,7 @@ bool endsAfterEveryCall(const RuleContext &ctx, llvm::function_ref<void()> begin
     Block block;
     call.unit->index.read(call.block, block);
     begin();
-    return call.once && endsAfter(call.unit->index, block, judge);
+    return call.once && endsAfter({*call.unit, block}, judge);
   });
 }
 

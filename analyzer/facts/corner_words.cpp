@@ -55,19 +55,19 @@ bool isLine(const RuleContext &ctx, const Event &motion) {
   return motion.kind == EventKind::Motion && motion.certain && motion.motion == MotionKind::Feed;
 }
 
-bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between, bool &passed) {
+bool readNeighbour(const RuleContext &ctx, BlocksAhead &ahead, Block &next, unsigned between,
+                   bool &passed) {
   passed = false;
-  if (!readNext(ctx, next) || !next.items.empty())
+  if (!ahead.nextAtWork(next) || !next.items.empty())
     return false;
   for (unsigned i = 0; i < between; ++i) {
     if (axesOf(ctx, next) || !next.hasAny(lettersMask("M")) ||
         next.words.size() != codesOf(ctx.dialect(), next).size() ||
         findCode(ctx.dialect(), next,
-                 {Action::Cycle, Action::CallProgram, Action::CallLocal, Action::MacroCall,
-                  Action::ProgramEnd, Action::ProgramEndRewind, Action::Return, Action::ProgramStop,
+                 {Action::Cycle, Action::ProgramEnd, Action::ProgramEndRewind, Action::ProgramStop,
                   Action::ToolChange}))
       break;
-    if (!readOn(ctx, next) || !next.items.empty() || next.skip >= 0)
+    if (!ahead.nextAtWork(next) || !next.items.empty() || next.skip >= 0)
       return false;
     passed = true;
   }

@@ -1,6 +1,7 @@
 // Which words of a block are chamfers, roundings and line angles.
 #pragma once
 
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
@@ -32,7 +33,8 @@ constexpr unsigned blocksBetweenMoves = 3;
 /// Reads the block that the corner of the current block has to reckon with: the next one, or, past
 /// at most `between` blocks that neither move nor run a cycle, the one after these. False when
 /// none is found, or when something decides at run time what comes. `passed`: it is not the next.
-bool readNeighbour(const RuleContext &ctx, Block &next, unsigned between, bool &passed);
+bool readNeighbour(const RuleContext &ctx, BlocksAhead &ahead, Block &next, unsigned between,
+                   bool &passed);
 
 /// Axes that the words of a block that was read ahead name.
 uint16_t axesOf(const RuleContext &ctx, const Block &block);

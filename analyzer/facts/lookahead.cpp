@@ -1,4 +1,4 @@
-// Looks ahead in the text for rules: the next block and its words.
+// Looks at blocks round the current one for rules, and at their words.
 #include "analyzer/facts/lookahead.h"
 
 #include "analyzer/program/block_reading.h"
@@ -26,24 +26,19 @@ bool readFrom(const FileIndex &index, uint32_t offset, uint32_t end, Block &next
 
 } // namespace
 
-bool readNext(const RuleContext &ctx, Block &next) {
-  return readFrom(ctx.index(), ctx.block().next, ctx.index().programAt(ctx.block().begin).end,
-                  next);
-}
-
 bool readOn(const FileIndex &index, Block &block) {
   const uint32_t from = block.next;
   return readFrom(index, from, index.programAt(block.begin).end, block);
 }
 
-SourceRange wordsRange(const RuleContext &ctx, const Block &block) {
-  SourceRange range{ctx.source().id(), block.end, block.begin};
+SourceRange wordsRange(FileId file, const Block &block) {
+  SourceRange range{file, block.end, block.begin};
   for (const Word &word : block.words) {
     range.begin = std::min(range.begin, word.offset);
     range.end = std::max(range.end, block.endOf(word));
   }
   if (range.begin >= range.end)
-    range = {ctx.source().id(), block.begin, std::max(block.end, block.begin + 1)};
+    range = {file, block.begin, std::max(block.end, block.begin + 1)};
   return range;
 }
 

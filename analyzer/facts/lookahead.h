@@ -1,16 +1,14 @@
-// Looks ahead in the text for rules: the next block and its words.
+// Looks at blocks round the current one for rules, and at their words.
 #pragma once
 
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
 
-/// Reads the next block after the current one that holds anything to execute, in the same program.
-/// False at the program's end. Jumps and calls are not followed.
-bool readNext(const RuleContext &ctx, Block &next);
-/// The same, after a block that `readNext` returned; `block` is overwritten.
+/// Reads the next block in the text after `block` that holds anything to execute, in the same
+/// program; `block` is overwritten. False at the program's end. What the control executes next
+/// `BlocksAhead` tells.
 bool readOn(const FileIndex &index, Block &block);
-inline bool readOn(const RuleContext &ctx, Block &block) { return readOn(ctx.index(), block); }
 
 /// Reads the block with content that is before the current one; false at the program's
 /// begin.
@@ -20,7 +18,10 @@ bool readPrevious(const RuleContext &ctx, Block &previous);
 bool readBack(const RuleContext &ctx, Block &block);
 
 /// Where the words of a block of this file are.
-SourceRange wordsRange(const RuleContext &ctx, const Block &block);
+SourceRange wordsRange(FileId file, const Block &block);
+inline SourceRange wordsRange(const RuleContext &ctx, const Block &block) {
+  return wordsRange(ctx.source().id(), block);
+}
 
 /// Codes of a block that was read ahead, without their variants.
 llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block);

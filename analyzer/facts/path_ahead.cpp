@@ -15,8 +15,21 @@ constexpr double shortest = 1e-6; // mm
 /// Directions are parallel when their sine is below this.
 constexpr double parallel = 1e-6;
 
+/// Whether what comes after the block runs in the state that the block leaves.
 bool goesOn(const Outcome &outcome) {
-  return outcome.flow.kind == FlowKind::Next && outcome.callsModally == Truth::No;
+  if (outcome.callsModally != Truth::No || outcome.flow.macro)
+    return false;
+  switch (outcome.flow.kind) {
+  case FlowKind::Next:
+  case FlowKind::Call:
+  case FlowKind::CallLocal:
+  case FlowKind::Return:
+    return true;
+  case FlowKind::Jump:
+    return outcome.flow.condition == Truth::Yes;
+  default:
+    return false;
+  }
 }
 
 /// Whether lengths are the same inside of the frames and outside.
@@ -67,29 +80,26 @@ ExecutedBlock executedBlock(const RuleContext &ctx) {
 }
 
 PathAhead::PathAhead(const RuleContext &ctx)
-    : dialect_(&ctx.dialect()), machine_(&ctx.machine()), index_(&ctx.index()),
+    : dialect_(&ctx.dialect()), machine_(&ctx.machine()), ahead_(ctx),
       executor_(ctx.dialect(), ctx.machine(), ctx.source().id()), after_(ctx.after()),
-      ended_(!goesOn(ctx.outcome())) {
-  block_.begin = ctx.block().begin;
-  block_.next = ctx.block().next;
-}
+      ended_(!goesOn(ctx.outcome())) {}
 
 bool PathAhead::next() {
   constexpr uint32_t ends = bitOf(EventKind::UnknownCode) | bitOf(EventKind::ToolChange) |
                             bitOf(EventKind::CycleStart) | bitOf(EventKind::CycleRun) |
-                            bitOf(EventKind::CoordinateChange) | bitOf(EventKind::Call) |
-                            bitOf(EventKind::Return) | bitOf(EventKind::ProgramEnd);
-  for (unsigned i = 0; i <= blocksBetween && !ended_; ++i) {
+                            bitOf(EventKind::CoordinateChange) | bitOf(EventKind::ProgramEnd);
+  for (unsigned i = 0; i <= blocksBetween && !ended_;) {
     ended_ = true;
-    if (!readOn(*index_, block_) || !block_.items.empty() || block_.skip >= 0)
+    if (!ahead_.next(block_) || !block_.items.empty() || block_.skip >= 0)
       return false;
     before_ = after_;
     executor_.execute(block_, before_, after_, outcome_);
-    if (outcome_.flow.kind != FlowKind::Next || outcome_.kinds & ends)
+    if (outcome_.kinds & ends)
       return false;
     ended_ = !goesOn(outcome_);
     if (outcome_.kinds & bitOf(EventKind::Motion))
       return true;
+    i += outcome_.flow.kind == FlowKind::Next;
   }
   return false;
 }

@@ -1,7 +1,7 @@
 // The path after the current block, followed in the text for rules that look at two elements.
 #pragma once
 
-#include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/blocks_ahead.h"
 #include "interp/path/corner_path.h"
 
 namespace ncvet {
@@ -15,10 +15,11 @@ class PathAhead {
 public:
   explicit PathAhead(const RuleContext &ctx);
 
-  /// On to the next block that moves. False when none follows soon, or when what comes before it
-  /// decides itself at run time, leaves the text, or changes the coordinates.
+  /// On to the next block that moves, in whichever program that is. False when none follows soon,
+  /// or when what comes before it decides itself at run time, or changes the coordinates.
   bool next();
   const Block &block() const { return block_; }
+  SourceRange range() const { return ahead_.range(block_); }
   const Outcome &outcome() const { return outcome_; }
   ExecutedBlock executed() const {
     return {*dialect_, *machine_, block_, outcome_, before_, after_};
@@ -27,9 +28,9 @@ public:
 private:
   const Dialect *dialect_;
   const MachineProfile *machine_;
-  const FileIndex *index_;
+  BlocksAhead ahead_;
   Executor executor_;
-  Block block_; ///< only its place is known until the first move is found
+  Block block_;
   Outcome outcome_;
   MachineState before_, after_;
   bool ended_;

@@ -53,7 +53,7 @@ void BlockFlow::leave(Step &step) {
 
 void BlockFlow::endProgram(Step &step) {
   const Region &region = step.region();
-  if (region.kind == RegionKind::Main || region.kind == RegionKind::Profile || region.depth == 0)
+  if (region.kind == RegionKind::Main || region.kind == RegionKind::Profile || region.depth() == 0)
     return;
   run_.issue(FlowIssue::EndInSubprogram, step, step.flowRange());
   if (region.unit.dialect->endReturns)

@@ -49,22 +49,22 @@ bool Calls::mayEnter(const Step &step, const Callee &callee) {
   if (recurs(region, callee)) {
     // Without a condition nothing ends it; with one it is followed until the control's levels end.
     const bool conditional = run_.shape(*callee.unit, *callee.program).branches;
-    if (!conditional || region.depth + 1 >= run_.limits.callDepth) {
+    if (!conditional || region.depth() + 1 >= run_.limits.callDepth) {
       run_.issue(FlowIssue::Recursion, step, where,
                  {callee.unit->source.id(), callee.start, callee.start + 1});
       return false;
     }
   }
   const unsigned allowed = region.unit.dialect->limits.callDepth;
-  if (allowed && region.depth + 1 > allowed)
+  if (allowed && region.depth() + 1 > allowed)
     run_.issue(FlowIssue::TooDeep, step, where);
-  return region.depth + 1 < run_.limits.callDepth;
+  return region.depth() + 1 < run_.limits.callDepth;
 }
 
 void Calls::enter(Step &step, const Callee &callee, const Passes &passes) {
-  passes_.run(step,
-              {*callee.unit, *callee.program, callee.start, callee.kind, step.region().depth + 1},
-              passes);
+  const CallSite site{&step.unit(), &step.region().program, passes.next,
+                      passes.known && passes.count <= 1, step.region().caller};
+  passes_.run(step, {*callee.unit, *callee.program, callee.start, callee.kind, &site}, passes);
 }
 
 void Calls::call(Step &step) {

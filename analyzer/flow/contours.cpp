@@ -97,7 +97,7 @@ void Contours::section(const Step &step, llvm::StringRef labels) {
   read.state.clear(Fact::Cut);
   enterContour(read.state);
   read.path = run_.lengthen(read.path, PathNode::Kind::Call, where);
-  Region body{unit, region.program, *first, RegionKind::Section, region.depth};
+  Region body{unit, region.program, *first, RegionKind::Section, region.caller};
   body.stopAt = end.next;
   bodies_.run(body, std::move(read));
 }
@@ -119,10 +119,11 @@ void Contours::read(Step &step, const CodeInfo &cycle, const Callee &callee,
   if (!has(cycle, CycleTrait::Turned) && !has(cycle, CycleTrait::TurnsContour))
     enterContour(read.state);
   read.path = run_.lengthen(read.path, PathNode::Kind::Call, step.flowRange());
-  const Region region{*callee.unit, *callee.program, callee.start, callee.kind,
-                      step.region().depth + 1};
+  const CallSite site{&step.unit(), &step.region().program, step.block.next, true,
+                      step.region().caller};
+  const Region region{*callee.unit, *callee.program, callee.start, callee.kind, &site};
   if (!bodies_.isRunning(region.unit, region.start, region.kind) &&
-      region.depth < run_.limits.callDepth) {
+      region.depth() < run_.limits.callDepth) {
     const bool stopped = run_.stopped;
     if (passes)
       run_.listeners.add(*passes);
@@ -218,8 +219,8 @@ void Contours::profile(Step &step) {
   Live contour = step.live;
   contour.state.profile = finishing ? ProfileMode::Executed : ProfileMode::Recorded;
   contour.path = run_.lengthen(contour.path, PathNode::Kind::Call, step.flowRange(), flow.first);
-  const Region body{unit,         region.program, bounds->first, RegionKind::Profile,
-                    region.depth, bounds->last};
+  const Region body{unit,          region.program, bounds->first, RegionKind::Profile,
+                    region.caller, bounds->last};
   Exits exits = bodies_.run(body, std::move(contour));
   run_.listeners.tell([](FlowListener &listener) { listener.contourEnded(); });
   if (finishing)

@@ -10,13 +10,20 @@
 
 namespace ncvet {
 
+namespace {
+
+/// Calls the programs that nothing known calls.
+constexpr CallSite somewhere;
+
+} // namespace
+
 Engine::Engine(Project &project, FileUnit &unit, const AnalysisLimits &limits,
                const std::atomic<bool> *cancel)
     : FlowRun(project, unit, limits), cancel_(cancel), flow_(*this) {}
 
 Exits Engine::execute(const Region &region, Lives entry) {
   const bool straightOn = &region.unit == &unit && region.kind == RegionKind::Main &&
-                          region.depth == 0 && callStack.empty();
+                          region.depth() == 0 && callStack.empty();
   if (!runs_ || !straightOn)
     return RegionRun(*this, flow_, region, std::move(entry), nullptr, cancel_).execute();
   RunRecorder recorder(*runs_, unit, rules_->dispatcher(), rules_->collector());
@@ -50,7 +57,7 @@ void Engine::runMainProgram() {
   }
   const bool subprogram = main.kind == ProgramKind::Unknown ? endings.returns && !endings.ends
                                                             : main.kind == ProgramKind::Subprogram;
-  enter({unit, main, main.body, RegionKind::Main, 0},
+  enter({unit, main, main.body, RegionKind::Main},
         subprogram ? EntryState::CallerUnknown : EntryState::Known);
 }
 
@@ -67,9 +74,10 @@ void Engine::runOtherPrograms() {
     const bool subprogram =
         program.kind == ProgramKind::Subprogram || (endings.returns && !endings.ends);
     if (subprogram)
-      enter({unit, program, program.body, RegionKind::Subprogram, 1}, EntryState::CallerUnknown);
+      enter({unit, program, program.body, RegionKind::Subprogram, &somewhere},
+            EntryState::CallerUnknown);
     else
-      enter({unit, program, program.body, RegionKind::Main, 0}, EntryState::Known);
+      enter({unit, program, program.body, RegionKind::Main}, EntryState::Known);
   }
 }
 
@@ -82,7 +90,7 @@ void Engine::runOtherSubprograms() {
     if (stopped || used.bracketed.count(block.next))
       continue;
     callerUnknown = true;
-    enter({unit, unit.index.programAt(head), block.next, RegionKind::LocalSubprogram, 1},
+    enter({unit, unit.index.programAt(head), block.next, RegionKind::LocalSubprogram, &somewhere},
           EntryState::Uncalled);
     callerUnknown = false;
   }
@@ -92,7 +100,7 @@ void Engine::follow() {
   const ProgramInfo &main = unit.index.programs().front();
   Lives lives = startOf(false);
   lives[0].skip.fill(SkipSwitch::Off);
-  execute({unit, main, main.body, RegionKind::Main, 0}, std::move(lives));
+  execute({unit, main, main.body, RegionKind::Main}, std::move(lives));
 }
 
 /// Tells what was seen of the file as a whole.

@@ -181,7 +181,7 @@ void Jumps::goOnIn(const Step &step, Live live, FileUnit &unit, const ProgramInf
   const RegionKind kind = region.kind == RegionKind::Section ? RegionKind::Main : region.kind;
   if (bodies_.isRunning(unit, target, kind) || bodies_.isDeep())
     return run_.cut(step.blockRange(), "programs jump into each other");
-  for (Returned &exit : bodies_.run({unit, program, target, kind, region.depth}, std::move(live)))
+  for (Returned &exit : bodies_.run({unit, program, target, kind, region.caller}, std::move(live)))
     step.activation.exits.push_back(std::move(exit));
 }
 

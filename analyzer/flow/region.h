@@ -1,6 +1,7 @@
 // A piece of a program that is run, and the states that run through it.
 #pragma once
 
+#include "analyzer/program/call_site.h"
 #include "analyzer/program/project.h"
 #include "analyzer/rule/path_node.h"
 #include "interp/state/state.h"
@@ -29,9 +30,12 @@ struct Region {
   const ProgramInfo &program;
   uint32_t start;
   RegionKind kind;
-  unsigned depth = 0;
-  uint32_t lastBlock = ~0u; ///< profile: offset of the last block
-  uint32_t stopAt = ~0u;    ///< section: offset after its last block
+  const CallSite *caller = nullptr; ///< null: nothing that is known calls it
+  uint32_t lastBlock = ~0u;         ///< profile: offset of the last block
+  uint32_t stopAt = ~0u;            ///< section: offset after its last block
+
+  /// Number of calls between the main program and this.
+  unsigned depth() const { return caller ? caller->depth : 0; }
 };
 
 /// A region that is being executed: its file, start, kind and end. Sections and profiles of one

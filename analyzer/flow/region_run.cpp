@@ -202,7 +202,7 @@ bool RegionRun::passOver() {
 /// Counts the block; false: there have been too many.
 bool RegionRun::spend() {
   const uint64_t budget = run_.limits.repeatedBlocks;
-  if (firstTime_ && region_.depth == 0 && region_.kind == RegionKind::Main) {
+  if (firstTime_ && region_.depth() == 0 && region_.kind == RegionKind::Main) {
     ++run_.blocks;
   } else if ((run_.repeated += workOf(block_) * lives_.size()) > budget) {
     if (!run_.abstract)

@@ -15,23 +15,23 @@ FlowInterest RuleHost::interest() const {
 }
 
 void RuleHost::executed(const Step &step, bool continues) {
-  const unsigned depth = step.region().depth;
+  const CallSite *const caller = step.region().caller;
   if (continues)
     dispatcher_.dispatchMove(step.unit(), step.block, step.outcome, step.before, step.live.state,
-                             depth);
+                             caller);
   else
     dispatcher_.dispatch(step.unit(), step.block, step.outcome, step.before, step.live.state,
-                         depth);
+                         caller);
 }
 
 void RuleHost::problem(const Step &step, const FlowProblem &problem) {
   dispatcher_.flowIssue(problem.kind, step.unit(), step.block, step.outcome, problem.before,
-                        problem.after, step.region().depth, problem.where, problem.related);
+                        problem.after, step.region().caller, problem.where, problem.related);
 }
 
 void RuleHost::callReturned(const Step &step, const MachineState &after) {
   dispatcher_.callReturned(step.unit(), step.block, step.outcome, step.before, after,
-                           step.region().depth);
+                           step.region().caller);
 }
 
 void RuleHost::entered(EntryState entry) {
@@ -41,7 +41,7 @@ void RuleHost::entered(EntryState entry) {
 
 void RuleHost::unreached(FileUnit &unit, const Block &block, const Outcome &outcome,
                          const MachineState &before, const MachineState &after) {
-  dispatcher_.dispatch(unit, block, outcome, before, after, 0);
+  dispatcher_.dispatch(unit, block, outcome, before, after, nullptr);
 }
 
 void RuleHost::finished(const FileSummary &summary) { dispatcher_.finish(summary, unit_); }

@@ -110,7 +110,7 @@ void Sections::repeat(Step &step) {
     passes.next = end;
   passes.setCount(item.count == noExpression ? Value::of(1) : flow.repeat);
   step.live.path = run_.lengthen(step.live.path, PathNode::Kind::LoopPass, step.flowRange());
-  Region body{unit, region.program, start, RegionKind::Section, region.depth};
+  Region body{unit, region.program, start, RegionKind::Section, region.caller};
   body.stopAt = end;
   passes_.run(step, body, passes);
 }

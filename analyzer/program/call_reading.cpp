@@ -2,6 +2,7 @@
 #include "analyzer/program/call_reading.h"
 
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/program_names.h"
 #include "analyzer/program/references.h"
 #include "formats/readers/table_words.h"
 

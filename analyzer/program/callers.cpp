@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/call_reading.h"
+#include "analyzer/program/program_names.h"
 #include "analyzer/program/references.h"
 
 #include "llvm/Support/FileSystem.h"

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/program_names.h"
+#include "analyzer/program/reference_reader.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/execute/execute.h"
 
@@ -83,6 +84,12 @@ FileUnit::FileUnit(const SourceFile &file, std::shared_ptr<const Dialect> langua
       executor_(std::make_unique<const Executor>(*dialect, machine, file.id())) {}
 
 FileUnit::~FileUnit() = default;
+
+const ReferenceReader &FileUnit::references() const {
+  if (!references_)
+    references_ = std::make_unique<const ReferenceReader>(*dialect);
+  return *references_;
+}
 
 Project::Project(SourceSet &sources, std::shared_ptr<const Dialect> dialect, MachineProfile machine,
                  std::vector<std::string> searchFolders, std::shared_ptr<ProgramFolders> folders)

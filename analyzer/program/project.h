@@ -17,6 +17,7 @@ namespace ncvet {
 
 class Executor;
 class Project;
+class ReferenceReader;
 
 /// A file with its dialect, reader, index and executor.
 struct FileUnit {
@@ -33,10 +34,13 @@ struct FileUnit {
   llvm::StringMap<bool> hides; ///< names of the control's programs, as far as they were asked for
 
   const Executor &executor() const { return *executor_; }
+  /// Reads what blocks of the file refer to; made when first asked for.
+  const ReferenceReader &references() const;
 
 private:
   /// A pointer: who only wants the files of an analysis need not see the machine's state.
   std::unique_ptr<const Executor> executor_;
+  mutable std::unique_ptr<const ReferenceReader> references_;
 };
 
 /// Which programs lie in which folder; each folder is read once. Safe for several threads.

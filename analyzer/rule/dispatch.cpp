@@ -1,16 +1,20 @@
 // Hands the events of a block to the rules that listen for them.
 #include "analyzer/rule/dispatch.h"
 
+#include "llvm/ADT/StringMap.h"
+#include "llvm/Support/MathExtras.h"
+
 namespace ncvet {
 
 Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
                        const RuleSelection &selection, Collector &collector)
     : byCode_(dialect.codes.size()), noticesOf_(dialect.codes.size()), context_(collector) {
   const llvm::ArrayRef<RuleEntry> table = allRules();
-  std::vector<CodeIndex> noticed; // codes of which the table has something to say
+  llvm::StringMap<llvm::SmallVector<CodeIndex, 4>> noticed; // by rule: codes with notices for it
   for (size_t code = 0; code < dialect.codes.size(); ++code)
-    if (!dialect.codes[code].notices.empty())
-      noticed.push_back(CodeIndex(code));
+    for (const Notice &notice : dialect.codes[code].notices)
+      if (auto &codes = noticed[notice.rule]; codes.empty() || codes.back() != code)
+        codes.push_back(CodeIndex(code));
   for (size_t i = 0; i < table.size(); ++i) {
     if (i < selection.enabled.size() && !selection.enabled[i])
       continue;
@@ -37,16 +41,16 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
       rememberers_.push_back(listener.rule);
     listenToKinds(listener, subscriptions);
     // Facts of the table are reported for every rule; some do so themselves.
-    listenToNotices(listener.id, dialect, noticed, !subscriptions.noticesHandled());
+    if (const auto codes = noticed.find(table[i].info.id); codes != noticed.end())
+      listenToNotices(listener.id, dialect, codes->second, !subscriptions.noticesHandled());
     listenToCodes(listener, subscriptions);
   }
 }
 
 void Dispatcher::listenToKinds(const Listener &listener, const Subscriptions &subscriptions) {
   kinds_ |= subscriptions.kinds();
-  for (unsigned kind = 0; kind < unsigned(EventKind::Count); ++kind)
-    if (subscriptions.kinds() >> kind & 1)
-      byKind_[kind].push_back(listener);
+  for (uint32_t left = subscriptions.kinds(); left; left &= left - 1)
+    byKind_[llvm::countTrailingZeros(left)].push_back(listener);
   for (const EventKind kind : {EventKind::Block, EventKind::Motion})
     if (subscriptions.everyBlock() & bitOf(kind))
       everyBlock_.emplace_back(kind, listener);
@@ -54,12 +58,8 @@ void Dispatcher::listenToKinds(const Listener &listener, const Subscriptions &su
 
 void Dispatcher::listenToNotices(RuleId rule, const Dialect &dialect,
                                  llvm::ArrayRef<CodeIndex> noticed, bool report) {
-  const llvm::StringRef name = allRules()[rule].info.id;
   for (const CodeIndex code : noticed) {
-    const CodeInfo &info = dialect.codes[code];
-    if (llvm::none_of(info.notices, [&](const Notice &notice) { return notice.rule == name; }))
-      continue;
-    if (info.action == Action::Cycle) {
+    if (dialect.codes[code].action == Action::Cycle) {
       kinds_ |= bitOf(EventKind::CycleRun);
       noticesOf_[code].push_back(rule);
     }
@@ -73,14 +73,16 @@ void Dispatcher::listenToNotices(RuleId rule, const Dialect &dialect,
 void Dispatcher::listenToCodes(const Listener &listener, const Subscriptions &subscriptions) {
   for (const CodeIndex code : subscriptions.codes()) {
     kinds_ |= bitOf(EventKind::Code);
-    if (llvm::none_of(byCode_[code], [&](const Listener &l) { return l.rule == listener.rule; }))
-      byCode_[code].push_back(listener);
+    // A rule subscribes at once: what it has asked for twice comes one after the other.
+    std::vector<Listener> &listeners = byCode_[code];
+    if (listeners.empty() || listeners.back().rule != listener.rule)
+      listeners.push_back(listener);
   }
 }
 
 void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
                          const MachineState &before, const MachineState &after,
-                         unsigned callDepth) {
+                         const CallSite *caller) {
   context_.dialect_ = unit.dialect.get();
   context_.machine_ = &unit.machine;
   context_.unit_ = &unit;
@@ -90,15 +92,15 @@ void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outc
   context_.outcome_ = &outcome;
   context_.before_ = &before;
   context_.after_ = &after;
-  context_.callDepth_ = callDepth;
+  context_.caller_ = caller;
 }
 
 void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                           const MachineState &before, const MachineState &after,
-                          unsigned callDepth) {
+                          const CallSite *caller) {
   if (!(outcome.kinds & kinds_))
     return;
-  prepare(unit, block, outcome, before, after, callDepth);
+  prepare(unit, block, outcome, before, after, caller);
   for (const Event &event : outcome.events) {
     if (!(bitOf(event.kind) & kinds_))
       continue;
@@ -136,8 +138,8 @@ void Dispatcher::reportChanged(const Event &event) {
 
 void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
                               const MachineState &before, const MachineState &after,
-                              unsigned callDepth) {
-  prepare(unit, block, outcome, before, after, callDepth);
+                              const CallSite *caller) {
+  prepare(unit, block, outcome, before, after, caller);
   for (const Event &event : outcome.events)
     for (const auto &[kind, listener] : everyBlock_)
       if (kind == event.kind && listener.wants(event)) {
@@ -148,9 +150,9 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
 
 void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
                            const Outcome &outcome, const MachineState &before,
-                           const MachineState &after, unsigned callDepth, SourceRange where,
+                           const MachineState &after, const CallSite *caller, SourceRange where,
                            SourceRange related) {
-  prepare(unit, block, outcome, before, after, callDepth);
+  prepare(unit, block, outcome, before, after, caller);
   context_.flowRange_ = where;
   context_.flowRelated_ = related;
   Event event;
@@ -164,8 +166,8 @@ void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,
 
 void Dispatcher::callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
                               const MachineState &before, const MachineState &after,
-                              unsigned callDepth) {
-  prepare(unit, block, outcome, before, after, callDepth);
+                              const CallSite *caller) {
+  prepare(unit, block, outcome, before, after, caller);
   Event event;
   event.kind = EventKind::CallReturned;
   event.code = outcome.flow.code;
@@ -179,7 +181,7 @@ void Dispatcher::finish(const FileSummary &summary, FileUnit &unit) {
   static const Block noBlock;
   const Outcome noOutcome;
   const MachineState state = initialState(*unit.dialect);
-  prepare(unit, noBlock, noOutcome, state, state, 0);
+  prepare(unit, noBlock, noOutcome, state, state, nullptr);
   for (const Listener &listener : all_) {
     context_.rule_ = listener.id;
     listener.rule->finish(summary, context_);

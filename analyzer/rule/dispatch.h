@@ -18,18 +18,18 @@ public:
   /// Some rule wants to know of moves that only go on as the block before.
   bool wantsEveryMove() const { return !everyBlock_.empty(); }
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
-                const MachineState &before, const MachineState &after, unsigned callDepth);
+                const MachineState &before, const MachineState &after, const CallSite *caller);
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
   /// to know of every move.
   void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
-                    const MachineState &before, const MachineState &after, unsigned callDepth);
+                    const MachineState &before, const MachineState &after, const CallSite *caller);
   /// A `FlowIssue` event of its own, outside of what the block itself emitted.
   void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
-                 const MachineState &before, const MachineState &after, unsigned callDepth,
+                 const MachineState &before, const MachineState &after, const CallSite *caller,
                  SourceRange where, SourceRange related);
   /// A `CallReturned` event at the call: the state before the call and the one that came back.
   void callReturned(FileUnit &unit, const Block &block, const Outcome &outcome,
-                    const MachineState &before, const MachineState &after, unsigned callDepth);
+                    const MachineState &before, const MachineState &after, const CallSite *caller);
   void finish(const FileSummary &summary, FileUnit &unit);
   /// What the rules remember at this moment.
   void remember(RuleMemory &memory) const {
@@ -77,7 +77,7 @@ private:
   void listenToCodes(const Listener &listener, const Subscriptions &subscriptions);
   void reportChanged(const Event &event);
   void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
-               const MachineState &before, const MachineState &after, unsigned callDepth);
+               const MachineState &before, const MachineState &after, const CallSite *caller);
 
   std::vector<std::unique_ptr<Rule>> rules_;
   std::vector<Listener> all_;

@@ -1,6 +1,7 @@
 // The interface of rules: what they may listen to, what they may look at, how they report.
 #pragma once
 
+#include "analyzer/program/call_site.h"
 #include "analyzer/program/program_index.h"
 #include "analyzer/rule/rule_memory.h"
 #include "analyzer/rule/rule_table.h"
@@ -189,7 +190,9 @@ public:
   const MachineState &before() const { return *before_; }
   const MachineState &after() const { return *after_; }
   /// Number of calls between the main program and this block.
-  unsigned callDepth() const { return callDepth_; }
+  unsigned callDepth() const { return caller_ ? caller_->depth : 0; }
+  /// Where the program of this block was called; null: by nothing that is known.
+  const CallSite *caller() const { return caller_; }
   /// Where the flow that a `FlowIssue` event speaks of is written; a further place that explains
   /// it.
   SourceRange flowRange() const { return flowRange_; }
@@ -260,7 +263,7 @@ private:
   const Outcome *outcome_ = nullptr;
   const MachineState *before_ = nullptr;
   const MachineState *after_ = nullptr;
-  unsigned callDepth_ = 0;
+  const CallSite *caller_ = nullptr;
   SourceRange flowRange_, flowRelated_;
 };
 

@@ -1,6 +1,7 @@
 // Finds the names of a file: the pass over its blocks, their headers, numbers and words.
 #include "lsp/features/name_pass.h"
 
+#include "analyzer/program/program_names.h"
 #include "formats/readers/table_words.h"
 
 #include "llvm/ADT/SetVector.h"

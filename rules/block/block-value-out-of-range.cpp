@@ -1,4 +1,5 @@
 // A value outside of what its code takes.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
 #include "formats/text/number_text.h"
@@ -137,9 +138,10 @@ private:
   /// A lower limit after the upper one, unless the next block gives that anew.
   static void above(const Word &word, double value, const Memory::Limit &upper,
                     const CodeInfo &code, CodeIndex upperCode, RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
     Block next;
     if (value <= upper.first ||
-        (readNext(ctx, next) && llvm::is_contained(codesOf(ctx.dialect(), next), upperCode) &&
+        (ahead.next(next) && llvm::is_contained(codesOf(ctx.dialect(), next), upperCode) &&
          next.has(word.address)))
       return;
     if (auto finding = ctx.report(word))

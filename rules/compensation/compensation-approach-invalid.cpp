@@ -1,4 +1,5 @@
 // Corner and vector codes of compensation (G38, G39) where they cannot work.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
 
@@ -78,11 +79,13 @@ private:
     if (!flag || axesOf(ctx.dialect(), ctx.block()) ||
         ctx.block().hasAny(ctx.dialect().elementWords))
       return;
+    BlocksAhead ahead(ctx);
     Block next;
-    const bool more = readNext(ctx, next);
-    if (more && (next.hasAny(ctx.dialect().axisWords | ctx.dialect().elementWords |
-                             ctx.dialect().lineAngleWords | lettersMask("IJR")) ||
-                 !next.items.empty()))
+    const bool more = ahead.next(next);
+    if ((!more && !ahead.isOver()) ||
+        (more && (next.hasAny(ctx.dialect().axisWords | ctx.dialect().elementWords |
+                              ctx.dialect().lineAngleWords | lettersMask("IJR")) ||
+                  !next.items.empty())))
       return;
     if (auto finding = ctx.report(event))
       finding.message("`{0} {1}` approaches an element, and the next block gives none",

@@ -1,4 +1,5 @@
 // Compensation with a negative radius, which swaps its sides, and a stock that is left set.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/switch_left_on.h"
 #include "interp/evaluate/tool_data.h"
@@ -63,9 +64,10 @@ private:
         ctx.before().compensation != phaseOff)
       return;
     constexpr unsigned readable = 500;
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next), cuts = false;
-    for (unsigned i = 0; more && i < readable; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.next(next), cuts = false, ended = false;
+    for (unsigned i = 0; more && i < readable; ++i, more = ahead.next(next)) {
       for (const Item &item : next.items)
         if (item.kind != ItemKind::Assignment && item.kind != ItemKind::Instruction)
           return; // what runs next the text does not tell
@@ -77,20 +79,15 @@ private:
         case Action::CompensationRight:
         case Action::ProfileBegin:
         case Action::ProfileRun:
-        case Action::Return:
           return;
-        case Action::ProgramEnd:
-        case Action::ProgramEndRewind:
-          more = false;
-          break;
         default:
-          more &= other.base != code.base;
+          ended |= other.base == code.base;
         }
       }
-      if (!more)
+      if (ended)
         break;
     }
-    if (more || !cuts)
+    if (!cuts || (!ended && !ahead.isOver()))
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)

@@ -1,4 +1,5 @@
 // A compensation code without a move in the plane, and a subprogram that begins without one.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
@@ -140,8 +141,9 @@ private:
 
   /// The block after this one gives coordinates in the plane, and no code of its own.
   static bool nextMovesInPlane(RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
     Block next;
-    return readNext(ctx, next) &&
+    return ahead.next(next) &&
            (axesOf(ctx.dialect(), next) & planeAxes(ctx.dialect(), ctx.after())) &&
            !findCode(
                ctx.dialect(), next,

@@ -1,5 +1,6 @@
 // Radius compensation on the side of the material, or on that which the tool's nose does not have.
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/report_once.h"
 #include "interp/evaluate/tool_data.h"
@@ -138,7 +139,7 @@ private:
         return std::nullopt;
       if (dx.lo == 0 && dx.hi == 0)
         continue;
-      where = wordsRange(ctx, move.block);
+      where = ahead.range();
       return dx;
     }
     return std::nullopt;

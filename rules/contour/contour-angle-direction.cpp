@@ -139,7 +139,7 @@ private:
       return;
     const double half = std::sqrt(radius * radius - away * away) * (chosen.value() < 0 ? -1 : 1);
     const Point taken = foot + direction * half, other = foot - direction * half;
-    const SourceRange at{ctx.source().id(), angleWord->offset, ahead.block().endOf(*angleWord)};
+    const SourceRange at{ahead.range().file, angleWord->offset, ahead.block().endOf(*angleWord)};
     const bool met = onArc(taken, *arc.start, *arc.end, *centre, clockwise);
     const char *message = nullptr;
     if (met && direction.dot(target - taken) < -shortest)

@@ -1,4 +1,5 @@
 // A line by angle has too many or too few coordinates, or is in a block that is no line.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/corner_words.h"
 
 #include <bit>
@@ -63,9 +64,10 @@ public:
 private:
   /// A line of which only the angle is known ends where the next element begins.
   static bool nextIntersects(const RuleContext &ctx, uint16_t plane) {
+    BlocksAhead ahead(ctx);
     Block next;
-    if (!readNext(ctx, next))
-      return false;
+    if (!ahead.next(next))
+      return !ahead.isOver();
     if (!next.items.empty())
       return true;
     if (findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw}))

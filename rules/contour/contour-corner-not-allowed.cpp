@@ -63,9 +63,10 @@ private:
       outsidePlane(word, ctx);
       return;
     }
+    BlocksAhead ahead(ctx);
     Block next;
     bool passed = false;
-    if (!readNeighbour(ctx, next, between_, passed))
+    if (!readNeighbour(ctx, ahead, next, between_, passed))
       return;
     const uint16_t then = axesOf(ctx, next) & (x | z);
     if (passed && !(then & plane))
@@ -92,9 +93,7 @@ private:
                        : "`{0}` asks for a corner before a slanting line: both moves have to "
                          "run along one axis",
                    ctx.text(word))
-          .note(SourceRange{ctx.source().id(), next.words.front().offset,
-                            next.endOf(next.words.back())},
-                "the next move");
+          .note(ahead.range(next), "the next move");
   }
 
   /// `,R` and `,C`: between two feed moves in the selected plane.
@@ -107,9 +106,10 @@ private:
       outsidePlane(word, ctx);
       return;
     }
+    BlocksAhead ahead(ctx);
     Block next;
     bool passed = false;
-    if (!readNeighbour(ctx, next, blocksBetweenMoves, passed))
+    if (!readNeighbour(ctx, ahead, next, blocksBetweenMoves, passed))
       return;
     if (passed && axesOf(ctx, next) && !(axesOf(ctx, next) & plane))
       return; // another rule says that no move follows in the plane

@@ -72,8 +72,7 @@ private:
     const auto taken = out ? takenByCorner(corner, *in, *out) : std::nullopt;
     if (!taken)
       return;
-    const SourceRange next{ctx.source().id(), ahead.block().words.front().offset,
-                           ahead.block().endOf(ahead.block().words.back())};
+    const SourceRange next = ahead.range();
     if (*taken > in->length() + tolerance_) {
       if (auto finding = ctx.report(word))
         finding.message("`{0}` takes {1:f3} mm of this line, and it is {2:f3} mm long",

@@ -1,4 +1,5 @@
 // A chamfer or rounding has no following move.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/turning_profile.h"
 #include "formats/dialect/control_facts.h"
@@ -31,9 +32,10 @@ public:
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
     if (!(event.motion == MotionKind::Feed || (arc && !plain)) || takenByOther(ctx, corners_.plain))
       return;
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
-    for (unsigned i = 0; more; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.nextAtWork(next);
+    for (unsigned i = 0; more; ++i, more = ahead.nextAtWork(next)) {
       if (!next.items.empty() || next.skip >= 0)
         return;
       const uint16_t then = axesOf(ctx, next);
@@ -44,20 +46,19 @@ public:
         return;
       if (leaves && (!plane_ || i + 1 >= blocksBetweenMoves))
         break;
-      if (findCode(ctx.dialect(), next,
-                   {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
-        return;
       if (i + 1 >= (plain ? between_ : blocksBetweenMoves) ||
           findCode(ctx.dialect(), next,
-                   {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return,
-                    Action::ProgramStop, Action::ToolChange}))
+                   {Action::ProgramEnd, Action::ProgramEndRewind, Action::ProgramStop,
+                    Action::ToolChange}))
         break;
     }
+    if (!more && !ahead.isOver())
+      return;
     if (auto finding = ctx.report(*word)) {
       finding.message("`{0}` asks for a corner, and no move follows with which it could be made",
                       ctx.text(*word));
       if (more)
-        finding.note(ctx.range(next), "the next block");
+        finding.note(ahead.range(next), "the next block");
     }
   }
 

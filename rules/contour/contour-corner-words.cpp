@@ -1,4 +1,5 @@
 // Chamfer and rounding are in one block, have the wrong letter or the wrong sign.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
 #include "formats/dialect/control_facts.h"
@@ -123,8 +124,9 @@ private:
       return;
     const Axis axis = onlyX ? Axis::Z : Axis::X;
     const Interval size = ctx.value(word);
+    BlocksAhead ahead(ctx);
     Block next;
-    if (!size.isConstant() || size.value() == 0 || !readNext(ctx, next) || !next.items.empty() ||
+    if (!size.isConstant() || size.value() == 0 || !ahead.next(next) || !next.items.empty() ||
         axesOf(ctx, next) != uint16_t(1u << unsigned(axis)))
       return;
     const Word *target = next.findAny(ctx.dialect().axisWords);
@@ -145,8 +147,7 @@ private:
           .message("`{0}` points towards {1}{2}, but the next move goes towards {3}{2}",
                    ctx.text(word), size.value() > 0 ? "+" : "-", axis == Axis::X ? "X" : "Z",
                    way > 0 ? "+" : "-")
-          .note(SourceRange{ctx.source().id(), target->offset, next.endOf(*target)},
-                "the next move");
+          .note(ahead.range(next), "the next move");
   }
 
   CornerAddresses corners_;

@@ -1,4 +1,5 @@
 // Two blocks that the control has to intersect are incomplete or do not meet.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/element_geometry.h"
@@ -94,10 +95,12 @@ private:
     if (!angle || event.motion != MotionKind::Feed || (axesOf(ctx, ctx.block()) & plane) ||
         ctx.block().hasAny(maskOf('D') | elements_ | ctx.dialect().cornerWords))
       return;
+    BlocksAhead ahead(ctx);
     Block next;
-    if (readNext(ctx, next) &&
-        ((axesOf(ctx, next) & plane) || !next.items.empty() ||
-         next.hasAny(ctx.dialect().lineAngleWords | elements_ | lettersMask("IJKR"))))
+    if (ahead.next(next)
+            ? (axesOf(ctx, next) & plane) || !next.items.empty() ||
+                  next.hasAny(ctx.dialect().lineAngleWords | elements_ | lettersMask("IJKR"))
+            : !ahead.isOver())
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.message("this line has a direction and no end, and no element follows that gives it "
@@ -123,9 +126,10 @@ private:
     const bool contour =
         ctx.before().profile == ProfileMode::Recorded ||
         (ctx.before().compensation == phaseOn && ctx.after().compensation == phaseOn);
+    BlocksAhead ahead(ctx);
     Block next;
     if (!contour || ctx.block().words.size() != 1 || !ctx.block().items.empty() ||
-        !readNext(ctx, next) || !next.items.empty() ||
+        !ahead.next(next) || !next.items.empty() ||
         !findCode(ctx.dialect(), next,
                   {Action::Rapid, Action::Linear, Action::ArcCw, Action::ArcCcw}))
       return;
@@ -291,11 +295,12 @@ private:
 
   /// A line by angle alone, then a circle that has to be complete.
   static void lineAndCircle(RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
     Block next;
-    if (!readNext(ctx, next) || !next.items.empty() ||
+    if (!ahead.next(next) || !next.items.empty() ||
         !findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw}))
       return;
-    SourceRange range{ctx.source().id(), next.words.front().offset, next.endOf(next.words.back())};
+    const SourceRange range = ahead.range(next);
     const unsigned centres = unsigned(next.has(letterAddress('I'))) +
                              unsigned(next.has(letterAddress('J'))) +
                              unsigned(next.has(letterAddress('K')));
@@ -359,8 +364,9 @@ private:
     if (dialect.isLathe() || ctx.block().has(letterAddress('Q')) || event.inMachineCoordinates() ||
         ctx.after().compensation == phaseOff || !ctx.after().frames.empty())
       return;
+    BlocksAhead ahead(ctx);
     Block next;
-    if (!readNext(ctx, next) || !next.items.empty() || !next.has(letterAddress('Q')) ||
+    if (!ahead.next(next) || !next.items.empty() || !next.has(letterAddress('Q')) ||
         (axesOf(ctx, next) & plane) != plane)
       return;
     const bool toArc = findCode(dialect, next, {Action::ArcCw, Action::ArcCcw});
@@ -368,7 +374,7 @@ private:
     if (toArc == bool(angle) || (angle && !findCode(dialect, next, {Action::Linear})))
       return;
     if (toArc && next.has(letterAddress('R')))
-      incremental(next, wordsRange(ctx, next), ctx);
+      incremental(next, ahead.range(next), ctx);
     const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
     const ArcGeometry arc =
         arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());

@@ -1,5 +1,6 @@
 // A modal cycle is still active where the operation is over: tool change, program end, return.
 #include "analyzer/facts/after_calls.h"
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
@@ -169,18 +170,19 @@ private:
     const Origin &origin = after.origin.of(StatePart::Cycle);
     if (!cycle || !endsByMotion(*cycle, dialect) || !origin.known())
       return;
+    BlocksAhead ahead = BlocksAhead::afterCall(ctx);
     Block next;
-    bool more = readNext(ctx, next);
+    bool more = ahead.next(next);
     constexpr unsigned lookAhead = 20;
     for (unsigned i = 0;
          more && next.items.empty() && !next.hasAny(dialect.axisWords | lettersMask("GT")) &&
-         !findCode(dialect, next, callsAndEnds);
+         !findCode(dialect, next, {Action::ProgramEnd, Action::ProgramEndRewind});
          ++i)
-      more = i < lookAhead && readOn(ctx, next);
+      more = i < lookAhead && ahead.next(next);
     if (!more || !next.items.empty() || next.hasAny(lettersMask("GT")) ||
         !(onFreeSide(next, 'X', Axis::X, ctx) || onFreeSide(next, 'Z', Axis::Z, ctx)))
       return;
-    if (auto finding = ctx.report(wordsRange(ctx, next)))
+    if (auto finding = ctx.report(ahead.range(next)))
       finding
           .message("`{0}` of line {1} is still active after the call: this position {2} again",
                    cycle->name, lineOf(ctx, origin), verbOf(cycle->cycle))
@@ -201,10 +203,6 @@ private:
     return (pass < -least && place > least) || (pass > least && place < -least);
   }
 
-  static constexpr std::initializer_list<Action> callsAndEnds = {
-      Action::CallProgram, Action::CallLocal, Action::Return, Action::ProgramEnd,
-      Action::ProgramEndRewind};
-
   /// A program that switches the cycle on for its caller, which gives the places and ends it, does
   /// what it is there for.
   void backInCaller(RuleContext &ctx) const {
@@ -221,8 +219,9 @@ private:
 
   /// Only the return is after the call.
   static bool nothingAfter(RuleContext &ctx) {
+    BlocksAhead ahead = BlocksAhead::afterCall(ctx);
     Block next;
-    return !readNext(ctx, next) || findCode(ctx.dialect(), next, {Action::Return});
+    return !ahead.next(next) || findCode(ctx.dialect(), next, {Action::Return});
   }
 
   /// Whether only places in the plane are between the call and the end of the cycle.
@@ -230,9 +229,10 @@ private:
     constexpr unsigned most = 200; // blocks that are read
     const Dialect &dialect = ctx.dialect();
     const uint16_t tool = uint16_t(1u << unsigned(toolAxis(dialect, ctx.after())));
+    BlocksAhead ahead = BlocksAhead::afterCall(ctx);
     Block next;
-    bool more = readNext(ctx, next);
-    for (unsigned i = 0; more && i < most; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.next(next);
+    for (unsigned i = 0; more && i < most; ++i, more = ahead.next(next)) {
       if (next.skip >= 0 || next.hasLabel())
         return false;
       bool places = next.items.empty();

@@ -1,4 +1,5 @@
 // Positions for a cycle that does not run.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
@@ -37,10 +38,11 @@ private:
   /// A further call after them says that each hole has its own.
   static bool positionsFollow(RuleContext &ctx) {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
+    bool more = ahead.next(next);
     unsigned places = 0;
-    for (; more && places < 2; more = readOn(ctx, next)) {
+    for (; more && places < 2; more = ahead.next(next)) {
       const AddressMask polar = ctx.dialect().polarWords;
       const bool plain = !(next.addresses & ~(ctx.dialect().axisWords | polar | maskOf('G')));
       if (!next.items.empty() || next.words.empty() || !plain ||
@@ -56,7 +58,7 @@ private:
         break;
       ++places;
     }
-    for (unsigned i = 0; more && places == 2 && i < lookAhead; ++i, more = readOn(ctx, next)) {
+    for (unsigned i = 0; more && places == 2 && i < lookAhead; ++i, more = ahead.next(next)) {
       if (llvm::any_of(codesOf(ctx.dialect(), next),
                        [&](CodeIndex code) { return makesHole(ctx.dialect().codes[code].cycle); }))
         return false;

@@ -1,4 +1,5 @@
 // A block runs the active cycle again although it looks like a retract or a plain move.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
@@ -207,10 +208,11 @@ private:
   /// ends.
   static bool endsWithoutCancel(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
+    bool more = ahead.next(next);
     bool signs = false;
-    for (unsigned i = 0; more && i < lookahead; ++i, more = readOn(ctx, next)) {
+    for (unsigned i = 0; more && i < lookahead; ++i, more = ahead.next(next)) {
       if (!next.items.empty())
         return false;
       for (const CodeIndex index : codesOf(dialect, next)) {
@@ -229,11 +231,6 @@ private:
         case Action::CoolantOff:
           signs = true;
           break;
-        case Action::CallProgram:
-        case Action::CallLocal:
-        case Action::MacroCall:
-        case Action::Return:
-          return false;
         default:
           break;
         }

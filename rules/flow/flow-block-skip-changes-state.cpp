@@ -1,4 +1,5 @@
 // What runs after a skippable block depends on the skip switch.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/mode_reliance.h"
 #include "formats/dialect/control_facts.h"
@@ -98,9 +99,10 @@ private:
   /// Whether a later block works with the value before one gives it anew.
   static bool worksWith(char letter, RuleContext &ctx) {
     constexpr unsigned lookAhead = 20;
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
-    for (unsigned i = 0; more && i < lookAhead; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.next(next);
+    for (unsigned i = 0; more && i < lookAhead; ++i, more = ahead.next(next)) {
       const CodeUseMask codes = lookAt(next, ctx);
       if (codes.ends || next.has(letterAddress(letter)) ||
           (letter != 'T' && next.has(letterAddress('T'))))

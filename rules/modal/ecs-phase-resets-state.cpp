@@ -1,4 +1,5 @@
 // A new phase of the program resets what is still needed.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
@@ -52,15 +53,15 @@ private:
     const GroupInfo &group = ctx.dialect().groups[index];
     if (group.initial == 0xFF || (ctx.before().group(index) & (uint64_t(1) << group.initial)))
       return false;
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
-    for (unsigned i = 0; more && i < 8; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.next(next);
+    for (unsigned i = 0; more && i < 8; ++i, more = ahead.next(next)) {
       if (hasMotionCode(ctx.dialect(), next) || !next.items.empty())
         return false;
       if (!next.hasAny(ctx.dialect().axisWords))
         continue;
-      const SourceRange move{ctx.source().id(), next.words.front().offset,
-                             next.endOf(next.words.back())};
+      const SourceRange move = ahead.range(next);
       if (auto finding = ctx.report(move))
         finding
             .message("`{0}` has no motion code after a mark that resets: it is driven with `{1}`",
@@ -73,9 +74,10 @@ private:
 
   /// One of the next blocks has a code of the group, before a move.
   static bool restated(GroupIndex group, RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
-    for (unsigned i = 0; more && i < 8; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.next(next);
+    for (unsigned i = 0; more && i < 8; ++i, more = ahead.next(next)) {
       for (const CodeIndex code : codesOf(ctx.dialect(), next))
         if (ctx.dialect().codes[code].group == group)
           return true;

@@ -1,4 +1,5 @@
 // A rapid move along the tool axis leads into the work.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
@@ -86,8 +87,9 @@ private:
 
   /// The next block feeds the tool along its axis: the rapid move went down a groove that is cut.
   static bool isFedOnDown(const RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
     Block next;
-    return readNext(ctx, next) && findCode(ctx.dialect(), next, {Action::Linear}) &&
+    return ahead.next(next) && findCode(ctx.dialect(), next, {Action::Linear}) &&
            (axesOf(ctx.dialect(), next) >> unsigned(Axis::Z) & 1);
   }
 
@@ -130,8 +132,9 @@ private:
   /// The next block moves in the plane, still at rapid, and has a feed.
   static bool nextMoveIsFed(const RuleContext &ctx) {
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
+    BlocksAhead ahead(ctx);
     Block next;
-    return readNext(ctx, next) && (axesOf(ctx.dialect(), next) & plane) &&
+    return ahead.next(next) && (axesOf(ctx.dialect(), next) & plane) &&
            next.has(letterAddress('F')) && !hasMotionCode(ctx.dialect(), next);
   }
 
@@ -150,8 +153,9 @@ private:
 
   /// Without a stock: the tool comes up again from there, so that it has not gone past the part.
   static bool cutsAcross(RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
     Block next;
-    if (!readNext(ctx, next))
+    if (!ahead.next(next))
       return false;
     return !(axesOf(ctx.dialect(), next) & (1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y)));
   }

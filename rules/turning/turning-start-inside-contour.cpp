@@ -1,4 +1,5 @@
 // A turning cycle starts inside of what it is to cut.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/turning_profile.h"
 #include "formats/text/number_text.h"
 
@@ -127,9 +128,10 @@ private:
   /// After the passes the tool leaves straight outwards in X, which a boring bar could not do; and
   /// no later pass is larger.
   static bool leavesOutwards(const RuleContext &ctx, double diameter) {
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
-    for (unsigned i = 0; more && i < 30; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.next(next);
+    for (unsigned i = 0; more && i < 30; ++i, more = ahead.next(next)) {
       if (!next.items.empty())
         return false;
       const Word *x = next.find('X');

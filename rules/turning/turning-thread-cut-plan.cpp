@@ -1,4 +1,6 @@
 // The passes of a thread do not fit its depth, or do not go deeper.
+#include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
@@ -172,9 +174,10 @@ private:
 
   /// Whether a later pass of the list is deeper than `x`.
   static bool deeperFollows(const RuleContext &ctx, double x, double from) {
+    BlocksAhead ahead(ctx);
     Block next;
-    bool more = readNext(ctx, next);
-    for (unsigned i = 0; more && i < 30; ++i, more = readOn(ctx, next)) {
+    bool more = ahead.next(next);
+    for (unsigned i = 0; more && i < 30; ++i, more = ahead.next(next)) {
       const CodeInfo *cycle = findCode(ctx.dialect(), next, {Action::Cycle});
       const bool again = cycle && cycle->cycle == CycleKind::ThreadPass;
       if ((next.has(letterAddress('G')) && !again) || next.has(letterAddress('T')) ||

@@ -79,7 +79,7 @@ private:
       if (!was->isNumber() || !is->isNumber() || was->value() == is->value())
         return;
       do {
-        if (!readOn(ctx, next) || !next.items.empty() || next.begin >= ctx.block().begin)
+        if (!readOn(ctx.index(), next) || !next.items.empty() || next.begin >= ctx.block().begin)
           return report(code, *own, lead, feed, ctx);
         if (findCode(ctx.dialect(), next, {Action::Rapid, Action::Linear}))
           return report(code, *own, lead, feed, ctx);

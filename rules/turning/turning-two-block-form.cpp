@@ -1,4 +1,5 @@
 // A turning cycle is written in another control's form, or one of its two blocks is missing.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 
 namespace ncvet {
@@ -21,8 +22,9 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (!code.twoBlock || ctx.after().pendingCycle != event.code)
       return;
+    BlocksAhead ahead(ctx);
     Block next;
-    const bool more = readNext(ctx, next);
+    const bool more = ahead.next(next);
     if (more)
       for (const Word &word : next.words) {
         if (word.address != letterAddress('G') || !word.isNumber())
@@ -35,7 +37,7 @@ public:
           return;
         if (!other.twoBlock)
           continue;
-        const SourceRange at{ctx.source().id(), word.offset, next.endOf(word)};
+        const SourceRange at{ahead.unit().source.id(), word.offset, next.endOf(word)};
         if (auto finding = ctx.report(at, event.certain))
           finding
               .message(
@@ -44,7 +46,7 @@ public:
               .note(ctx.range(*event.word), "the data block of " + code.name);
         return;
       }
-    if (more && runsLater(code, next, ctx))
+    if (more ? runsLater(code, ahead, next, ctx) : !ahead.isOver())
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}` gives only the data of the cycle, and no block that runs it follows",
@@ -53,10 +55,11 @@ public:
 
 private:
   /// The data last until others are given: a later block of the cycle may take them.
-  static bool runsLater(const CodeInfo &code, Block &block, const RuleContext &ctx) {
+  static bool runsLater(const CodeInfo &code, BlocksAhead &ahead, Block &block,
+                        const RuleContext &ctx) {
     constexpr unsigned lookAhead = 60;
     bool more = true;
-    for (unsigned i = 0; more && i < lookAhead; ++i, more = readOn(ctx, block))
+    for (unsigned i = 0; more && i < lookAhead; ++i, more = ahead.next(block))
       for (const CodeIndex index : codesOf(ctx.dialect(), block)) {
         const CodeInfo &other = ctx.dialect().codes[index];
         if (other.letter != code.letter || other.number != code.number)
@@ -68,7 +71,7 @@ private:
             running |= spec.any;
         return block.hasAny(running);
       }
-    return false;
+    return !more && !ahead.isOver();
   }
 };
 
