@@ -34,6 +34,17 @@ public:
       : block_(block), state_(state), outcome_(outcome) {}
 
   Value run(const Expression &expression) {
+    operate(expression);
+    return stack_.result();
+  }
+  /// What the operation after these takes.
+  Value last(const Expression &expression) {
+    operate(expression);
+    return stack_.pop();
+  }
+
+private:
+  void operate(const Expression &expression) {
     for (const ExpressionOp &op : operationsOf(block_, expression)) {
       const std::optional<Operator> known = programOperators[size_t(op.op)];
       if (!known)
@@ -41,10 +52,7 @@ public:
       else if (!stack_.apply(*known) && outcome_)
         outcome_->emit(EventKind::DomainError).setPlace(op.offset);
     }
-    return stack_.result();
   }
-
-private:
   void operand(const ExpressionOp &op);
 
   const Block &block_;
@@ -135,6 +143,13 @@ Value evaluate(const Block &block, uint16_t index, const MachineState &state, Ou
   if (index >= block.expressions.size())
     return Value::unknown();
   return ExpressionEvaluator(block, state, outcome).run(block.expressions[index]);
+}
+
+Value operandOf(const Block &block, const Expression &expression, uint32_t place,
+                const MachineState &state) {
+  Expression before = expression;
+  before.count = place;
+  return ExpressionEvaluator(block, state, nullptr).last(before);
 }
 
 namespace {

@@ -9,7 +9,12 @@ namespace ncvet {
 /// arithmetic are emitted into `outcome`, which may be null.
 Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome);
 
-/// The same on the state before the block: its own assignments that are before the
+/// Value that the operation `place` of an expression takes from those before it: the index of an
+/// element. Unknown when there is none.
+Value operandOf(const Block &block, const Expression &expression, uint32_t place,
+                const MachineState &state);
+
+/// As `evaluate`, on the state before the block: its own assignments that are before the
 /// expression act first.
 Value evaluateInBlock(const Block &block, uint16_t index, const MachineState &before);
 /// Value of a word as written, on a state in which the block's own assignments have acted already.

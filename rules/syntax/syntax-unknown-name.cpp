@@ -137,9 +137,17 @@ private:
         continue;
       near = &entry.getValue();
     }
-    if (!near)
-      return;
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
+    if (!near) {
+      if (isArgument(range, ctx.block()))
+        return;
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("nothing has defined `{0}`: unless the machine's own definitions have it, the "
+                     "control stops here",
+                     name);
+      return;
+    }
     const SourceRange defined = ctx.range(*near);
     if (auto finding = ctx.report(range))
       finding.severity(Severity::Warning)
@@ -147,6 +155,15 @@ private:
                    "have both, the control stops here",
                    name, ctx.text(defined))
           .note(defined, "this name is defined");
+  }
+
+  /// Alone in its place of a call it may name a program or a contour: the call's own rules speak.
+  static bool isArgument(SourceRange name, const Block &block) {
+    return llvm::any_of(block.items, [&](const Item &item) {
+      return llvm::any_of(block.argumentsOf(item), [&](const Argument &argument) {
+        return argument.begin == name.begin && argument.end == name.end;
+      });
+    });
   }
 
   static bool isSubprogram(const RuleContext &ctx) {

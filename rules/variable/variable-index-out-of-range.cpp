@@ -1,7 +1,9 @@
 // A variable or an element that the control does not have.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
+#include "interp/evaluate/expression.h"
 
+#include <cmath>
 #include <set>
 
 namespace ncvet {
@@ -103,37 +105,62 @@ private:
   void elements(RuleContext &ctx) const {
     if (!ctx.dialect().lexical.commaSeparates)
       return;
-    for (const ExpressionOp &op : ctx.block().operations) {
-      if (op.op != Op::Variable && op.op != Op::ElementAt && op.op != Op::ElementKey &&
-          op.op != Op::Opaque)
-        continue;
-      const llvm::StringRef rest =
-          ctx.text(SourceRange{ctx.source().id(), op.offset, ctx.block().end});
-      const llvm::StringRef name =
-          rest.take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
-      if (name.empty() || llvm::isDigit(name[0]))
-        continue;
-      if (op.op == Op::Variable) {
-        // Where some are the control's own, reading is looked at apart. One place is enough.
-        if (greatest_ && !reservedFrom_ && memory().spoken.insert(name.upper()).second)
-          parameter(name, {ctx.source().id(), op.offset, op.offset + uint32_t(name.size())}, ctx);
-      } else if (rest.drop_front(name.size()).startswith("["))
-        element(op.offset, name, rest.drop_front(name.size() + 1), ctx);
-    }
+    for (const Expression &expression : ctx.block().expressions)
+      for (uint32_t i = 0; i < expression.count; ++i)
+        operation(expression, i, ctx);
   }
 
-  /// `FIELD[2,5]`: `rest` begins after the bracket. Only numbers are looked at.
-  static void element(uint32_t offset, llvm::StringRef array, llvm::StringRef rest,
-                      RuleContext &ctx) {
-    const size_t close = rest.find_first_of("[]\r\n;");
-    if (close == llvm::StringRef::npos || rest[close] != ']')
+  void operation(const Expression &expression, uint32_t place, RuleContext &ctx) const {
+    const ExpressionOp &op = operationsOf(ctx.block(), expression)[place];
+    if (op.op != Op::Variable && op.op != Op::ElementAt && op.op != Op::ElementKey &&
+        op.op != Op::Opaque)
+      return;
+    const llvm::StringRef rest =
+        ctx.text(SourceRange{ctx.source().id(), op.offset, ctx.block().end});
+    const llvm::StringRef name =
+        rest.take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
+    if (name.empty() || llvm::isDigit(name[0]))
+      return;
+    if (op.op == Op::Variable) {
+      // Where some are the control's own, reading is looked at apart. One place is enough.
+      if (greatest_ && !reservedFrom_ && memory().spoken.insert(name.upper()).second)
+        parameter(name, {ctx.source().id(), op.offset, op.offset + uint32_t(name.size())}, ctx);
+      return;
+    }
+    if (!rest.drop_front(name.size()).startswith("["))
+      return;
+    std::optional<double> index;
+    if (op.op != Op::Opaque)
+      if (const Value value = operandOf(ctx.block(), expression, place, ctx.before());
+          value.isConstant())
+        index = value.number.value();
+    element(op.offset, name, index, rest.drop_front(name.size() + 1), ctx);
+  }
+
+  /// Length of what is up to the bracket that closes.
+  static std::optional<size_t> lengthInBrackets(llvm::StringRef rest) {
+    unsigned open = 1;
+    for (size_t i = 0; i < rest.size() && rest[i] != '\r' && rest[i] != '\n' && rest[i] != ';'; ++i)
+      if (rest[i] == '[')
+        ++open;
+      else if (rest[i] == ']' && --open == 0)
+        return i;
+    return std::nullopt;
+  }
+
+  /// `FIELD[2,5]`: `rest` begins after the bracket. Of several indices only numbers are looked at;
+  /// one alone may be computed: `computed`.
+  static void element(uint32_t offset, llvm::StringRef array, std::optional<double> computed,
+                      llvm::StringRef rest, RuleContext &ctx) {
+    const std::optional<size_t> close = lengthInBrackets(rest);
+    if (!close)
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const Defined *defined = ctx.index().definition(program, array);
     if (!defined || !defined->array)
       return;
     llvm::SmallVector<llvm::StringRef, 3> indices;
-    rest.take_front(close).split(indices, ',');
+    rest.take_front(*close).split(indices, ',');
     Block block;
     ctx.index().read(ctx.source().lines().lineBegin(defined->begin), block);
     for (const Item &definition : block.items) {
@@ -143,8 +170,13 @@ private:
       for (size_t i = 0; i < indices.size() && i < sizes.size(); ++i) {
         int64_t index = 0;
         const uint16_t size = sizes[i].expression;
-        if (indices[i].trim().getAsInteger(10, index) || size >= block.expressions.size())
+        if (size >= block.expressions.size())
           continue;
+        const bool written = !indices[i].trim().getAsInteger(10, index);
+        if (!written && (sizes.size() > 1 || !computed))
+          continue;
+        if (!written)
+          index = std::llround(*computed);
         const Expression &e = block.expressions[size];
         if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number)
           continue;
@@ -152,14 +184,16 @@ private:
         if (elements <= 0 || (index >= 0 && double(index) < elements))
           continue;
         const SourceRange range{ctx.source().id(), offset,
-                                offset + uint32_t(array.size() + close + 2)};
+                                offset + uint32_t(array.size() + *close + 2)};
         if (auto finding = ctx.report(range))
           finding
               .message(sizes.size() == 1
                            ? "`{0}`: the elements of `{1}` are numbered 0 to {2}"
                            : "`{0}`: the elements of `{1}` are numbered 0 to {2} in place {3}",
                        ctx.text(range), array, int64_t(elements) - 1, i + 1)
-              .note(ctx.range(definition), "it is defined here");
+              .note(ctx.range(definition),
+                    written ? std::string("it is defined here")
+                            : llvm::formatv("it is defined here; the index is {0}", index).str());
         return;
       }
     }
