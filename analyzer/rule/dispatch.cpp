@@ -93,6 +93,8 @@ void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outc
   context_.before_ = &before;
   context_.after_ = &after;
   context_.caller_ = caller;
+  context_.arcWords_.reset();
+  context_.arc_.reset();
 }
 
 void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,

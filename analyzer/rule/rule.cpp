@@ -53,6 +53,18 @@ llvm::StringRef RuleContext::text(SourceRange range) const {
   return unitOf(range.file).source.text(range.begin, range.end);
 }
 
+const ArcWords &RuleContext::arcWords() const {
+  if (!arcWords_)
+    arcWords_ = ncvet::arcWords(*dialect_, *after_, *block_);
+  return *arcWords_;
+}
+
+const ArcGeometry &RuleContext::arc() const {
+  if (!arc_)
+    arc_ = arcGeometry(arcWords(), *dialect_, *machine_, *block_, *before_, *after_);
+  return *arc_;
+}
+
 SourceRange RuleContext::blockRange() const {
   SourceRange range{source_->id(), block_->begin, block_->end};
   const auto begin = [&](uint32_t offset) { range.begin = std::min(range.begin, offset); };

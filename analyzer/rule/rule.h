@@ -8,6 +8,7 @@
 #include "formats/finding/finding.h"
 #include "interp/evaluate/condition.h"
 #include "interp/execute/execute.h"
+#include "interp/path/arc_block.h"
 #include "interp/state/event.h"
 #include "interp/state/modes.h"
 
@@ -189,6 +190,10 @@ public:
   /// State on entry of the block, and after it.
   const MachineState &before() const { return *before_; }
   const MachineState &after() const { return *after_; }
+  /// The words of the arc that the block makes, and the geometry that they give; made out once for
+  /// all rules.
+  const ArcWords &arcWords() const;
+  const ArcGeometry &arc() const;
   /// Number of calls between the main program and this block.
   unsigned callDepth() const { return caller_ ? caller_->depth : 0; }
   /// Where the program of this block was called; null: by nothing that is known.
@@ -264,6 +269,8 @@ private:
   const MachineState *before_ = nullptr;
   const MachineState *after_ = nullptr;
   const CallSite *caller_ = nullptr;
+  mutable std::optional<ArcWords> arcWords_;
+  mutable std::optional<ArcGeometry> arc_;
   SourceRange flowRange_, flowRelated_;
 };
 

@@ -1,6 +1,5 @@
 // An arc that closes only when its centre words are read another way than the control reads them.
 #include "analyzer/rule/report_once.h"
-#include "interp/path/arc_block.h"
 
 #include <cmath>
 
@@ -22,12 +21,11 @@ public:
     if (event.code == noCode)
       return;
     const Dialect &dialect = ctx.dialect();
-    const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
+    const ArcWords &words = ctx.arcWords();
     if (!words.hasCentre() || words.radius || words.foreign ||
         (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
-    const ArcGeometry arc =
-        arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
     if (!centre || !arc.start || !arc.end ||
         radiusDifference(*centre, *arc.start, *arc.end) <= tolerance_)

@@ -1,7 +1,6 @@
 // An arc block that says neither where its centre is nor how large its radius is.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/measure.h"
-#include "interp/path/arc_block.h"
 
 namespace ncvet {
 namespace {
@@ -18,7 +17,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.motion == MotionKind::Feed)
       return curve(event, ctx);
-    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const ArcWords &words = ctx.arcWords();
     // A centre word of the wrong axis is another rule's business.
     if (words.radius || words.angle || words.hasCentre() ||
         ctx.block().hasAny(ctx.dialect().polarWords) || words.foreign || event.code == noCode)

@@ -1,7 +1,6 @@
 // An arc by radius that ends where it starts.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
-#include "interp/path/arc_block.h"
 
 #include <cmath>
 
@@ -18,12 +17,11 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
-    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const ArcWords &words = ctx.arcWords();
     const bool byCentre = words.hasCentre() && !words.radius;
     if (!words.radius && !(byCentre && withCentre_))
       return;
-    const ArcGeometry arc =
-        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const ArcGeometry &arc = ctx.arc();
     // Without a word of the plane the end is the start, wherever that is.
     uint16_t plane = 0;
     for (const Axis axis : words.axes)

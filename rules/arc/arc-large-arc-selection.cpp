@@ -1,7 +1,6 @@
 // A negative radius, or the flag in its place, where the arc over 180 degrees cannot be meant.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
-#include "interp/path/arc_block.h"
 
 #include <cmath>
 
@@ -19,11 +18,10 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
-    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const ArcWords &words = ctx.arcWords();
     if (!words.radius || words.hasCentre())
       return;
-    const ArcGeometry arc =
-        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const ArcGeometry &arc = ctx.arc();
     if (!arc.radius || *arc.radius >= 0)
       return;
     bool semicircle = false;

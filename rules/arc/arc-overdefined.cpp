@@ -1,6 +1,5 @@
 // An arc block with both a radius and a centre.
 #include "analyzer/rule/rule.h"
-#include "interp/path/arc_block.h"
 
 namespace ncvet {
 namespace {
@@ -12,7 +11,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
-    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const ArcWords &words = ctx.arcWords();
     const Word *centre = words.centre[0] ? words.centre[0] : words.centre[1];
     const uint16_t end = endWords(ctx);
     const bool endAngle = words.angle && (ctx.code(event).takes & ctx.dialect().lineAngleWords &

@@ -1,6 +1,5 @@
 // An arc whose end is not as far from its centre as its start.
 #include "analyzer/rule/rule.h"
-#include "interp/path/arc_block.h"
 
 #include <cmath>
 
@@ -19,12 +18,11 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
-    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
+    const ArcWords &words = ctx.arcWords();
     if (!words.hasCentre() || words.radius || words.foreign ||
         (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
       return;
-    const ArcGeometry arc =
-        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
     if (!centre || !arc.start || !arc.end)
       return;

@@ -1,6 +1,5 @@
 // An arc whose radius is zero or does not reach from start to end.
 #include "analyzer/rule/rule.h"
-#include "interp/path/arc_block.h"
 
 #include <cmath>
 
@@ -17,9 +16,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
       return;
-    const ArcWords words = arcWords(ctx.dialect(), ctx.after(), ctx.block());
-    const ArcGeometry arc =
-        arcGeometry(words, ctx.dialect(), ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const ArcWords &words = ctx.arcWords();
+    const ArcGeometry &arc = ctx.arc();
     if (words.radius) {
       byRadius(*words.radius, arc, event, ctx);
       return;

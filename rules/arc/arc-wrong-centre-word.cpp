@@ -1,7 +1,6 @@
 // An arc block with a centre word of an axis that does not lie in the active plane.
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
-#include "interp/path/arc_block.h"
 
 #include <map>
 
@@ -23,7 +22,7 @@ public:
     if (event.code == noCode)
       return;
     const Dialect &dialect = ctx.dialect();
-    const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
+    const ArcWords &words = ctx.arcWords();
     if (!words.foreign || !words.planeKnown)
       return;
     // With both words of the plane it is a habit of the program's writer: told once a plane.

@@ -2,7 +2,6 @@
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
 #include "interp/geometry/line.h"
-#include "interp/path/arc_block.h"
 
 namespace ncvet {
 namespace {
@@ -103,9 +102,8 @@ private:
       return;
     const bool clockwise = event.motion == MotionKind::ArcCw;
     const Dialect &dialect = ctx.dialect();
-    const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
-    const ArcGeometry arc =
-        arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const ArcWords &words = ctx.arcWords();
+    const ArcGeometry &arc = ctx.arc();
     if (!arc.start || !arc.end)
       return;
     PathAhead ahead(ctx);

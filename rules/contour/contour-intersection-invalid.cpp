@@ -375,9 +375,8 @@ private:
       return;
     if (toArc && next.has(letterAddress('R')))
       incremental(next, ahead.range(next), ctx);
-    const ArcWords words = arcWords(dialect, ctx.after(), ctx.block());
-    const ArcGeometry arc =
-        arcGeometry(words, dialect, ctx.machine(), ctx.block(), ctx.before(), ctx.after());
+    const ArcWords &words = ctx.arcWords();
+    const ArcGeometry &arc = ctx.arc();
     const auto centre =
         words.hasCentre() ? arc.centre()
         : arc.start && arc.end && arc.radius

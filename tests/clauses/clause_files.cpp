@@ -1,5 +1,6 @@
 #include "tests/clauses/clause_files.h"
 
+#include "llvm/ADT/StringSwitch.h"
 #include "llvm/Support/FormatVariadic.h"
 #include "llvm/Support/JSON.h"
 #include "llvm/Support/MemoryBuffer.h"
@@ -73,9 +74,14 @@ bool readRule(const json::Value &value, Clause common, std::vector<Clause> &clau
 
 /// The table that a reference's programs are checked with, unless they name one.
 std::string dialectOf(llvm::StringRef reference) {
-  if (reference == "fanuc-nct")
-    return "fanuc-0t";
-  return reference == "ecs-cycles" ? "ecs" : reference.str();
+  return llvm::StringSwitch<llvm::StringRef>(reference)
+      .Case("fanuc-nct", "fanuc-0t")
+      .Case("ecs-cycles", "ecs")
+      .Case("fanuc-i", "fanuc-mill")
+      .Case("haas-ngc", "haas-mill")
+      .Case("sinumerik-840d", "sinumerik")
+      .Default(reference)
+      .str();
 }
 
 } // namespace

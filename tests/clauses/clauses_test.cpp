@@ -117,8 +117,9 @@ INSTANTIATE_TEST_SUITE_P(All, Clauses, ::testing::ValuesIn(clauseFiles()), [](co
 });
 
 TEST(ClauseFrames, AreSilent) {
-  for (const char *dialect : {"ecs", "haas-lathe", "fanuc-0t", "fanuc-0m", "nct-104t", "nct-104m",
-                              "din66025", "mefi", "sinumerik"}) {
+  for (const char *dialect :
+       {"ecs", "haas-lathe", "fanuc-0t", "fanuc-0m", "nct-104t", "nct-104m", "din66025", "mefi",
+        "sinumerik", "fanuc-mill", "fanuc-lathe", "haas-mill", "haas-ngc-lathe"}) {
     Clause frame;
     frame.says = "the frame of " + (frame.dialect = dialect);
     expectSilence(frame);

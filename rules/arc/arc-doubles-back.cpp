@@ -1,0 +1,61 @@
+// An arc that turns back on itself at both ends: the other direction of turning was meant.
+#include "analyzer/facts/direction_before.h"
+#include "analyzer/facts/path_ahead.h"
+
+namespace ncvet {
+namespace {
+
+class ArcDoublesBack final : public Rule {
+public:
+  void listen(Subscriptions &to) override {
+    to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
+    cosine_ = unitVector(radiansOf(to.number("turn", 150))).x();
+  }
+
+  void on(const Event &event, RuleContext &ctx) const override {
+    // In a chain of arcs under one code none is turned otherwise than its neighbours.
+    if (event.code == noCode || !event.certain || !isOverHalfATurn(event, ctx) ||
+        !ctx.codeWord(event) || ctx.before().may(Fact::UnknownCode))
+      return;
+    const ExecutedBlock here = executedBlock(ctx);
+    const auto begin = directionAt(here, false), end = directionAt(here, true);
+    if (!begin || !end)
+      return;
+    PathAhead ahead(ctx);
+    if (!ahead.next())
+      return;
+    const auto after = directionAt(ahead.executed(), false);
+    if (!after || end->dot(*after) > cosine_)
+      return;
+    const auto before = directionBefore(ctx);
+    if (!before || before->dot(*begin) > cosine_)
+      return;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding
+          .message("`{0}` turns back at both ends of this arc: the path runs into it and out of it "
+                   "the other way round",
+                   ctx.code(event).name)
+          .note(ahead.range(), "the next element");
+  }
+
+private:
+  /// Whether the arc makes more than half a turn, as an arc of less does when it is turned the
+  /// other way round. Neighbours of others are not read: it costs time.
+  static bool isOverHalfATurn(const Event &event, RuleContext &ctx) {
+    const ArcWords &words = ctx.arcWords();
+    const ArcGeometry &arc = ctx.arc();
+    const auto centre = arc.centre();
+    if (!arc.start || !arc.end || !centre || words.foreign || words.angle || arc.radius)
+      return false;
+    const Vector from = *arc.start - *centre, to = *arc.end - *centre;
+    const double sine = cross(from, to) * (event.motion == MotionKind::ArcCw ? -1 : 1);
+    constexpr double least = 0.02; // sine of what is more than half a turn, or less than a whole
+    return sine < -least * from.norm() * to.norm();
+  }
+
+  double cosine_ = 0; ///< of the turn from which on the path doubles back
+};
+
+} // namespace
+NCVET_RULE(ArcDoublesBack, arc_doubles_back)
+} // namespace ncvet
