@@ -14,6 +14,9 @@ namespace {
 /// That many blocks, and that part of all, are no slips of the pen in a program of this control.
 constexpr uint64_t fewestUnreadable = 10;
 constexpr uint64_t unreadablePart = 6; // a sixth
+/// And where somebody has named the control.
+constexpr uint64_t fewestUnreadableOfNamed = 20;
+constexpr uint64_t unreadablePartOfNamed = 5; // a fifth
 /// The same where the text names another control by itself.
 constexpr uint64_t fewestWrong = 3;
 constexpr uint64_t wrongPart = 20; // a twentieth
@@ -76,8 +79,10 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
     if (!other.name.empty() && (!other.hasTable || areMany(wrong.ofLanguage, origin.blocks)))
       counted = other.hasTable ? &wrong.ofLanguage : &wrong.all;
   }
-  if (!counted && origin.detected && wrong.unreadable.size() >= fewestUnreadable &&
-      wrong.unreadable.size() * unreadablePart >= origin.blocks) {
+  const uint64_t part = origin.detected ? unreadablePart : unreadablePartOfNamed;
+  const uint64_t fewest = origin.detected ? fewestUnreadable : fewestUnreadableOfNamed;
+  if (!counted && wrong.unreadable.size() >= fewest &&
+      wrong.unreadable.size() * part >= origin.blocks) {
     other = {};
     counted = &wrong.unreadable;
   }

@@ -16,8 +16,9 @@ struct TextOrigin {
 };
 
 /// Folds the findings of `unit` into one when they have one cause: several blocks are wrong and the
-/// text bears the marks of another control, or its control was a guess and much of it cannot be
-/// read. Where somebody named the control every block that it cannot read is told.
+/// text bears the marks of another control, or much of it cannot be read: a sixth where its control
+/// was a guess, a fifth where somebody has named it. Of less every block that cannot be read is
+/// told.
 void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &origin,
                      std::vector<Finding> &findings);
 

@@ -1,5 +1,6 @@
 // An arc whose radius is zero or does not reach from start to end.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/references.h"
 
 #include <cmath>
 
@@ -51,11 +52,31 @@ private:
     if (chord / 2 - std::fabs(*arc.radius) <= tolerance_)
       return;
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
-    if (auto finding = ctx.report(word, certain))
-      finding.message(
-          "`{0}` is too small: start and end lie {1:f3} mm apart, so the radius must be "
-          "at least {2:f3}",
-          ctx.text(word), chord, chord / 2);
+    auto finding = ctx.report(word, certain);
+    if (!finding)
+      return;
+    finding.message("`{0}` is too small: start and end lie {1:f3} mm apart, so the radius must be "
+                    "at least {2:f3}",
+                    ctx.text(word), chord, chord / 2);
+    if (const SourceRange cycle = cycleThatEnds(ctx); cycle.end)
+      finding.note(cycle,
+                   "the profile of this cycle ends with the block before the arc: the arc is "
+                   "made from where the cycle began");
+  }
+
+  /// The cycle whose profile ends with the block before this one; an empty range: there is none.
+  static SourceRange cycleThatEnds(const RuleContext &ctx) {
+    constexpr unsigned mostBlocks = 200; // of a profile
+    Block last;
+    if (!readPrevious(ctx, last) || last.number < 0)
+      return {};
+    Block block = last;
+    bool named = false;
+    for (unsigned i = 0; i < mostBlocks && readBack(ctx, block) && !named; ++i)
+      ctx.unit().references().words(block, ctx.source().text(), [&](const Reference &reference) {
+        named |= reference.kind == ReferenceKind::Last && reference.number == last.number;
+      });
+    return named ? wordsRange(ctx, block) : SourceRange();
   }
 
   double tolerance_ = 0.01; // mm

@@ -31,8 +31,15 @@ TEST(ForeignText, ProseIsToldOnceWhereNobodyNamedItsControl) {
       << findings[0].finding.message;
 }
 
-TEST(ForeignText, WhatANamedControlCannotReadIsToldBlockByBlock) {
-  EXPECT_LE(20u, check("fanuc-0m", proseOfTwentyLines()).size());
+TEST(ForeignText, ProseIsToldOnceWhereTheControlIsNamedToo) {
+  EXPECT_EQ(1u, check("fanuc-0m", proseOfTwentyLines()).size());
+}
+
+TEST(ForeignText, AFewBlocksThatANamedControlCannotReadAreToldOneByOne) {
+  std::string text = proseOfTwentyLines();
+  for (int i = 0; i < 100; ++i)
+    text.insert(text.find('\n') + 1, "G01 X" + std::to_string(i) + ". F100.\n");
+  EXPECT_LE(20u, check("fanuc-0m", text).size());
 }
 
 TEST(ForeignText, AProgramOfAnotherControlIsToldOnceByItsName) {
