@@ -118,10 +118,9 @@ void bindPositions(const Block &block, const Item &call, const MachineState &cal
                    MachineState &state) {
   const llvm::ArrayRef<Argument> given = block.argumentsOf(call);
   for (uint64_t i = 1; i <= uint64_t(state.ranges.lastLocal); ++i) {
-    if (i <= given.size())
-      state.locals.set(i, evaluate(block, given[i - 1].expression, caller, nullptr));
-    else if (caller.locals.given(i) != Truth::No)
-      state.locals.set(i, caller.locals.get(i));
+    state.locals.set(i, i <= given.size()
+                            ? evaluate(block, given[i - 1].expression, caller, nullptr)
+                            : Value::of(0));
   }
   state.commons.set(sharedVariableKey("_value"), Value::of(0));
   state.commons.set(sharedVariableKey("_value_returned"), Value::of(0));

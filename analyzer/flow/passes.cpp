@@ -132,7 +132,7 @@ void PassRunner::comeBack(const Step &step, const Region &body, const Passes &pa
   if (passes.modes)
     restoreModes(state, *passes.modes);
   else if (!ofCaller && state.restoresModes)
-    bringBack(*step.unit().dialect, state, state.saved);
+    bringBack(*step.unit().dialect, step.unit().machine, state, state.saved);
   if (!ofCaller) {
     state.restoresModes = step.before.restoresModes;
     state.saved = step.before.saved;

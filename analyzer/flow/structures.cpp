@@ -89,8 +89,26 @@ void Structures::decide(Step &step, Truth condition, uint32_t other, bool loops)
       step.activation.heads[other].abstract = true;
   }
   const FlowShape &shape = run_.shape(step.unit(), step.region().program);
+  if (condition == Truth::No)
+    passed(step, shape, other);
   live.state.seeksBranch = !loops && shape.back.lookup(other) == step.at;
   loops_.goTo(step, other, std::move(live), condition == Truth::No);
+}
+
+/// Where the text is read as it runs, exits of loops are looked at also on the way past a body.
+void Structures::passed(const Step &step, const FlowShape &shape, uint32_t to) {
+  const FileUnit &unit = step.unit();
+  if (unit.dialect->loadsWhole)
+    return;
+  for (const uint32_t exit : shape.strayExits) {
+    if (exit <= step.at || exit >= to)
+      continue;
+    Block block;
+    unit.reader->read(exit, block);
+    if (!block.items.empty())
+      run_.issue(FlowIssue::StructureMismatch, step,
+                 {unit.source.id(), block.items.front().begin, block.items.front().end});
+  }
 }
 
 /// The head of a loop with a condition, or the end of one with the test after its body.

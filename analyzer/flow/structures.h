@@ -20,6 +20,7 @@ private:
     uint32_t past = ~0u, back = ~0u, out = ~0u; ///< `~0u`: nowhere
   };
   void mismatch(Step &step, const Item &item);
+  void passed(const Step &step, const FlowShape &shape, uint32_t to);
   void decide(Step &step, Truth condition, uint32_t other, bool loops);
   void whileHead(Step &step, const Item &item, const Partners &to);
   void countedEnd(Step &step, uint32_t headAt, Truth (*count)(const Block &, MachineState &));

@@ -128,10 +128,12 @@ private:
   /// Out of the loop with this label, or to its test.
   void leave(uint32_t at, Structure structure) {
     const size_t i = find({Bracket::While, Bracket::Repeat});
-    if (i == open_.size())
+    if (i == open_.size()) {
       shape_.mismatched.push_back(at);
-    else
-      (structure == Structure::Break ? open_[i].breaks : open_[i].continues).push_back(at);
+      shape_.strayExits.push_back(at);
+      return;
+    }
+    (structure == Structure::Break ? open_[i].breaks : open_[i].continues).push_back(at);
   }
 
   void begin(uint32_t at, Bracket bracket) {

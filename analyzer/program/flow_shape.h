@@ -21,6 +21,7 @@ struct FlowShape {
   /// From a bracket whose label an earlier one of its program carries to that one.
   llvm::DenseMap<uint32_t, uint32_t> duplicates;
   std::vector<uint32_t> mismatched; ///< brackets without their partner
+  std::vector<uint32_t> strayExits; ///< exits that are in no loop with their label
   unsigned depth = 0;               ///< of the deepest nesting
   /// The program holds a condition or a jump: not every run of it comes by the same blocks.
   bool branches = false;

@@ -2,6 +2,7 @@
 #include "analyzer/program/references.h"
 
 #include "analyzer/program/block_reading.h"
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/packed_call.h"
 
 namespace ncvet {
@@ -12,6 +13,9 @@ namespace {
 std::optional<ReferredPlace> subprogramIn(FileUnit &unit, llvm::StringRef label) {
   for (const ProgramInfo &one : unit.index.programs())
     if (const auto at = unit.index.label(one, label, one.begin)) {
+      const llvm::ArrayRef<uint32_t> marks = unit.index.tapeMarks();
+      if (unit.dialect->facts->program.tapeMarkEnds && marks.size() > 1 && *at > marks[1])
+        return std::nullopt; // the text ends before it
       Block block;
       unit.reader->read(*at, block);
       return ReferredPlace{&unit, &one, block.next, 0};

@@ -168,7 +168,8 @@ enum class Role : uint8_t {
   Limit,
   Argument,
   StartAngle,
-  Relief
+  Relief,
+  Counterbore
 };
 llvm::StringRef toString(Role role); ///< as in the tables: "peck-first"
 std::optional<Role> parseRole(llvm::StringRef text);
@@ -321,7 +322,8 @@ struct CodeInfo {
   std::vector<std::pair<AddressMask, AddressMask>> excludes;
   std::vector<Notice> notices;
   std::vector<Store> stores;
-  std::vector<Variant> variants; ///< first match wins; none: this entry
+  std::vector<std::pair<uint64_t, double>> shows; ///< variables and their values while it is on
+  std::vector<Variant> variants;                  ///< first match wins; none: this entry
   CodeIndex base = noCode; ///< of a variant: the code that it belongs to; else the code itself
   SwitchEffect effect;
   CodeIndex opposite = noCode; ///< what ends or reverses it (G80 for G81), for messages and fixes

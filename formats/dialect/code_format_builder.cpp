@@ -124,6 +124,17 @@ void DialectBuilder::readStores(const Json &stores, CodeInfo &info) {
   }
 }
 
+/// `{"_metric": 1, "5220": 2}`
+void DialectBuilder::readShows(const Json &shows, CodeInfo &info) {
+  if (!isObject(shows))
+    return;
+  for (auto entry = shows.begin(); entry != shows.end(); ++entry) {
+    if (!entry->is_number())
+      return fail(*entry, "a number is expected");
+    info.shows.emplace_back(controlVariableKey(entry.key()), entry->get<double>());
+  }
+}
+
 /// `{"run-out": "floor(P / 100)"}`
 void DialectBuilder::readMeasures(const Json &measures, CodeInfo &info) {
   if (!isObject(measures))

@@ -337,6 +337,10 @@ constexpr Field codeFields[] = {
         "the "
         "words that it names are there; true: a value that is not known; false: none any more",
         R"({"_LOW": "X", "_OLD": false})"),
+    special<&DialectBuilder::readShows>(
+        "shows", mapOf(number),
+        "variables of the control that have these values while the code is in force",
+        R"({"_metric": 1, "_imperial": 0})"),
     within("levels", levelRecord, "levels of a cycle along the tool axis"),
     within("places", placeRecord, "the places of a pattern, or where a motion code leads"),
     special<&DialectBuilder::readMeasures>("measures", mapByName(aFormula, "measure", measureNames),

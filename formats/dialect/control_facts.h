@@ -67,6 +67,9 @@ struct CoordinateFacts {
   bool machineMoveOfOneBlock = false;
   /// A turn of a rotary axis is a move along the developed work.
   bool turnsMoveAlongWork = false;
+  /// Words of angle and radius work in the XY plane about the zero point, with a radius of any
+  /// sign; under incremental distances not from the zero point.
+  bool polarAboutZero = false;
 };
 
 /// About chamfers and roundings that a word asks for.

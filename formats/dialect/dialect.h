@@ -112,16 +112,6 @@ enum class Arithmetic : uint8_t {
       ///< bracket holds operators
 };
 
-/// Which numbered variables are whose. Those after the common ones belong to the control.
-struct VariableRanges {
-  int32_t lastLocal = 33;   ///< `#1` up to here belong to the running program
-  int32_t lastCommon = 999; ///< from there up to here all programs share them
-  bool namedLocal = false;  ///< a variable with a name belongs to the running program
-  int32_t place = 0; ///< of the tool's coordinates in the unit in force, X first; 0: there are none
-  GroupIndex units = noGroup; ///< group of that unit
-  uint64_t inch = 0;          ///< its members that are inches
-};
-
 /// Numbers of the variables in which a control keeps where its coordinates lie, in millimetres and
 /// degrees: each the first of one for every axis, X first. Its programs may read and write them.
 struct ZeroVariables {
@@ -135,6 +125,31 @@ struct ZeroVariables {
   int32_t rotation(int32_t system) const { return systems + system * step + 9; }
 };
 
+/// A variable of the control that says what is in force: a value while a code is, or what `part`
+/// names.
+struct ShownVariable {
+  enum class Part : uint8_t { Code, Tool, Feed, Speed, PlaceOnMachine };
+  uint64_t key = 0; ///< number, or key of a name that all programs share
+  Part part = Part::Code;
+  GroupIndex group = noGroup;
+  uint64_t member = 0; ///< bit of the code in its group
+  double value = 0;    ///< while it is in force; of a place: number of the axis
+};
+/// Sorted by their keys.
+using ShownVariables = std::vector<ShownVariable>;
+
+/// Which numbered variables are whose. Those after the common ones belong to the control.
+struct VariableRanges {
+  int32_t lastLocal = 33;   ///< `#1` up to here belong to the running program
+  int32_t lastCommon = 999; ///< from there up to here all programs share them
+  bool namedLocal = false;  ///< a variable with a name belongs to the running program
+  int32_t place = 0; ///< of the tool's coordinates in the unit in force, X first; 0: there are none
+  GroupIndex units = noGroup;            ///< group of that unit
+  uint64_t inch = 0;                     ///< its members that are inches
+  const ShownVariables *shown = nullptr; ///< of the dialect; null: none
+  ZeroVariables zeros;                   ///< likewise
+};
+
 /// How a control drills, where controls differ.
 struct DrillingHabits {
   /// The initial level is the one at which a row of cycles began, not the single cycle.
@@ -143,6 +158,8 @@ struct DrillingHabits {
   bool risesFirst = false;
   /// Cycles that are fed out are fed to the level to which they withdraw.
   bool feedsOutToLevel = false;
+  /// A last peck that only rounding leaves is made too.
+  bool pecksExactly = false;
 };
 
 enum class Semicolon : uint8_t { Comment, EndOfBlock };
@@ -242,6 +259,7 @@ struct Dialect {
   Lexical lexical;
   Limits limits;
   VariableRanges variableRanges;
+  std::shared_ptr<ShownVariables> shown; ///< null: none
   ZeroVariables zeros;
   DrillingHabits drilling;
   bool polarByDistance = false;  ///< under incremental distances, words of angle and radius add up

@@ -1,6 +1,7 @@
 // Groups, switches, limits and rule settings of a dialect out of its merged JSON.
 #include "formats/dialect/dialect_builder.h"
 
+#include "formats/dialect/variable_key.h"
 #include "formats/dialect/vocabulary.h"
 #include "formats/text/json_text.h"
 
@@ -57,6 +58,51 @@ void DialectBuilder::summarizeCodes() {
     for (const CodeIndex member : dialect_.groups[ranges.units].members)
       if (dialect_.codes[member].action == Action::Inch)
         ranges.inch |= uint64_t(1) << dialect_.codes[member].bit;
+  showVariables();
+}
+
+/// Variables that hold a part of the state.
+void DialectBuilder::readShown(const Json &value, Dialect &dialect) {
+  using Part = ShownVariable::Part;
+  if (!isObject(value))
+    return;
+  dialect.shown = std::make_shared<ShownVariables>();
+  for (auto entry = value.begin(); entry != value.end(); ++entry) {
+    const std::optional<std::string> part = text(*entry);
+    if (!part)
+      return;
+    ShownVariable &variable = dialect.shown->emplace_back();
+    variable.key = controlVariableKey(entry.key());
+    constexpr llvm::StringLiteral onMachine = "machine-", axes = "xyzabcuvw";
+    variable.part = *part == "tool"    ? Part::Tool
+                    : *part == "feed"  ? Part::Feed
+                    : *part == "speed" ? Part::Speed
+                                       : Part::PlaceOnMachine;
+    if (variable.part != Part::PlaceOnMachine)
+      continue;
+    llvm::StringRef axis = *part;
+    const size_t index = axis.consume_front(onMachine) && axis.size() == 1 ? axes.find(axis[0])
+                                                                           : llvm::StringRef::npos;
+    if (index == llvm::StringRef::npos)
+      return fail(*entry, "\"tool\", \"feed\", \"speed\" or \"machine-x\" is expected");
+    variable.value = double(index);
+  }
+}
+
+/// Variables that say which code is in force, with those that hold a part of the state.
+void DialectBuilder::showVariables() {
+  for (const CodeInfo &code : dialect_.codes)
+    for (const auto &[key, value] : code.shows) {
+      if (!dialect_.shown)
+        dialect_.shown = std::make_shared<ShownVariables>();
+      dialect_.shown->push_back(
+          {key, ShownVariable::Part::Code, code.group, uint64_t(1) << code.bit, value});
+    }
+  if (!dialect_.shown)
+    return;
+  llvm::stable_sort(*dialect_.shown, [](const auto &a, const auto &b) { return a.key < b.key; });
+  dialect_.variableRanges.shown = dialect_.shown.get();
+  dialect_.variableRanges.zeros = dialect_.zeros;
 }
 
 void DialectBuilder::readInitialStates() {

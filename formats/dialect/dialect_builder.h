@@ -21,6 +21,7 @@ public:
 
   // dialect_builder.cpp: everything but addresses and codes
   void readOptions(const Json &value, Dialect &dialect);
+  void readShown(const Json &value, Dialect &dialect);
   void readLexical(const Json &value, Dialect &dialect);
   void readProgramDigits(const Json &value, Limits &limits);
   void readSwitches(const Json &value, Dialect &dialect);
@@ -51,6 +52,7 @@ public:
   void readWords(const Json &value, CodeInfo &info);
   void readExcludes(const Json &value, CodeInfo &info);
   void readStores(const Json &value, CodeInfo &info);
+  void readShows(const Json &value, CodeInfo &info);
   void readMeasures(const Json &value, CodeInfo &info);
   void readTraits(const Json &value, CodeInfo &info);
   Formula formula(const Json &value);
@@ -69,6 +71,7 @@ public:
 private:
   void summarizeAddresses();
   void summarizeCodes();
+  void showVariables();
   void readInitialStates();
   std::optional<size_t> switchIndex(const Json &at, llvm::StringRef id);
 

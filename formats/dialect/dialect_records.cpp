@@ -22,6 +22,8 @@ constexpr Field drillingFields[] = {
                       "lower"),
     flag<&Dialect::drilling, &DrillingHabits::feedsOutToLevel>(
         "feedsOutToLevel", "cycles that are fed out are fed to the level to which they withdraw"),
+    flag<&Dialect::drilling, &DrillingHabits::pecksExactly>(
+        "pecksExactly", "a last peck that only rounding leaves is made too"),
 };
 constexpr RecordOf<Dialect> drillingRecord{
     "drilling", "how a control drills, where controls differ", drillingFields};
@@ -93,6 +95,11 @@ constexpr Field variableFields[] = {
     field<&Dialect::variableRanges, &VariableRanges::place>(
         "place", variableNumber, "first of the variables that hold the tool's coordinates, X first",
         "5420"),
+    special<&DialectBuilder::readShown>(
+        "shown", mapOf(text),
+        "variables that hold the `tool` in the spindle, the `feed`, the `speed`, or where an axis "
+        "is on the machine (`machine-x`)",
+        R"({"5400": "tool", "_feed": "feed"})"),
     field<&Dialect::zeros>("zeros", object(zeroRecord),
                            "the variables in which the control keeps where its coordinates are"),
 };

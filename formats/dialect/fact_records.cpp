@@ -79,6 +79,9 @@ constexpr Field coordinatesFields[] = {
                                                   "one may look as if they were still active"),
     flag<&CoordinateFacts::turnsMoveAlongWork>(
         "turnsMoveAlongWork", "a turn of a rotary axis is a move along the developed work"),
+    flag<&CoordinateFacts::polarAboutZero>(
+        "polarAboutZero", "words of angle and radius work in the XY plane about the zero point, "
+                          "with a radius of any sign; as increments not from the zero point"),
 };
 constexpr RecordOf<CoordinateFacts> coordinatesRecord =
     RecordOf<CoordinateFacts>{"facts of coordinates", "what holds for coordinates",

@@ -15,6 +15,8 @@ uint64_t variableKey(llvm::StringRef name);
 constexpr uint64_t firstSharedVariable = uint64_t(1) << 39;
 /// Key of the variable `name` that all programs share.
 uint64_t sharedVariableKey(llvm::StringRef name);
+/// Key of a variable of the control: its number, or its name, which all programs share.
+uint64_t controlVariableKey(llvm::StringRef spelling);
 /// Key of element `index` of the array with this key.
 uint64_t elementKey(uint64_t array, int64_t index);
 

@@ -11,8 +11,9 @@ constexpr llvm::StringLiteral roles[] = {
     "pass-count",  "stock-x",       "stock-z",      "height",      "first-cut",      "least-cut",
     "thread-form", "angle",         "taper",        "shift",       "program",        "sequence",
     "speed",       "feed",          "step",         "centre",      "radius",         "offset",
-    "ratio",       "method",        "limit",        "argument",    "start-angle",    "relief"};
-static_assert(std::size(roles) == size_t(Role::Relief) + 1);
+    "ratio",       "method",        "limit",        "argument",    "start-angle",    "relief",
+    "counterbore"};
+static_assert(std::size(roles) == size_t(Role::Counterbore) + 1);
 
 constexpr llvm::StringLiteral frames[] = {"none",   "shift",  "rotation",    "scale",
                                           "mirror", "offset", "mirror-axes", "steps"};

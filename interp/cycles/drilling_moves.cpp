@@ -145,7 +145,8 @@ private:
   void drill(const Interval &approach, const Interval &bottom) {
     const Interval withdraw = executed_.after.at(tool_);
     const bool feedsOut = executed_.dialect.drilling.feedsOutToLevel;
-    if (cycle_.cycle != CycleKind::BackBore)
+    const bool counterbores = words_.spec(Role::Counterbore);
+    if (cycle_.cycle != CycleKind::BackBore || counterbores)
       toLevel(MoveKind::Rapid, approach);
     const uint8_t turning = executed_.before.spindle;
     switch (cycle_.cycle) {
@@ -193,7 +194,7 @@ private:
       spindle(turning);
       return;
     case CycleKind::BackBore:
-      return backBore(approach, bottom, turning);
+      return counterbores ? counterbore(bottom, turning) : backBore(approach, bottom, turning);
     default:
       toLevel(MoveKind::Linear, bottom);
       dwell();
@@ -202,19 +203,23 @@ private:
     toLevel(MoveKind::Rapid, withdraw);
   }
 
+  static Axis axisOfShift(const WordSpec &spec) {
+    return spec.any & maskOf('I')   ? Axis::X
+           : spec.any & maskOf('J') ? Axis::Y
+           : spec.any & maskOf('K') ? Axis::Z
+                                    : Axis::Count;
+  }
+
   /// Aside with the oriented tool, so that its edge does not touch the bore.
   void shift(double sign) {
     bool moves = false;
     for (const WordSpec &spec : cycle_.words) {
-      if (spec.role != Role::Shift)
+      if (spec.role != Role::Shift && spec.role != Role::Counterbore)
         continue;
       const auto by = words_.value(spec);
       if (!by)
         continue;
-      const Axis axis = spec.any & maskOf('I')   ? Axis::X
-                        : spec.any & maskOf('J') ? Axis::Y
-                        : spec.any & maskOf('K') ? Axis::Z
-                                                 : Axis::Count;
+      const Axis axis = axisOfShift(spec);
       if (axis == tool_)
         continue;
       if (axis != Axis::Count) {
@@ -229,6 +234,30 @@ private:
     }
     if (moves)
       go(MoveKind::Rapid);
+  }
+
+  /// Down beside the bore's axis, then fed up from below as far as the word of the tool axis says,
+  /// and down again.
+  void counterbore(const Interval &bottom, uint8_t turning) {
+    Interval top;
+    for (const WordSpec &spec : cycle_.words)
+      if ((spec.role == Role::Shift || spec.role == Role::Counterbore) &&
+          axisOfShift(spec) == tool_)
+        if (const auto word = words_.value(spec))
+          top = incremental() ? bottom + *word : *word;
+    spindle(spindleOriented);
+    shift(1);
+    toLevel(MoveKind::Rapid, bottom);
+    shift(-1);
+    spindle(turning);
+    toLevel(MoveKind::Linear, top);
+    toLevel(MoveKind::Linear, bottom);
+    dwell();
+    spindle(spindleOriented);
+    shift(1);
+    toLevel(MoveKind::Rapid, executed_.after.at(tool_));
+    shift(-1);
+    spindle(turning);
   }
 
   /// From below: through the bore beside its axis, then fed up.
@@ -276,8 +305,9 @@ private:
     if (!first)
       return toLevel(MoveKind::Linear, bottom);
     double level = first->level, length = first->depth;
+    const double slack = executed_.dialect.drilling.pecksExactly ? 0 : tolerance;
     for (unsigned pass = 0; pass < mostSteps && length > tolerance; ++pass) {
-      if ((end - level) * sign <= tolerance)
+      if ((end - level) * sign <= slack)
         break;
       toLevel(MoveKind::Linear, Interval::exactly(level));
       lift(approach, level, sign);

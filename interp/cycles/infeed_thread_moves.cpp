@@ -19,20 +19,29 @@ public:
     const Interval x = at_[0], z = at_[2], end = executed_.after.at(Axis::Z);
     if (peak && first && depth && lead && x.isConstant() && z.isConstant() && end.isConstant() &&
         *first > 0) {
+      const Interval share =
+          shareOfDiameter(executed_.dialect, executed_.after, Axis::X, Truth::No);
+      if (!share.isConstant())
+        return leave();
       inwards_ = *peak > 0 ? 1 : -1;
-      peak_ = std::fabs(*peak);
-      first_ = *first;
-      depth_ = std::fabs(*depth);
+      peak_ = std::fabs(*peak) * share.value();
+      first_ = *first * share.value();
+      depth_ = std::fabs(*depth) * share.value();
       x_ = x.value();
       z_ = z.value();
       readForm(end.value());
       passes();
     }
+    leave();
+  }
+
+private:
+  /// To where the cycle leaves the tool.
+  void leave() {
     at_ = executed_.after.position;
     go(MoveKind::Rapid);
   }
 
-private:
   std::optional<double> number(Role role) const {
     const auto value = words_.value(role);
     return value && value->isConstant() ? std::optional(value->value()) : std::nullopt;

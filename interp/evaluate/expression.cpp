@@ -2,6 +2,7 @@
 #include "interp/evaluate/expression.h"
 
 #include "interp/evaluate/program_operators.h"
+#include "interp/state/zero_point.h"
 #include "interp/value/units.h"
 
 #include <algorithm>
@@ -106,10 +107,9 @@ void ExpressionEvaluator::operand(const ExpressionOp &op) {
   }
 }
 
-/// Coordinate of the tool, as the program would write it.
-Value coordinateOf(const MachineState &state, size_t axis) {
-  const Interval &place = state.position[axis];
-  if (state.machineAxes >> axis & 1 || !place.isConstant())
+/// A coordinate, as the program would write it.
+Value asWritten(const MachineState &state, size_t axis, const Interval &place) {
+  if (!place.isConstant())
     return Value::unknown();
   const bool isLength = Axis(axis) < Axis::A || Axis(axis) > Axis::C;
   const uint64_t set = state.ranges.units == noGroup ? groupUnset : state.group(state.ranges.units);
@@ -117,6 +117,23 @@ Value coordinateOf(const MachineState &state, size_t axis) {
     return Value::of(place.value());
   return set & ~state.ranges.inch ? Value::unknown()
                                   : Value::of(place.value() / millimetresPerInch);
+}
+
+/// Coordinate of the tool.
+Value coordinateOf(const MachineState &state, size_t axis) {
+  return state.machineAxes >> axis & 1 ? Value::unknown()
+                                       : asWritten(state, axis, state.position[axis]);
+}
+
+/// Coordinate of the tool on the machine.
+Value placeOnMachine(const MachineState &state, size_t axis) {
+  if (state.machineAxes >> axis & 1)
+    return asWritten(state, axis, state.position[axis]);
+  Place place = state.position;
+  for (size_t i = 0; i < axisCount; ++i)
+    if (state.machineAxes >> i & 1)
+      place[i] = Interval::unknown();
+  return asWritten(state, axis, zeroOf(state.ranges.zeros, state).toMachine(place)[axis]);
 }
 
 /// Axis whose coordinate the variable holds; none when it holds something else.
@@ -209,9 +226,45 @@ Truth truthOf(const Value &value) {
   return value.kind == Value::Kind::Unknown ? Truth::Unknown : truthOf(value.asNumber());
 }
 
+namespace {
+Value constantOf(const Interval &known) {
+  return known.isConstant() ? Value::of(known.value()) : Value::unknown();
+}
+
+/// Value of a variable of the control that says what is in force; none: it is no such variable.
+std::optional<Value> shownIn(const MachineState &state, uint64_t key) {
+  if (!state.ranges.shown || state.commons.given(key) != Truth::No) // (the program wrote to it)
+    return std::nullopt;
+  const auto byKey = [](const ShownVariable &a, uint64_t b) { return a.key < b; };
+  std::optional<Value> shown;
+  for (auto at =
+           std::lower_bound(state.ranges.shown->begin(), state.ranges.shown->end(), key, byKey);
+       at != state.ranges.shown->end() && at->key == key; ++at) {
+    shown = shown ? shown : Value::unknown();
+    switch (at->part) {
+    case ShownVariable::Part::Tool:
+      return state.tool >= 0 ? Value::of(double(state.tool.get())) : Value::unknown();
+    case ShownVariable::Part::Feed: // (in another unit it is another number)
+      return state.must(Fact::FeedSet) && !state.may(Fact::FeedCarried) ? constantOf(state.feed)
+                                                                        : Value::unknown();
+    case ShownVariable::Part::Speed:
+      return state.must(Fact::SpeedSet) ? constantOf(state.speed) : Value::unknown();
+    case ShownVariable::Part::PlaceOnMachine:
+      return placeOnMachine(state, size_t(at->value));
+    case ShownVariable::Part::Code:
+      if (at->group != noGroup && state.group(at->group) == at->member)
+        shown = Value::of(at->value);
+    }
+  }
+  return shown;
+}
+} // namespace
+
 Value readVariable(const MachineState &state, int64_t number) {
   if (number == 0)
     return Value::vacant();
+  if (const auto shown = shownIn(state, uint64_t(number)))
+    return *shown;
   if (const auto axis = placeOf(state, number))
     return coordinateOf(state, *axis);
   if (isLocal(state, number))

@@ -3,6 +3,7 @@
 #include "interp/evaluate/tool_data.h"
 #include "interp/execute/execution.h"
 #include "interp/state/kept_modes.h"
+#include "interp/state/zero_point.h"
 
 #include <cmath>
 
@@ -14,6 +15,10 @@ void Execution::activate(const CodeInfo &code, const Word *word) {
   if (word)
     state_.origin.setGroup(code.group, originOf(*word));
   if (code.group == masks_.feedMode) {
+    if (code.action == Action::FeedInverseTime && dialect_.zeros.systems &&
+        before_.group(code.group) != uint64_t(1) << code.bit)
+      state_.commons.set(feedAside, Value::of(state_.must(Fact::FeedSet) ? state_.feed.get()
+                                                                         : Interval::unknown()));
     if (state_.must(Fact::FeedSet))
       state_.set(Fact::FeedCarried);
     else if (state_.may(Fact::FeedSet))
@@ -181,7 +186,9 @@ void Execution::forgetModes(const CodeUse &) {
   state_.restoresModes = false;
 }
 
-void Execution::restoreModes(const CodeUse &) { bringBack(dialect_, state_, state_.saved); }
+void Execution::restoreModes(const CodeUse &) {
+  bringBack(dialect_, machine_, state_, state_.saved);
+}
 
 namespace {
 /// Compensation that a recorded profile has switched on is the profile's own.

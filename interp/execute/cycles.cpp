@@ -177,16 +177,14 @@ void Execution::drillHoles(const CodeInfo &code, uint16_t axes) {
       polarInput(from);
     else if (polar == Truth::Unknown)
       setInPlane({});
+    if (block_.hasAny(dialect_.polarWords))
+      polarTarget();
     outcome_.holes.push_back(state_.position);
   }
   if (runs > mostHoles) // no further than that it is followed
     setInPlane({});
   if (polarMayBeOn() && (axes & planeAxes(dialect_, state_)))
     state_.set(Fact::PolarRadiusSet);
-  if (block_.hasAny(dialect_.polarWords)) {
-    polarTarget();
-    outcome_.holes.assign(1, state_.position);
-  }
   if (!dialect_.isLathe())
     for (const auto &hole : outcome_.holes)
       for (unsigned i = 0; i < 2; ++i)

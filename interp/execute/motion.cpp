@@ -362,6 +362,10 @@ MotionKind kindOf(Action action) {
 
 /// Where the block's axis words lead.
 void Execution::moveAxes() {
+  // To bring modes back the interpreter of LinuxCNC runs blocks of its own in place of this one.
+  if (llvm::any_of(outcome_.codes,
+                   [&](const CodeUse &use) { return info(use).action == Action::ModesRestored; }))
+    return;
   uint16_t axes = axesOf(dialect_, block_);
   if (block_.hasAny(dialect_.polarWords)) {
     if (block_.hasAny(dialect_.elementWords) && llvm::any_of(outcome_.codes, [&](const CodeUse &u) {

@@ -34,9 +34,10 @@ void Execution::structure(size_t index) {
   case Structure::Times: {
     const Value count = evaluate(block_, item.value, state_, &outcome_);
     const uint64_t counter = block_.keyOf(item.target);
-    const Interval n = count.asNumber();
+    const Interval given = count.asNumber();
+    const Interval n{std::floor(given.lo + 0.5), std::floor(given.hi + 0.5)}; // to the nearest
     const bool known = count.kind != Value::Kind::Unknown;
-    state_.locals.set(counter, known ? count : Value::unknown());
+    state_.locals.set(counter, known ? Value::of(n) : Value::unknown());
     flow.condition = known && n.lo >= 1  ? Truth::Yes
                      : known && n.hi < 1 ? Truth::No
                                          : Truth::Unknown;
@@ -76,6 +77,10 @@ void Execution::assign(const Item &item) {
     return;
   }
   const int64_t variable = std::llround(number.number.value());
+  constexpr double mostOff = 1e-4; // of a number that counts as whole
+  if (dialect_.lexical.arithmetic == Arithmetic::Ngc &&
+      std::fabs(number.number.value() - double(variable)) > mostOff)
+    outcome_.emit(EventKind::DomainError).setPlace(item.begin);
   event.setVariable(variable);
   if (dialect_.lexical.assignsAfterWords) {
     if (isUnset(state_, double(variable))) // its name exists from here on

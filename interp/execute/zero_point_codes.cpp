@@ -92,43 +92,45 @@ void Execution::applyLength(const CodeUse &use) {
   moveTo(place);
 }
 
-/// What the list of the profile says of the tool that H names, or of the one in the spindle.
+/// What is known of the length of the tool that H names, or of the one in the spindle.
 std::array<Interval, axisCount> Execution::lengthOfTool() const {
-  Place length;
-  length.fill(Interval::exactly(0));
   double number = state_.tool;
   if (const Word *h = block_.find('H')) {
     const Interval v = value(*h);
     number = v.isConstant() ? v.value() : notKnown;
   }
-  Interval &along = length[size_t(Axis::Z)];
-  if (number == 0 || number == notSet)
-    return length;
-  const bool written = state_.commons.given(toolTableWritten) != Truth::No;
-  if (const uint64_t own = number > 0 ? toolLengthKey(int32_t(number)) : 0;
-      own && !written && state_.commons.given(own) != Truth::No) {
-    along = state_.commons.get(own).asNumber();
-    return length;
-  }
-  const auto found = machine_.tools.find(int(number));
-  along = !written && found != machine_.tools.end() && found->second.length
-              ? Interval::exactly(*found->second.length)
-              : Interval::unknown();
-  return length;
+  return offsetsOfTool(machine_, state_, number);
 }
 
-/// G10 L1 gives a tool its length, which a later G43 takes (LinuxCNC 2.9, section 11.5.13); what
-/// the other forms make of the list is not known.
+/// G10 L1, L10 and L11 give a tool its length, which a later G43 takes (LinuxCNC 2.9, sections
+/// 11.5.13 to 11.5.16): itself, or so that the tool has this coordinate in the system in force, or
+/// in the last one without the shift of G92.
 void Execution::setToolLength() {
-  const Word *form = block_.find('L'), *p = block_.find('P');
+  const Word *form = block_.find('L'), *p = block_.find('P'), *z = block_.find('Z');
   const Interval number = p ? value(*p) : Interval::unknown();
-  if (!form || !(value(*form) == Interval::exactly(1)) || !number.isConstant() ||
-      number.value() < 1) {
+  const Interval which = form ? value(*form) : Interval::unknown();
+  const bool others = llvm::any_of(block_.words, [&](const Word &word) {
+    return (dialect_.axisWords & maskOf(word.address)) &&
+           dialect_.addresses[word.address].axis != Axis::Z;
+  });
+  if (!which.isConstant() || !number.isConstant() || number.value() < 1 || others) {
     state_.commons.set(toolTableWritten, Value::of(1));
     return;
   }
-  if (const Word *z = block_.find('Z'))
-    state_.commons.set(toolLengthKey(int32_t(number.value())), Value::of(coordinate(*z)));
+  if (!z)
+    return;
+  constexpr auto along = size_t(Axis::Z);
+  constexpr double itself = 1, here = 10;
+  const Zero zero = zeroOf(dialect_, state_);
+  Interval length = coordinate(*z);
+  if (which.value() == here) {
+    length = zero.length[along] + known()[along] - length;
+  } else if (which.value() != itself) {
+    constexpr int32_t last = 8; // of the work offsets
+    const Place origin = storedPlace(state_, dialect_.zeros.systems + last * dialect_.zeros.step);
+    length = zero.toMachine(known())[along] - origin[along] - length;
+  }
+  state_.commons.set(toolLengthKey(int32_t(number.value())), Value::of(length));
 }
 
 /// G10 L2 and L20: where a work offset lies, or what coordinates the tool has in it.
@@ -183,8 +185,11 @@ void Execution::setSystem(const CodeUse &use) {
   systemMoved(before);
   if (here)
     for (const Word &word : block_.words)
-      if (dialect_.axisWords & maskOf(word.address))
-        storeTarget(word, false);
+      if (dialect_.axisWords & maskOf(word.address)) {
+        const Axis axis = dialect_.addresses[word.address].axis;
+        state_.at(axis) = coordinate(word); // also under G91
+        state_.machineAxes &= ~(1u << unsigned(axis));
+      }
 }
 
 /// G92 and G52: the shift over all work offsets.

@@ -232,9 +232,11 @@ bool finish(const ProfilePasses &passes, FramedProfile profile, const Move &star
   if (!(passes.count >= 0 && passes.count <= mostPasses))
     return false;
   size_t looks = 0;
-  if (!profile.isSteady() || !profile.beginsSteady())
+  if (!profile.isSteady())
     profile.turn();
   profile.lead();
+  if (profile.first().x() > profile.start().x())
+    profile.setStart({profile.first().x(), profile.start().y()});
   for (auto pass = int(passes.count); pass > 0; --pass) {
     FramedProfile path = profile;
     if (!path.keepDistance((pass - 1) * (passes.firstDistance - passes.lastDistance) /

@@ -9,9 +9,10 @@ namespace {
 
 constexpr uint64_t technologyFacts = bitOf(Fact::FeedSet) | bitOf(Fact::SpeedSet);
 
-bool mayBePreset(const Dialect &dialect, const MachineState &state) {
-  const auto on = uint64_t(dialect.zeros.presetOn);
-  return dialect.zeros.systems && !(state.commons.get(on) == Value::of(0));
+/// Whether a shift over all work offsets is in force: 1, 0 or not known.
+Interval presetOn(const Dialect &dialect, const MachineState &state) {
+  return dialect.zeros.systems ? state.commons.get(uint64_t(dialect.zeros.presetOn)).asNumber()
+                               : Interval::exactly(0);
 }
 
 /// Any modes may be in force, but for the motion and the cycle.
@@ -39,20 +40,46 @@ Interval shifted(const Interval &place, const Interval &before, const Interval &
   return place + before - now;
 }
 
-/// What comes back of the zero point: the work offset, no length where none was in force, and no
-/// shift where none was (rs274 of LinuxCNC 2.9). Other lengths and shifts are not known.
-void bringBackZero(const Dialect &dialect, MachineState &state, const MachineState &was,
-                   bool presetOn) {
-  const Zero before = zeroOf(dialect, state);
+/// Whether a length offset other than zero is in force.
+Truth lengthOn(const Dialect &dialect, const MachineState &state) {
+  Truth any = Truth::No;
+  for (const Interval &length : zeroOf(dialect, state).length)
+    if (length.isConstant() && length.value() != 0)
+      return Truth::Yes;
+    else if (!length.isConstant())
+      any = Truth::Unknown;
+  return any;
+}
+
+/// Where the one is in force and the other is not, it is switched: off, or on with the length of
+/// the tool in the spindle (rs274 of LinuxCNC 2.9).
+void bringBackLength(const Dialect &dialect, const MachineProfile &machine, MachineState &state,
+                     const MachineState &was, Truth wasOn) {
+  const Truth isOn = lengthOn(dialect, state);
+  const bool known = wasOn != Truth::Unknown && isOn != Truth::Unknown;
   const GroupIndex lengths = dialect.group(StandardGroup::LengthOffset);
-  if (lengths != noGroup && state.group(lengths) != was.group(lengths)) {
-    Place length;
-    if (state.activeAction(dialect, StandardGroup::LengthOffset) == Action::LengthOff)
-      length.fill(Interval::exactly(0));
-    storePlace(state, dialect.zeros.length, length);
-  }
-  if (presetOn != mayBePreset(dialect, state))
-    state.commons.set(uint64_t(dialect.zeros.presetOn), presetOn ? Value::unknown() : Value::of(0));
+  if (known ? wasOn == isOn : lengths == noGroup || state.group(lengths) == was.group(lengths))
+    return;
+  Place length = storedPlace(state, dialect.zeros.length);
+  if (wasOn == Truth::No ||
+      state.activeAction(dialect, StandardGroup::LengthOffset) == Action::LengthOff)
+    length.fill(Interval::exactly(0));
+  else if (known)
+    length = offsetsOfTool(machine, state, state.tool);
+  else
+    length[size_t(Axis::Z)] = Interval::unknown();
+  storePlace(state, dialect.zeros.length, length);
+}
+
+/// What comes back of the zero point: the work offset, and whether a length and a shift over all
+/// offsets are in force.
+void bringBackZero(const Dialect &dialect, const MachineProfile &machine, MachineState &state,
+                   const MachineState &was, const KeptModes &kept) {
+  const Zero before = zeroOf(dialect, state);
+  bringBackLength(dialect, machine, state, was, kept.lengthOn);
+  const Interval &shiftOn = kept.presetOn;
+  if (!(shiftOn == presetOn(dialect, state)))
+    state.commons.set(uint64_t(dialect.zeros.presetOn), Value::of(shiftOn));
   const auto system = activeSystem(dialect, state);
   const bool moved = state.active(dialect, StandardGroup::WorkOffset) !=
                      was.active(dialect, StandardGroup::WorkOffset);
@@ -79,6 +106,28 @@ void bringBackZero(const Dialect &dialect, MachineState &state, const MachineSta
       state.position[i] = place[i];
 }
 
+/// The feed comes back only where another one is in force; then the modes come back, and another
+/// mode of the feed forgets the one in force (rs274 of LinuxCNC 2.9).
+void bringBackFeed(const Dialect &dialect, MachineState &state, const MachineState &was,
+                   const Interval &feed) {
+  state.feed = feed;
+  const GroupIndex modes = dialect.group(StandardGroup::FeedMode);
+  if (modes == noGroup || !dialect.groups[modes].forgetsFeed ||
+      state.group(modes) == was.group(modes) || !state.may(Fact::FeedSet))
+    return;
+  const bool aside = was.activeAction(dialect, StandardGroup::FeedMode) == Action::FeedInverseTime;
+  const Interval now = aside ? was.commons.get(feedAside).asNumber() : was.feed.get();
+  if (now.isConstant() && feed.isConstant()) {
+    if (now == feed)
+      state.clear(Fact::FeedSet);
+    return;
+  }
+  if (state.must(Fact::FeedSet)) {
+    state.clear(Fact::FeedSet);
+    state.allow(bitOf(Fact::FeedSet));
+  }
+}
+
 } // namespace
 
 SavedModes keepModes(const Dialect &dialect, const MachineState &state) {
@@ -91,11 +140,13 @@ SavedModes keepModes(const Dialect &dialect, const MachineState &state) {
   kept.factsMust = state.factsMust & technologyFacts;
   kept.switches = state.switches;
   kept.spindle = state.spindle;
-  kept.presetOn = mayBePreset(dialect, state);
+  kept.presetOn = presetOn(dialect, state);
+  kept.lengthOn = lengthOn(dialect, state);
   return {std::make_shared<const KeptModes>(kept), true};
 }
 
-void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &saved) {
+void bringBack(const Dialect &dialect, const MachineProfile &machine, MachineState &state,
+               const SavedModes &saved) {
   stateUse.everything();
   const KeptModes *kept = saved.modes.get();
   if (!saved.known)
@@ -114,14 +165,14 @@ void bringBack(const Dialect &dialect, MachineState &state, const SavedModes &sa
   for (const StandardGroup which : {StandardGroup::Motion, StandardGroup::Cycle})
     if (const GroupIndex stays = dialect.group(which); stays != noGroup)
       state.groups[stays] = was.groups[stays];
-  state.feed = kept->feed;
-  state.speed = kept->speed;
   state.factsMay = (state.factsMay & ~technologyFacts) | kept->factsMay;
   state.factsMust = (state.factsMust & ~technologyFacts) | kept->factsMust;
+  bringBackFeed(dialect, state, was, kept->feed);
+  state.speed = kept->speed;
   state.switches = kept->switches;
   state.spindle = kept->spindle;
   if (dialect.zeros.systems)
-    bringBackZero(dialect, state, was, kept->presetOn);
+    bringBackZero(dialect, machine, state, was, *kept);
 }
 
 } // namespace ncvet

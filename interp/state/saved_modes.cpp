@@ -11,7 +11,7 @@ bool operator==(const KeptModes &a, const KeptModes &b) {
   return a.modes.groups == b.modes.groups && a.modes.statedMay == b.modes.statedMay &&
          a.modes.statedMust == b.modes.statedMust && a.feed == b.feed && a.speed == b.speed &&
          a.factsMay == b.factsMay && a.factsMust == b.factsMust && a.switches == b.switches &&
-         a.spindle == b.spindle && a.presetOn == b.presetOn;
+         a.spindle == b.spindle && a.presetOn == b.presetOn && a.lengthOn == b.lengthOn;
 }
 
 SavedModes join(const SavedModes &a, const SavedModes &b) {
@@ -29,7 +29,8 @@ uint64_t hash(const SavedModes &saved) {
       kept.modes.statedMay, kept.modes.statedMust, std::bit_cast<uint64_t>(kept.feed.lo),
       std::bit_cast<uint64_t>(kept.feed.hi), std::bit_cast<uint64_t>(kept.speed.lo),
       std::bit_cast<uint64_t>(kept.speed.hi), kept.factsMay, kept.factsMust, kept.switches.may,
-      kept.switches.must, kept.spindle, kept.presetOn);
+      kept.switches.must, kept.spindle, unsigned(kept.lengthOn),
+      std::bit_cast<uint64_t>(kept.presetOn.lo), std::bit_cast<uint64_t>(kept.presetOn.hi));
 }
 
 } // namespace ncvet

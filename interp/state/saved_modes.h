@@ -15,7 +15,8 @@ struct KeptModes {
   uint64_t factsMay = 0, factsMust = 0; ///< of the feed and the speed
   SwitchState switches;
   uint8_t spindle = 0;
-  bool presetOn = false; ///< a shift over all work offsets may have been in force
+  Interval presetOn;               ///< 1 where a shift over all work offsets was in force
+  Truth lengthOn = Truth::Unknown; ///< whether a length offset other than zero was
 
   friend bool operator==(const KeptModes &a, const KeptModes &b);
 };

@@ -61,8 +61,11 @@ void storePlace(MachineState &state, int32_t first, const Place &place) {
 }
 
 Zero zeroOf(const Dialect &dialect, const MachineState &state) {
+  return zeroOf(dialect.zeros, state);
+}
+
+Zero zeroOf(const ZeroVariables &zeros, const MachineState &state) {
   Zero zero;
-  const ZeroVariables &zeros = dialect.zeros;
   if (!zeros.systems)
     return zero;
   for (size_t i = 0; i < axisCount; ++i)
@@ -95,6 +98,25 @@ void selectSystem(const Dialect &dialect, MachineState &state, int32_t system) {
     state.commons.set(selectedZero + i, state.commons.get(first + i));
 }
 
+Place offsetsOfTool(const MachineProfile &machine, const MachineState &state, double number) {
+  Place offsets;
+  offsets.fill(Interval::exactly(0));
+  if (number == 0 || number == notSet)
+    return offsets;
+  Interval &along = offsets[size_t(Axis::Z)];
+  const bool written = state.commons.given(toolTableWritten) != Truth::No;
+  if (const uint64_t own = number > 0 ? toolLengthKey(int32_t(number)) : 0;
+      own && !written && state.commons.given(own) != Truth::No) {
+    along = state.commons.get(own).asNumber();
+    return offsets;
+  }
+  const auto found = machine.tools.find(int(number));
+  along = !written && found != machine.tools.end() && found->second.length
+              ? Interval::exactly(*found->second.length)
+              : Interval::unknown();
+  return offsets;
+}
+
 MachineState startOn(const Dialect &dialect, const MachineProfile &machine) {
   MachineState state = initialState(dialect);
   const ZeroVariables &zeros = dialect.zeros;
@@ -115,7 +137,9 @@ MachineState startOn(const Dialect &dialect, const MachineProfile &machine) {
       state.commons.set(uint64_t(zeros.rotation(system)), Value::of(0));
     } else if (code.action == Action::PresetPosition) {
       give(zeros.preset, found->second);
-      state.commons.set(uint64_t(zeros.presetOn), Value::of(1));
+      const bool shifts =
+          llvm::any_of(found->second, [](const auto &by) { return by && *by != 0; });
+      state.commons.set(uint64_t(zeros.presetOn), Value::of(shifts));
     } else if (code.action == Action::ReferenceReturn && code.storedAt) {
       give(code.storedAt, found->second);
     }

@@ -17,6 +17,8 @@ struct Zero {
   Place toProgrammed(const Place &machine) const;
 };
 
+/// Key of the feed that was in force before the feed of inverse times, which leaves it aside.
+constexpr uint64_t feedAside = (uint64_t(1) << 38) + 99;
 /// Key under which is kept that the program has written into the list of tools: no program's.
 constexpr uint64_t toolTableWritten = (uint64_t(1) << 38) + 100;
 /// Key of the length (mm) that the program has given a tool.
@@ -26,6 +28,7 @@ constexpr uint64_t toolLengthKey(int32_t tool) { return toolTableWritten + 1 + u
 Place turned(Place place, const Interval &degrees);
 
 /// The zero point in force; all of it unknown for a control that keeps it elsewhere.
+Zero zeroOf(const ZeroVariables &zeros, const MachineState &state);
 Zero zeroOf(const Dialect &dialect, const MachineState &state);
 
 /// Coordinates on the machine of the place that the variables from `first` on hold.
@@ -38,6 +41,9 @@ int32_t systemOf(const Dialect &dialect, const CodeInfo &code);
 std::optional<int32_t> activeSystem(const Dialect &dialect, const MachineState &state);
 /// Puts into force what the variables say of a work offset.
 void selectSystem(const Dialect &dialect, MachineState &state, int32_t system);
+
+/// The offsets of a tool (mm), 0: of none, as the program or the machine's profile gives them.
+Place offsetsOfTool(const MachineProfile &machine, const MachineState &state, double number);
 
 /// State at the start of a program on that machine: as `initialState`, with the offsets that the
 /// profile knows.

@@ -67,9 +67,9 @@ private:
   static const char *conflict(const Dialect &dialect, const CodeInfo &a, const CodeInfo &b,
                               bool sameTwice) {
     if (a.letter == b.letter && a.number == b.number) // the same code twice says the same thing
-      return sameTwice && a.letter == 'G' ? "`{0}` and `{1}`: the interpreter takes one code of a "
-                                            "group, and stops at a second one"
-                                          : nullptr;
+      return sameTwice ? "`{0}` and `{1}`: the interpreter takes one code of a "
+                         "group, and stops at a second one"
+                       : nullptr;
     // The cancel of one family of cycles says nothing of the others.
     if (a.family != b.family &&
         (a.action == Action::CycleCancel || b.action == Action::CycleCancel))

@@ -2,6 +2,7 @@
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/preprocessor_reads.h"
 #include "formats/dialect/control_facts.h"
+#include "interp/state/zero_point.h"
 
 namespace ncvet {
 namespace {
@@ -12,7 +13,8 @@ public:
     to.onAction({Action::ReferenceReturn, Action::ReferenceCheck, Action::ReferenceFrom,
                  Action::DataInput, Action::LocalShift, Action::PresetPosition, Action::MachineMove,
                  Action::Inch, Action::Metric, Action::WorkOffset, Action::Thread, Action::Cycle,
-                 Action::FrameSet, Action::FrameAdd, Action::FrameClear});
+                 Action::FrameSet, Action::FrameAdd, Action::FrameClear, Action::ZeroSet,
+                 Action::ZeroHere});
     to.onCode([](const CodeInfo &code) { return code.stopsPreparation; });
     cycles_ = to.dialect().facts->compensation.forbidsCycles;
     if (to.dialect().readAhead.empty())
@@ -35,6 +37,8 @@ public:
     if (!wasOn && code.action != Action::Thread && code.action != Action::Cycle)
       return;
     if (auto finding = ctx.report(event, active == Truth::Yes)) {
+      if (code.action == Action::ZeroSet || code.action == Action::ZeroHere)
+        finding.severity(Severity::Error); // an interpreter that keeps its zero points itself
       const CodeInfo *on = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
       const std::string off = compensationOffCode(ctx.dialect(), ctx.after());
       finding
@@ -68,6 +72,9 @@ private:
     switch (code.action) {
     case Action::Thread:
       return cycles_;
+    case Action::ZeroSet:
+    case Action::ZeroHere:
+      return movesSystemInForce(ctx);
     case Action::WorkOffset: // the same once more changes nothing
       return code.group == noGroup || ctx.before().group(code.group) != (uint64_t(1) << code.bit);
     case Action::Cycle:
@@ -86,6 +93,15 @@ private:
     default:
       return true;
     }
+  }
+
+  /// Whether the P of the block names the work offset in force.
+  static bool movesSystemInForce(RuleContext &ctx) {
+    const Word *p = ctx.block().find('P');
+    const Interval number = p ? ctx.value(*p) : Interval::unknown();
+    const auto system = activeSystem(ctx.dialect(), ctx.before());
+    return number.isConstant() &&
+           (number.value() == 0 || (system && number.value() == *system + 1));
   }
 
   bool cycles_ = false;

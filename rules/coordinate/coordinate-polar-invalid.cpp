@@ -1,5 +1,6 @@
 // A polar point lacks its radius, or gives it as an increment.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -12,6 +13,7 @@ class CoordinatePolarInvalid final : public StatefulRule<CoordinatePolarInvalidM
 public:
   void listen(Subscriptions &to) override {
     words_ = to.dialect().polarWords & ~to.dialect().elementWords;
+    aboutZero_ = to.dialect().facts->coordinates.polarAboutZero;
     for (const CodeInfo &code : to.dialect().codes)
       modal_ |= isPolar(code, to.dialect());
     if (modal_)
@@ -117,7 +119,8 @@ private:
       if (!(words_ & maskOf(word.address)))
         continue;
       const Interval value = ctx.value(word);
-      if (dialect.addresses[word.address].unit == AddressUnit::Length && value.hi < 0)
+      if (dialect.addresses[word.address].unit == AddressUnit::Length && value.hi < 0 &&
+          !aboutZero_)
         if (auto finding = ctx.report(word))
           finding.message("`{0}`: a radius is not negative", ctx.text(word));
     }
@@ -130,6 +133,8 @@ private:
                           "coordinates, not by both",
                           ctx.text(word), ctx.text(*polar));
     }
+    if (aboutZero_)
+      return fromZero(event, *polar, ctx);
     if (ctx.before().may(Fact::PoleSet) || ctx.before().may(Fact::UnknownCode) || memory().noPole)
       return;
     memory().noPole = true;
@@ -139,6 +144,31 @@ private:
                    ctx.text(*polar));
   }
 
+  /// A control that knows no pole but the zero point, and the XY plane only.
+  static void fromZero(const Event &event, const Word &polar, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const Action plane = after.activeAction(dialect, StandardGroup::Plane);
+    if (plane == Action::PlaneZX || plane == Action::PlaneYZ) {
+      if (auto finding = ctx.report(polar, event.certain))
+        finding.message("`{0}` works in the XY plane only: the interpreter stops", ctx.text(polar))
+            .note(after.originOf(dialect, StandardGroup::Plane), "the plane is selected here");
+      return;
+    }
+    const Interval zero = Interval::exactly(0);
+    const bool atZero = before.at(Axis::X) == zero && before.at(Axis::Y) == zero &&
+                        !before.inMachineCoordinates(Axis::X) &&
+                        !before.inMachineCoordinates(Axis::Y);
+    if (!atZero ||
+        after.isActive(dialect, StandardGroup::Distance, {Action::Incremental}) != Truth::Yes)
+      return;
+    if (auto finding = ctx.report(polar, event.certain))
+      finding.message("`{0}` is an increment (G91) and the tool is at the zero point, where no "
+                      "direction is known: the interpreter stops",
+                      ctx.text(polar));
+  }
+
+  bool aboutZero_ = false;
   AddressMask words_ = 0; ///< angle and radius
 };
 

@@ -74,12 +74,18 @@ private:
     const Block &block = ctx.block();
     const Word *rWord = wordOf(block, code, Role::Retract);
     const Word *zWord = wordOf(block, code, Role::Depth);
-    if ((!rWord && !zWord) || (zWord && isOfHole(*zWord, ctx)))
-      return;
     const MachineState &state = ctx.after();
     const auto unit = millimetresPer(ctx.dialect(), state);
     const auto r = kept(state, code, Role::Retract);
-    const auto z = kept(state, code, Role::Depth);
+    auto z = kept(state, code, Role::Depth);
+    if (const char other = depthOfPlane(code, ctx)) {
+      zWord = block.find(other);
+      z = state.cycle.has(other) ? std::optional(state.cycle.get(other)) : std::nullopt;
+      if (z && std::isnan(*z))
+        z.reset();
+    }
+    if (!rWord && !zWord)
+      return;
     if (zWord && unit && z && countsFromApproach(*zWord, ctx) && code.cycle != CycleKind::BackBore)
       countsUpwards(event, code, *zWord, *z * *unit, ctx);
     const bool increments = incremental(ctx) != Truth::No;
@@ -95,7 +101,8 @@ private:
         (rWord && rWord->has(wordIncremental)) || (zWord && zWord->has(wordIncremental)))
       return;
     const Levels levels{rWord ? *rWord : *zWord, *r, *z, *unit};
-    if (code.cycle == CycleKind::BackBore)
+    const bool counterbores = addressesOf(code, Role::Counterbore); // from R down first
+    if (code.cycle == CycleKind::BackBore && !counterbores)
       boresUpwards(event, code, levels, ctx);
     else if (std::fabs(levels.level() - levels.depth()) <= tolerance)
       nothingBetween(event, code, levels, ctx);
@@ -105,11 +112,16 @@ private:
       startsBelow(event, code, levels, ctx);
   }
 
-  /// In this plane the word is a coordinate of the hole.
-  static bool isOfHole(const Word &word, const RuleContext &ctx) {
-    const AddressInfo &address = ctx.dialect().addresses[word.address];
-    return address.kind == AddressKind::Axis &&
-           address.axis != toolAxis(ctx.dialect(), ctx.after());
+  /// Letter of the depth in another plane, where the cycle's own is a coordinate of the hole; 0: it
+  /// is the depth.
+  static char depthOfPlane(const CodeInfo &code, const RuleContext &ctx) {
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    for (const WordSpec &spec : code.words)
+      if (spec.role == Role::Depth)
+        for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+          if (spec.any == maskOf("XYZ"[size_t(axis)]) && axis != tool && tool <= Axis::Z)
+            return "XYZ"[size_t(tool)];
+    return 0;
   }
 
   static void boresUpwards(const Event &event, const CodeInfo &code, const Levels &levels,

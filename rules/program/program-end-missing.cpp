@@ -36,6 +36,9 @@ public:
     if (tapeMarkEnds_ && ctx.index().tapeMarks().size() > 1)
       return;
     const SourceRange where = ctx.flowRange();
+    // In a file that is one program control runs on past the number of a further one.
+    if (fileIsProgram_ && &ctx.index().programAt(where.begin) != &ctx.index().programs().back())
+      return;
     if (ctx.index().programAt(where.begin).kind == ProgramKind::Subprogram)
       return; // flow-return-missing speaks
     auto finding = ctx.report(where, event.certain);

@@ -1,6 +1,7 @@
 // Two programs of one file have the same number.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -16,10 +17,13 @@ bool isSame(const ProgramInfo &first, const ProgramInfo &second, const Reader &r
 
 class ProgramNumberDuplicate final : public Rule {
 public:
-  void listen(Subscriptions &) override {}
+  void listen(Subscriptions &to) override {
+    fileIsProgram_ = to.dialect().facts->program.fileIsProgram;
+  }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
-    if (file.index.programs().size() < 2)
+    // (In a file that is one program the numbers are marks, by which control runs on.)
+    if (file.index.programs().size() < 2 || fileIsProgram_)
       return;
     for (const ProgramInfo &program : file.index.programs()) {
       if (!program.hasHeader() || program.number < 0)
@@ -40,6 +44,9 @@ public:
             .note(headerOf(*first), "the first one");
     }
   }
+
+private:
+  bool fileIsProgram_ = false;
 };
 
 } // namespace

@@ -19,6 +19,7 @@ char digitFor(char letter) {
   }
 }
 
+bool isSmall(char c) { return c >= 'a' && c <= 'z'; }
 bool inNumber(char c) { return llvm::isDigit(c) || c == '.'; }
 
 class SyntaxLookalikeCharacter final : public Rule {
@@ -48,6 +49,10 @@ public:
           word.address == keywordAddress) // what defines an element begins where its name does
         continue;
       const char before = all[word.offset - 1];
+      // `g10l2`: a small L among small letters, with a number of its own, is the address.
+      if (letter == 'l' && inNumber(before) && !word.has(wordNoValue) &&
+          isSmall(letterBefore(word.offset, all)))
+        continue;
       // The name of an element may follow the block's number without a space: `N40O5`.
       const bool element = ctx.dialect().elementWords & maskOf(word.address) && block.number >= 0 &&
                            word.offset == block.numberEnd;
@@ -58,6 +63,13 @@ public:
 
 private:
   static bool isRound(char c) { return c == 'O' || c == 'o' || c == 'l'; }
+
+  /// The nearest letter before `at`; 0: there is none.
+  static char letterBefore(uint32_t at, llvm::StringRef all) {
+    while (at > 0 && !llvm::isAlpha(all[at - 1]))
+      --at;
+    return at > 0 ? all[at - 1] : '\0';
+  }
 
   /// Beginning of the word whose number is broken off at `at`.
   static uint32_t startOf(uint32_t at, llvm::StringRef all) {

@@ -52,14 +52,16 @@ TEST(LinuxCnc, ACallGivesItsArgumentsAndTakesNothingBackButTheValue) {
       ElementsAre("7 variable-domain-error", "8 variable-domain-error", "9 variable-domain-error"));
 }
 
-TEST(LinuxCnc, ArgumentsThatACallLeavesOutKeepTheValueOfTheCaller) {
+TEST(LinuxCnc, ArgumentsThatACallLeavesOutAreZero) {
   EXPECT_THAT(errors("o100 sub\n"
-                     "  G0 X[1 / [#2 - 8]]\n"
+                     "  G0 X[1 / #2]\n"
+                     "  #3 = 9\n"
                      "o100 endsub\n"
-                     "#2 = 8\n"
+                     "#2 = 8 #3 = 5\n"
                      "o100 call [1]\n"
+                     "G0 X[1 / [#3 - 5]]\n"
                      "M2\n"),
-              ElementsAre("2 variable-domain-error"));
+              ElementsAre("2 variable-domain-error", "7 variable-domain-error"));
 }
 
 TEST(LinuxCnc, OneBranchOfAnIfRuns) {

@@ -690,7 +690,7 @@ TEST(Trace, LengthsThatTheProgramGivesCountFromTheNextG43On) {
                       "G10 L1 P1 R3\nG43 H1\nG0 X3\nG10 L10 P1 Z0\nG43 H1\nG0 X4\nM2\n",
                       knownOffsets),
               ElementsAre("1 rapid X0 Y0 Z100", "4 rapid X1 Y0 Z70", "6 rapid X2 Y0 Z60",
-                          "9 rapid X3 Y0 Z60", "12 rapid X4 Y0", "13 end"));
+                          "9 rapid X3 Y0 Z60", "12 rapid X4 Y0 Z0", "13 end"));
 }
 
 /// The interpreter reads on in the body of what nothing closes (rs274 of LinuxCNC 2.9).

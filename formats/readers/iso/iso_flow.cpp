@@ -36,6 +36,10 @@ std::string isoFlowLabel(llvm::StringRef label) {
   for (const char c : label)
     if (c != ' ' && c != '\t')
       key += llvm::toUpper(c);
+  // `O002` is `O2`.
+  const size_t digit = key.find_first_not_of('0');
+  if (digit != std::string::npos && llvm::all_of(key, llvm::isDigit))
+    key.erase(0, digit);
   return key;
 }
 
@@ -130,6 +134,8 @@ void IsoScanner::scanFlowValue(Item &item) {
   case Structure::ElseIf:
   case Structure::While:
     item.condition = bracketIfAny(); // what else is here is an issue of its own
+    if (item.condition == noExpression && atLineEnd())
+      issue(SyntaxIssueKind::BadStatement, begin, at_);
     break;
   case Structure::Times:
     item.target = constant(begin, at_, double(elementKey(variableKey("repeat "), item.begin)));
@@ -154,8 +160,14 @@ uint16_t IsoScanner::bracketIfAny() {
   return at_ < end_ && *at_ == '[' ? operand() : noExpression;
 }
 
+/// Comments may be between the arguments.
 void IsoScanner::scanCallArguments(Item &item) {
-  for (uint16_t value = bracketIfAny(); value != noExpression; value = bracketIfAny()) {
+  const auto next = [this] {
+    for (skipBlanks(); at_ < end_ && *at_ == '('; skipBlanks())
+      scanComment();
+    return bracketIfAny();
+  };
+  for (uint16_t value = next(); value != noExpression; value = next()) {
     Argument argument;
     argument.kind = ArgumentKind::Expression;
     argument.expression = value;

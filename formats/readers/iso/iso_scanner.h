@@ -155,7 +155,8 @@ inline void IsoScanner::addNumber(Word &word, const char *begin) {
 }
 
 inline bool IsoScanner::numbersBlock(const Word &word, const char *begin) {
-  if (block_.number < 0 && word.isNumber() && startsBlock()) {
+  const bool first = startsBlock() && (!lexical_.flowWords || block_.comments.empty());
+  if (block_.number < 0 && word.isNumber() && first) {
     setNumber(begin, word.mantissa);
     if (word.has(wordPoint) && !lexical_.freeNumbers)
       issue(SyntaxIssueKind::MalformedNumber, begin, at_);

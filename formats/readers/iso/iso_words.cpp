@@ -13,6 +13,10 @@ bool IsoScanner::scanUnknownWord() {
     axes &= llvm::StringRef("XYZABCUVW").contains(char(*p++ & ~32));
   if (p - begin < 3 || axes)
     return false;
+  // `XABS[-3]`: the name of a function is directly after the address.
+  if (opensExpression(begin + 1) &&
+      MacroExpression::namesFunction({begin + 1, size_t(p - begin - 1)}))
+    return false;
   while (p < end_ && (isLetter(*p) || isNumberDigit(*p) || *p == '_'))
     ++p;
   at_ = p;

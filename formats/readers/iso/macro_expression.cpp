@@ -114,6 +114,11 @@ ExpressionParser::Rest MacroExpression::afterBad(const char *begin) const {
   return {p, depth != 0};
 }
 
+bool MacroExpression::namesFunction(llvm::StringRef letters) {
+  return llvm::any_of(
+      functions, [&](const FunctionName &entry) { return letters.equals_insensitive(entry.name); });
+}
+
 uint16_t MacroExpression::parse(Form form, Arithmetic arithmetic) {
   ngc_ = arithmetic == Arithmetic::Ngc;
   names_ = arithmetic == Arithmetic::MacroB30;
@@ -426,7 +431,8 @@ bool MacroExpression::function(unsigned depth) {
   for (const FunctionName &entry : functions) {
     if (!beginsWith({at_, size_t(end_ - at_)}, entry.name))
       continue;
-    const char *const bracket = afterSpaces(at_ + entry.name.size());
+    const char *const after = at_ + entry.name.size();
+    const char *const bracket = ngc_ ? afterBlanks(after) : afterSpaces(after);
     if (bracket == end_ || *bracket != '[')
       continue;
     at_ = bracket + 1;

@@ -18,6 +18,8 @@ public:
 
   explicit MacroExpression(const BlockCursor &from) : ExpressionParser(from) {}
 
+  /// Whether these letters are the name of a function.
+  static bool namesFunction(llvm::StringRef letters);
   /// Index into `block.expressions` of the expression read.
   uint16_t parse(Form form, Arithmetic arithmetic);
 
