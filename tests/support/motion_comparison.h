@@ -110,8 +110,9 @@ private:
         return "another centre";
     if (move.clockwise != (canonical.turns < 0))
       return "another direction";
+    // (Also a tiny arc is a begun turn.)
     if (!move.turns.isConstant() ||
-        std::ceil(move.turns.value() - 1e-4) != std::abs(canonical.turns))
+        std::max(1.0, std::ceil(move.turns.value() - 1e-4)) != std::abs(canonical.turns))
       return "other turns";
     return "";
   }
