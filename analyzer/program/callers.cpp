@@ -40,7 +40,7 @@ std::string parentOf(const std::string &folder) {
   return llvm::sys::path::relative_path(parent).empty() ? "" : parent.str(); // not the root
 }
 
-/// The folders in which callers are looked for.
+/// The folders in which callers are looked for, first the file's own.
 std::vector<std::string> foldersRound(const FileUnit &unit) {
   std::vector<std::string> folders = unit.project->foldersOf(unit);
   if (unit.source.path().empty())
@@ -52,6 +52,9 @@ std::vector<std::string> foldersRound(const FileUnit &unit) {
     if (!llvm::is_contained(folders, folder))
       folders.push_back(std::move(folder));
   };
+  for (const std::string &folder : unit.project->foldersOfChecked())
+    if (!llvm::is_contained(folders, folder) && !llvm::sys::fs::equivalent(folder, own))
+      add(folder);
   if (parent.empty())
     return folders;
   if (isArchive) {

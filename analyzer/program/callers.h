@@ -18,9 +18,10 @@ struct Callers {
   bool all = true; ///< false: there may be others, which the texts do not tell
 };
 
-/// Who calls `program`, a program of `unit`: in its file, in the files of its folder and of those
-/// that are searched for every file. Of a folder for subprograms (`subs`) the one above counts too,
-/// of one of a control's archive (`SPF.DIR`) those beside it as well.
+/// Who calls `program`, a program of `unit`: in its file, in the files of its folder, of those that
+/// are searched for every file, and of those of the files that are checked together. Of a folder
+/// for subprograms (`subs`) the one above counts too, of one of a control's archive (`SPF.DIR`)
+/// those beside it as well.
 Callers callersOf(FileUnit &unit, const ProgramInfo &program);
 
 /// The files beside `unit` that only return to a caller, and that no file there calls. Nothing

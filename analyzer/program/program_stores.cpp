@@ -6,6 +6,7 @@
 #include "llvm/Support/Path.h"
 
 #include <algorithm>
+#include <set>
 
 namespace ncvet {
 
@@ -108,6 +109,14 @@ const ProgramFolders::Stores &ProgramFolders::stores(const std::string &folder,
 void ProgramFolders::setChecked(llvm::ArrayRef<std::string> files) {
   for (const std::string &file : files)
     checked_[path::stem(file).upper()].push_back(file);
+  std::set<std::string> folders;
+  for (const std::string &file : files) {
+    const llvm::StringRef parent = path::parent_path(file);
+    folders.insert(parent.empty() ? "." : parent.str());
+  }
+  constexpr size_t most = 100;
+  if (folders.size() <= most)
+    checkedFolders_.assign(folders.begin(), folders.end());
 }
 
 llvm::ArrayRef<std::string> ProgramFolders::checked(llvm::StringRef name) const {

@@ -221,23 +221,35 @@ Project::Found Project::open(const std::string &name,
 
 std::vector<std::string> Project::filesElsewhere(const FileUnit &from, llvm::StringRef name) {
   std::vector<std::string> files;
-  const std::vector<std::string> &names = dialect_->facts->program.folders;
-  if (names.empty() || from.source.path().empty())
+  if (from.source.path().empty())
     return files;
+  const std::vector<std::string> &names = dialect_->facts->program.folders;
   const std::string key = name.upper();
-  for (const std::string &folder : folders_->stores(folderOf(from), names).further) {
-    const ProgramFolders::Programs &programs = folders_->programs(folder);
-    if (const auto file = programs.byName.find(key); file != programs.byName.end())
-      files.push_back(file->second);
-  }
+  if (!names.empty())
+    for (const std::string &folder : folders_->stores(folderOf(from), names).further) {
+      const ProgramFolders::Programs &programs = folders_->programs(folder);
+      if (const auto file = programs.byName.find(key); file != programs.byName.end())
+        files.push_back(file->second);
+    }
   for (const std::string &file : folders_->checked(key))
     if (!llvm::is_contained(files, file))
       files.push_back(file);
   llvm::erase_if(files, [&](const std::string &file) {
     llvm::StringRef ending = llvm::sys::path::extension(file);
     ending.consume_front(".");
-    return file == from.source.path() || !isProgramEnding(ending, *dialect_);
+    return file == from.source.path() || (!names.empty() && !isProgramEnding(ending, *dialect_));
   });
+  return files;
+}
+
+std::vector<std::string> Project::filesElsewhere(const FileUnit &from, int64_t number) {
+  std::vector<std::string> files;
+  for (const std::string &folder : folders_->checkedFolders()) {
+    const ProgramFolders::Programs &programs = folders_->programs(folder);
+    const auto file = programs.byNumber.find(number);
+    if (file != programs.byNumber.end() && file->second != from.source.path())
+      files.push_back(file->second);
+  }
   return files;
 }
 
@@ -248,13 +260,19 @@ bool Project::liesElsewhere(const FileUnit &from, llvm::StringRef name) {
 Project::Found Project::findProgram(FileUnit &from, int64_t number) {
   if (const ProgramInfo *program = from.index.find(number))
     return {&from, program};
-  return searchFolders(
+  const auto programOf = [number](const FileIndex &index) { return index.find(number); };
+  const Found found = searchFolders(
       from,
       [number](const ProgramFolders::Programs &programs) {
-        const auto found = programs.byNumber.find(number);
-        return found == programs.byNumber.end() ? std::string() : found->second;
+        const auto file = programs.byNumber.find(number);
+        return file == programs.byNumber.end() ? std::string() : file->second;
       },
-      [number](const FileIndex &index) { return index.find(number); });
+      programOf);
+  if (found.first)
+    return found;
+  // Which of several it is depends on what the machine has loaded.
+  const std::vector<std::string> files = filesElsewhere(from, number);
+  return files.size() == 1 ? open(files.front(), programOf) : Found{nullptr, nullptr};
 }
 
 Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {

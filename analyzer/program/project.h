@@ -63,6 +63,8 @@ public:
   void setChecked(llvm::ArrayRef<std::string> files);
   /// Files of that name, in capitals and without its ending, among those that are checked together.
   llvm::ArrayRef<std::string> checked(llvm::StringRef name) const;
+  /// The folders of these files, sorted; none when there are too many to look through.
+  llvm::ArrayRef<std::string> checkedFolders() const { return checkedFolders_; }
   /// What the files of each folder call.
   CallsOfFolders calls;
 
@@ -71,6 +73,7 @@ private:
   std::map<std::string, Programs> folders_;
   std::map<std::string, Stores> stores_;
   llvm::StringMap<std::vector<std::string>> checked_;
+  std::vector<std::string> checkedFolders_;
 };
 
 /// Finds programs that a file calls: in the same file, then in files of the same folder, of the
@@ -99,6 +102,8 @@ public:
   FileUnit *open(const std::string &path);
   /// The folder of a file, then those that are searched for every file.
   std::vector<std::string> foldersOf(const FileUnit &from) const;
+  /// The folders of the files that are checked together.
+  llvm::ArrayRef<std::string> foldersOfChecked() const { return folders_->checkedFolders(); }
   CallsOfFolders &callsOfFolders() { return folders_->calls; }
   const Dialect &dialect() const { return *dialect_; }
   const MachineProfile &machine() const { return machine_; }
@@ -109,8 +114,10 @@ private:
   static std::string folderOf(const FileUnit &from);
   /// `foldersOf` with the folders of the control's backup that the file is part of.
   std::vector<std::string> searchedFolders(const FileUnit &from);
-  /// Files of this name, in capitals, where the control does not look by itself.
+  /// Files of this name where the control does not look by itself.
   std::vector<std::string> filesElsewhere(const FileUnit &from, llvm::StringRef name);
+  /// Files of that number among those that are checked together.
+  std::vector<std::string> filesElsewhere(const FileUnit &from, int64_t number);
   Found open(const std::string &file,
              llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf);
   /// Looks through the folders; `fileOf` picks a folder's file, `programOf` the program in it.

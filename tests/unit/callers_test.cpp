@@ -24,10 +24,19 @@ public:
   template <typename Ask>
   auto ask(const std::string &dialect, const std::string &file, Ask what) {
     SourceSet sources;
-    Project project(sources, test::dialectNamed(dialect), MachineProfile());
+    const auto folders = std::make_shared<ProgramFolders>();
+    folders->setChecked(checked_);
+    Project project(sources, test::dialectNamed(dialect), MachineProfile(), {}, folders);
     FileUnit *const unit = project.open((folder_.path() / file).string());
     EXPECT_NE(nullptr, unit);
     return what(*unit);
+  }
+  /// All files so far are checked together.
+  Store &together() {
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(folder_.path()))
+      if (entry.is_regular_file())
+        checked_.push_back(entry.path().string());
+    return *this;
   }
   std::vector<std::string> callers(const std::string &dialect, const std::string &file) {
     return ask(dialect, file, [](FileUnit &unit) {
@@ -49,6 +58,7 @@ public:
 
 private:
   TemporaryFolder folder_;
+  std::vector<std::string> checked_;
 };
 
 TEST(Callers, AreFoundInTheFilesBeside) {
@@ -64,6 +74,25 @@ TEST(Callers, AreFoundByNameInTheFoldersOfAnArchive) {
   store.file("MPF.DIR/PLATE.MPF", "N10 G0 X0\nN20 SLOT\nN30 M30\n")
       .file("SPF.DIR/SLOT.SPF", "N10 G1 X5\nN20 M17\n");
   EXPECT_THAT(store.callers("sinumerik", "SPF.DIR/SLOT.SPF"), ElementsAre("PLATE.MPF:2"));
+}
+
+TEST(Callers, AreFoundInOtherFoldersThatAreCheckedTogether) {
+  Store store;
+  store.file("main/O1.nc", "O1\nM98 P20\nM30\n").file("lib/O20.nc", "O20\nG1 X5.\nM99\n");
+  EXPECT_THAT(store.callers("fanuc-mill", "lib/O20.nc"), IsEmpty());
+  store.together();
+  EXPECT_THAT(store.callers("fanuc-mill", "lib/O20.nc"), ElementsAre("O1.nc:2"));
+}
+
+TEST(Callers, OfAProgramThatTwoOfTheseFoldersHaveAreNotKnown) {
+  Store store;
+  store.file("main/O1.nc", "O1\nM98 P20\nM30\n")
+      .file("lib/O20.nc", "O20\nG1 X5.\nM99\n")
+      .file("old/O20.nc", "O20\nG1 X4.\nM99\n")
+      .together();
+  EXPECT_TRUE(store.ask("fanuc-mill", "main/O1.nc", [](FileUnit &unit) {
+    return unit.project->findProgram(unit, 20).second == nullptr;
+  }));
 }
 
 TEST(Callers, OfAnotherProgramOfTheSameNumberDoNotCount) {
