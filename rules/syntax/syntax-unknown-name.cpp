@@ -139,7 +139,7 @@ private:
     }
     const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
     if (!near) {
-      if (isArgument(range, ctx.block()))
+      if (isArgument(range, ctx.block()) || mayBeOfMachine(name))
         return;
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
@@ -155,6 +155,12 @@ private:
                    "have both, the control stops here",
                    name, ctx.text(defined))
           .note(defined, "this name is defined");
+  }
+
+  /// `R200`, `GUD_X`: a parameter that other programs set, a name as builders write them.
+  static bool mayBeOfMachine(llvm::StringRef name) {
+    return name.contains('_') ||
+           (name.startswith_insensitive("R") && llvm::all_of(name.drop_front(), llvm::isDigit));
   }
 
   /// Alone in its place of a call it may name a program or a contour: the call's own rules speak.
