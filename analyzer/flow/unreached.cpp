@@ -14,7 +14,7 @@ class UnreachedText {
 public:
   UnreachedText(FlowRun &run, StraightRuns *runs)
       : run_(run), unit_(run.unit), runs_(runs), unknown_(unknownState(*run.unit.dialect)),
-        reached_(run.covered.ranges(run.unit.source.id())), at_(run.unit.reader->first()) {}
+        reached_(run.covered.ranges(run.unit.source.id())), at_(begin(run.unit)) {}
 
   void inspect() {
     const auto size = uint32_t(unit_.source.text().size());
@@ -25,6 +25,14 @@ public:
   }
 
 private:
+  /// What comes before the tape's first mark and a program is a leader, which the control skips.
+  static uint32_t begin(const FileUnit &unit) {
+    const llvm::ArrayRef<uint32_t> marks = unit.index.tapeMarks();
+    const bool leader = unit.dialect->lexical.tapeLeader && !marks.empty() &&
+                        marks.front() < unit.index.programs().front().begin;
+    return leader ? marks.front() : unit.reader->first();
+  }
+
   /// Ends the text of which nothing was to be said; what follows may begin another.
   void keep(uint32_t next) {
     if (runs_ && quiet_.blocks >= shortestRun)

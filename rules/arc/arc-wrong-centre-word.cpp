@@ -16,6 +16,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onMoves({MotionKind::ArcCw, MotionKind::ArcCcw});
     zeroCounts_ = to.dialect().facts->arcs.wrongCentreOfZeroStops;
+    zeroIsSilent_ = !to.flag("zero", true);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -24,6 +25,10 @@ public:
     const Dialect &dialect = ctx.dialect();
     const ArcWords &words = ctx.arcWords();
     if (!words.foreign || !words.planeKnown)
+      return;
+    const Interval value = ctx.value(*words.foreign);
+    const bool zero = value.isConstant() && value.value() == 0;
+    if (zeroIsSilent_ && zero && words.hasCentre())
       return;
     // With both words of the plane it is a habit of the program's writer: told once a plane.
     const bool complete = words.centre[0] && words.centre[1];
@@ -42,8 +47,7 @@ public:
                     ctx.text(*words.foreign), where, first, second);
     if (plane)
       finding.note(planeOrigin, "`" + plane->name + "` is selected here");
-    const Interval value = ctx.value(*words.foreign);
-    if (complete && !zeroCounts_ && value.isConstant() && value.value() == 0)
+    if (complete && !zeroCounts_ && zero)
       finding.severity(Severity::Style); // changes nothing
     if (complete) {
       finding.fix(FixSafety::Unsafe, "remove `" + ctx.text(*words.foreign).str() + "`",
@@ -57,7 +61,8 @@ public:
   }
 
 private:
-  bool zeroCounts_ = false; ///< the control stops at a word of value 0 too
+  bool zeroCounts_ = false;   ///< the control stops at a word of value 0 too
+  bool zeroIsSilent_ = false; ///< a word of value 0 beside the plane's own changes nothing
 };
 
 } // namespace

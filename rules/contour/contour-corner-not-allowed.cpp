@@ -11,6 +11,7 @@ public:
     corners_ = cornerAddresses(to.dialect());
     axisParallel_ = to.dialect().facts->corners.axisParallel;
     between_ = to.dialect().facts->corners.idleBlocksBetween ? blocksBetweenMoves : 0;
+    plainInRapid_ = to.flag("plainInRapid", true);
     if (corners_.corner())
       to.onChange({EventKind::Motion});
   }
@@ -23,7 +24,7 @@ public:
       return;
     const bool plain = corners_.plain & maskOf(word->address);
     if (event.motion == MotionKind::Rapid) {
-      if (takenByOther(ctx, maskOf(word->address)))
+      if (takenByOther(ctx, maskOf(word->address)) || (plain && !plainInRapid_))
         return;
       if (auto finding = ctx.report(*word))
         finding.message("`{0}` asks for a corner in a rapid move: corners lie between feed moves",
@@ -172,6 +173,7 @@ private:
   }
 
   CornerAddresses corners_;
+  bool plainInRapid_ = true; ///< false: C and R of a rapid move are no corner words
   bool axisParallel_ = false;
   unsigned between_ = 0; ///< blocks without a move that plain corners pass over
 };

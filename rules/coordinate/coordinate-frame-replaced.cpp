@@ -10,8 +10,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
-    if (code.effect.index >= maxSwitches || !ctx.before().switchMustBeOn(code.effect.index) ||
-        ctx.before().may(Fact::UnknownCode))
+    if (code.effect.index >= maxSwitches || !code.effect.on ||
+        !ctx.before().switchMustBeOn(code.effect.index) || ctx.before().may(Fact::UnknownCode))
       return;
     const Origin &origin = ctx.before().origin.ofSwitch(code.effect.index);
     // The same frame with other values is meant to replace it.

@@ -11,6 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion});
     positive_ = to.flag("positive", true);
+    feed_ = to.flag("feed", true);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -20,7 +21,7 @@ public:
     if (!use)
       return;
     if (const char *how =
-            event.code != noCode && event.certain ? wayOf(ctx.code(event)) : nullptr) {
+            feed_ && event.code != noCode && event.certain ? wayOf(ctx.code(event)) : nullptr) {
       if (auto finding = ctx.report(*use->word))
         finding
             .message("`{0}` moves by the active code `{1}`: {2}", ctx.text(*use->word),
@@ -68,6 +69,7 @@ private:
   }
 
   bool positive_ = true;
+  bool feed_ = true; ///< the active motion code decides how the block moves
 };
 
 } // namespace

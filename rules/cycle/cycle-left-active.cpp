@@ -45,6 +45,8 @@ public:
              code.cycle < CycleKind::Pattern;
     });
     to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
+    if (to.flag("referenceStops"))
+      to.onAction({Action::ReferenceReturn, Action::ReferenceFrom, Action::ReferenceCheck});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -70,7 +72,11 @@ public:
       repeatedPass(event, ctx);
       return;
     }
-    if (cycle && !endsHere(event, *cycle, ctx))
+    if (!cycle || endsHere(event, *cycle, ctx))
+      return;
+    if (event.kind == EventKind::Code && isReference(ctx.code(event)))
+      underCycle(event, *cycle, active == Truth::Yes, ctx);
+    else
       leftActive(event, *cycle, active == Truth::Yes, ctx);
   }
 
@@ -82,6 +88,24 @@ public:
   }
 
 private:
+  static bool isReference(const CodeInfo &code) {
+    return code.action == Action::ReferenceReturn || code.action == Action::ReferenceFrom ||
+           code.action == Action::ReferenceCheck;
+  }
+
+  /// A reference return that the control refuses while the cycle is on.
+  static void underCycle(const Event &event, const CodeInfo &cycle, bool certain,
+                         RuleContext &ctx) {
+    if (auto finding = ctx.report(event, certain && event.certain))
+      finding
+          .message("`{0}` while `{1}` is active: the control stops with an alarm",
+                   ctx.text(*event.word), cycle.name)
+          .severity(Severity::Error)
+          .note(ctx.before().origin.of(StatePart::Cycle), cycle.name + " becomes active here")
+          .fix(FixSafety::Unsafe, "insert " + cancelOf(ctx.dialect(), cycle) + " before this block",
+               ctx.insertBlockBefore(cancelOf(ctx.dialect(), cycle)));
+  }
+
   /// Whether the block itself ends the cycle, or another of its events says it.
   static bool endsHere(const Event &event, const CodeInfo &cycle, const RuleContext &ctx) {
     // Where every block runs the cycle a T has no place in a list; the change says it for both.

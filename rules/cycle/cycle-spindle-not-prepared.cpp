@@ -1,4 +1,6 @@
 // A cycle needs something of the spindle that the machine does not have or that was not prepared.
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -13,11 +15,19 @@ public:
     // Tapping by a move: the spindle follows the axis, and nothing in the code orients it.
     if (to.dialect().orientWords)
       to.onCode([](const CodeInfo &code) { return tapsByMove(code); });
+    tapDirectly_ = to.flag("tapDirectly");
+    for (GroupIndex i = 0; i < to.dialect().groups.size(); ++i)
+      if (to.dialect().groups[i].id == "tapping-mode")
+        tapping_ = i;
+    if (tapDirectly_ && tapping_ != noGroup)
+      to.onCode([](const CodeInfo &code) { return taps(code); });
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
+    if (tapDirectly_ && tapping_ != noGroup && taps(code))
+      between(event, ctx);
     if (!ctx.dialect().orientWords || !tapsByMove(code) ||
         ctx.after().may(Fact::OrientedSinceTool) || ctx.after().may(Fact::UnknownCode))
       return;
@@ -31,9 +41,54 @@ public:
   }
 
 private:
+  static bool taps(const CodeInfo &code) {
+    return code.action == Action::Cycle &&
+           (code.cycle == CycleKind::RigidTap || code.cycle == CycleKind::RigidTapLeft ||
+            code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft);
+  }
+
+  /// Moves and speeds between the code that prepares rigid tapping and its cycle.
+  void between(const Event &event, RuleContext &ctx) const {
+    const Origin &origin = ctx.before().origin.ofGroup(tapping_);
+    if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
+      return;
+    SourceRange moved;
+    bool certain = event.certain, first = true;
+    for (const Block &block :
+         blocks(ctx.index().reader(), lineBegin(origin, ctx), ctx.block().begin)) {
+      if (std::exchange(first, false))
+        continue; // the block of the code itself
+      // The spindle is free again: another code prepares the next cycle.
+      if (block.hasLabel() || findCode(ctx.dialect(), block, {Action::CycleCancel, Action::Cycle}))
+        return;
+      if (!moved.end && block.hasAny(ctx.dialect().axisWords | maskOf(letterAddress('S')))) {
+        moved = {ctx.source().id(), block.begin, block.next};
+        certain &= block.skip < 0;
+      }
+    }
+    if (!moved.end)
+      return;
+    if (auto finding = ctx.report(event, certain))
+      finding
+          .message("`{0}` does not come directly after `{1}`: a move or a speed between them makes "
+                   "the control stop",
+                   ctx.text(*event.word), ctx.text(origin.range()))
+          .severity(Severity::Error)
+          .note(origin, "rigid tapping is prepared here");
+  }
+
+  static uint32_t lineBegin(const Origin &origin, const RuleContext &ctx) {
+    const llvm::StringRef text = ctx.source().text();
+    const size_t end = text.rfind('\n', origin.begin);
+    return end == llvm::StringRef::npos ? 0 : uint32_t(end + 1);
+  }
+
   static bool tapsByMove(const CodeInfo &code) {
     return code.action == Action::Thread && code.spindle == SpindleNeed::StartsItself;
   }
+
+  bool tapDirectly_ = false;     ///< nothing may move between the code and its cycle
+  GroupIndex tapping_ = noGroup; ///< of the code that prepares rigid tapping
 };
 
 } // namespace

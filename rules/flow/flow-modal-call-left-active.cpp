@@ -10,6 +10,7 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       if (code.cancelsCalls) {
         cancel_ = code.name;
+        ofCycles_ = code.action == Action::CycleCancel;
         to.on({EventKind::ProgramEnd, EventKind::ToolChange});
         return;
       }
@@ -19,7 +20,7 @@ public:
     const MachineState &state = ctx.before();
     if (ctx.callDepth() > 0)
       return;
-    const Truth cycle = state.cycleActive(ctx.dialect());
+    const Truth cycle = ofCycles_ ? state.cycleActive(ctx.dialect()) : Truth::No;
     const Truth call = state.callsModally();
     if (cycle == Truth::No && call == Truth::No)
       return;
@@ -47,6 +48,7 @@ private:
   }
 
   std::string cancel_;
+  bool ofCycles_ = false; ///< cycles are called modally too
 };
 
 } // namespace

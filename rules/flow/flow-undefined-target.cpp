@@ -1,5 +1,5 @@
 // A jump or a return names a block that does not exist.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/silent_program.h"
 
 namespace ncvet {
 namespace {
@@ -11,6 +11,9 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.flowIssue() != FlowIssue::UnknownBlock ||
         ctx.outcome().flow.kind == FlowKind::CallLocal)
+      return;
+    // The block is one of the caller's, and who calls the program is not known here.
+    if (ctx.outcome().flow.kind == FlowKind::Return && ctx.callDepth() == 0 && onlyReturns(ctx))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("`{0}` leads to a block that is not there: the control stops with an alarm",

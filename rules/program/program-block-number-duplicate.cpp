@@ -9,6 +9,7 @@ class ProgramBlockNumberDuplicate final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     unreferenced_ = to.flag("unreferencedIsWarning", true) ? Severity::Warning : Severity::Style;
+    nextProfile_ = to.flag("nextProfile");
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
@@ -30,7 +31,8 @@ private:
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
         if (i > 1 && numbers[i - 2].number == again.number) // once for each number
           continue;
-        if (otherProgramBetween(first, again, file, ctx.dialect()))
+        if (otherProgramBetween(first, again, file, ctx.dialect()) ||
+            (nextProfile_ && profileBetween(first, again, file, ctx.dialect())))
           continue;
         report(
             first, again,
@@ -64,6 +66,21 @@ private:
     return false;
   }
 
+  /// Whether a cycle between the two names the number: it finds the profile that follows it, and
+  /// one before the first has found the first.
+  static bool profileBetween(const NumberedBlock &first, const NumberedBlock &again,
+                             const FileSummary &file, const Dialect &dialect) {
+    for (const Block &block : blocks(file.reader, first.offset, again.offset)) {
+      const auto names = [&](char letter) {
+        const Word *word = block.find(letter);
+        return word && word->isNumber() && int64_t(word->value()) == again.number;
+      };
+      if ((names('P') || names('Q')) && findCode(dialect, block, {Action::Cycle}))
+        return true;
+    }
+    return false;
+  }
+
   /// `:20` where that begins a phase of the program, which is found by a number of its own.
   static bool isPhase(const NumberedBlock &where, const FileSummary &file, const RuleContext &ctx) {
     if (ctx.dialect().keyword(":N") == noCode)
@@ -89,6 +106,7 @@ private:
   }
 
   Severity unreferenced_ = Severity::Warning;
+  bool nextProfile_ = false; ///< a cycle takes the profile that follows it
 };
 
 } // namespace

@@ -19,6 +19,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun});
     anyMachine_ = to.flag("anyMachine");
+    builderStarts_ = to.flag("builderStarts");
     hasHead_ = llvm::any_of(to.dialect().codes,
                             [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
   }
@@ -52,7 +53,7 @@ public:
         (!memory().unsaid.speaks(origin, ctx) || (hasHead_ && isFragment(ctx)) ||
          (anyMachine_ && saysNothingOfTools(ctx))))
       return;
-    if (!memory().once.speaks(origin, ctx))
+    if (!memory().once.speaks(origin, ctx) || (builderStarts_ && startsNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither tool, speed nor spindle: the program may run axes in, or guide a laser.
@@ -136,7 +137,8 @@ private:
   }
 
   bool anyMachine_ = false; ///< a program that names no spindle at all may be for a machine without
-  bool hasHead_ = false;    ///< the control has a word that opens a program
+  bool builderStarts_ = false; ///< a program that starts no spindle has it started by other codes
+  bool hasHead_ = false;       ///< the control has a word that opens a program
 };
 
 } // namespace

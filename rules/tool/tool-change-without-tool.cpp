@@ -1,4 +1,5 @@
 // A tool change for which no tool was selected.
+#include "analyzer/facts/silent_program.h"
 #include "analyzer/facts/unnamed_tool_change.h"
 #include "formats/dialect/control_facts.h"
 
@@ -25,6 +26,9 @@ public:
     memory().nameless.see(event, ctx);
     if (ctx.block().has(letterAddress('T')) || before.preselected != notSet || !named ||
         before.may(Fact::UnknownCode)) // an earlier T waits for the change
+      return;
+    // A program that is called changes to the tool that its caller has selected.
+    if (!again && ctx.callDepth() == 0 && onlyReturns(ctx))
       return;
     if (auto finding = ctx.report(event)) {
       finding.message(again ? "`{0}` changes the tool, but no `T` has named one since the change "

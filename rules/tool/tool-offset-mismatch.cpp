@@ -1,12 +1,21 @@
 // An offset number that is not the tool's own.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+
+#include <set>
 
 namespace ncvet {
 namespace {
 
-class ToolOffsetMismatch final : public Rule {
+struct ToolOffsetMismatchMemory {
+  bool read = false;
+  std::set<int64_t> tools; ///< numbers of the T words of the file
+};
+
+class ToolOffsetMismatch final : public StatefulRule<ToolOffsetMismatchMemory> {
 public:
   void listen(Subscriptions &to) override {
+    onlyOtherTools_ = to.flag("onlyOtherTools");
     if (to.dialect().isLathe())
       to.on(EventKind::ToolWord);
     else
@@ -37,7 +46,8 @@ public:
       return;
     const int32_t tool = state.tool != notSet ? state.tool : state.preselected;
     if (!event.offset().isConstant() || tool <= 0 || event.offset().value() == 0 ||
-        event.offset().value() == tool)
+        event.offset().value() == tool ||
+        (onlyOtherTools_ && !isTool(int64_t(event.offset().value()), ctx)))
       return;
     if (auto finding = ctx.report(word)) {
       finding
@@ -50,6 +60,22 @@ public:
                                 std::to_string(tool)));
     }
   }
+
+private:
+  /// Whether a T word of the file has the number. Reads the whole file once.
+  bool isTool(int64_t number, const RuleContext &ctx) const {
+    Memory &known = memory();
+    if (!known.read) {
+      known.read = true;
+      for (const ProgramInfo &program : ctx.index().programs())
+        for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+          if (const Word *tool = block.find(letterAddress('T')); tool && tool->isNumber())
+            known.tools.insert(int64_t(tool->value()));
+    }
+    return known.tools.count(number) != 0;
+  }
+
+  bool onlyOtherTools_ = false; ///< numbers that no tool of the file has are a shop's scheme
 };
 
 } // namespace

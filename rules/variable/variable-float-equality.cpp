@@ -10,7 +10,10 @@ namespace {
 
 class VariableFloatEquality final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::Statement); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::Statement);
+    constants_ = to.flag("constants", true);
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
@@ -28,7 +31,8 @@ public:
       const bool equal =
           i > 0 && (operations[i].op == Op::Equal || operations[i].op == Op::NotEqual);
       if (!equal || operations[i - 1].op != Op::Number || !variable ||
-          operations[i - 1].value == std::floor(operations[i - 1].value))
+          operations[i - 1].value == std::floor(operations[i - 1].value) ||
+          !(constants_ || readsComputed(operations, ctx)))
         continue;
       const SourceRange range = ctx.range(condition);
       if (auto finding = ctx.report(range))
@@ -41,6 +45,14 @@ public:
   }
 
 private:
+  /// Whether one of the variables was computed with a fraction or a quotient.
+  static bool readsComputed(llvm::ArrayRef<ExpressionOp> operations, RuleContext &ctx) {
+    return llvm::any_of(operations, [&](const ExpressionOp &op) {
+      return op.op == Op::Divide ||
+             (op.op == Op::Variable && comesFromFraction(uint64_t(op.value), ctx));
+    });
+  }
+
   /// The middle branch of a choice by sign is one for equality.
   static void choice(const Item &item, RuleContext &ctx) {
     const Block &block = ctx.block();
@@ -93,6 +105,8 @@ private:
     }
     return fraction;
   }
+
+  bool constants_ = true; ///< a variable that the control or the operator sets may miss the value
 };
 
 } // namespace
