@@ -63,7 +63,7 @@ private:
   void passes() {
     const double degression = std::max(1.0, number(Role::Ratio).value_or(1));
     double depth = first_;
-    for (unsigned count = 2; depth < depth_ && count < mostSteps; ++count) {
+    for (unsigned count = 2; depth < depth_ - tolerance && count < mostSteps; ++count) {
       pass(depth);
       depth = first_ * std::pow(count, 1 / degression);
     }

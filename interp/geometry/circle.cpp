@@ -29,12 +29,9 @@ std::optional<Point> centreByRadius(const Point &start, const Point &end, double
   const double chord = std::hypot(dx, dy);
   if (chord < Tolerance::point)
     return std::nullopt;
-  double square = radius * radius - chord * chord / 4;
-  if (square < 0) {
-    if (square < -Tolerance::point * std::fabs(radius) - Tolerance::point)
-      return std::nullopt;
-    square = 0;
-  }
+  if (chord / 2 - std::fabs(radius) > Tolerance::roundedRadius)
+    return std::nullopt;
+  const double square = std::max(0.0, radius * radius - chord * chord / 4);
   const double side = (clockwise ? -1 : 1) * (radius < 0 ? -1 : 1) * std::sqrt(square) / chord;
   return Point(start.x() + dx / 2 - dy * side, start.y() + dy / 2 + dx * side);
 }

@@ -1,5 +1,6 @@
 // Tool and offset numbers that the machine profile's list does not have.
 #include "analyzer/rule/rule.h"
+#include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
 namespace {
@@ -8,7 +9,9 @@ class ToolNotInList final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ToolWord);
-    if (!to.dialect().offsetsOfTool)
+    // Offsets that belong to tools have numbers of their own, or those of tools.
+    ofTools_ = to.dialect().offsetsOfTool && cutterOfBlock(to.dialect());
+    if (!to.dialect().offsetsOfTool || ofTools_)
       to.on(EventKind::OffsetWord);
   }
 
@@ -19,7 +22,9 @@ public:
     const auto number = int(event.wordValue().value());
     const Word &word = *event.word;
     if (event.kind == EventKind::OffsetWord) {
-      check(word, number, "offset", ctx);
+      if (ofTools_ && !isOffset(word, ctx))
+        return;
+      check(word, number, ofTools_ ? "tool" : "offset", ctx);
       return;
     }
     if (!ctx.dialect().isLathe()) {
@@ -33,6 +38,15 @@ public:
   }
 
 private:
+  /// Whether a code of the block takes the word for an offset.
+  static bool isOffset(const Word &word, RuleContext &ctx) {
+    return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {
+      return llvm::any_of(ctx.code(use).words, [&](const WordSpec &spec) {
+        return spec.role == Role::Offset && (spec.any & maskOf(word.address));
+      });
+    });
+  }
+
   /// Number 0 is never stored and always means zero.
   static bool check(const Word &word, int number, const char *what, RuleContext &ctx) {
     if (number == 0 || ctx.machine().tools.count(number))
@@ -41,6 +55,8 @@ private:
       finding.message("`{0}`: {1} {2} is not in the tool list", ctx.text(word), what, number);
     return true;
   }
+
+  bool ofTools_ = false; ///< the number of an offset is that of a tool
 };
 
 } // namespace
