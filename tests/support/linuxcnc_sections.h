@@ -275,7 +275,8 @@ protected:
     for (int i = number(1, 3); i > 0; --i) {
       const std::string tool = std::to_string(number(1, 30));
       switch (number(0, 5)) {
-      case 0:
+      case 0: // (after a change rs274 2.9.0 is where its last move led)
+        place(somewhere());
         block({"T" + tool, "M6"});
         line(chance(50) ? "G43" : "G43 H" + tool);
         break;
@@ -348,8 +349,7 @@ protected:
                               "M19 R45",
                               "G40",
                               "G80",
-                              "G49",
-                              "M61 Q" + n}));
+                              "G49"}));
     }
     if (chance(50))
       line("S900 M3");

@@ -110,9 +110,10 @@ private:
         return "another centre";
     if (move.clockwise != (canonical.turns < 0))
       return "another direction";
-    // (Also a tiny arc is a begun turn.)
-    if (!move.turns.isConstant() ||
-        std::max(1.0, std::ceil(move.turns.value() - 1e-4)) != std::abs(canonical.turns))
+    // Up to so many: the last turn may be a tiny arc or a whole one.
+    constexpr double slack = 1e-4;
+    const double turns = move.turns.isConstant() ? move.turns.value() : -1;
+    if (turns < std::abs(canonical.turns) - 1 - slack || turns > std::abs(canonical.turns) + slack)
       return "other turns";
     return "";
   }
@@ -129,7 +130,18 @@ private:
       return false;
     const CanonicalMove &before = canonical_[j - 1];
     return before.kind != CanonicalMove::Curve && before.kind != CanonicalMove::Dwell &&
-           before.inch == move.inch && before.to == move.to;
+           (before.inch == move.inch ? before.to == move.to : isSamePlace(before, move));
+  }
+
+  /// In two units.
+  static bool isSamePlace(const CanonicalMove &a, const CanonicalMove &b) {
+    constexpr double printed = 0.0001 * 25.4; // of an inch
+    for (size_t i = 0; i < a.to.size(); ++i) {
+      const double inA = i < 3 && a.inch ? 25.4 : 1, inB = i < 3 && b.inch ? 25.4 : 1;
+      if (std::fabs(a.to[i] * inA - b.to[i] * inB) > printed)
+        return false;
+    }
+    return true;
   }
 
   std::string where(size_t i) const {
