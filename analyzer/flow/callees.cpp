@@ -44,8 +44,10 @@ std::optional<Callee> Callees::find(const Step &step) {
     return headed(step, callee);
   if (flow.target.isVacant())
     return missing(FlowIssue::NoTarget, step, step.flowRange());
-  if (!flow.target.isConstant())
+  if (!flow.target.isConstant()) {
+    run_.used.anyNumber |= flow.kind == FlowKind::CallLocal;
     return missing(FlowIssue::ComputedTarget, step, step.flowRange());
+  }
   return flow.kind == FlowKind::CallLocal ? local(step, callee) : numbered(step, callee);
 }
 

@@ -21,6 +21,7 @@ struct UsedTargets {
   std::set<uint32_t> localSubprograms; ///< by their first block
   std::set<uint32_t> profiles;         ///< that plain flow must not reach, by their first block
   std::set<uint32_t> bracketed;        ///< subprograms between brackets, by their first block
+  bool anyNumber = false;              ///< a local call computes the number to which it leads
   /// Profiles that follow the cycle which finished along them: by their first block.
   std::map<uint32_t, std::pair<Flow, SourceRange>> finishedAhead;
 };

@@ -291,6 +291,7 @@ struct FileSummary {
   llvm::ArrayRef<std::string> calledNames;
   bool complete =
       true; ///< false: the analysis was cut short, what was not reached may be reachable
+  bool anyNumberUsed = false; ///< a local call computes the number to which it leads
 
   bool isReached(uint32_t offset) const;
   /// Whether any of [begin, end) is.

@@ -19,7 +19,12 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (code.cycle == CycleKind::Pattern) {
       const Truth active = ctx.before().cycleActive(ctx.dialect());
-      if (active == Truth::Yes || ctx.before().modalCalls || ctx.before().may(Fact::UnknownCode))
+      // The block may begin the cycle itself.
+      const bool begun = llvm::any_of(codesOf(ctx.dialect(), ctx.block()), [&](CodeIndex other) {
+        return makesHole(ctx.dialect().codes[other].cycle);
+      });
+      if (active == Truth::Yes || begun || ctx.before().modalCalls ||
+          ctx.before().may(Fact::UnknownCode))
         return;
       if (auto finding = ctx.report(event, active == Truth::No))
         finding.message("`{0}` moves from place to place, and no modal call runs at any of them",

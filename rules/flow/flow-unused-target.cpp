@@ -123,8 +123,9 @@ private:
   /// Sections after the program's end that begin with a number and end with a return, and that no
   /// call names. Only where the control has local calls.
   static void localSections(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
-    if (llvm::none_of(ctx.dialect().codes,
-                      [](const CodeInfo &code) { return code.action == Action::CallLocal; }))
+    if (file.anyNumberUsed || llvm::none_of(ctx.dialect().codes, [](const CodeInfo &code) {
+          return code.action == Action::CallLocal;
+        }))
       return;
     if (llvm::any_of(file.reached, [&](const SourceRange &range) {
           return range.begin <= program.body && program.end <= range.end;

@@ -26,7 +26,7 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
-    if (!file.complete)
+    if (!file.complete || file.anyNumberUsed)
       return;
     for (const Memory::End &end : memory().ends)
       if (end.block.file == file.source.id())
