@@ -25,6 +25,8 @@ void Contours::contour(Step &step) {
   const CodeInfo &cycle = step.unit().dialect->codes[step.outcome.flow.code];
   if (has(cycle, CycleTrait::Turned))
     turnedContour(step, cycle);
+  else if (step.outcome.flow.item < 0)
+    numberedContour(step, cycle);
   else
     namedContour(step, cycle);
 }
@@ -69,6 +71,27 @@ void Contours::namedContour(Step &step, const CodeInfo &cycle) {
   if (program)
     return read(step, cycle, {other, program, program->body}, std::nullopt);
   run_.issue(FlowIssue::UnknownProgram, step, where);
+  step.goOn();
+}
+
+/// The contour is a program, by its number, or the blocks of this program from that number on.
+void Contours::numberedContour(Step &step, const CodeInfo &cycle) {
+  const Value &target = step.outcome.flow.target;
+  if (!target.isConstant())
+    return step.goOn();
+  FileUnit &unit = step.unit();
+  const ProgramInfo &here = step.region().program;
+  Reference reference = Reference::toBlock(std::llround(target.number.value()));
+  run_.used.programs.insert(reference.number);
+  run_.used.numbers.insert(reference.number);
+  const auto block = resolveBlock(unit.index, here, reference, step.at);
+  reference.to = ReferredKind::Program;
+  if (const auto place = resolveProgram(run_.project, unit, reference))
+    return read(step, cycle, {place->unit, place->program, place->begin}, std::nullopt);
+  if (block)
+    return read(step, cycle, {&unit, &here, *block, RegionKind::LocalSubprogram}, std::nullopt);
+  if (!run_.callerUnknown)
+    run_.issue(FlowIssue::UnknownProgram, step, step.flowRange());
   step.goOn();
 }
 

@@ -26,6 +26,7 @@ private:
   };
   void turnedContour(Step &step, const CodeInfo &cycle);
   void namedContour(Step &step, const CodeInfo &cycle);
+  void numberedContour(Step &step, const CodeInfo &cycle);
   void section(const Step &step, llvm::StringRef labels);
   void read(Step &step, const CodeInfo &cycle, const Callee &callee,
             std::optional<ContourCycle> works);

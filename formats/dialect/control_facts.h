@@ -116,6 +116,9 @@ struct CycleFacts {
   bool planeStatedFirst = false;
   /// The moves of a subprogram that is called while a cycle is active are places of the cycle.
   bool firesInCalls = false;
+  /// The contour that a milling cycle reads is a closed outline of moves alone, at most this many;
+  /// 0: it is no outline.
+  unsigned outlineMoves = 0;
   /// Back boring leaves the bore whatever the return level is.
   bool backBoreAtAnyLevel = false;
 };

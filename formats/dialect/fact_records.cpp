@@ -136,6 +136,11 @@ constexpr Field cyclesFields[] = {
         "cycles take their values from variables, which do nothing without a cycle"),
     flag<&CycleFacts::planeStatedFirst>("planeStatedFirst",
                                         "the program states the plane before its first cycle"),
+    field<&CycleFacts::outlineMoves>(
+        "outlineMoves", count,
+        "the contour that a milling cycle reads is a closed outline of moves alone, at most this "
+        "many; 0: it is no outline",
+        "40"),
     flag<&CycleFacts::backBoreAtAnyLevel>(
         "backBoreAtAnyLevel", "back boring leaves the bore whatever the return level is"),
     flag<&CycleFacts::firesInCalls>(

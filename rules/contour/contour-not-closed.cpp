@@ -86,6 +86,7 @@ struct ContourNotClosedMemory {
   bool closed = false; ///< such a profile is being recorded
   SourceRange begin;   ///< the block that attaches; empty: none yet
   std::array<Interval, axisCount> start;
+  std::optional<Point> corner; ///< at which the outline of a cycle begins
 };
 
 class ContourNotClosed final : public StatefulRule<ContourNotClosedMemory> {
@@ -96,6 +97,9 @@ public:
       wanted |= isClosed(code);
     usual_ = to.number("gap", 0);
     round_ = to.dialect().facts->compensation.contourMeetsStart;
+    outline_ = to.dialect().facts->cycles.outlineMoves;
+    if (outline_)
+      to.on({EventKind::Motion, EventKind::Return});
     if (!wanted && usual_ <= 0 && !round_)
       return;
     to.onAction({Action::ProfileBegin, Action::ProfileRun, Action::CompensationOff});
@@ -103,6 +107,10 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (outline_ && ctx.before().must(Fact::InContour))
+      return atOutline(event, ctx);
+    if (event.kind == EventKind::Return)
+      return;
     if (usual_ > 0 || round_)
       follow(event, ctx);
     if (event.kind == EventKind::Motion) {
@@ -208,8 +216,29 @@ private:
               *gap);
   }
 
-  bool round_ = false; ///< a contour that has gone round is to reach its first element
-  double usual_ = 0;   ///< mm that a gap may have where the tool is not known; 0: not looked at
+  /// The program that a cycle reads as the outline of a pocket.
+  void atOutline(const Event &event, RuleContext &ctx) const {
+    if (event.kind == EventKind::Motion) {
+      if (!ctx.before().may(Fact::ContourBegun))
+        memory().corner = place(ctx);
+      memory().last = ctx.blockRange();
+      return;
+    }
+    const auto end = event.kind == EventKind::Return ? place(ctx) : std::nullopt;
+    constexpr double same = 0.01; // mm
+    if (!end || !memory().corner || distance(*end, *memory().corner) <= same)
+      return;
+    if (auto finding = ctx.report(memory().last))
+      finding.severity(Severity::Warning)
+          .message(
+              "this outline ends {0:f3} mm from the corner where it begins: it encloses nothing",
+              distance(*end, *memory().corner));
+    memory().corner.reset();
+  }
+
+  bool outline_ = false; ///< the contours that cycles read are closed outlines
+  bool round_ = false;   ///< a contour that has gone round is to reach its first element
+  double usual_ = 0;     ///< mm that a gap may have where the tool is not known; 0: not looked at
 };
 
 } // namespace

@@ -1,10 +1,15 @@
 // Codes that a contour program may not hold.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
 
-class ContourProfileForbiddenCode final : public Rule {
+struct ContourProfileForbiddenCodeMemory {
+  unsigned moves = 0; ///< of the outline so far
+};
+
+class ContourProfileForbiddenCode final : public StatefulRule<ContourProfileForbiddenCodeMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::Code, EventKind::Motion, EventKind::ToolWord, EventKind::SpeedWord});
@@ -12,6 +17,7 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       records_ |= code.action == Action::ProfileBegin;
     to.onChange({EventKind::Block});
+    most_ = to.dialect().facts->cycles.outlineMoves;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -83,8 +89,9 @@ private:
   }
 
   bool records_ = false; ///< the control records profiles
+  unsigned most_ = 0;    ///< moves of a contour that is an outline; 0: it is none
 
-  static void atCode(const Event &event, RuleContext &ctx) {
+  void atCode(const Event &event, RuleContext &ctx) const {
     switch (ctx.code(event).action) {
     case Action::CompensationLeft:
     case Action::CompensationRight:
@@ -122,7 +129,8 @@ private:
     default: {
       // A contour is made of lines and arcs.
       const CodeInfo &code = ctx.code(event);
-      if (code.stopsPreparation || code.action == Action::CurveFeed)
+      const bool own = most_ && code.letter == 'M' && code.action != Action::Return;
+      if (own || code.stopsPreparation || code.action == Action::CurveFeed)
         foreign(*event.word, ctx);
       return;
     }
@@ -136,7 +144,18 @@ private:
                    ctx.text(word));
   }
 
-  static void atMove(const Event &event, RuleContext &ctx) {
+  /// An outline may begin with any move, and has so many.
+  void outline(const Event &event, RuleContext &ctx) const {
+    unsigned &moves = memory().moves;
+    moves = ctx.before().may(Fact::ContourBegun) ? moves + 1 : 1;
+    if (moves != most_ + 1)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("this outline has more than {0} moves: the cycle does not take so many", most_);
+  }
+
+  void atMove(const Event &event, RuleContext &ctx) const {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (event.axes & ~plane & 7u) {
       if (auto finding = ctx.report(event))
@@ -144,6 +163,8 @@ private:
             "this block of a contour moves the infeed axis: a contour lies in one plane");
       return;
     }
+    if (most_)
+      return outline(event, ctx);
     if (ctx.before().may(Fact::ContourBegun))
       return;
     const bool absolute = ctx.after().isActive(ctx.dialect(), StandardGroup::Distance,

@@ -830,7 +830,8 @@ TEST(Trace, KnowsTheDepthsOfAPocketByAProgram) {
   std::vector<std::string> levels;
   for (const std::string &line :
        traceOf("haas-mill", "O1\nG21 G90 G54 T1 M6\nG0 X0. Y0. Z50.\n"
-                            "G150 P100 X5. Y5. I2. K0.5 Q1. R1. Z-2.5 D1 F100.\nG0 X0.\nM30\n"))
+                            "G150 P100 X5. Y5. I2. K0.5 Q1. R1. Z-2.5 D1 F100.\nG0 X0.\nM30\n"
+                            "O100\nG1 X9. Y0.\nY9.\nX0.\nY0.\nX9.\nM99\n"))
     if (llvm::StringRef(line).contains("linear Z") || line.front() == '5')
       levels.push_back(line);
   EXPECT_THAT(levels, ElementsAre("4 linear Z0", "4 linear Z0", "4 linear Z-1", "4 linear Z-1",
