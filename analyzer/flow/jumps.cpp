@@ -63,7 +63,7 @@ void Jumps::byWord(Step &step) {
       resolveBlock(step.unit().index, step.region().program, Reference::toBlock(number), step.at);
   if (!target)
     run_.issue(FlowIssue::UnknownBlock, step, where);
-  else if (loops_.isNeverLeft(step, step.unit(), *target))
+  else if (certain && loops_.isNeverLeft(step, step.unit(), *target))
     run_.issue(FlowIssue::EndlessLoop, step, where);
   else
     loops_.goTo(step, *target, std::move(step.live), certain);

@@ -14,6 +14,15 @@ llvm::StringRef bareProgramName(llvm::StringRef spelling, const Dialect &dialect
   const size_t slash = spelling.find_last_of("/\\");
   if (slash != llvm::StringRef::npos)
     spelling = spelling.drop_front(slash + 1);
+  // `M98 (PART.NC)` names a file.
+  if (dialect.lexical.fileInComment) {
+    const auto [stem, ending] = spelling.rsplit('.');
+    return llvm::any_of(
+               dialect.extensions,
+               [end = ending](const std::string &one) { return end.equals_insensitive(one); })
+               ? stem
+               : spelling;
+  }
   llvm::StringRef name = spelling;
   if (!name.consume_front_insensitive("_N_"))
     return spelling;

@@ -285,7 +285,12 @@ Project::Found Project::findProgram(FileUnit &from, llvm::StringRef name) {
       return {&from, program};
   }
   const std::string key = name.upper();
-  const auto programOf = [name](const FileIndex &index) { return index.find(name); };
+  // Where a call names a file, the number of the program in it does not matter.
+  const bool anyIn = dialect_->lexical.fileInComment;
+  const auto programOf = [name, anyIn](const FileIndex &index) {
+    const ProgramInfo *const program = index.find(name);
+    return program || !anyIn || index.programs().empty() ? program : &index.programs().front();
+  };
   const Found found = searchFolders(
       from,
       [&key](const ProgramFolders::Programs &programs) {

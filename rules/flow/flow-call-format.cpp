@@ -7,7 +7,7 @@ namespace {
 class FlowCallFormat final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.onAction({Action::CallLocal});
+    to.onAction({Action::CallLocal, Action::CallProgram});
     to.onNotices("flow-call-format");
     if (to.flag("statements"))
       to.on({EventKind::Statement, EventKind::WordIssue});
@@ -22,6 +22,8 @@ public:
       return;
     }
     ctx.reportNotices("flow-call-format", event);
+    if (ctx.code(event).action == Action::CallProgram)
+      return packed(event, ctx);
     if (ctx.code(event).action != Action::CallLocal)
       return;
     const Block &block = ctx.block();
@@ -38,6 +40,25 @@ public:
   }
 
 private:
+  /// `M98 P051000`, the count of runs before the number, on a control that reads a number alone.
+  static void packed(const Event &event, RuleContext &ctx) {
+    const Limits &limits = ctx.dialect().limits;
+    const Word *const program = ctx.block().find('P');
+    if (limits.packedCallDigits || !limits.programDigitsMax || ctx.code(event).foreign ||
+        !program || !program->isNumber() || !program->isWhole())
+      return;
+    const llvm::StringRef digits = ctx.text(*program).drop_until(llvm::isDigit);
+    // A number that is too great is no program's at all: another rule says so.
+    if (digits.size() <= limits.programDigitsMax ||
+        std::to_string(program->mantissa).size() > limits.programDigitsMax)
+      return;
+    if (auto finding = ctx.report(*program))
+      finding.severity(Severity::Warning)
+          .message("`{0}` has more digits than a program's number: the count of runs is a word of "
+                   "its own here",
+                   ctx.text(*program));
+  }
+
   /// `L100` where L names an element of a contour, and a call has its name in brackets.
   static void number(RuleContext &ctx) {
     const Word *word = undefinedElement(ctx);

@@ -38,9 +38,10 @@ public:
     auto finding = ctx.report(ctx.flowRange(), event.certain && !builtIn);
     if (!finding)
       return;
-    if (local)
-      finding.message("`{0}` calls a block that this program does not have: the control stops here",
-                      ctx.text(ctx.flowRange()));
+    if (local) // no folder of the control can hold it
+      finding.severity(Severity::Error)
+          .message("`{0}` calls a block that this program does not have: the control stops here",
+                   ctx.text(ctx.flowRange()));
     else if (flow.kind == FlowKind::Contour && ctx.text(ctx.flowRange()).contains(':'))
       finding.message("`{0}` is a contour between two labels, and this program does not have both: "
                       "the control stops here",
