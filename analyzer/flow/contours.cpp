@@ -66,6 +66,8 @@ void Contours::namedContour(Step &step, const CodeInfo &cycle) {
     section(step, name);
     return step.goOn();
   }
+  if (name.empty()) // the contour that another block has called
+    return step.goOn();
   run_.used.names.insert(name.upper());
   const auto [other, program] = run_.project.findProgram(unit, name);
   if (program)

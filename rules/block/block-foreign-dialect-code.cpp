@@ -13,6 +13,7 @@ public:
     if (to.dialect().polarWords & maskOf(letterAddress('O')))
       to.on(EventKind::WordIssue);
     isoSigns_ = to.dialect().facts->text.isoSignsForeign;
+    carried_ = to.flag("tapeMarksCarried");
     variantNames_ = to.dialect().facts->text.variantNames;
     if (isoSigns_)
       to.on({EventKind::WordIssue, EventKind::Syntax});
@@ -49,7 +50,7 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
-    if (isoSigns_)
+    if (isoSigns_ && (!carried_ || ctx.asked()))
       tapeMarks(file, ctx);
   }
 
@@ -99,6 +100,7 @@ private:
   }
 
   bool variantNames_ = false; ///< `G81/3` may be meant for `G81`
+  bool carried_ = false;      ///< what sends programs to the control sets tape marks about them
   bool isoSigns_ = false;     ///< `%`, `O1000` and `#1` are another control's here
 
   static constexpr llvm::StringLiteral id{"block-foreign-dialect-code"};

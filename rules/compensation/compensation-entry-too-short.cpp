@@ -1,4 +1,5 @@
 // The move that builds up or removes compensation is shorter than the radius.
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
@@ -26,7 +27,7 @@ public:
     auto known = compensationRadius(dialect, ctx.machine(), ctx.before());
     if (!known)
       known = compensationRadius(dialect, ctx.machine(), ctx.after());
-    if (!known || *known == 0)
+    if (!known || *known == 0 || ownEntry(dialect, ctx.after()))
       return;
     const uint16_t plane = planeAxes(dialect, ctx.after());
     double squares = 0;
@@ -59,6 +60,13 @@ public:
   }
 
 private:
+  /// The control goes to the contour by a path of its own, or makes the contour without the entry.
+  static bool ownEntry(const Dialect &dialect, const MachineState &state) {
+    const auto usual = [](const CodeInfo &code) { return code.opposite == noCode; };
+    return mayBeUnusual(dialect, state, "approach", usual) ||
+           mayBeUnusual(dialect, state, "approach-check", usual);
+  }
+
   /// A control that takes the first move for the one that builds compensation up, whatever its
   /// axes.
   static void besidePlane(const Event &event, RuleContext &ctx) {

@@ -58,10 +58,10 @@ private:
     }
     memory().inARow = alone ? follows ? memory().inARow + 1 : 1 : 0;
     memory().afterInfeed = alone ? ctx.block().next : ~0u;
-    if (memory().inARow != infeeds_ + 1)
+    const bool certain = state.compensation == phaseOn || state.compensation == phaseStarting;
+    if (memory().inARow != infeeds_ + 1 || (!certain && state.may(Fact::UnknownCode)))
       return;
-    if (auto finding = ctx.report(ctx.blockRange(), state.compensation == phaseOn ||
-                                                        state.compensation == phaseStarting))
+    if (auto finding = ctx.report(ctx.blockRange(), certain))
       finding
           .message("{0} moves of the infeed axis alone in a row under {1}: the control loses the "
                    "contour",

@@ -16,7 +16,8 @@ public:
     feeds_ = to.dialect().facts->compensation.entryByFeed;
     if (feeds_)
       to.onChange({EventKind::Motion});
-    to.onChange({EventKind::Block});
+    if (to.flag("calledStartsWithMove"))
+      to.onChange({EventKind::Block});
     to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
   }
 

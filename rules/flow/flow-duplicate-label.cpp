@@ -3,12 +3,17 @@
 #include "analyzer/program/references.h"
 #include "analyzer/rule/rule.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
 class FlowDuplicateLabel final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::FlowIssue);
+    nearest_ = to.flag("nearestWins");
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.flowIssue() != FlowIssue::DuplicateLabel)
@@ -30,6 +35,10 @@ public:
         const std::vector<uint32_t> &places = label.getValue();
         if (places.size() < 2 || label.getKey() == ctx.dialect().lexical.endLabel)
           continue;
+        const bool chooses = choosesBetween(program, label.getKey(), places, file);
+        // Two branches may have their own.
+        if (!chooses && nearest_ && !ctx.asked())
+          continue;
         file.reader.read(places[0], block);
         const SourceRange first{file.source.id(), block.labelBegin, block.labelEnd};
         file.reader.read(places[1], block);
@@ -39,17 +48,18 @@ public:
               .message("the label `{0}` is at two blocks: a jump finds only one of them",
                        ctx.text(range))
               .note(first, "it is here too");
-          if (!choosesBetween(program, label.getKey(), places, file))
+          if (!chooses)
             finding.severity(Severity::Style);
         }
       }
   }
 
 private:
-  /// Whether a jump has two of the label's blocks on the side to which it looks: it takes the
-  /// nearer one, and the other may have been meant.
+  /// Whether a jump has two of the label's blocks on the side to which it looks, and takes the
+  /// nearer one: the other, which no jump takes, may have been meant.
   static bool choosesBetween(const ProgramInfo &program, llvm::StringRef label,
                              llvm::ArrayRef<uint32_t> places, const FileSummary &file) {
+    std::set<uint32_t> taken, passed;
     for (const Block &block : blocks(file.reader, program.body, program.end))
       for (const Item &item : block.items) {
         if (item.kind != ItemKind::Jump)
@@ -58,17 +68,23 @@ private:
           if (target.kind != ArgumentKind::Label ||
               file.reader.labelKey(file.source.text(target.begin, target.end)) != label)
             continue;
-          const Search search = searchOf(searchKind(item, target));
-          const auto after =
-              llvm::count_if(places, [&](uint32_t place) { return place > block.begin; });
-          const auto before = ptrdiff_t(places.size()) - after;
-          if ((search != Search::Backward && after > 1) ||
-              (search == Search::Backward && before > 1))
-            return true;
+          const bool back = searchOf(searchKind(item, target)) == Search::Backward;
+          std::set<uint32_t> side;
+          for (const uint32_t place : places)
+            if (back ? place <= block.begin : place > block.begin)
+              side.insert(place);
+          if (side.empty())
+            continue;
+          const uint32_t nearest = back ? *side.rbegin() : *side.begin();
+          taken.insert(nearest);
+          side.erase(nearest);
+          passed.insert(side.begin(), side.end());
         }
       }
-    return false;
+    return llvm::any_of(passed, [&](uint32_t place) { return !taken.count(place); });
   }
+
+  bool nearest_ = false; ///< a jump takes the nearest label of its direction
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 // A rapid move along the tool axis leads into the work.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
@@ -33,7 +34,8 @@ public:
         !to.isConstant() || ctx.before().inMachineCoordinates(Axis::Z) ||
         ctx.after().inMachineCoordinates(Axis::Z) || to.value() >= from.value() ||
         ctx.before().may(Fact::UnknownCode) || ctx.after().may(Fact::UnknownCode) ||
-        hasWorkOfItsOwn(ctx))
+        hasWorkOfItsOwn(ctx) || mayBeTransformed(ctx.dialect(), ctx.after()) ||
+        turnsWork(ctx.dialect(), ctx.after()))
       return;
     if (intoClamp(event, ctx) || outOfCut(event, ctx) || withFeed(event, ctx))
       return;

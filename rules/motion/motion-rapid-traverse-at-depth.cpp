@@ -1,4 +1,5 @@
 // A rapid move in the plane while the tool is still at cutting depth.
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/geometry/obstacle.h"
@@ -17,7 +18,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.inMachineCoordinates() || !event.certain)
+    if (event.inMachineCoordinates() || !event.certain || turnsWork(ctx.dialect(), ctx.after()))
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();
     constexpr Axis tool = Axis::Z; // arcs in G18 and G19 do not turn the spindle

@@ -144,7 +144,9 @@ private:
           .note(speed, "the speed is programmed here");
   }
 
-  static void atSpeed(const Event &event, RuleContext &ctx) {
+  void atSpeed(const Event &event, RuleContext &ctx) const {
+    if (!event.limitsSpeed())
+      memory().cutWith = TextPlace(); // in a loop it is the same place, said anew
     if (event.limitsSpeed() || !event.speed().isConstant() || event.speed().value() > 0)
       return;
     constexpr uint8_t turning = spindleCw | spindleCcw;

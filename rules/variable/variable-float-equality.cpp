@@ -34,6 +34,8 @@ public:
           operations[i - 1].value == std::floor(operations[i - 1].value) ||
           !(constants_ || readsComputed(operations, ctx)))
         continue;
+      if (holdsPlainNumbers(operations, ctx))
+        return;
       const SourceRange range = ctx.range(condition);
       if (auto finding = ctx.report(range))
         finding.message(
@@ -51,6 +53,35 @@ private:
       return op.op == Op::Divide ||
              (op.op == Op::Variable && comesFromFraction(uint64_t(op.value), ctx));
     });
+  }
+
+  /// The program gives the one variable of a condition nothing but numbers as they are written: it
+  /// is a flag.
+  static bool holdsPlainNumbers(llvm::ArrayRef<ExpressionOp> operations, RuleContext &ctx) {
+    uint64_t variable = 0;
+    for (const ExpressionOp &op : operations) {
+      if (op.op == Op::ElementAt || (op.op == Op::Variable && variable))
+        return false;
+      if (op.op == Op::Variable)
+        variable = uint64_t(op.value);
+    }
+    bool given = false;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index(), program.body, program.end))
+      for (const Item &item : block.items) {
+        if (item.kind == ItemKind::Call)
+          return false; // a called program may compute it
+        if (item.kind != ItemKind::Assignment || block.keyOf(item.target) != variable)
+          continue;
+        const bool plain = item.value < block.expressions.size() &&
+                           !block.expressions[item.value].bad &&
+                           block.expressions[item.value].count == 1 &&
+                           operationsOf(block, block.expressions[item.value])[0].op == Op::Number;
+        if (!plain)
+          return false;
+        given = true;
+      }
+    return given;
   }
 
   /// The middle branch of a choice by sign is one for equality.

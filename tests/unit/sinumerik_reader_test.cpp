@@ -188,9 +188,14 @@ TEST_F(SinumerikReading, ASynchronisedActionIsTheRestOfItsBlock) {
         "WHEN TRUE DO SPOS=0 M8 H10 MOV[U]=1\n"}) {
     const Block block = blockOf(text);
     EXPECT_TRUE(block.issues.empty()) << text;
+    // What the control does beside the program, and the number of the action.
     for (const Item &item : block.items)
-      EXPECT_EQ(item.kind, ItemKind::Output) << text;
+      EXPECT_TRUE(item.kind == ItemKind::Output || item.kind == ItemKind::Instruction) << text;
   }
+  // The path is the program's own.
+  for (const char *text : {"DO G1 X5\n", "DO F100\n", "ID=1 WHEN $A_IN[1]==1 DO G41\n"})
+    EXPECT_EQ(issuesOf(blockOf(text)), std::vector{SyntaxIssueKind::BadStatement}) << text;
+  EXPECT_TRUE(issuesOf(blockOf("DO G71\n")).empty());
   EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]==1\n")), std::vector{SyntaxIssueKind::BadStatement});
   EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]=1 DO M8\n")),
             std::vector{SyntaxIssueKind::AssignmentInTest});

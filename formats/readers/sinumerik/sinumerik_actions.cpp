@@ -37,8 +37,12 @@ void SinumerikScanner::scanSynchronised(Keyword keyword, const char *begin) {
   const char *end = at_;
   if (keyword == Keyword::Identity) {
     addKeyword(name);
+    Item identity = itemAt(ItemKind::Instruction, begin);
+    identity.nameBegin = offset(name.begin());
+    identity.nameEnd = offset(name.end());
     at_ = afterBlanks(at_) + 1; // the `=`
-    item.value = expression();
+    scanArgument(identity, 0, /*words=*/true);
+    add(identity);
     end = at_;
     skipBlanks();
     name = identifier();
@@ -128,6 +132,10 @@ void SinumerikScanner::scanAction(Deeds &deeds) {
   const llvm::StringRef number = name.drop_front();
   if (llvm::all_of(number, isNumberDigit)) {
     deeds.turns |= letter == 'm' || letter == 's';
+    // The path is the program's own: of the G functions only the units of lengths are actions.
+    const bool units = number == "70" || number == "71" || number == "700" || number == "710";
+    if (letter == 'f' || (letter == 'g' && !units))
+      issue(SyntaxIssueKind::BadStatement, begin, at_);
     if (!scanActionValue(name, begin))
       skipNumberCharacters();
     return;

@@ -169,6 +169,8 @@ void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
   while (!atBlockEnd()) {
     const llvm::StringRef attribute = identifier();
     if (attribute.empty()) {
+      if (*at_ == '(') // the list comes before the attributes
+        issue(SyntaxIssueKind::BadStatement, at_, at_ + 1);
       ++at_;
       continue;
     }

@@ -126,6 +126,7 @@ private:
     bool turns = false; ///< it may start or stop a spindle
   };
   void addKeyword(llvm::StringRef name);
+  void addActing(llvm::StringRef name);
   void scanSynchronised(Keyword keyword, const char *begin);
   void scanActionCondition(Item &item);
   void scanAction(Deeds &deeds);

@@ -133,6 +133,7 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
     item.value = expression();
     return add(item);
   }
+  addActing({begin, digits.size() + 1});
   // An axis of the machine: where it goes says nothing of the workpiece's axes.
   const uint16_t value = expression();
   if (value < block_.expressions.size() && !block_.expressions[value].bad) {
@@ -300,8 +301,10 @@ void SinumerikScanner::scanName() {
     at_ = name.end();
     return scanAddress(address->second, begin);
   }
-  if (isEquals(after))
+  if (isEquals(after)) {
+    addActing(name);
     return scanAssignment(begin);
+  }
   if (after < end_ && *after == '[') {
     at_ = name.end();
     if (name.equals_insensitive("PO")) {
@@ -331,9 +334,24 @@ void SinumerikScanner::scanName() {
     at_ = begin + 1;
     return scanValue(letterAddress(char(*begin & ~32)), begin);
   }
-  Item item = itemAt(ItemKind::Call, begin);
+  // `SETINT(3) PRIO=1 LIFT`: the program that an input starts, not now.
+  const CodeIndex interrupt = dialect_.keyword("SETINT");
+  const bool later = interrupt != noCode && llvm::any_of(block_.words, [&](const Word &word) {
+    return word.address == keywordAddress && word.mantissa == interrupt;
+  });
+  Item item = itemAt(later ? ItemKind::Output : ItemKind::Call, begin);
   at_ = name.end();
+  if (later)
+    return add(item);
   scanCall(name, item);
+}
+
+/// `PW=2`, `LEAD=5`: a name of the language that takes a value. It is a code of its block where the
+/// table says more of it than its title.
+void SinumerikScanner::addActing(llvm::StringRef name) {
+  const CodeIndex code = dialect_.keyword(name);
+  if (code != noCode && (!dialect_.codes[code].notices.empty() || !dialect_.codes[code].words.empty()))
+    addKeyword(name);
 }
 
 /// `R1=..`, `NAME=..`, `FIELD[1]=..`, `$TC_DP6[1,1]=..`
