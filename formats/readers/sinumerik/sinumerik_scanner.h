@@ -127,6 +127,7 @@ private:
   };
   void addKeyword(llvm::StringRef name);
   void addActing(llvm::StringRef name);
+  void scanProgram(llvm::StringRef name);
   void scanSynchronised(Keyword keyword, const char *begin);
   void scanActionCondition(Item &item);
   void scanAction(Deeds &deeds);

@@ -334,12 +334,16 @@ void SinumerikScanner::scanName() {
     at_ = begin + 1;
     return scanValue(letterAddress(char(*begin & ~32)), begin);
   }
-  // `SETINT(3) PRIO=1 LIFT`: the program that an input starts, not now.
+  scanProgram(name);
+}
+
+/// A program that is called; in `SETINT(3) PRIO=1 LIFT` one that an input starts, not the block.
+void SinumerikScanner::scanProgram(llvm::StringRef name) {
   const CodeIndex interrupt = dialect_.keyword("SETINT");
   const bool later = interrupt != noCode && llvm::any_of(block_.words, [&](const Word &word) {
-    return word.address == keywordAddress && word.mantissa == interrupt;
-  });
-  Item item = itemAt(later ? ItemKind::Output : ItemKind::Call, begin);
+                       return word.address == keywordAddress && word.mantissa == interrupt;
+                     });
+  Item item = itemAt(later ? ItemKind::Output : ItemKind::Call, name.begin());
   at_ = name.end();
   if (later)
     return add(item);
@@ -350,7 +354,8 @@ void SinumerikScanner::scanName() {
 /// table says more of it than its title.
 void SinumerikScanner::addActing(llvm::StringRef name) {
   const CodeIndex code = dialect_.keyword(name);
-  if (code != noCode && (!dialect_.codes[code].notices.empty() || !dialect_.codes[code].words.empty()))
+  if (code != noCode &&
+      (!dialect_.codes[code].notices.empty() || !dialect_.codes[code].words.empty()))
     addKeyword(name);
 }
 
