@@ -114,22 +114,33 @@ void Execution::applySwitch(const CodeInfo &code, const CodeUse &use) {
     if (const std::optional<FrameWords> words = frameWords(code.frame, false))
       for (unsigned i = 0; i < words->given.size(); ++i)
         axes |= uint16_t(words->given[i] ? 1u << i : 0);
-  const uint16_t were = state_.switches.axesOf(index);
+  uint16_t were = state_.switches.axesOf(index);
   bool on = code.effect.on;
   if (code.effect.offByZero) {
-    // Off when every named axis is zero; a value that is not known may be either.
+    // Off when every axis that it was on for is back at zero; a value that is not known may be
+    // either.
     bool zero = true, known = true;
+    uint16_t zeros = 0;
     for (const Word &word : block_.words)
       if ((dialect_.axisWords & maskOf(word.address)) || word.address == argumentAddress) {
         const Interval v = value(word);
         known &= v.isConstant();
-        zero &= v.isConstant() && v.value() == 0;
+        const bool isZero = v.isConstant() && v.value() == 0;
+        zero &= isZero;
+        if (const AddressInfo &address = dialect_.addresses[word.address];
+            isZero && address.kind == AddressKind::Axis)
+          zeros |= uint16_t(1u << unsigned(address.axis));
       }
     if (!known) {
       state_.switches.put(index, true, state_.switchMustBeOn(index), uint16_t(were | axes));
       state_.origin.setSwitch(index, originOf(*use.word));
       return;
     }
+    if (zero && axes && !zeros)
+      return; // increments of zero
+    axes = zero ? zeros : uint16_t(axes & ~zeros);
+    if (!zero) // `G52 X0 Z-5.` takes X back and moves Z
+      were &= uint16_t(~zeros);
     on = !zero;
   }
   if (on) {

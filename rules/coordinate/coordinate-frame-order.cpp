@@ -1,4 +1,6 @@
 // Shifts, rotations, scaling and mirrors are ended in an order that the control does not allow.
+#include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -66,14 +68,28 @@ private:
   }
 
   static void localShift(const Event &event, RuleContext &ctx) {
-    if (!is(ctx, StandardGroup::Polar, Action::PolarOn) || !allZero(ctx) ||
-        ctx.after().isActive(ctx.dialect(), StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
+    if (!allZero(ctx))
+      return;
+    if (is(ctx, StandardGroup::Polar, Action::PolarOn) &&
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Polar, {Action::PolarOn}) ==
+            Truth::Yes) {
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Warning)
+            .message("the local system is taken back while polar input is still on: end that first")
+            .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Polar),
+                  "polar input begins here");
+      return;
+    }
+    const CodeInfo *cycle = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
+    if (!cycle || !makesHole(cycle->cycle) ||
+        ctx.before().cycleActive(ctx.dialect()) != Truth::Yes ||
+        ctx.after().cycleActive(ctx.dialect()) != Truth::Yes)
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
-          .message("the local system is taken back while polar input is still on: end that first")
-          .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Polar),
-                "polar input begins here");
+          .message("the local system is taken back while `{0}` is still active: end that first",
+                   cycle->name)
+          .note(ctx.before().origin.of(StatePart::Cycle), cycle->name + " becomes active here");
   }
 
   static void mirror(const Event &event, const CodeInfo &code, RuleContext &ctx) {
@@ -93,13 +109,24 @@ private:
       return;
     const uint16_t named = axesOf(ctx.dialect(), ctx.block());
     const uint16_t mirrored = ctx.before().switches.axesOf(code.effect.index);
-    if (!named || !mirrored || !(mirrored & ~named))
+    const auto rest = uint16_t(mirrored & ~named);
+    if (!named || !rest || (mirrored & named && endsNext(ctx, code, rest)))
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
           .message("`{0}` ends the mirror image of the axes that it names only: {1} stays mirrored",
-                   ctx.text(*event.word), namesOf(uint16_t(mirrored & ~named)))
+                   ctx.text(*event.word), namesOf(rest))
           .note(ctx.before().origin.ofSwitch(code.effect.index), "mirrored here");
+  }
+
+  /// The blocks that come next end the mirror image of the other axes too: one block for each.
+  static bool endsNext(const RuleContext &ctx, const CodeInfo &off, uint16_t rest) {
+    BlocksAhead ahead(ctx);
+    Block block;
+    while (rest && ahead.nextAtWork(block) &&
+           findCode(ctx.dialect(), block, {Action::MirrorOff}) == &off)
+      rest &= uint16_t(~axesOf(ctx.dialect(), block));
+    return !rest;
   }
 
   /// What was switched on last is switched off first.

@@ -37,7 +37,8 @@ public:
     if (state.isActive(ctx.dialect(), StandardGroup::Scaling, {Action::ScalingOn}) != Truth::Yes)
       return;
     const Axis tool = toolAxis(ctx.dialect(), state);
-    const bool cuts = event.kind == EventKind::CycleRun || event.motion == MotionKind::Feed;
+    const bool cuts = event.kind == EventKind::CycleRun || event.motion == MotionKind::Feed ||
+                      (event.motion == MotionKind::Rapid && !event.inMachineCoordinates());
     if (ctx.dialect().isLathe() || !cuts || !(event.axes >> unsigned(tool) & 1))
       return;
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::Scaling);
