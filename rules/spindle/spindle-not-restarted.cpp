@@ -8,7 +8,8 @@ namespace ncvet {
 namespace {
 
 struct SpindleNotRestartedMemory {
-  SourceRange tap{}; ///< block of the last tapped hole
+  SourceRange tap{};   ///< block of the last tapped hole
+  bool itself = false; ///< its cycle starts the spindle
   OncePerCause once;
 };
 
@@ -94,6 +95,7 @@ private:
     const bool tap = code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft;
     if (event.kind == EventKind::CycleRun && tap) {
       memory().tap = ctx.blockRange();
+      memory().itself = code.spindle == SpindleNeed::StartsItself;
       return;
     }
     const bool cuts = event.kind == EventKind::CycleRun
@@ -101,16 +103,24 @@ private:
                           : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                                 event.motion == MotionKind::ArcCcw;
     const Origin &start = ctx.after().origin.of(StatePart::Spindle);
+    if (memory().itself && (ctx.after().liveTool & (spindleCw | spindleCcw)))
+      return; // the driven tool cuts
     if (!cuts || memory().tap.end == 0 || memory().tap.file != ctx.source().id() ||
         !start.known() || start.file != memory().tap.file || start.begin >= memory().tap.end ||
         ctx.block().begin < memory().tap.end)
       return;
-    if (auto finding = ctx.report(ctx.blockRange(), false))
-      finding.severity(Severity::Style)
-          .message("`{0}` cuts after tapping: which way the spindle turns after its reversal is "
-                   "not certain",
-                   code.name)
-          .note(memory().tap, "the tapping cycle runs here");
+    if (auto finding = ctx.report(ctx.blockRange(), false)) {
+      if (memory().itself)
+        finding.message("`{0}` cuts after a tapping cycle that starts the spindle itself: whether "
+                        "it turns after that is not certain, and nothing starts it again",
+                        code.name);
+      else
+        finding.severity(Severity::Style)
+            .message("`{0}` cuts after tapping: which way the spindle turns after its reversal is "
+                     "not certain",
+                     code.name);
+      finding.note(memory().tap, "the tapping cycle runs here");
+    }
     memory().tap = {};
   }
 
