@@ -192,10 +192,10 @@ void Contours::notePlace(const Step &step, const Bounds &bounds, bool finishing)
   // Blocks that plain flow has run already, and that this cycle runs again.
   const bool reached = (first >= activation.runBegin && first < activation.runEnd) ||
                        (isMain && first < step.at && run_.covered.holds(first));
-  if (finishing && reached && first < step.at && !run_.used.profiles.count(first))
+  const bool runsThrough = step.unit().dialect->profileRunsThrough;
+  if ((finishing || !runsThrough) && reached && first < step.at && !run_.used.profiles.count(first))
     run_.issue(FlowIssue::ProfileReached, step, step.flowRange(),
                {step.unit().source.id(), first, first + 1});
-  const bool runsThrough = step.unit().dialect->profileRunsThrough;
   if (!isMain)
     return;
   // After its own block the control goes on: it must not come to the profile.

@@ -1,5 +1,6 @@
 // A turning cycle starts inside of what it is to cut.
 #include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/thread_passes.h"
 #include "analyzer/facts/turning_profile.h"
 #include "formats/text/number_text.h"
 
@@ -23,11 +24,16 @@ public:
     switch (code.cycle) {
     case CycleKind::RoughTurn:
     case CycleKind::RoughFace:
+    case CycleKind::PatternRepeat:
       rough(event, code, ctx);
       break;
     case CycleKind::TurnPass:
     case CycleKind::FacePass:
       if (passes_)
+        pass(event, code, ctx);
+      break;
+    case CycleKind::ThreadPass: // of a list of passes the rule of the thread's start speaks
+      if (passes_ && threadPassesAhead(ctx, 0).empty())
         pass(event, code, ctx);
       break;
     default:
@@ -66,6 +72,8 @@ private:
             .note(profile.blocks.front().range, "the profile begins here");
       return;
     }
+    if (code.cycle == CycleKind::RoughTurn && insidePart(event, code, profile, *unit, ctx))
+      return;
     if (!startX.isConstant() || profile.reachesX.lo > profile.reachesX.hi)
       return;
     const double start = startX.value();
@@ -90,6 +98,23 @@ private:
           .severity(over <= overshoot + startTolerance ? std::optional(Severity::Warning)
                                                        : std::nullopt)
           .note(profile.blocks.front().range, "the profile begins here");
+  }
+
+  /// A contour that is cut towards the chuck, from a start inside the part. True when that is said.
+  static bool insidePart(const Event &event, const CodeInfo &code, const Profile &profile,
+                         double unit, RuleContext &ctx) {
+    const auto face = ctx.machine().number("partFaceZ");
+    const Interval &z = ctx.after().at(Axis::Z);
+    const Interval &tail = profile.blocks[profile.lastCut - 1].toZ;
+    if (!face || !z.isConstant() || ctx.after().inMachineCoordinates(Axis::Z) ||
+        z.value() >= *face - startTolerance || !tail.isConstant() ||
+        tail.value() >= z.value() - startTolerance)
+      return false;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.message("`{0}` starts at Z{1}, inside the part, whose face is at Z{2}: every pass "
+                      "returns there at rapid",
+                      code.name, shortNumber(z.value() / unit), shortNumber(*face / unit));
+    return true;
   }
 
   /// A contour that is cut towards the chuck begins before the place, by more than the distance

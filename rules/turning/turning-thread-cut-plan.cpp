@@ -1,7 +1,7 @@
 // The passes of a thread do not fit its depth, or do not go deeper.
-#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
+#include "analyzer/facts/thread_passes.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 #include "formats/text/number_text.h"
@@ -122,6 +122,8 @@ private:
     const bool outside = from > last;
     if (from == last || (outside ? now < last : now > last))
       return;
+    if (outside ? now >= from : now <= from)
+      return; // beyond the start: it is the start that is not clear, or no pass is meant
     if (auto finding = ctx.report(*x))
       finding
           .message("the pass at `{0}` of `{1}` is less deep than the one before at X{2}: it cuts "
@@ -174,24 +176,9 @@ private:
 
   /// Whether a later pass of the list is deeper than `x`.
   static bool deeperFollows(const RuleContext &ctx, double x, double from) {
-    BlocksAhead ahead(ctx);
-    Block next;
-    bool more = ahead.next(next);
-    for (unsigned i = 0; more && i < 30; ++i, more = ahead.next(next)) {
-      const CodeInfo *cycle = findCode(ctx.dialect(), next, {Action::Cycle});
-      const bool again = cycle && cycle->cycle == CycleKind::ThreadPass;
-      if ((next.has(letterAddress('G')) && !again) || next.has(letterAddress('T')) ||
-          !next.items.empty())
-        return false;
-      const Word *word = next.findAny(diameterWords);
-      if (!word || !word->isNumber())
-        continue;
-      const double pass =
-          word->address == letterAddress('U') ? from + word->value() : word->value();
-      if (from > x ? pass < x - sameDiameter : pass > x + sameDiameter)
-        return true;
-    }
-    return false;
+    return llvm::any_of(threadPassesAhead(ctx, from), [&](double pass) {
+      return from > x ? pass < x - sameDiameter : pass > x + sameDiameter;
+    });
   }
 
   std::optional<Severity> firstCutSeverity_;

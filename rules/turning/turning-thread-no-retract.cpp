@@ -17,10 +17,13 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
-    if (before.activeAction(ctx.dialect(), StandardGroup::Motion) != Action::Thread)
-      return;
+    const bool threads =
+        before.activeAction(ctx.dialect(), StandardGroup::Motion) == Action::Thread;
+    // `G00` in a block of its own is between the stroke and the move back.
+    const bool back = event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
+                      !event.inMachineCoordinates();
     Block stroke;
-    if (!readStroke(ctx, stroke))
+    if (!(threads || back) || !readStroke(ctx, stroke) || !(threads || isThread(ctx, stroke)))
       return;
     if (event.motion == MotionKind::Thread && !hasMotionCode(ctx.dialect(), ctx.block()) &&
         (event.axes & (xBit | zBit)) == xBit) {
@@ -33,8 +36,7 @@ public:
             .note(before.originOf(ctx.dialect(), StandardGroup::Motion),
                   ctx.code(event).name + " becomes active here")
             .fix(FixSafety::Unsafe, "insert G00 before it", ctx.insertBefore(range.begin, "G00 "));
-    } else if (event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
-               !event.inMachineCoordinates()) {
+    } else if (back) {
       if (auto finding = ctx.report(ctx.blockRange(), event.certain))
         finding
             .message(
@@ -56,6 +58,19 @@ private:
     if (more && runsAlongZ(ctx.dialect(), stroke))
       return true;
     return ctx.callDepth() > 0 && readStrokeOfCaller(ctx, entry, !more, stroke);
+  }
+
+  /// The stroke gives the code of the thread, or follows the block that does.
+  static bool isThread(const RuleContext &ctx, const Block &stroke) {
+    constexpr unsigned furthest = 20; // blocks
+    Block block = stroke;
+    for (unsigned i = 0; i < furthest && block.items.empty(); ++i) {
+      if (hasMotionCode(ctx.dialect(), block))
+        return findCode(ctx.dialect(), block, {Action::Thread});
+      if (!readBack(ctx, block))
+        return false;
+    }
+    return false;
   }
 
   /// The stroke with which the thread began, when the call after it leads to the current blocks.
@@ -118,6 +133,7 @@ private:
     case Action::ProgramStop:
     case Action::Dwell:
     case Action::Switch:
+    case Action::Rapid:
       return true;
     default:
       return false;

@@ -1,5 +1,6 @@
 // A thread starts too near in diameter or in run-in length.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/thread_passes.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 
@@ -29,6 +30,8 @@ public:
       return;
     if (cycle && code.cycle == CycleKind::ThreadMulti)
       diameter(event, code, *word, ctx);
+    else if (cycle)
+      passes(event, code, *word, ctx);
     runIn(event, code, *word, ctx);
   }
 
@@ -64,6 +67,31 @@ private:
           "{3} the crest",
           code.name, shortNumber(start.value() / *unit), shortNumber(crest / *unit),
           clear < 0 ? "through" : "too near to");
+  }
+
+  /// Passes that fall cut an outside thread, and those that grow one in a bore. A start that lies
+  /// among them is not clear of the crest.
+  static void passes(const Event &event, const CodeInfo &code, const Word &word, RuleContext &ctx) {
+    const Interval &start = ctx.before().at(Axis::X);
+    const auto unit = millimetresPer(ctx.dialect(), ctx.before());
+    if (ctx.before().activeCode(ctx.dialect(), StandardGroup::Motion) == &code ||
+        ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle) == &code || !unit ||
+        !start.isConstant() || ctx.before().inMachineCoordinates(Axis::X) ||
+        (wordOf(ctx.block(), code, Role::Taper) && valueOf(ctx, code, Role::Taper) != 0.0))
+      return;
+    const auto end = endOf(ctx, Axis::X, start);
+    const double from = start.value() / *unit;
+    const llvm::SmallVector<double, 8> later = threadPassesAhead(ctx, from);
+    if (!end || later.empty())
+      return;
+    const double first = *end / *unit, last = later.back();
+    if (first == last || (last < first) != (later.front() <= first) ||
+        (last < first ? from > first || from < last : from < first || from > last))
+      return;
+    if (auto finding = ctx.report(word, event.certain))
+      finding.message("`{0}` starts at X{1}, and its passes go from X{2} to X{3}: the tool returns "
+                      "through the crest",
+                      code.name, shortNumber(from), shortNumber(first), shortNumber(last));
   }
 
   void runIn(const Event &event, const CodeInfo &code, const Word &word, RuleContext &ctx) const {
