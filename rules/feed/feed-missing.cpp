@@ -1,4 +1,5 @@
 // A feed move or cutting cycle runs without a feed ever having been programmed.
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
 
@@ -24,11 +25,12 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (inverseEach_ && lacksItsTime(event, ctx))
       return;
-    if (event.code == noCode || ctx.after().must(Fact::FeedSet) ||
-        ctx.before().must(Fact::InContour) || // the cycle has feeds of its own
+    if (event.code == noCode || ctx.before().must(Fact::InContour) || // it has feeds of its own
         ctx.after().may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);
+    if (ctx.after().must(Fact::FeedSet))
+      return leadAsFeed(event, code, ctx);
     // A modal cycle without axis words sets modes only.
     if (event.kind == EventKind::CycleRun && !event.axes && code.group != noGroup &&
         !code.firesOnEveryBlock)
@@ -57,6 +59,27 @@ public:
   }
 
 private:
+  /// Turning goes on at the F of a thread, which is its lead and no feed for a cut.
+  void leadAsFeed(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    const MachineState &after = ctx.after();
+    const bool cuts = event.kind == EventKind::CycleRun
+                          ? !cutsThread(code.cycle) && ctx.codeWord(event)
+                          : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                                event.motion == MotionKind::ArcCcw;
+    if (!ctx.dialect().isLathe() || !cuts || !code.needsFeed || event.inMachineCoordinates() ||
+        after.profile == ProfileMode::Recorded || !after.must(Fact::FeedIsLead))
+      return;
+    const Origin &lead = after.origin.of(StatePart::Feed); // read only here: it changes with each F
+    if (!memory().once.speaks(lead, ctx))
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` cuts with the lead of the thread as its feed: no other feed was "
+                   "programmed",
+                   code.name)
+          .note(lead, "the lead is given here");
+  }
+
   /// A move with inverse time feed has the time of its own path, or none: the F of another block
   /// does not count for it. True when that is said.
   bool lacksItsTime(const Event &event, RuleContext &ctx) const {
