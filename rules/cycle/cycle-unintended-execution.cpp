@@ -58,7 +58,9 @@ public:
     if (makesHole(code.cycle))
       checkHole(event, code, ctx);
     else if (code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::ThreadPass)
-      checkPass(event, code, ctx);
+      checkPass(event, code, Axis::X, ctx);
+    else if (code.cycle == CycleKind::FacePass)
+      checkPass(event, code, Axis::Z, ctx);
   }
 
 private:
@@ -137,17 +139,18 @@ private:
   }
 
   /// A pass of a turning cycle whose end lies on the free side of its start cuts nothing.
-  static void checkPass(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+  static void checkPass(const Event &event, const CodeInfo &code, Axis axis, RuleContext &ctx) {
     const MachineState &before = ctx.before();
-    if (!(event.axes & 1u << unsigned(Axis::X)) || !(event.axes & 1u << unsigned(Axis::Z)))
+    if (!(event.axes & 1u << unsigned(axis)))
       return;
-    const Interval &startX = ctx.after().cycleStart[0];
+    const char letter = axis == Axis::X ? 'X' : 'Z';
+    const Interval &start = ctx.after().cycleStart[unsigned(axis)];
     const auto unit = millimetresPer(ctx.dialect(), before);
-    const auto end = endOf(ctx, Axis::X, startX);
-    if (!startX.isConstant() || !unit || !end || !before.cycle.has('X'))
+    const auto end = endOf(ctx, axis, start);
+    if (!start.isConstant() || !unit || !end || !before.cycle.has(letter))
       return;
-    const double was = before.cycle.get('X') * *unit - startX.value();
-    const double is = *end - startX.value();
+    const double was = before.cycle.get(letter) * *unit - start.value();
+    const double is = *end - start.value();
     constexpr double least = 0.5;
     if (std::isnan(was) || std::fabs(was) < least || std::fabs(is) < least || (was > 0) == (is > 0))
       return;
