@@ -2,6 +2,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
+#include "analyzer/facts/turning_profile.h"
 #include "analyzer/rule/report_once.h"
 #include "interp/evaluate/tool_data.h"
 
@@ -74,7 +75,8 @@ private:
   }
 
   /// Looks at the first element after the entry. Cut towards the chuck, an outside contour grows
-  /// and a bore shrinks; only when the entry came from the same side is it taken for certain.
+  /// and a bore shrinks; only when the entry came from the same side is it taken for certain. Else
+  /// the side on which the tool leaves the contour tells.
   static void onLathe(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before(), &after = ctx.after();
     const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
@@ -94,16 +96,16 @@ private:
     if (!(dz.hi < 0) || !(before.at(Axis::X).lo >= 0) || !(after.at(Axis::X).lo >= 0))
       return;
     SourceRange element = ctx.blockRange();
-    if (dx.lo == 0 && dx.hi == 0) { // along Z: the element after it tells
-      const auto change = changeAfterAxial(ctx, element);
-      if (!change)
-        return;
-      dx = *change;
-    }
-    const bool outside = dx.lo > 0 && before.must(Fact::EnteredInward);
-    const bool bore = dx.hi < 0 && before.must(Fact::EnteredOutward);
-    if (!outside && !bore)
+    const bool axial = dx.lo == 0 && dx.hi == 0; // along Z: the element after it tells
+    if (axial)
+      dx = changeAfterAxial(ctx, element).value_or(Interval::unknown());
+    const bool grows = dx.lo > 0 && before.must(Fact::EnteredInward);
+    const bool shrinks = dx.hi < 0 && before.must(Fact::EnteredOutward);
+    SourceRange leaving;
+    const Side side = grows ? Side::Outside : shrinks ? Side::Inside : sideOfLeaving(ctx, leaving);
+    if (side == Side::Unknown)
       return;
+    const bool outside = side == Side::Outside;
     const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
     const Action right = outside ? Action::CompensationRight : Action::CompensationLeft;
     if (!code || code->action == right ||
@@ -116,7 +118,10 @@ private:
                    "`{2}` belongs there",
                    code->name, outside ? "an outside contour" : "a bore",
                    nameOf(right, ctx.dialect()))
-          .note(element, outside ? "here the contour grows" : "here the bore shrinks");
+          .note(leaving.empty() ? element : leaving,
+                !leaving.empty() ? "here the tool leaves the contour at its depth"
+                : outside        ? "here the contour grows"
+                                 : "here the bore shrinks");
   }
 
   /// How X changes in the first element towards the chuck that follows moves along Z; `where`
@@ -143,6 +148,37 @@ private:
       return dx;
     }
     return std::nullopt;
+  }
+
+  /// On which side of the contour the tool leaves it: with the end of compensation it goes past all
+  /// that it has cut, in X alone, at a depth in Z. Only on the free side is there room for that.
+  static Side sideOfLeaving(const RuleContext &ctx, SourceRange &leaving) {
+    constexpr unsigned mostMoves = 60;
+    const Interval &first = ctx.before().at(Axis::X);
+    double least = std::min(first.lo, ctx.after().at(Axis::X).lo);
+    double greatest = std::max(first.hi, ctx.after().at(Axis::X).hi);
+    PathAhead ahead(ctx);
+    for (unsigned i = 0; i < mostMoves && ahead.next(); ++i) {
+      const ExecutedBlock move = ahead.executed();
+      const Interval &to = move.after.at(Axis::X);
+      if (!to.isConstant() ||
+          findCode(ctx.dialect(), move.block,
+                   {Action::MachineMove, Action::CompensationLeft, Action::CompensationRight}))
+        return Side::Unknown;
+      if (move.after.compensationActive(ctx.dialect()) == Truth::Yes) {
+        least = std::min(least, to.value());
+        greatest = std::max(greatest, to.value());
+        continue;
+      }
+      const Interval dz = move.after.at(Axis::Z) - move.before.at(Axis::Z);
+      const bool atDepth =
+          dz.lo == 0 && dz.hi == 0 && move.after.at(Axis::Z).hi < ctx.before().at(Axis::Z).lo;
+      if (!atDepth || (to.value() >= least && to.value() <= greatest))
+        return Side::Unknown;
+      leaving = ahead.range();
+      return to.value() > greatest ? Side::Outside : Side::Inside;
+    }
+    return Side::Unknown;
   }
 
   static std::string nameOf(Action action, const Dialect &dialect) {
