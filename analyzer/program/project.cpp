@@ -128,10 +128,12 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
       break;
   }
   std::sort(files.begin(), files.end());
+  const auto add = [&](int64_t number, const std::string &file) {
+    if (number >= 0 && !programs.byNumber.try_emplace(number, file).second)
+      programs.furtherByNumber.emplace(number, file);
+  };
   for (const std::string &file : files) {
-    const int64_t number = numberOfName(llvm::sys::path::filename(file));
-    if (number >= 0)
-      programs.byNumber.try_emplace(number, file);
+    add(numberOfName(llvm::sys::path::filename(file)), file);
     programs.byName.try_emplace(llvm::sys::path::stem(file).upper(), file);
   }
   unsigned looked = 0;
@@ -145,9 +147,7 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
         llvm::MemoryBuffer::getFileSlice(file, std::min<uint64_t>(size, headerBytes), 0);
     if (!buffer)
       continue;
-    const int64_t number = numberOfHeader((*buffer)->getBuffer());
-    if (number >= 0)
-      programs.byNumber.try_emplace(number, file);
+    add(numberOfHeader((*buffer)->getBuffer()), file);
   }
   return programs;
 }
@@ -157,6 +157,21 @@ std::string Project::folderOf(const FileUnit &from) {
     return {};
   const llvm::StringRef parent = llvm::sys::path::parent_path(from.source.path());
   return parent.empty() ? "." : parent.str();
+}
+
+std::vector<std::string> Project::filesOf(const FileUnit &from, int64_t number) {
+  std::vector<std::string> files;
+  const std::string folder = folderOf(from);
+  if (folder.empty())
+    return files;
+  const ProgramFolders::Programs &programs = folders_->programs(folder);
+  if (const auto first = programs.byNumber.find(number); first != programs.byNumber.end())
+    files.push_back(first->second);
+  const auto [begin, end] = programs.furtherByNumber.equal_range(number);
+  for (auto further = begin; further != end; ++further)
+    files.push_back(further->second);
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 std::vector<std::string> Project::foldersOf(const FileUnit &from) const {

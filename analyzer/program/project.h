@@ -48,7 +48,9 @@ class ProgramFolders {
 public:
   struct Programs {
     std::map<int64_t, std::string> byNumber; ///< file by program number
-    llvm::StringMap<std::string> byName;     ///< file by its name without ending, in capitals
+    std::multimap<int64_t, std::string>
+        furtherByNumber;                 ///< more files with a program of the number
+    llvm::StringMap<std::string> byName; ///< file by its name without ending, in capitals
   };
   /// Folders of a backup of a control, as the control would find a program in them.
   struct Stores {
@@ -92,6 +94,9 @@ public:
   Found findProgram(FileUnit &from, int64_t number);
   /// The same for program `name`. A path before it is not followed.
   Found findProgram(FileUnit &from, llvm::StringRef name);
+  /// Files of the folder of `from` whose names or first lines give program `number`, in the order
+  /// of their paths.
+  std::vector<std::string> filesOf(const FileUnit &from, int64_t number);
   /// Whether a program of the project is called where `from` names this program of the control: one
   /// of the same file or folder, or one that the file declares.
   bool hidesProgram(FileUnit &from, llvm::StringRef name);

@@ -279,7 +279,22 @@ private:
       if (auto finding = ctx.report(range))
         finding.message("`{0}` has {1} digits: {2}", text, digits.size(), wanted())
             .severity(Severity::Style);
+    } else if (percent_) {
+      afterNumber(range, file, ctx);
     }
+  }
+
+  /// Only a name in brackets may follow the number.
+  static void afterNumber(SourceRange number, const FileSummary &file, RuleContext &ctx) {
+    const llvm::StringRef line =
+        file.source.text().drop_front(number.end).take_until([](char c) { return c == '\n'; });
+    const llvm::StringRef text = line.split('(').first.trim();
+    if (text.empty())
+      return;
+    const auto begin = uint32_t(number.end + line.find(text));
+    if (auto finding = ctx.report(SourceRange{number.file, begin, begin + uint32_t(text.size())}))
+      finding.message("`{0}` after the program number: only a name in brackets may follow it",
+                      text);
   }
 
   std::string wanted() const {

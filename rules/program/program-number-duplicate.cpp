@@ -1,5 +1,6 @@
-// Two programs of one file have the same number.
+// Two programs of one file, or of one folder, have the same number.
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -23,7 +24,11 @@ public:
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     // (In a file that is one program the numbers are marks, by which control runs on.)
-    if (file.index.programs().size() < 2 || fileIsProgram_)
+    if (fileIsProgram_)
+      return;
+    if (ctx.asked())
+      filesBeside(file, ctx);
+    if (file.index.programs().size() < 2)
       return;
     for (const ProgramInfo &program : file.index.programs()) {
       if (!program.hasHeader() || program.number < 0)
@@ -46,6 +51,36 @@ public:
   }
 
 private:
+  /// Advice: a control's memory holds a number once, folders of a computer several times. The first
+  /// file tells of the others.
+  static void filesBeside(const FileSummary &file, RuleContext &ctx) {
+    Project *const project = ctx.unit().project;
+    if (!project || file.source.path().empty())
+      return;
+    for (const ProgramInfo &program : file.index.programs()) {
+      if (!program.hasHeader() || program.number < 0)
+        continue;
+      for (const std::string &path : project->filesOf(ctx.unit(), program.number))
+        if (path > file.source.path())
+          if (FileUnit *const other = project->open(path))
+            inFile(*other, program, ctx);
+    }
+  }
+
+  static void inFile(const FileUnit &other, const ProgramInfo &program, RuleContext &ctx) {
+    const ProgramInfo *second = other.index.find(program.number);
+    if (!second || !second->hasHeader())
+      return;
+    if (auto finding =
+            ctx.report(SourceRange{other.source.id(), second->headerBegin, second->headerEnd}))
+      finding.severity(Severity::Warning)
+          .message("a second program O{0} in this folder: in the memory of the control one "
+                   "overwrites the other",
+                   program.number)
+          .note(SourceRange{ctx.source().id(), program.headerBegin, program.headerEnd},
+                "the first one");
+  }
+
   bool fileIsProgram_ = false;
 };
 
