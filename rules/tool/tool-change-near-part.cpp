@@ -31,7 +31,8 @@ public:
       return;
     if (before.may(Fact::AwayFromPart)) {
       afterHole(event, ctx);
-      afterCut(event, ctx);
+      if (!afterCut(event, ctx))
+        nearCut(event, ctx);
       return;
     }
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
@@ -66,7 +67,7 @@ private:
   }
 
   /// On a lathe the tool was lifted off the cut in X by a little, and has not moved since then.
-  static void afterCut(const Event &event, RuleContext &ctx) {
+  static bool afterCut(const Event &event, RuleContext &ctx) {
     constexpr double little = 10; // mm of the diameter
     const Dialect &dialect = ctx.dialect();
     const MachineState &before = ctx.before();
@@ -74,13 +75,13 @@ private:
     const auto unit = millimetresPer(dialect, before);
     if (!dialect.isLathe() || before.may(Fact::AtMachinePosition) || !x.isConstant() ||
         before.inMachineCoordinates(Axis::X) || !unit)
-      return;
+      return false;
     Block block;
     bool more = readPrevious(ctx, block);
     while (more && isPlain(block) && onlySwitches(dialect, block))
       more = readBack(ctx, block);
     if (!more || !isPlain(block) || !liftsOff(dialect, block))
-      return;
+      return false;
     const SourceRange lift = wordsRange(ctx, block);
     // The cut before it: its motion code, and the last X that it gives.
     constexpr unsigned furthest = 20; // blocks
@@ -88,26 +89,106 @@ private:
     bool feeds = false;
     for (unsigned i = 0; i < furthest && !(feeds && cut); ++i) {
       if (!readBack(ctx, block) || !isPlain(block) || block.hasAny(dialect.incrementWords))
-        return;
+        return false;
       const bool straight = findCode(dialect, block, {Action::Linear});
       if (hasMotionCode(dialect, block) && !straight && !feeds)
-        return;
+        return false;
       if (const Word *word = block.find('X'); word && !cut) {
         if (!word->isNumber() || word->has(wordIncremental) || !onlyFeeds(dialect, block))
-          return;
+          return false;
         cut = word->value() * *unit;
       }
       feeds |= straight;
     }
     const double way = cut ? std::fabs(x.value() - *cut) : little + 1;
     if (!feeds || way > little)
-      return;
+      return false;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding
           .message("the tool is changed {0} mm in X off the last cut: the next one may hit part, "
                    "chuck or clamps",
                    shortNumber(way))
           .note(lift, "nothing but this move has led away from it");
+    return true;
+  }
+
+  /// A place that the tool has cut: in units of the program, as far as the text gives it.
+  struct Place {
+    std::optional<double> x, z;
+
+    void fill(const Block &block) {
+      if (const Word *word = block.find('X'); word && !x)
+        x = word->value();
+      if (const Word *word = block.find('Z'); word && !z)
+        z = word->value();
+    }
+  };
+
+  /// On a lathe the last rapid move ends close to where the tool has cut last, whatever it did
+  /// between: it went away and came back.
+  static void nearCut(const Event &event, RuleContext &ctx) {
+    constexpr double nearX = 10, nearZ = 20; // mm, X of the diameter
+    const MachineState &before = ctx.before();
+    const Interval &x = before.at(Axis::X), &z = before.at(Axis::Z);
+    const auto unit = millimetresPer(ctx.dialect(), before);
+    if (!ctx.dialect().isLathe() || !x.isConstant() || !z.isConstant() || !unit ||
+        before.inMachineCoordinates(Axis::X) || before.inMachineCoordinates(Axis::Z) ||
+        before.may(Fact::AtMachinePosition))
+      return;
+    SourceRange last;
+    const Place cut = lastCut(ctx, last);
+    if (!cut.x || !cut.z || last.empty() || std::fabs(x.value() - *cut.x * *unit) > nearX ||
+        std::fabs(z.value() - *cut.z * *unit) > nearZ)
+      return;
+    if (auto finding = ctx.report(event, false))
+      finding
+          .message("the tool is changed close to its last cut at X{0} Z{1}: the next one may hit "
+                   "part, chuck or clamps",
+                   shortNumber(*cut.x), shortNumber(*cut.z))
+          .note(last, "this move ends there");
+  }
+
+  /// Where the last cut by a straight line or an arc ended, and the rapid move that is the last one
+  /// after it. Nothing where the text does not tell it.
+  static Place lastCut(const RuleContext &ctx, SourceRange &last) {
+    constexpr unsigned furthest = 40; // blocks
+    const Dialect &dialect = ctx.dialect();
+    Place place;
+    Block block;
+    bool cuts = false;
+    for (unsigned i = 0; i < furthest && !(cuts && place.x && place.z); ++i) {
+      const bool more = i == 0 ? readPrevious(ctx, block) : readBack(ctx, block);
+      if (!more || !isPlain(block) || block.has(letterAddress('T')) ||
+          findCode(dialect, block, {Action::ReferenceReturn}))
+        return {};
+      const bool machine = findCode(dialect, block, {Action::MachineMove});
+      const bool moves = block.hasAny(dialect.axisWords);
+      if (moves && !machine && (!onlyMoves(dialect, block) || !isAbsolute(dialect, block)))
+        return {};
+      if (last.empty() && moves)
+        last = machine ? SourceRange() : wordsRange(ctx, block);
+      if (last.empty() && moves)
+        return {}; // it changes at a machine position
+      if (!cuts && findCode(dialect, block, {Action::Rapid})) {
+        place = {};
+        continue;
+      }
+      if (machine)
+        return {};
+      place.fill(block);
+      cuts |= findCode(dialect, block, {Action::Linear, Action::ArcCw, Action::ArcCcw}) != nullptr;
+      if (!cuts && hasMotionCode(dialect, block))
+        return {};
+    }
+    return cuts ? place : Place();
+  }
+
+  static bool isAbsolute(const Dialect &dialect, const Block &block) {
+    return !block.hasAny(dialect.incrementWords) &&
+           llvm::all_of(block.words, [&](const Word &word) {
+             return !(dialect.axisWords & maskOf(word.address)) ||
+                    (word.isNumber() && !word.has(wordIncremental));
+           });
   }
 
   /// Nothing decides at run time whether the block runs, or what.
@@ -121,21 +202,30 @@ private:
   }
 
   /// The axis words are those of a move: only codes of moves, compensation and coolant beside them.
+  static bool onlyMoves(const Dialect &dialect, const Block &block) {
+    return llvm::all_of(codesOf(dialect, block), [&](const CodeIndex index) {
+      return isArc(dialect.codes[index].action) || feedsOrSwitches(dialect.codes[index].action);
+    });
+  }
+  /// The same, without arcs.
   static bool onlyFeeds(const Dialect &dialect, const Block &block) {
     return llvm::all_of(codesOf(dialect, block), [&](const CodeIndex index) {
-      switch (dialect.codes[index].action) {
-      case Action::Rapid:
-      case Action::Linear:
-      case Action::CompensationOff:
-      case Action::CompensationLeft:
-      case Action::CompensationRight:
-      case Action::CoolantOn:
-      case Action::CoolantOff:
-        return true;
-      default:
-        return false;
-      }
+      return feedsOrSwitches(dialect.codes[index].action);
     });
+  }
+  static bool feedsOrSwitches(Action action) {
+    switch (action) {
+    case Action::Rapid:
+    case Action::Linear:
+    case Action::CompensationOff:
+    case Action::CompensationLeft:
+    case Action::CompensationRight:
+    case Action::CoolantOn:
+    case Action::CoolantOff:
+      return true;
+    default:
+      return false;
+    }
   }
 
   /// Codes that move nothing: the cycle's end, the coolant, the spindle.
