@@ -1,4 +1,5 @@
 // Compensation without an offset number, or with an offset that holds no radius.
+#include "analyzer/facts/corner_words.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
@@ -21,6 +22,8 @@ public:
     to.on(EventKind::CompensationMove);
     to.onAction({Action::CompensationLeft, Action::CompensationRight});
     greatestTip_ = to.dialect().facts->compensation.greatestTip;
+    intersects_ = to.dialect().facts->corners.intersects;
+    angles_ = cornerAddresses(dialect).angle;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -54,7 +57,8 @@ private:
         return;
       // Every contour after one D0 suffers from it; the first says so.
       if (!lathe && number == 0 &&
-          !memory().once.speaks(state.origin.of(StatePart::RadiusOffset), ctx))
+          (onlyIntersects(ctx) ||
+           !memory().once.speaks(state.origin.of(StatePart::RadiusOffset), ctx)))
         return;
       const bool certain = event.certain && !state.may(Fact::UnknownCode);
       auto finding = ctx.report(where, certain);
@@ -98,6 +102,23 @@ private:
                 lathe ? "the tool is called here" : "D is set here");
   }
 
+  /// `G42 G1 X0 Y0 D00`: compensation is on for the points where elements meet, which the control
+  /// computes under it alone, and D0 is the way to have no offset there.
+  bool onlyIntersects(const RuleContext &ctx) const {
+    constexpr unsigned furthest = 50; // blocks
+    if (!intersects_ || !ctx.block().has(letterAddress('D')))
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (findCode(ctx.dialect(), next, {Action::CompensationOff}))
+        return false;
+      if (next.hasAny(angles_))
+        return true;
+    }
+    return false;
+  }
+
   /// The radius comes with the tool, without a number of its own.
   static void ofTool(const CodeInfo &code, SourceRange where, const Event &event,
                      RuleContext &ctx) {
@@ -119,6 +140,8 @@ private:
   }
 
   double greatestTip_ = 9; ///< of the directions that the control has
+  bool intersects_ = false;
+  AddressMask angles_ = 0; ///< of lines that are given by their direction
 };
 
 } // namespace

@@ -30,6 +30,10 @@ public:
     for (unsigned i = 0; i < ctx.dialect().groups.size(); ++i)
       if ((watched_ >> i & 1) && before.group(i) != after.group(i))
         changes.groups |= uint64_t(1) << i;
+    // Another offset under the same code: `/G43 Z30 H02`.
+    if (before.lengthOffset > 0 && after.lengthOffset > 0 &&
+        before.lengthOffset != after.lengthOffset)
+      changes.groups |= groupMask(ctx.dialect(), {StandardGroup::LengthOffset});
     changes.tool = before.tool != after.tool && before.tool != notSet;
     constexpr uint8_t turning = spindleCw | spindleCcw;
     const uint8_t was = before.spindle, is = after.spindle;

@@ -27,8 +27,14 @@ public:
     if (!value.isConstant())
       return;
     const double runs = value.value();
-    if (runs >= 1 && runs == std::floor(runs))
+    if (runs >= 1 && runs == std::floor(runs)) {
+      if (ctx.text(*count).drop_front().ltrim().startswith("+"))
+        if (auto finding = ctx.report(*count))
+          finding.severity(Severity::Warning)
+              .message("`{0}` has a sign before the number of runs, which is none of `{1}`",
+                       ctx.text(*count), ctx.code(event).name);
       return;
+    }
     // None on purpose: a call that is switched off for a while, or by a computed count.
     const bool none = runs == 0;
     if (none && count->has(wordExpression))

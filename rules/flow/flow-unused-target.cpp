@@ -49,11 +49,12 @@ private:
       if (isMacroOfBuilder(program.number))
         continue;
       SourceRange at{unit->source.id(), program.headerBegin, program.headerEnd};
-      for (const Block &block : blocks(unit->index, program.body, program.end, headBlocks))
-        if (!block.isEmpty()) {
-          at = {unit->source.id(), block.begin, block.end};
-          break;
-        }
+      if (!program.hasHeader())
+        for (const Block &block : blocks(unit->index, program.body, program.end, headBlocks))
+          if (!block.isEmpty()) {
+            at = {unit->source.id(), block.begin, block.end};
+            break;
+          }
       if (auto finding = ctx.report(at))
         finding.severity(Severity::Style)
             .message("no program of this folder calls the subprogram `{0}`",

@@ -16,6 +16,7 @@ class ToolOffsetMismatch final : public StatefulRule<ToolOffsetMismatchMemory> {
 public:
   void listen(Subscriptions &to) override {
     onlyOtherTools_ = to.flag("onlyOtherTools");
+    ownStep_ = int64_t(to.number("ownStep", 0));
     if (to.dialect().isLathe())
       to.on(EventKind::ToolWord);
     else
@@ -30,7 +31,8 @@ public:
         return;
       const auto whole = int64_t(event.toolNumber().value());
       const int64_t tool = whole / 100, offset = whole % 100;
-      if (tool == offset || offset == 0 || tool > 99)
+      if (tool == offset || offset == 0 || tool > 99 ||
+          (ownStep_ > 0 && (offset - tool) % ownStep_ == 0))
         return;
       if (auto finding = ctx.report(word)) {
         finding.message("`{0}` calls tool {1} with offset {2}: it runs with another tool's data",
@@ -76,6 +78,7 @@ private:
   }
 
   bool onlyOtherTools_ = false; ///< numbers that no tool of the file has are a shop's scheme
+  int64_t ownStep_ = 0; ///< offsets of one tool lie so far apart; 0: a tool has one
 };
 
 } // namespace
