@@ -78,7 +78,7 @@ private:
   }
 
   bool onlyOtherTools_ = false; ///< numbers that no tool of the file has are a shop's scheme
-  int64_t ownStep_ = 0; ///< offsets of one tool lie so far apart; 0: a tool has one
+  int64_t ownStep_ = 0;         ///< offsets of one tool lie so far apart; 0: a tool has one
 };
 
 } // namespace
