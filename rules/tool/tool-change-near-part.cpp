@@ -131,6 +131,9 @@ private:
     const MachineState &before = ctx.before();
     const Interval &x = before.at(Axis::X), &z = before.at(Axis::Z);
     const auto unit = millimetresPer(ctx.dialect(), before);
+    const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
+    if (units != noGroup && !before.isStated(units))
+      return; // what is 5 mm in one unit is 5 inches in the other
     if (!ctx.dialect().isLathe() || !x.isConstant() || !z.isConstant() || !unit ||
         before.inMachineCoordinates(Axis::X) || before.inMachineCoordinates(Axis::Z) ||
         before.may(Fact::AtMachinePosition))
