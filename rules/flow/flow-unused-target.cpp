@@ -49,12 +49,11 @@ private:
       if (isMacroOfBuilder(program.number))
         continue;
       SourceRange at{unit->source.id(), program.headerBegin, program.headerEnd};
-      if (!program.hasHeader())
-        for (const Block &block : blocks(unit->index, program.body, program.end, headBlocks))
-          if (!block.isEmpty()) {
-            at = {unit->source.id(), block.begin, block.end};
-            break;
-          }
+      for (const Block &block : blocks(unit->index, program.body, program.end, headBlocks))
+        if (!block.isEmpty()) {
+          at = {unit->source.id(), block.begin, block.end};
+          break;
+        }
       if (auto finding = ctx.report(at))
         finding.severity(Severity::Style)
             .message("no program of this folder calls the subprogram `{0}`",
