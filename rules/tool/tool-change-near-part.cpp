@@ -27,6 +27,9 @@ public:
     }
     // With M06 a machining centre takes the tool to its own change position.
     const bool atOnce = ctx.dialect().isLathe() || ctx.dialect().toolChangeByT;
+    const int32_t is = before.tool, becomes = ctx.after().tool;
+    if (is != notSet && is == becomes) // nothing turns
+      return;
     if (!atOnce || !before.must(Fact::Cut))
       return;
     if (before.may(Fact::AwayFromPart)) {
