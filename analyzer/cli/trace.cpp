@@ -37,8 +37,8 @@ llvm::StringRef nameOf(MoveKind kind) {
   return names[size_t(kind)];
 }
 
-llvm::StringRef planeOf(const std::array<Axis, 2> &axes) {
-  return axes[0] == Axis::X ? "XY" : axes[0] == Axis::Z ? "ZX" : "YZ";
+std::string planeOf(const std::array<Axis, 2> &axes) {
+  return (nameOf(axes[0]) + nameOf(axes[1])).str();
 }
 
 Json feedModeOf(Action mode) {
@@ -75,7 +75,7 @@ public:
         line["center"][nameOf(move.plane[i]).str()] = numberOf(move.centre[i]);
       line["turns"] = numberOf(move.turns);
       line["direction"] = move.clockwise ? "cw" : "ccw";
-      line["plane"] = planeOf(move.plane).str();
+      line["plane"] = planeOf(move.plane);
       writeFeed(line, move);
       break;
     case MoveKind::Linear:

@@ -4,6 +4,7 @@
 #include "interp/path/arc_block.h"
 
 #include <cmath>
+#include <limits>
 
 namespace ncvet {
 
@@ -46,7 +47,8 @@ const Event *moveInPlane(const ExecutedBlock &executed) {
   const MachineState &before = executed.before, &after = executed.after;
   const uint16_t plane = planeAxes(dialect, after);
   // A control that mills and turns may read X as a diameter there.
-  if (!dialect.isLathe() && planeOrder(dialect, after)[0] == Axis::Z)
+  if (!dialect.isLathe() && dialect.group(StandardGroup::Diameter) != noGroup &&
+      planeOrder(dialect, after)[0] == Axis::Z)
     return nullptr;
   if (executed.outcome.kinds & bitOf(EventKind::CoordinateChange) ||
       before.profile == ProfileMode::Recorded || before.may(Fact::UnknownCode) ||
@@ -124,9 +126,9 @@ std::optional<StraightElement> straightElement(const ExecutedBlock &executed) {
   return result.length() < shortest ? std::nullopt : std::optional(result);
 }
 
-std::optional<Vector> directionAt(const ExecutedBlock &executed, bool end) {
+std::optional<ContourElement> contourElementOf(const ExecutedBlock &executed) {
   if (const auto line = straightElement(executed))
-    return line->direction();
+    return ContourElement{line->from, line->to, Vector::Zero(), false, false};
   const Event *motion = moveInPlane(executed);
   if (!motion || (motion->motion != MotionKind::ArcCw && motion->motion != MotionKind::ArcCcw))
     return std::nullopt;
@@ -135,13 +137,32 @@ std::optional<Vector> directionAt(const ExecutedBlock &executed, bool end) {
   const ArcGeometry arc = arcGeometry(words, executed.dialect, executed.machine, executed.block,
                                       executed.before, executed.after);
   const auto centre = centreOf(words, arc, clockwise);
-  const auto &place = end ? arc.end : arc.start;
-  if (!centre || !place || words.angle)
+  if (!centre || !arc.start || !arc.end || words.angle ||
+      distance(*centre, *arc.start) < shortest || distance(*centre, *arc.end) < shortest)
     return std::nullopt;
-  const double radius = distance(*centre, *place);
-  if (radius < shortest)
+  return ContourElement{*arc.start, *arc.end, *centre, true, clockwise};
+}
+
+std::optional<Vector> directionAt(const ExecutedBlock &executed, bool end) {
+  const auto element = contourElementOf(executed);
+  return element ? std::optional(element->direction(end ? element->to : element->from))
+                 : std::nullopt;
+}
+
+std::optional<std::array<double, 2>> takenByRounding(double radius, const ContourElement &in,
+                                                     const ContourElement &out) {
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  const double turn = cross(in.direction(in.to), out.direction(out.from));
+  if (std::fabs(turn) < parallel)
     return std::nullopt;
-  return Vector(leftOf(*place - *centre) / radius * (clockwise ? -1 : 1));
+  const double left = turn > 0 ? radius : -radius;
+  if ((in.arc && in.radiusBeside(left) <= 0) || (out.arc && out.radiusBeside(left) <= 0))
+    return std::array{nowhere, nowhere};
+  const auto centre = meetingBeside(in, out, left, in.to);
+  if (!centre)
+    return std::array{nowhere, nowhere};
+  return std::array{lengthBetween(in, footOn(in, *centre), in.to),
+                    lengthBetween(out, out.from, footOn(out, *centre))};
 }
 
 std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,

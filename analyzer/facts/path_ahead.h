@@ -53,6 +53,15 @@ std::optional<StraightElement> straightElement(const ExecutedBlock &executed);
 /// length one, none under the conditions of `straightElement`, or when the circle is not known.
 std::optional<Vector> directionAt(const ExecutedBlock &executed, bool end);
 
+/// The line or arc that the block cuts in its plane; none under the conditions of `directionAt`.
+std::optional<ContourElement> contourElementOf(const ExecutedBlock &executed);
+
+/// What a rounding of that radius (mm) takes away of the two elements that meet in it, in
+/// millimetres along each; infinite where it touches the one or the other nowhere near. None when
+/// they do not meet in a corner.
+std::optional<std::array<double, 2>> takenByRounding(double radius, const ContourElement &in,
+                                                     const ContourElement &out);
+
 /// What a corner takes away of each of the two lines that meet in it, in millimetres; none when
 /// there is no corner.
 std::optional<double> takenByCorner(const CornerRequest &corner, const StraightElement &in,

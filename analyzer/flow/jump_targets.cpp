@@ -27,6 +27,12 @@ void JumpTargets::anywhere(const Step &step) {
   }
 }
 
+/// What the programs of another file name is no label of the main file.
+void JumpTargets::useLabel(const FileUnit &unit, std::string key) {
+  if (&unit == &run_.unit)
+    run_.used.labels.insert(std::move(key));
+}
+
 /// A target that is put together from texts: any label that begins as they do.
 void JumpTargets::anyLabel(const Step &step, const Argument &target, JumpKind kind) {
   const FileUnit &unit = step.unit();
@@ -39,7 +45,7 @@ void JumpTargets::anyLabel(const Step &step, const Argument &target, JumpKind ki
   for (const auto &label : unit.index.labels(step.region().program)) {
     if (!label.getKey().startswith(begin))
       continue;
-    run_.used.labels.insert(label.getKey().str());
+    useLabel(unit, label.getKey().str());
     for (const uint32_t place : label.getValue())
       if (kind == JumpKind::Forward ? place > step.at
                                     : kind != JumpKind::Backward || place <= step.at)
@@ -60,7 +66,7 @@ void JumpTargets::note(const Step &step) {
     for (const Argument &target : block.argumentsOf(item)) {
       if (target.kind == ArgumentKind::Label) {
         const llvm::StringRef text = step.unit().source.text(target.begin, target.end);
-        run_.used.labels.insert(step.unit().reader->labelKey(text));
+        useLabel(step.unit(), step.unit().reader->labelKey(text));
       } else if (target.kind == ArgumentKind::BlockNumber) {
         const Value number = evaluate(block, target.expression, MachineState(), nullptr);
         if (number.isConstant())
@@ -106,7 +112,7 @@ std::optional<uint32_t> JumpTargets::resolve(const Step &step, FileUnit &unit,
   if (target.kind == ArgumentKind::Label) {
     const Reference reference =
         Reference::toLabel(source.text(target.begin, target.end), searchOf(kind));
-    run_.used.labels.insert(unit.reader->labelKey(reference.text));
+    useLabel(unit, unit.reader->labelKey(reference.text));
     offset = resolveBlock(unit.index, program, reference, from);
   } else if (target.kind == ArgumentKind::Name) {
     return std::nullopt; // no place at all: how it is written is a rule's business

@@ -26,6 +26,7 @@ private:
                                         uint32_t from, JumpKind kind, bool &computed);
   void anyLabel(const Step &step, const Argument &target, JumpKind kind);
   void tooMany(const Step &step);
+  void useLabel(const FileUnit &unit, std::string key);
 
   FlowRun &run_;
   Loops &loops_;

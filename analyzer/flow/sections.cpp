@@ -3,6 +3,7 @@
 
 #include "analyzer/flow/endings.h"
 #include "analyzer/program/block_reading.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 
@@ -76,7 +77,8 @@ void Sections::report(const Step &step, const Bounds &bounds, uint32_t start, ui
   const unsigned deepest = unit.dialect->limits.repeatDepth;
   if (deepest && bodies_.runningSections() >= deepest)
     run_.issue(FlowIssue::TooDeep, step, where);
-  if (holdsEnd(unit, start, end))
+  // Where the end comes first the rule says so at the end.
+  if (!unit.dialect->facts->program.endCutsRepeats && holdsEnd(unit, start, end))
     run_.issue(FlowIssue::RepeatBounds, step, where);
 }
 

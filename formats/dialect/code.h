@@ -274,6 +274,8 @@ struct CodeInfo {
   GroupIndex group = noGroup;
   uint8_t bit = 0; ///< member number within the group
   Action action = Action::None;
+  /// Of a plane: the axis from which its angles count, 0 to 2; 0xFF: X of XY, Z of ZX, Y of YZ.
+  uint8_t firstAxis = 0xFF;
   CycleKind cycle = CycleKind::None;
   FrameKind frame = FrameKind::None; ///< of frame-set and frame-add; None: nothing is known of it
   std::vector<FrameStep> frameSteps; ///< of a frame of steps, the outermost first
@@ -295,6 +297,7 @@ struct CodeInfo {
   std::string family;             ///< of cycles and what cancels them; empty: all are one
   bool firesInPlane = false;      ///< runs with every move in the plane, in its own block too
   bool stopsSpindle = false;      ///< the spindle is stopped after it, unless its block starts it
+  bool arrivesSoftly = false;     ///< compensation that leads in along an arc of its own
   bool leavesNoSpeed = false;     ///< its move uses the S up
   bool ownMove = false;      ///< the block's move is the code's own, whatever motion is in force
   bool returns = false;      ///< the tool comes back to where the move began

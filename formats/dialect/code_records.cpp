@@ -258,6 +258,10 @@ constexpr Field codeFields[] = {
     field<&CodeInfo::action>("does", name("action", actionNames), "what the control does",
                              "\"linear\""),
     field<&CodeInfo::cycle>("cycle", cycleShape, "kind of cycle, by its motions", "\"peck\""),
+    field<&CodeInfo::firstAxis>("firstAxis", name("axis", threeAxisNames),
+                                "axis from which the angles of a plane count, where it is not X of "
+                                "XY, Z of ZX or Y of YZ",
+                                "\"X\""),
     field<&CodeInfo::frame>("frame", name("frame", frameNames),
                             "how a frame changes coordinates; left out: positions after it are not "
                             "known",
@@ -297,6 +301,8 @@ constexpr Field codeFields[] = {
     flag<&CodeInfo::stopsSpindle>(
         "stopsSpindle", "the spindle does not turn after the code, unless its block starts "
                         "it"),
+    flag<&CodeInfo::arrivesSoftly>("arrivesSoftly",
+                                   "compensation that leads in along an arc of its own"),
     flag<&CodeInfo::leavesNoSpeed>("leavesNoSpeed",
                                    "its S is its own: after its move no speed is in force"),
     flag<&CodeInfo::endsMotion>("endsMotion", "no motion code is in force after it"),

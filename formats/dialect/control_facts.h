@@ -18,6 +18,9 @@ struct ArcFacts {
   bool noNegativeRadius = false;
   /// The control stops at a centre word of another plane also when its value is 0.
   bool wrongCentreOfZeroStops = false;
+  /// An arc by its centre gives both words of it, and an end, a radius or an angle: one without an
+  /// end does not end where it starts.
+  bool centreAndEnd = false;
 };
 
 /// About radius compensation.
@@ -51,6 +54,8 @@ struct CompensationFacts {
   bool cancelAlone = false;
   /// Compensation is switched on and off in a feed move.
   bool entryByFeed = false;
+  /// The manual wants the contour left at rapid, in the block that ends compensation.
+  bool exitByRapid = false;
   /// Greatest nose direction that the control has.
   unsigned greatestTip = 9;
   /// A compensated contour of lines that has gone round once reaches its first element.
@@ -135,12 +140,16 @@ struct FeedFacts {
   unsigned shortMoves = 0;
   /// A move below this length, in millimetres, is short.
   double shortMoveLength = 1;
+  /// The code that smooths short moves best; empty: no code does, or they are all as good.
+  std::string smoothing;
 };
 
 /// About how much the control takes.
 struct LimitFacts {
   /// Repeats that the control takes at most; 0: any number.
   unsigned repeats = 0;
+  /// The count of a repeat is a whole number from 1 on, which a function makes of a real variable.
+  bool repeatsWhole = false;
   /// Longest label that the control takes; 0: any length.
   unsigned longestLabel = 0;
   /// Most digits of the tool number of a mill; 0: any number.
@@ -181,6 +190,8 @@ struct ProgramFacts {
   bool modesOutliveReturn = false;
   /// An end inside a repeated section ends the program before the repeat.
   bool endCutsRepeats = false;
+  /// Sections that are repeated lie inside each other or apart.
+  bool repeatsNest = false;
   /// A block that several paths reach states the modes that it needs.
   bool modesStatedAtTargets = false;
   /// Every block has a number.
@@ -294,6 +305,8 @@ struct VariableFacts {
   unsigned volatileFrom = 0;
   /// A called program writes the variables of its caller.
   bool sharedByPrograms = false;
+  /// The tangent of 90 degrees is an error; else it is a large number.
+  bool tangentHasPoles = false;
 };
 
 struct ControlFacts {

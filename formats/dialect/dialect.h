@@ -221,8 +221,8 @@ struct DetectMark {
 
 /// Where a program itself says what radius compensation uses.
 struct ToolRadiusSource {
-  std::string variable;        ///< "$TC_DP6[{tool},{edge}]", "_RADIUS[{offset}]"; empty: nowhere
-  uint8_t unknownWhile = 0xFF; ///< a switch that changes it by a stock; 0xFF: none
+  std::string variable;  ///< "$TC_DP6[{tool},{edge}]", "_RADIUS[{offset}]"; empty: nowhere
+  std::string allowance; ///< variable with a stock that is added to it; empty: none
 };
 
 /// Value of an option of a rule: a number, 1 and 0 for true and false, or one of the option's

@@ -172,12 +172,6 @@ std::optional<size_t> DialectBuilder::switchIndex(const Json &at, llvm::StringRe
   return std::nullopt;
 }
 
-void DialectBuilder::readUnknownWhile(const Json &value, Dialect &dialect) {
-  if (const auto id = text(value))
-    if (const auto index = switchIndex(value, *id))
-      dialect.toolRadius.unknownWhile = uint8_t(*index);
-}
-
 void DialectBuilder::readGroups(const Json &value, Dialect &dialect) {
   if (!isObject(value))
     return;

@@ -25,7 +25,6 @@ public:
   void readLexical(const Json &value, Dialect &dialect);
   void readProgramDigits(const Json &value, Limits &limits);
   void readSwitches(const Json &value, Dialect &dialect);
-  void readUnknownWhile(const Json &value, Dialect &dialect);
   void readGroups(const Json &value, Dialect &dialect);
   void readActsAs(const Json &value, GroupInfo &group);
   void readFacts(const Json &value, Dialect &dialect);

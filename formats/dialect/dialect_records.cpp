@@ -34,8 +34,8 @@ constexpr Field toolRadiusFields[] = {
         "the variable, with {tool}, {edge}, {offset} and {offsetOrTool} for numbers; of several, "
         "divided by `|`, the first that is set counts",
         "\"$TC_DP6[{tool},{edge}]\""),
-    special<&DialectBuilder::readUnknownWhile>(
-        "unknownWhile", text, "a switch under which a stock is added to the radius", "\"stock\""),
+    field<&Dialect::toolRadius, &ToolRadiusSource::allowance>(
+        "allowance", text, "the variable with a stock that is added to the radius", "\"_DRA\""),
 };
 constexpr RecordOf<Dialect> toolRadiusRecord{
     "toolRadius", "where a program itself sets the radius that compensation uses",

@@ -22,6 +22,9 @@ constexpr Field arcsFields[] = {
     flag<&ArcFacts::wrongCentreOfZeroStops>(
         "wrongCentreOfZeroStops",
         "the control stops at a centre word of another plane also when its value is 0"),
+    flag<&ArcFacts::centreAndEnd>(
+        "centreAndEnd", "an arc by its centre gives both words of it, and an end, a radius or an "
+                        "angle: one without an end does not end where it starts"),
 };
 constexpr RecordOf<ArcFacts> arcsRecord =
     RecordOf<ArcFacts>{"facts of arcs", "what holds for arcs", arcsFields}.overlay();
@@ -57,6 +60,9 @@ constexpr Field compensationFields[] = {
                                           "the cancel code is in a block without a move"),
     flag<&CompensationFacts::entryByFeed>("entryByFeed",
                                           "compensation is switched on and off in a feed move"),
+    flag<&CompensationFacts::exitByRapid>(
+        "exitByRapid", "the manual wants the contour left at rapid, in the block that ends "
+                       "compensation"),
     field<&CompensationFacts::greatestTip>("greatestTip", count,
                                            "greatest nose direction that the control has", "8"),
     flag<&CompensationFacts::contourMeetsStart>(
@@ -163,11 +169,18 @@ constexpr Field feedFields[] = {
         "8"),
     field<&FeedFacts::shortMoveLength>("shortMoveLength", numberFrom(0),
                                        "a move below this length, in millimetres, is short", "0.5"),
+    field<&FeedFacts::smoothing>("smoothing", text,
+                                 "the code that smooths short moves best; left out: no code does, "
+                                 "or they are all as good",
+                                 "\"G69\""),
 };
 constexpr RecordOf<FeedFacts> feedRecord =
     RecordOf<FeedFacts>{"facts of feed", "what holds for feed", feedFields}.overlay();
 
 constexpr Field limitsFields[] = {
+    flag<&LimitFacts::repeatsWhole>("repeatsWhole",
+                                    "the count of a repeat is a whole number from 1 on, which a "
+                                    "function makes of a real variable"),
     field<&LimitFacts::repeats>("repeats", count,
                                 "repeats that the control takes at most; 0: any number", "9999"),
     field<&LimitFacts::longestLabel>("longestLabel", count,
@@ -219,6 +232,8 @@ constexpr Field programFields[] = {
         "a block that may be skipped changes no mode, whether or not a later block relies on it"),
     flag<&ProgramFacts::modesOutliveReturn>(
         "modesOutliveReturn", "modes and frames that a subprogram sets stay active in its caller"),
+    flag<&ProgramFacts::repeatsNest>("repeatsNest",
+                                     "sections that are repeated lie inside each other or apart"),
     flag<&ProgramFacts::endCutsRepeats>(
         "endCutsRepeats", "an end inside a repeated section ends the program before the repeat"),
     flag<&ProgramFacts::modesStatedAtTargets>(
@@ -337,6 +352,8 @@ constexpr Field variablesFields[] = {
         "1050"),
     flag<&VariableFacts::sharedByPrograms>("sharedByPrograms",
                                            "a called program writes the variables of its caller"),
+    flag<&VariableFacts::tangentHasPoles>(
+        "tangentHasPoles", "the tangent of 90 degrees is an error; left out: it is a large number"),
 };
 constexpr RecordOf<VariableFacts> variablesRecord =
     RecordOf<VariableFacts>{"facts of variables", "what holds for numbered variables",

@@ -69,8 +69,8 @@ void ExpressionEvaluator::operand(const ExpressionOp &op) {
   case Op::Vacant:
     return stack_.push(Value::vacant());
   case Op::Variable:
-    if (outcome_ && isUnset(state_, op.value))
-      outcome_->emit(EventKind::UnsetRead).setPlace(op.offset);
+    if (outcome_)
+      emitUnsetRead(state_, op, *outcome_);
     return stack_.push(readVariable(state_, int64_t(op.value)));
   case Op::ElementAt:
   case Op::ElementKey: {
@@ -274,10 +274,22 @@ Value readVariable(const MachineState &state, int64_t number) {
   return Value::unknown();
 }
 
-bool isUnset(const MachineState &state, double number) {
-  return number >= double(firstNamedVariable) &&
-         state.locals.given(uint64_t(number)) == Truth::No &&
-         state.commons.given(uint64_t(number)) == Truth::No;
+Truth isUnset(const MachineState &state, double number) {
+  const auto key = uint64_t(number);
+  if (number < double(firstNamedVariable) || state.locals.given(key) != Truth::No)
+    return Truth::No;
+  return state.commons.given(key) == Truth::No ? Truth::Yes
+         : state.commons.givenOnSomePaths(key) ? Truth::Unknown
+                                               : Truth::No;
+}
+
+void emitUnsetRead(const MachineState &state, const ExpressionOp &op, Outcome &outcome) {
+  const Truth unset = isUnset(state, op.value);
+  if (unset == Truth::No)
+    return;
+  Event &event = outcome.emit(EventKind::UnsetRead);
+  event.setPlace(op.offset);
+  event.certain = unset == Truth::Yes;
 }
 
 void writeVariable(MachineState &state, int64_t number, const Value &value) {

@@ -31,9 +31,11 @@ Truth truthOf(const Value &value);
 
 /// Value of variable `number`: local, common, or unknown for the control's own.
 Value readVariable(const MachineState &state, int64_t number);
-/// Whether the program has certainly given a named variable no value yet; numbered ones keep theirs
-/// from one program to the next.
-bool isUnset(const MachineState &state, double number);
+/// Whether the program has given a named variable no value yet, unknown where it has on some paths;
+/// numbered ones keep theirs from one program to the next.
+Truth isUnset(const MachineState &state, double number);
+/// Emits `UnsetRead` where the variable of the operation is unset, or is on some paths.
+void emitUnsetRead(const MachineState &state, const ExpressionOp &op, Outcome &outcome);
 void writeVariable(MachineState &state, int64_t number, const Value &value);
 
 } // namespace ncvet

@@ -171,6 +171,10 @@ bool noPower(const Interval *x) {
                              (x[0].value() == 0 && x[1].value() < 0));
 }
 bool noSine(const Interval *x) { return x->isConstant() && std::fabs(x->value()) > 1; }
+bool noTangent(const Interval *x) {
+  constexpr double tolerance = 1e-9;
+  return x->isConstant() && std::fabs(std::fmod(std::fabs(x->value()), 180) - 90) < tolerance;
+}
 bool isNegative(const Interval *x) { return x->isConstant() && x->value() < 0; }
 bool isNotPositive(const Interval *x) { return x->isConstant() && x->value() <= 0; }
 
@@ -202,7 +206,7 @@ constexpr OperatorRow rows[] = {
     {Operator::Select, 3, select},
     {Operator::Sine, 1, of<sine>},
     {Operator::Cosine, 1, of<cosine>},
-    {Operator::Tangent, 1, of<tangent>},
+    {Operator::Tangent, 1, of<tangent>, noTangent},
     {Operator::ArcSine, 1, of<arcSine>, noSine},
     {Operator::ArcCosine, 1, of<arcCosine>, noSine},
     {Operator::ArcTangent, 1, of<arcTangent>},

@@ -81,11 +81,19 @@ const ToolData *toolInUse(const MachineProfile &machine, const MachineState &sta
   return found == machine.tools.end() ? nullptr : &found->second;
 }
 
-std::optional<double> compensationRadius(const Dialect &dialect, const MachineProfile &machine,
-                                         const MachineState &state) {
+namespace {
+/// The stock, in mm, that is added to the radius; none: not known.
+std::optional<double> allowanceOf(const Dialect &dialect, const MachineState &state) {
+  const uint64_t key = variableKey(dialect.toolRadius.allowance);
+  if (dialect.toolRadius.allowance.empty() || state.commons.given(key) == Truth::No)
+    return 0;
+  const Value value = state.commons.get(key);
+  return value.isConstant() ? std::optional(value.number.value()) : std::nullopt;
+}
+
+std::optional<double> radiusOfTool(const Dialect &dialect, const MachineProfile &machine,
+                                   const MachineState &state) {
   const ToolRadiusSource &source = dialect.toolRadius;
-  if (source.unknownWhile != 0xFF && state.switchMayBeOn(source.unknownWhile))
-    return std::nullopt;
   if (!source.variable.empty() && !state.commons.empty()) {
     llvm::SmallVector<llvm::StringRef, 2> variables;
     llvm::StringRef(source.variable).split(variables, '|');
@@ -95,6 +103,14 @@ std::optional<double> compensationRadius(const Dialect &dialect, const MachinePr
   }
   const ToolData *tool = compensatingTool(dialect, machine, state);
   return tool ? tool->radius : std::nullopt;
+}
+} // namespace
+
+std::optional<double> compensationRadius(const Dialect &dialect, const MachineProfile &machine,
+                                         const MachineState &state) {
+  const auto radius = radiusOfTool(dialect, machine, state);
+  const auto allowance = radius ? allowanceOf(dialect, state) : std::nullopt;
+  return allowance ? std::optional(*radius + *allowance) : std::nullopt;
 }
 
 int8_t compensatedSide(const Dialect &dialect, const MachineState &state) {

@@ -233,8 +233,10 @@ void Execution::reset(const CodeUse &use) {
   const Word &word = *use.word;
   stateUse.everything();
   const MachineState fresh = initialState(dialect_);
+  // The plane that no code has stated is that of the first axes.
+  const GroupIndex plane = dialect_.group(StandardGroup::Plane);
   for (size_t i = 0; i < dialect_.groups.size(); ++i)
-    if (dialect_.groups[i].initial != 0xFF) {
+    if (dialect_.groups[i].initial != 0xFF || i == plane) {
       state_.setGroup(i, fresh.groups[i]);
       state_.origin.setGroup(i, originOf(word));
       state_.statedMay &= ~(uint64_t(1) << i);

@@ -153,8 +153,8 @@ void Execution::unsetReads() {
     const Expression &expression = block_.expressions[size_t(word.mantissa)];
     for (uint32_t i = 0; i < expression.count; ++i) {
       const ExpressionOp &op = block_.operations[expression.first + i];
-      if (op.op == Op::Variable && isUnset(state_, op.value))
-        outcome_.emit(EventKind::UnsetRead).setPlace(op.offset);
+      if (op.op == Op::Variable)
+        emitUnsetRead(state_, op, outcome_);
     }
   }
 }

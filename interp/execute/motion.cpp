@@ -1,4 +1,5 @@
 // Axis words: where the block's motion leads, and what it does to compensation.
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/formula.h"
 #include "interp/execute/execution.h"
 #include "interp/state/zero_point.h"
@@ -296,6 +297,10 @@ void Execution::moveBy(const CodeInfo *code, CodeIndex index, MotionKind kind, u
   // An arc by its centre and opening angle ends where that leads.
   if (isArc(code->action) && dialect_.arcAngle != noAddress && block_.has(dialect_.arcAngle) &&
       block_.hasAny(lettersMask("IJK")))
+    setInPlane({});
+  // Without an end it ends where the next element begins.
+  if (isArc(code->action) && dialect_.facts->arcs.centreAndEnd &&
+      !(axesOf(dialect_, block_) & planeAxes(dialect_, state_)))
     setInPlane({});
   contourFacts(kind, axes);
   afterMove(kind == MotionKind::Rapid, axes);

@@ -83,7 +83,7 @@ void Execution::assign(const Item &item) {
     outcome_.emit(EventKind::DomainError).setPlace(item.begin);
   event.setVariable(variable);
   if (dialect_.lexical.assignsAfterWords) {
-    if (isUnset(state_, double(variable))) // its name exists from here on
+    if (isUnset(state_, double(variable)) == Truth::Yes) // its name exists from here on
       writeVariable(state_, variable, Value::of(0));
     pending_.emplace_back(variable, assigned);
     return;

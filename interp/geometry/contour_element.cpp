@@ -58,6 +58,13 @@ Vector footOn(const ContourElement &element, const Vector &point) {
   return footOnLine(element.from, element.direction(element.from), point);
 }
 
+double lengthBetween(const ContourElement &element, const Vector &from, const Vector &to) {
+  if (!element.arc)
+    return (to - from).dot(element.direction(from));
+  const double turns = turnsAround(element.centre, from, to, element.clockwise);
+  return (turns > 0.5 ? turns - 1 : turns) * 2 * std::numbers::pi * element.radius();
+}
+
 ContourPlane::ContourPlane(const Dialect &dialect, const std::array<Axis, 2> &axes) : axes_(axes) {
   for (size_t i = 0; i < 2; ++i)
     factor_[i] = dialect.lengthsPerUnit(axes[i]);

@@ -36,6 +36,10 @@ std::optional<Vector> meetingBeside(const ContourElement &a, const ContourElemen
 /// The point of the line or the full circle of an element that is nearest to `point`.
 Vector footOn(const ContourElement &element, const Vector &point);
 
+/// Millimetres along the element from one of its points to another, below zero against its
+/// direction; of an arc the shorter way.
+double lengthBetween(const ContourElement &element, const Vector &from, const Vector &to);
+
 /// Places between the coordinates of moves and a plane, in which X of a lathe is a radius.
 class ContourPlane {
 public:

@@ -1,6 +1,7 @@
 // The words of an arc block: plane, centre, radius; and the geometry that they give.
 #include "interp/path/arc_block.h"
 
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/block_words.h"
 #include "interp/state/modes.h"
 
@@ -114,7 +115,7 @@ private:
           point[i] = point[i] * share.lo - (result_.start ? (*result_.start)[i] : 0);
         }
       }
-    if (known)
+    if (known && (!dialect_.facts->arcs.centreAndEnd || (words_.centre[0] && words_.centre[1])))
       result_.centreWords = point;
   }
 
@@ -124,7 +125,12 @@ private:
     if (const auto usual = dialect_.options.find("arcCentres");
         !centres && usual != dialect_.options.end())
       centres = llvm::StringRef(usual->second);
-    if (centres && *centres != "incremental") {
+    if (centres == llvm::StringRef("by-mode")) {
+      const Truth absolute = after_.isActive(dialect_, StandardGroup::Distance, {Action::Absolute});
+      result_.centreAbsolute = absolute == Truth::Yes;
+      if (absolute == Truth::Unknown)
+        result_.centreWords.reset();
+    } else if (centres && *centres != "incremental") {
       result_.centreAbsolute = *centres == "absolute";
       if (!result_.centreAbsolute)
         result_.centreWords.reset();

@@ -34,9 +34,12 @@ uint16_t planeAxes(const Dialect &dialect, const MachineState &state) {
 
 std::array<Axis, 2> planeOrder(const Dialect &dialect, const MachineState &state) {
   const uint16_t axes = planeAxes(dialect, state);
-  if (axes & axisBit(Axis::X) && axes & axisBit(Axis::Y))
-    return {Axis::X, Axis::Y};
-  return axes & axisBit(Axis::X) ? std::array{Axis::Z, Axis::X} : std::array{Axis::Y, Axis::Z};
+  const bool x = axes & axisBit(Axis::X), y = axes & axisBit(Axis::Y);
+  const std::array usual = x && y ? std::array{Axis::X, Axis::Y}
+                           : x    ? std::array{Axis::Z, Axis::X}
+                                  : std::array{Axis::Y, Axis::Z};
+  const CodeInfo *code = state.activeCode(dialect, StandardGroup::Plane);
+  return code && code->firstAxis == unsigned(usual[1]) ? std::array{usual[1], usual[0]} : usual;
 }
 
 Axis toolAxis(const Dialect &dialect, const MachineState &state) {

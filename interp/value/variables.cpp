@@ -48,6 +48,12 @@ Truth Variables::given(uint64_t number) const {
   return entry ? entry->given : othersGiven_;
 }
 
+bool Variables::givenOnSomePaths(uint64_t number) const {
+  touch();
+  const Entry *entry = find(number);
+  return entry && entry->given == Truth::Unknown && othersGiven_ == Truth::No;
+}
+
 void Variables::set(uint64_t number, const Value &value) {
   touch();
   write({number, value});

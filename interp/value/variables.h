@@ -21,6 +21,9 @@ public:
   /// Whether the program has given it a value: unknown where only some paths lead past an
   /// assignment and where everything has been forgotten.
   Truth given(uint64_t key) const;
+  /// Whether some of the paths lead past an assignment and others do not, and nothing was forgotten
+  /// on any of them.
+  bool givenOnSomePaths(uint64_t key) const;
   void set(uint64_t key, const Value &value);
   /// From here on the program has given it no value.
   void erase(uint64_t key);

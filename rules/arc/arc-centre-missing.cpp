@@ -1,5 +1,6 @@
 // An arc block that says neither where its centre is nor how large its radius is.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 
 namespace ncvet {
@@ -18,6 +19,8 @@ public:
     if (event.motion == MotionKind::Feed)
       return curve(event, ctx);
     const ArcWords &words = ctx.arcWords();
+    if (words.hasCentre() && event.code != noCode && ctx.dialect().facts->arcs.centreAndEnd)
+      return incomplete(words, event, ctx);
     // A centre word of the wrong axis is another rule's business.
     if (words.radius || words.angle || words.hasCentre() ||
         ctx.block().hasAny(ctx.dialect().polarWords) || words.foreign || event.code == noCode)
@@ -42,6 +45,23 @@ public:
   }
 
 private:
+  /// By its centre: half of it, or nothing that says where the arc ends.
+  static void incomplete(const ArcWords &words, const Event &event, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const bool half = !words.centre[0] || !words.centre[1];
+    const bool ends = (axesOf(dialect, ctx.block()) & planeAxes(dialect, ctx.after())) ||
+                      ctx.block().hasAny(dialect.polarWords | dialect.lineAngleWords);
+    if (words.radius || words.foreign || !words.planeKnown ||
+        (half ? words.angle || !ends : words.angle || ends))
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.message(half ? "`{0}` has one word of its centre: it is {1} and {2}"
+                           : "`{0}` has a centre, {1} and {2}, and neither an end, a radius nor an "
+                             "angle: the control does not know where the arc ends",
+                      ctx.code(event).name, dialect.addressName(words.centreAddress[0]),
+                      dialect.addressName(words.centreAddress[1]));
+  }
+
   /// `G12`: the words of its own block give the centre, as the table's measures say.
   static bool isCurveByCentre(const CodeInfo &code) {
     return code.action == Action::CurveFeed &&

@@ -1,5 +1,6 @@
 // An arc block with both a radius and a centre.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -27,6 +28,9 @@ public:
       return;
     }
     if (!words.radius || !centre || words.radius->has(wordNoValue) || centre->has(wordNoValue))
+      return;
+    // The neighbours of an arc without an end give it.
+    if (ctx.dialect().facts->arcs.centreAndEnd && !end)
       return;
     const CodeInfo &code = ctx.code(event);
     // Controls that compute the intersection of over-determined blocks choose it by Q; they do so

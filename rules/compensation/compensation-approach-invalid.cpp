@@ -83,12 +83,15 @@ private:
     Block next;
     const bool more = ahead.next(next);
     if ((!more && !ahead.isOver()) ||
-        (more && (next.hasAny(ctx.dialect().axisWords | ctx.dialect().elementWords |
-                              ctx.dialect().lineAngleWords | lettersMask("IJR")) ||
+        (more && (next.hasAny(ctx.dialect().elementWords | ctx.dialect().lineAngleWords |
+                              lettersMask("IJR")) ||
                   !next.items.empty())))
       return;
+    const bool point = more && next.hasAny(ctx.dialect().axisWords);
     if (auto finding = ctx.report(event))
-      finding.message("`{0} {1}` approaches an element, and the next block gives none",
+      finding.message(point ? "`{0} {1}` approaches an element, and the next block gives a point "
+                              "only: the direction to it is not told"
+                            : "`{0} {1}` approaches an element, and the next block gives none",
                       ctx.code(event).name, ctx.text(*flag));
   }
 

@@ -4,10 +4,17 @@
 #include "analyzer/rule/switch_left_on.h"
 #include "interp/evaluate/tool_data.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
 
-class CompensationRadiusAllowance final : public Rule {
+struct CompensationRadiusAllowanceMemory {
+  /// By switch of a stock: where it was set, and the contour that was made with it first.
+  std::map<unsigned, std::pair<TextPlace, TextPlace>> stocks;
+};
+
+class CompensationRadiusAllowance final : public StatefulRule<CompensationRadiusAllowanceMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::CompensationMove, EventKind::OffsetWord});
@@ -33,6 +40,9 @@ public:
         ((ctx.outcome().kinds & bitOf(EventKind::CompensationMove)) ||
          event.word->address != letterAddress('D') || ctx.before().compensation != phaseOn))
       return;
+    if (ctx.find({Action::CompensationLeft, Action::CompensationRight}) &&
+        ctx.before().compensation == phaseOff)
+      furtherContour(ctx);
     const auto radius = compensationRadius(dialect, ctx.machine(), ctx.after());
     if (!radius || *radius >= 0)
       return;
@@ -56,6 +66,30 @@ public:
 private:
   static constexpr llvm::StringLiteral id{"compensation-radius-allowance"};
 
+  /// Another contour than the first one begins while a stock is set.
+  void furtherContour(RuleContext &ctx) const {
+    const Dialect &dialect = ctx.dialect();
+    const TextPlace here{ctx.source().id(), ctx.block().begin};
+    for (unsigned i = 0; i < dialect.switches.size() && i < maxSwitches; ++i) {
+      if (dialect.switches[i].leftOn != id || !ctx.before().switchMustBeOn(i))
+        continue;
+      const Origin &origin = ctx.before().origin.ofSwitch(i);
+      const TextPlace set{origin.file, origin.begin};
+      auto &[known, first] = memory().stocks[i];
+      if (known != set) {
+        known = set;
+        first = here;
+      }
+      if (first == here) // or the same one once more
+        continue;
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding.severity(Severity::Warning)
+            .message("another contour begins, and {0} of the one before is still set",
+                     dialect.switches[i].title)
+            .note(origin, "it is set here");
+    }
+  }
+
   /// A stock on the contour, and no compensated contour up to the next one or the end.
   static void stock(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
@@ -66,28 +100,28 @@ private:
     constexpr unsigned readable = 500;
     BlocksAhead ahead(ctx);
     Block next;
-    bool more = ahead.next(next), cuts = false, ended = false;
-    for (unsigned i = 0; more && i < readable; ++i, more = ahead.next(next)) {
+    bool more = ahead.next(next), cuts = false, ended = false, contour = false;
+    for (unsigned i = 0; more && i < readable && !contour; ++i, more = ahead.next(next)) {
       for (const Item &item : next.items)
-        if (item.kind != ItemKind::Assignment && item.kind != ItemKind::Instruction)
+        if (item.kind != ItemKind::Assignment && item.kind != ItemKind::Instruction && !ended)
           return; // what runs next the text does not tell
       for (const CodeIndex index : codesOf(ctx.dialect(), next)) {
         const CodeInfo &other = ctx.dialect().codes[index];
-        cuts |= other.action == Action::Linear || isArc(other.action);
-        switch (other.action) {
-        case Action::CompensationLeft:
-        case Action::CompensationRight:
-        case Action::ProfileBegin:
-        case Action::ProfileRun:
+        const bool begins =
+            other.action == Action::CompensationLeft || other.action == Action::CompensationRight;
+        if (!ended &&
+            (begins || other.action == Action::ProfileBegin || other.action == Action::ProfileRun))
           return;
-        default:
-          ended |= other.base == code.base;
-        }
+        contour |= begins;
+        cuts |= !ended && (other.action == Action::Linear || isArc(other.action));
+        ended |= other.base == code.base;
       }
-      if (ended)
+      if (ended && cuts)
         break;
     }
-    if (!cuts || (!ended && !ahead.isOver()))
+    // Taken back before anything was cut, it may be meant for what comes after only where a contour
+    // does.
+    if (ended ? !cuts && !contour : !cuts || !ahead.isOver())
       return;
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)

@@ -124,9 +124,13 @@ private:
                      RuleContext &ctx) {
     const MachineState &state = ctx.after();
     // A stock makes a radius of its own, without any tool.
-    if (const uint8_t stock = ctx.dialect().toolRadius.unknownWhile;
-        stock != 0xFF && state.switchMayBeOn(stock))
-      return;
+    if (const std::string &stock = ctx.dialect().toolRadius.allowance; !stock.empty()) {
+      const uint64_t key = variableKey(stock);
+      const Value value = state.commons.get(key);
+      if (state.commons.given(key) != Truth::No &&
+          !(value.isConstant() && value.number.value() == 0))
+        return;
+    }
     const bool none =
         state.tool == notSet && !state.may(Fact::ToolCalled) && !state.may(Fact::UnknownCode);
     if (!none && compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)

@@ -190,14 +190,8 @@ private:
 
   /// The position in the plane.
   static Memory::Point pointOf(const MachineState &state, const Dialect &dialect) {
-    switch (state.activeAction(dialect, StandardGroup::Plane)) {
-    case Action::PlaneZX:
-      return {state.at(Axis::Z), state.at(Axis::X)};
-    case Action::PlaneYZ:
-      return {state.at(Axis::Y), state.at(Axis::Z)};
-    default:
-      return {state.at(Axis::X), state.at(Axis::Y)};
-    }
+    const auto [first, second] = planeOrder(dialect, state);
+    return {state.at(first), state.at(second)};
   }
 
   void enters(const Event &event, RuleContext &ctx) const {

@@ -21,11 +21,10 @@ public:
     const bool plain = corners_.plain & maskOf(word->address);
     if (event.motion != MotionKind::Feed && !(event.motion == MotionKind::Rapid && !plain))
       return;
-    // The angle counts from the first axis of the plane: X, of the ZX plane Z, of the YZ plane Y.
+    // The angle counts from the first axis of the plane.
+    const auto order = planeOrder(ctx.dialect(), ctx.after());
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    constexpr uint16_t x = 1u << unsigned(Axis::X), y = 1u << unsigned(Axis::Y),
-                       z = 1u << unsigned(Axis::Z);
-    const uint16_t first = plane == (x | z) ? z : plane == (y | z) ? y : x;
+    const auto first = uint16_t(1u << unsigned(order[0]));
     const uint16_t given = event.axes & plane;
     const Interval angle = ctx.value(*word);
     if (!angle.isConstant() || (given != first && given != uint16_t(plane & ~first)))
@@ -35,7 +34,7 @@ public:
     const bool alongSecond = std::fabs(a - 90) < 1e-9;
     if (!(given == first ? alongSecond : alongFirst))
       return;
-    const char *axis = given == x ? "X" : given == y ? "Y" : "Z";
+    const char axis = "XYZ"[unsigned(order[given != first])];
     if (auto finding = ctx.report(*word))
       finding.message(
           "a line at `{0}` never reaches the {1} coordinate of the block: it runs parallel to it",

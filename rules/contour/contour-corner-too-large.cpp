@@ -37,8 +37,7 @@ public:
       return;
     if (!plain && notPositive(*word, ctx))
       return;
-    if (!arc)
-      fit(*word, ctx);
+    fit(*word, ctx);
   }
 
 private:
@@ -63,12 +62,16 @@ private:
 
   void fit(const Word &word, RuleContext &ctx) const {
     const auto in = straightElement(executedBlock(ctx));
+    if (!in)
+      return fitArc(word, ctx);
     const CornerRequest corner = reader_->read(executedBlock(ctx));
     PathAhead ahead(ctx);
-    if (!in || corner.kind == CornerRequest::Kind::None || meetsElsewhere(ctx.block(), ctx) ||
+    if (corner.kind == CornerRequest::Kind::None || meetsElsewhere(ctx.block(), ctx) ||
         !ahead.next() || meetsElsewhere(ahead.block(), ctx))
       return;
     const auto out = straightElement(ahead.executed());
+    if (!out)
+      return fitArc(word, ctx);
     const auto taken = out ? takenByCorner(corner, *in, *out) : std::nullopt;
     if (!taken)
       return;
@@ -103,6 +106,29 @@ private:
                    "which is {2:f3} mm long",
                    ctx.text(word), *taken + *further, out->length())
           .note(next, "the next line");
+  }
+
+  /// A rounding beside an arc.
+  void fitArc(const Word &word, RuleContext &ctx) const {
+    const auto in = contourElementOf(executedBlock(ctx));
+    const CornerRequest corner = reader_->read(executedBlock(ctx));
+    PathAhead ahead(ctx);
+    if (!in || corner.kind != CornerRequest::Kind::Rounding || meetsElsewhere(ctx.block(), ctx) ||
+        !ahead.next() || meetsElsewhere(ahead.block(), ctx))
+      return;
+    const auto out = contourElementOf(ahead.executed());
+    const auto taken =
+        out && (in->arc || out->arc) ? takenByRounding(corner.size, *in, *out) : std::nullopt;
+    if (!taken)
+      return;
+    const bool here = (*taken)[0] > in->length() + tolerance_;
+    if (!here && (*taken)[1] <= out->length() + tolerance_)
+      return;
+    if (auto finding = ctx.report(word))
+      finding
+          .message("`{0}` is too large: the rounding reaches past the {1} of {2}", ctx.text(word),
+                   here ? "begin" : "end", here ? "this element" : "the next one")
+          .note(ahead.range(), "the next element");
   }
 
   CornerAddresses corners_;

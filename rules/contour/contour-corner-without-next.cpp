@@ -40,11 +40,11 @@ public:
         return;
       const uint16_t then = axesOf(ctx, next);
       const bool leaves =
-          (plane_ || i > 0) && then && !(then & planeAxes(ctx.dialect(), ctx.after()));
+          (plane_ || i > 0 || !plain) && then && !(then & planeAxes(ctx.dialect(), ctx.after()));
       if ((then && !leaves) ||
           next.hasAny(corners_.angle | ctx.dialect().elementWords | lettersMask("IJ")))
         return;
-      if (leaves && (!plane_ || i + 1 >= blocksBetweenMoves))
+      if (leaves && (plane_ ? i + 1 >= blocksBetweenMoves : i > 0))
         break;
       if (i + 1 >= (plain ? between_ : blocksBetweenMoves) ||
           findCode(ctx.dialect(), next,

@@ -4,6 +4,7 @@
 #include "analyzer/facts/path_ahead.h"
 #include "formats/dialect/control_facts.h"
 
+#include <bit>
 #include <cmath>
 
 namespace ncvet {
@@ -90,7 +91,8 @@ private:
     const Word *word = ctx.block().findAny(corners_.rounding & ~corners_.plain);
     const ExecutedBlock here = executedBlock(ctx);
     PathAhead ahead(ctx);
-    if (!word || solved(ctx, ctx.block()) || !ahead.next() || solved(ctx, ahead.block()))
+    if (!word || solved(ctx, ctx.block()) || !ahead.next() ||
+        (solved(ctx, ahead.block()) && !isLineByAngle(ctx, ahead.block())))
       return;
     const auto in = directionAt(here, true), out = directionAt(ahead.executed(), false);
     const Interval size = ctx.value(*word);
@@ -116,6 +118,13 @@ private:
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     return block.hasAny(corners_.angle | ctx.dialect().elementWords) ||
            !(axesOf(ctx, block) & plane);
+  }
+
+  /// A line by its angle and one coordinate: wherever it ends, its direction is known.
+  bool isLineByAngle(const RuleContext &ctx, const Block &block) const {
+    const unsigned given = axesOf(ctx, block) & planeAxes(ctx.dialect(), ctx.after());
+    return block.hasAny(corners_.angle) && !block.hasAny(ctx.dialect().elementWords) &&
+           std::has_single_bit(given);
   }
 
   /// The corner word carries the sign of the move that follows.

@@ -55,7 +55,7 @@ public:
                                                              : nothingGiven(ctx);
     if (event.kind == EventKind::Motion) {
       if (open_)
-        openLine(event, ctx);
+        openElement(event, ctx);
       if (elements_) {
         outside(event, ctx);
         joint(ctx);
@@ -88,11 +88,17 @@ public:
   }
 
 private:
-  /// A line of which only the direction is given ends where the next element begins.
-  void openLine(const Event &event, RuleContext &ctx) const {
+  /// A line of which only the direction is given, or an arc of which only the circle, ends where
+  /// the next element begins.
+  void openElement(const Event &event, RuleContext &ctx) const {
     const Word *angle = ctx.block().findAny(ctx.dialect().lineAngleWords);
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    if (!angle || event.motion != MotionKind::Feed || (axesOf(ctx, ctx.block()) & plane) ||
+    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    const ArcWords &words = ctx.arcWords();
+    const bool circle = arc && ctx.dialect().facts->arcs.centreAndEnd && words.radius &&
+                        words.hasCentre() && !words.angle && !angle;
+    if (!(circle || (angle && event.motion == MotionKind::Feed)) ||
+        (axesOf(ctx, ctx.block()) & plane) ||
         ctx.block().hasAny(maskOf('D') | elements_ | ctx.dialect().cornerWords))
       return;
     BlocksAhead ahead(ctx);
@@ -103,8 +109,8 @@ private:
             : !ahead.isOver())
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
-      finding.message("this line has a direction and no end, and no element follows that gives it "
-                      "one");
+      finding.message("this {0} and no end, and no element follows that gives it one",
+                      circle ? "arc has a circle" : "line has a direction");
   }
 
   /// An element by its name where no contour is made.

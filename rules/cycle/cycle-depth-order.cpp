@@ -275,7 +275,7 @@ private:
                         "between them",
                         retractOf(code), shortNumber(start), code.name, shortNumber(depth),
                         planes.up < 0 ? "above" : "below");
-    } else if (absolute_ && !planes.isBelow(depth, start)) {
+    } else if (!planes.isBelow(depth, start)) {
       if (auto finding = report(event, planes, planes.to, planes.from, ctx))
         finding.message("{0} of `{1}` is its depth {2} too: there is nothing to drill between them",
                         retractOf(code), code.name, shortNumber(depth));

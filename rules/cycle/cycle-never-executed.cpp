@@ -127,36 +127,57 @@ private:
     constexpr size_t readable = 4u << 20; // a program that long was made by a machine
     if (program.end - program.begin > readable)
       return;
-    std::vector<std::pair<uint64_t, SourceRange>> given;
+    std::vector<std::pair<uint64_t, SourceRange>> given; // and not read since
+    std::vector<std::pair<uint64_t, SourceRange>> all;
     std::set<uint64_t> read;
+    bool loops = false, active = false;
     for (const Block &block : blocks(file.reader, program.body, program.end)) {
-      for (const Word &word : block.words) {
-        const CodeIndex code = codeOf(ctx.dialect(), word);
-        if (code == noCode)
-          continue;
-        for (const WordSpec &spec : ctx.dialect().codes[code].words)
-          read.insert({spec.variable, spec.orVariable});
-        if (ctx.dialect().codes[code].action == Action::Return)
-          return; // the caller may run what reads them
-      }
-      for (const ExpressionOp &op : block.operations)
-        if (op.op == Op::Variable)
-          read.insert(uint64_t(op.value));
+      std::set<uint64_t> here;
+      if (!readsOf(block, here, active, ctx))
+        return;
       for (const Item &item : block.items) {
         if (item.kind == ItemKind::Call ||
             (item.kind == ItemKind::Jump && item.nameEnd > item.nameBegin))
-          return; // so may a called program
-        if (item.kind == ItemKind::Assignment && parameters_.count(block.keyOf(item.target)))
-          given.emplace_back(block.keyOf(item.target),
-                             SourceRange{file.source.id(), item.begin, item.end});
+          return; // a called program may read them
+        loops |= item.kind == ItemKind::Jump || item.kind == ItemKind::Repeat;
+        if (item.kind != ItemKind::Assignment || !parameters_.count(block.keyOf(item.target)))
+          continue;
+        all.emplace_back(block.keyOf(item.target),
+                         SourceRange{file.source.id(), item.begin, item.end});
+        if (!active) // else for the next place
+          given.push_back(all.back());
       }
+      llvm::erase_if(given, [&](const auto &each) { return here.count(each.first); });
+      read.insert(here.begin(), here.end());
     }
-    for (const auto &[key, range] : given)
-      if (!read.count(key))
+    for (const auto &[key, range] : loops ? all : given)
+      if (!loops || !read.count(key))
         if (auto finding = ctx.report(range))
           finding.severity(Severity::Style)
-              .message("`{0}` is a parameter of cycles, and no cycle of the program reads it",
-                       ctx.text(range));
+              .message("`{0}` is a parameter of cycles, and no cycle {1} reads it", ctx.text(range),
+                       read.count(key) ? "after it" : "of the program");
+  }
+
+  /// Variables that the block's cycles and expressions read; `active`: a cycle runs at the places
+  /// that follow. False where the block returns to a caller, who may run what reads them.
+  static bool readsOf(const Block &block, std::set<uint64_t> &read, bool &active,
+                      const RuleContext &ctx) {
+    for (const Word &word : block.words) {
+      const CodeIndex index = codeOf(ctx.dialect(), word);
+      if (index == noCode)
+        continue;
+      const CodeInfo &code = ctx.dialect().codes[index];
+      for (const WordSpec &spec : code.words)
+        read.insert({spec.variable, spec.orVariable});
+      if (code.action == Action::Return)
+        return false;
+      if (code.action == Action::Cycle || code.action == Action::CycleCancel)
+        active = code.action == Action::Cycle;
+    }
+    for (const ExpressionOp &op : block.operations)
+      if (op.op == Op::Variable)
+        read.insert(uint64_t(op.value));
+    return true;
   }
 
   std::set<uint64_t> parameters_; ///< keys of variables that cycles read

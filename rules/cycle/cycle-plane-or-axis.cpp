@@ -2,6 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include <nlohmann/json.hpp>
 
 #include <map>
@@ -111,8 +112,12 @@ private:
       return;
     const Expression &value = ctx.block().expressions[item.value];
     const ExpressionOp &first = ctx.block().operations[value.first];
-    if (value.bad ||
-        (value.count == 1 && first.op == Op::Number && first.value >= double(firstNamedVariable)))
+    const llvm::StringRef text = ctx.text(ctx.range(item)).rtrim("> \t");
+    const char letter = text.empty() ? 0 : llvm::toUpper(text.back());
+    const bool named =
+        value.count == 1 && first.op == Op::Number && first.value >= double(firstNamedVariable);
+    if (value.bad || (named && letter >= 'A' && letter <= 'Z' &&
+                      ctx.dialect().addresses[letterAddress(letter)].kind == AddressKind::Axis))
       return; // an axis names itself
     const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))

@@ -69,7 +69,8 @@ private:
     const MachineState &before = ctx.before();
     const CodeInfo *cycle = before.activeCode(ctx.dialect(), StandardGroup::Cycle);
     if (!cycle || !makesHole(cycle->cycle) || before.cycleActive(ctx.dialect()) != Truth::Yes ||
-        !before.must(Fact::CycleRan) || ctx.outcome().flow.kind != FlowKind::CallNamed)
+        !before.must(Fact::CycleRan) || ctx.outcome().flow.kind != FlowKind::CallNamed ||
+        comesBackWithoutMove(ctx))
       return;
     if (auto finding = ctx.report(ctx.flowRange().end ? ctx.flowRange() : ctx.blockRange()))
       finding
@@ -77,6 +78,21 @@ private:
                    "goes to is drilled",
                    cycle->name, lineOf(ctx, before.origin.of(StatePart::Cycle)))
           .note(before.origin.of(StatePart::Cycle), cycle->name + " becomes active here");
+  }
+
+  /// Whether the called program, in a file of its own, is known to move nothing.
+  static bool comesBackWithoutMove(RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
+    Block next;
+    bool entered = false;
+    while (ahead.next(next)) {
+      if (&ahead.unit() == &ctx.unit())
+        return entered;
+      entered = true;
+      if (next.hasAny(ctx.dialect().axisWords | ctx.dialect().polarWords))
+        return false;
+    }
+    return false;
   }
 
   /// A move in machine coordinates runs the cycle as every other place does.

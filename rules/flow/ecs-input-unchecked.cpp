@@ -1,8 +1,11 @@
 // An answer of the operator that nothing checks.
+#include "analyzer/facts/called_blocks.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
 #include "interp/evaluate/expression.h"
+
+#include "llvm/ADT/DenseSet.h"
 
 namespace ncvet {
 namespace {
@@ -39,12 +42,14 @@ public:
         else
           return;
       }
-    if (bound[0] && bound[1] && *bound[0] > *bound[1]) {
+    if (bound[0] && bound[1] && *bound[0] >= *bound[1]) {
       if (auto finding = ctx.report(range))
-        finding.message(
-            "no answer to `{0}` is allowed: the least value is greater than the greatest",
-            ctx.text(range));
-    } else if (!bound[0] && !bound[1]) {
+        finding.message(*bound[0] > *bound[1]
+                            ? "no answer to `{0}` is allowed: the least value is greater than the "
+                              "greatest"
+                            : "`{0}` allows one answer only: the least value is the greatest",
+                        ctx.text(range));
+    } else if (!bound[0] && !bound[1] && moves(block.keyOf(item.target), ctx)) {
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Style)
             .message(
@@ -54,6 +59,58 @@ public:
   }
 
 private:
+  using Keys = llvm::SmallDenseSet<uint64_t, 8>;
+
+  static bool reads(const Block &block, uint16_t expression, const Keys &keys) {
+    if (expression == noExpression)
+      return false;
+    const Expression &each = block.expressions[expression];
+    return llvm::any_of(llvm::makeArrayRef(block.operations).slice(each.first, each.count),
+                        [&](const ExpressionOp &op) {
+                          return op.op == Op::Variable && keys.contains(uint64_t(op.value));
+                        });
+  }
+
+  /// A user's variable; others are words of cycles.
+  static bool isParameter(llvm::StringRef name) {
+    int64_t index = 0;
+    return name.consume_front_insensitive("R") && !name.getAsInteger(10, index);
+  }
+
+  /// Whether the block moves by one of the variables; those that it sets by them are added.
+  static bool uses(const Block &block, llvm::StringRef text, Keys &keys) {
+    for (const Word &word : block.words)
+      if (word.address != variableAddress && word.has(wordExpression) &&
+          reads(block, uint16_t(word.mantissa), keys))
+        return true;
+    for (const Item &item : block.items) {
+      if (item.kind != ItemKind::Assignment || !reads(block, item.value, keys))
+        continue;
+      if (!isParameter(text.slice(item.nameBegin, item.nameEnd).trim()))
+        return true;
+      keys.insert(block.keyOf(item.target));
+    }
+    return false;
+  }
+
+  /// Whether the value of the variable comes to a word of the program, as it is or by way of other
+  /// variables. Programs that are called may use it too.
+  static bool moves(uint64_t variable, RuleContext &ctx) {
+    Keys keys;
+    keys.insert(variable);
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (size_t known = 0; known != keys.size();) {
+      known = keys.size();
+      for (const Block &block : blocks(ctx.index(), program.body, program.end))
+        if (uses(block, ctx.source().text(), keys) ||
+            (entersProgram(block) && !eachCalledBlock(ctx.unit(), block, [&](const Block &called) {
+               return !called.items.empty() ? false : !uses(called, "", keys);
+             })))
+          return true;
+    }
+    return false;
+  }
+
   /// An operator who leaves the question gives no answer: the blocks after the target do without
   /// it.
   static void escape(const Item &item, const Argument &target, SourceRange range,

@@ -1,4 +1,6 @@
 // The two blocks of a two-block cycle can be skipped separately.
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
 
@@ -22,7 +24,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return statement(ctx.block().items[event.item()], ctx);
-    ctx.reportNotices(id, event);
+    if (!takenBack(event, ctx))
+      ctx.reportNotices(id, event);
     if (statements_ && ends(ctx.code(event).action)) {
       if (ctx.block().skip >= 0)
         optional(ctx.range(*event.word), ctx);
@@ -55,12 +58,34 @@ public:
     }
   }
 
+  /// With one key for all optional blocks those after an optional jump run on no path.
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
+    if (!statements_)
+      return;
+    for (const Block &block : blocks(file.reader))
+      for (const Item &item : block.items)
+        if (block.skip >= 0 && (item.kind == ItemKind::Jump || item.kind == ItemKind::Repeat))
+          optional({file.source.id(), item.begin, item.end}, ctx);
+  }
+
 private:
   static constexpr llvm::StringLiteral id{"flow-block-skip-changes-flow"};
 
   static bool ends(Action action) {
     return action == Action::Return || action == Action::ProgramEnd ||
            action == Action::ProgramEndRewind;
+  }
+
+  /// Whether the program gives the operator back later what the code takes away.
+  static bool takenBack(const Event &event, RuleContext &ctx) {
+    const CodeIndex opposite = ctx.code(event).opposite;
+    if (opposite == noCode)
+      return false;
+    const uint32_t end = ctx.index().programAt(ctx.block().begin).end;
+    for (const Block &later : blocks(ctx.index(), ctx.block().next, end))
+      if (llvm::is_contained(codesOf(ctx.dialect(), later), opposite))
+        return true;
+    return false;
   }
 
   static void optional(SourceRange range, RuleContext &ctx) {
@@ -74,9 +99,11 @@ private:
   /// A jump, call or repeat that may be left out, or whose target may be.
   static void statement(const Item &item, RuleContext &ctx) {
     const Block &block = ctx.block();
-    if (item.kind != ItemKind::Jump && item.kind != ItemKind::Repeat && item.kind != ItemKind::Call)
+    const bool asks = item.kind == ItemKind::Input;
+    if (item.kind != ItemKind::Jump && item.kind != ItemKind::Repeat &&
+        item.kind != ItemKind::Call && !asks)
       return;
-    if (block.skip >= 0)
+    if (block.skip >= 0 && !asks)
       return optional(ctx.range(item), ctx);
     if (item.kind == ItemKind::Call)
       return;

@@ -35,10 +35,19 @@ public:
         before.lengthOffset != after.lengthOffset)
       changes.groups |= groupMask(ctx.dialect(), {StandardGroup::LengthOffset});
     changes.tool = before.tool != after.tool && before.tool != notSet;
-    constexpr uint8_t turning = spindleCw | spindleCcw;
     const uint8_t was = before.spindle, is = after.spindle;
-    if ((was | is) == turning && (was == spindleCw || was == spindleCcw) && was != is)
+    const bool turned = was == spindleCw || was == spindleCcw,
+               turns = is == spindleCw || is == spindleCcw;
+    // Where every change counts, so do start and stop.
+    if (was != is && ((turned && turns) ||
+                      (atCause_ && (turned || was == spindleOff) && (turns || is == spindleOff))))
       changes.groups |= groupMask(ctx.dialect(), {StandardGroup::Spindle});
+    if (atCause_ && !changes.any() && !(before.frames == after.frames)) {
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding.text("this shift of the coordinates is in a block that can be skipped: a key at "
+                     "the panel decides what holds after it");
+      return;
+    }
     if (!changes.any()) {
       if (words_)
         words(ctx);

@@ -92,7 +92,7 @@ private:
       }
       return;
     }
-    if (item.kind != ItemKind::Jump)
+    if (item.kind != ItemKind::Jump && item.kind != ItemKind::Input)
       return;
     for (const Argument &target : ctx.block().argumentsOf(item)) {
       const SourceRange range = ctx.range(target);

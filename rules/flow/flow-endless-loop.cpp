@@ -1,4 +1,5 @@
 // A loop has no way out.
+#include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
@@ -55,21 +56,71 @@ private:
       if (const auto to = blockNamed(ctx.index(), here, item, target); to && *to < here.begin)
         back = std::max(back.value_or(0), *to); // the shortest way back
     }
-    if (read.empty() || !back || here.begin - *back > readable)
+    if (!back)
+      return heads(item, ctx);
+    if (read.empty() || here.begin - *back > readable)
       return;
-    for (const Block &block : blocks(ctx.index(), *back, here.begin)) {
-      for (const Item &inner : block.items)
-        if (inner.kind != ItemKind::Assignment)
-          return;
-      if (mayChange(block, read, ctx))
+    for (const Block &block : blocks(ctx.index(), *back, here.begin))
+      if (!leavesAlone(block, read, ctx))
         return;
-    }
     const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message(
           "`{0}`: once it leads back it always does, nothing on the path changes what it "
           "looks at",
           ctx.text(range));
+  }
+
+  /// Whether the block goes on with the next one and changes none of the variables, nor does a
+  /// program that it calls.
+  static bool leavesAlone(const Block &block, const std::set<uint64_t> &read, RuleContext &ctx) {
+    bool calls = false;
+    for (const Item &inner : block.items) {
+      if (inner.kind != ItemKind::Assignment && inner.kind != ItemKind::Call)
+        return false;
+      calls |= inner.kind == ItemKind::Call;
+    }
+    return !mayChange(block, read, ctx) &&
+           (!calls || eachCalledBlock(ctx.unit(), block, [&](const Block &called) {
+             return !mayWrite(called, read) &&
+                    !findCode(ctx.dialect(), called,
+                              {Action::ProgramEnd, Action::ProgramEndRewind, Action::ProgramStop,
+                               Action::OptionalStop});
+           }));
+  }
+
+  /// A choice at the head of a loop that a plain jump closes, one of whose targets is the body.
+  void heads(const Item &item, RuleContext &ctx) const {
+    const Block &here = ctx.block();
+    const std::set<uint64_t> read = variablesOf(item, here);
+    if (read.empty() || evaluate(here, item.condition, ctx.before(), nullptr).isConstant())
+      return;
+    std::optional<uint32_t> body;
+    for (const Argument &target : here.argumentsOf(item))
+      if (const auto to = blockNamed(ctx.index(), here, item, target); to && *to > here.begin)
+        body = std::min(body.value_or(~0u), *to); // the nearest one
+    if (!body || *body - here.begin > readable)
+      return;
+    const uint32_t end = std::min(ctx.index().programAt(here.begin).end, *body + readable);
+    bool closed = false;
+    for (const Block &block : blocks(ctx.index(), *body, end)) {
+      const Item *jump = block.items.size() == 1 ? &block.items.front() : nullptr;
+      if (jump && jump->kind == ItemKind::Jump && jump->jump == JumpKind::Anywhere &&
+          jump->condition == noExpression && jump->arguments == 1 && block.skip < 0) {
+        const auto to = blockNamed(ctx.index(), block, *jump, block.argumentsOf(*jump)[0]);
+        closed = to == here.begin;
+        break;
+      }
+      if (!leavesAlone(block, read, ctx))
+        return;
+    }
+    if (!closed)
+      return;
+    const SourceRange range = ctx.range(item);
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}`: once the loop runs it never ends, nothing in it changes what this "
+                      "looks at",
+                      ctx.text(range));
   }
 
   /// A WHILE over blocks that write nothing of what its condition looks at and do not leave.
@@ -285,12 +336,17 @@ private:
   }
 
   /// Whether a block of the loop may write one of the variables, or leave it.
+  static bool mayWrite(const Block &block, const std::set<uint64_t> &read) {
+    return llvm::any_of(block.items, [&](const Item &inner) {
+      return inner.kind == ItemKind::Input ||
+             (inner.kind == ItemKind::Assignment &&
+              (read.count(block.keyOf(inner.target)) || !block.keyOf(inner.target)));
+    });
+  }
   static bool mayChange(const Block &block, const std::set<uint64_t> &read,
                         const RuleContext &ctx) {
-    for (const Item &inner : block.items)
-      if (inner.kind == ItemKind::Assignment &&
-          (read.count(block.keyOf(inner.target)) || !block.keyOf(inner.target)))
-        return true;
+    if (mayWrite(block, read))
+      return true;
     // The condition may read what a code of the control leaves.
     return block.skip >= 0 ||
            findCode(ctx.dialect(), block,

@@ -15,6 +15,7 @@ public:
     to.on(EventKind::Statement);
     usual_ = to.number("usual", 0);
     greatest_ = to.dialect().facts->limits.repeats;
+    whole_ = to.dialect().facts->limits.repeatsWhole;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -55,13 +56,13 @@ private:
     const Expression &count = ctx.block().expressions[item.count];
     const Value value = evaluateInBlock(ctx.block(), item.count, ctx.before());
     if (!value.isConstant())
-      return;
+      return notWhole(item, count, ctx);
     const double runs = value.number.value();
     const bool plain = count.count == 1;
     const bool computed =
         !plain || ctx.block().operations[count.first].op != Op::Number; // the text shows no number
     const SourceRange range = ctx.range(count);
-    const bool none = runs < 1 && (plain || runs < 0);
+    const bool none = runs < 1 && (plain || runs < 0 || whole_);
     const bool broken = none || runs != std::floor(runs) || (greatest_ > 0 && runs > greatest_);
     if (!broken && (usual_ == 0 || runs <= usual_ || item.kind == ItemKind::Repeat))
       return;
@@ -77,6 +78,27 @@ private:
     }
   }
 
+  /// A real variable whose value is not known, where the control wants a whole number made of it.
+  void notWhole(const Item &item, const Expression &count, RuleContext &ctx) const {
+    if (!whole_ || item.kind != ItemKind::Repeat || count.bad)
+      return;
+    bool real = false;
+    for (const ExpressionOp &op :
+         llvm::makeArrayRef(ctx.block().operations).slice(count.first, count.count)) {
+      real |= op.op == Op::Variable && ctx.source().text(op.offset, op.offset + 1) != "%";
+      if (op.op == Op::Fix || op.op == Op::Truncate || op.op == Op::Round || op.op == Op::Opaque)
+        return;
+    }
+    const SourceRange range = ctx.range(count);
+    if (!real)
+      return;
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is a real number: a count is made whole by a function, as FTI",
+                   ctx.text(range));
+  }
+
+  bool whole_ = false; ///< a repeat needs a whole number from 1 on, however it is computed
   double usual_ = 0, greatest_ = 0; ///< 0: not limited; the first is one of calls
 };
 

@@ -2,6 +2,7 @@
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -15,6 +16,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::FlowIssue, EventKind::Statement});
     to.onAction({Action::ModesRestored});
+    nest_ = to.dialect().facts->program.repeatsNest;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -66,7 +68,7 @@ public:
     const std::vector<RepeatedSection> sections = repeatedSections(file.index);
     for (const RepeatedSection &section : sections) {
       for (const RepeatedSection &inner : sections)
-        if (section.holds(inner.at) && inner.first < section.first)
+        if (crosses(section, inner))
           crossed(section, inner, file, ctx);
       left(section, file, ctx);
     }
@@ -93,23 +95,35 @@ private:
                       ctx.code(event).name);
   }
 
-  /// The section holds a repeat that leads back to a place before it.
+  /// Whether the section holds the other repeat, but not the begin of that one's section; or the
+  /// two, both before their repeats, overlap in part. `other` comes first in the text.
+  bool crosses(const RepeatedSection &section, const RepeatedSection &other) const {
+    if (section.holds(other.at))
+      return other.first < section.first;
+    return nest_ && other.at < section.at && other.first < section.first &&
+           section.first < other.after && other.after < section.after;
+  }
+
+  /// The section and that of another repeat hold only a part of each other.
   static void crossed(const RepeatedSection &section, const RepeatedSection &inner,
                       const FileSummary &file, RuleContext &ctx) {
     const SourceRange where{file.source.id(), section.begin, section.end};
     const SourceRange other{file.source.id(), inner.begin, inner.end};
     if (auto finding = ctx.report(where))
       finding
-          .message("the section of `{0}` holds `{1}`, whose own section begins before it",
+          .message("the section of `{0}` holds a part of the one that `{1}` repeats, which begins "
+                   "before it",
                    ctx.text(where), ctx.text(other))
           .note(other, "the other repeat");
   }
+
+  bool nest_ = false; ///< repeated sections lie inside each other or apart
 
   /// A jump out of the section: the control goes on to count the pass.
   static void left(const RepeatedSection &section, const FileSummary &file, RuleContext &ctx) {
     for (const Block &block : blocks(file.reader, section.first, section.after)) {
       for (const Item &item : block.items) {
-        if (item.kind != ItemKind::Jump)
+        if (item.kind != ItemKind::Jump && item.kind != ItemKind::Input)
           continue;
         for (const Argument &target : block.argumentsOf(item)) {
           const auto to = blockNamed(file.index, block, item, target);

@@ -1,5 +1,7 @@
 // A called program leaves a mode changed that the caller relies on.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/mode_reliance.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
@@ -39,7 +41,7 @@ public:
           !(before.group(i) & (after.group(i) | groupUnset)))
         changes.groups |= uint64_t(1) << i;
     if (!changes.any() && atCall_)
-      return framesAtCall(ctx);
+      return leavesOn(ctx) ? void() : framesAtCall(ctx);
     if (!changes.any())
       return;
     if (atCall_)
@@ -132,6 +134,31 @@ private:
             .note(ctx.after().origin.ofGroup(i), "it is set here and not set back");
       return;
     }
+  }
+
+  /// Compensation or a cycle that was off where the program was called, and that the caller does
+  /// not end at once.
+  static bool leavesOn(RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const auto left = [&](StandardGroup which, Truth was, Truth is, Action end, const char *what) {
+      if (was != Truth::No || is != Truth::Yes)
+        return false;
+      BlocksAhead ahead = BlocksAhead::afterCall(ctx);
+      Block next;
+      if (ahead.nextAtWork(next) && findCode(dialect, next, {end, Action::Reset}))
+        return false;
+      if (auto finding = ctx.report(ctx.blockRange()))
+        finding
+            .message("the called program comes back with {0} on: the caller goes on with it", what)
+            .note(after.originOf(dialect, which), "it is switched on here and not off");
+      return true;
+    };
+    return left(StandardGroup::Compensation, before.compensationActive(dialect),
+                after.compensationActive(dialect), Action::CompensationOff,
+                "radius compensation") ||
+           left(StandardGroup::Cycle, before.cycleActive(dialect), after.cycleActive(dialect),
+                Action::CycleCancel, "a cycle");
   }
 
   /// A mirror, shift or rotation that was not on where the program was called.

@@ -19,6 +19,9 @@ public:
   void listen(Subscriptions &to) override {
     moves_ = to.dialect().facts->feed.shortMoves;
     length_ = to.dialect().facts->feed.shortMoveLength;
+    best_ = to.dialect().find(to.dialect().facts->feed.smoothing);
+    if (best_ != noCode && to.dialect().codes[best_].group == noGroup)
+      best_ = noCode;
     if (moves_ && to.dialect().group(StandardGroup::PathMode) != noGroup)
       to.onMoves({MotionKind::Feed, MotionKind::Rapid});
   }
@@ -32,6 +35,8 @@ public:
       return;
     }
     memory().inARow = goesOn ? memory().inARow + 1 : 1;
+    if (memory().inARow == moves_ && smoothedWorse(ctx))
+      return;
     const GroupIndex index = ctx.dialect().group(StandardGroup::PathMode);
     const GroupInfo &group = ctx.dialect().groups[index];
     if (memory().inARow != moves_ || memory().said || group.initial == 0xFF ||
@@ -44,7 +49,27 @@ public:
   }
 
 private:
-  double length_ = 1; ///< of a short one, in millimetres
+  /// Another code than the best one smooths these moves.
+  bool smoothedWorse(RuleContext &ctx) const {
+    if (best_ == noCode)
+      return false;
+    const CodeInfo &best = ctx.dialect().codes[best_];
+    const GroupInfo &group = ctx.dialect().groups[best.group];
+    const uint64_t now = ctx.after().group(best.group);
+    const Origin &origin = ctx.after().origin.ofGroup(best.group);
+    if (now & (groupUnset | (uint64_t(1) << best.bit) | (uint64_t(1) << group.initial)) ||
+        now & (now - 1) || !origin.known() || memory().said)
+      return false;
+    memory().said = true;
+    if (auto finding = ctx.report(origin.range()))
+      finding.severity(Severity::Style)
+          .message("short moves are smoothed by `{0}` here: `{1}` does it better",
+                   ctx.text(origin.range()), best.name);
+    return true;
+  }
+
+  CodeIndex best_ = noCode; ///< that smooths
+  double length_ = 1;       ///< of a short one, in millimetres
 
   bool isShort(const Event &event, const RuleContext &ctx) const {
     double square = 0;

@@ -149,7 +149,7 @@ private:
   }
 
   static void increment(RuleContext &ctx) {
-    if (ctx.before().activeAction(ctx.dialect(), StandardGroup::Distance) != Action::Incremental ||
+    if (ctx.after().activeAction(ctx.dialect(), StandardGroup::Distance) != Action::Incremental ||
         ctx.find({Action::Absolute}))
       return;
     for (const Word &word : ctx.block().words)
@@ -158,8 +158,8 @@ private:
           finding
               .message("`{0}` is a distance by itself: under `{1}` the plain word says the same",
                        ctx.text(word),
-                       ctx.before().activeCode(ctx.dialect(), StandardGroup::Distance)->name)
-              .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Distance), "since here");
+                       ctx.after().activeCode(ctx.dialect(), StandardGroup::Distance)->name)
+              .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Distance), "since here");
   }
 
   bool wanted_ = false;

@@ -14,6 +14,7 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
+    leaves_ = to.dialect().facts->compensation.exitByRapid;
     turns_ = to.dialect().facts->coordinates.turnsMoveAlongWork;
   }
 
@@ -34,7 +35,8 @@ public:
                         "in between");
     if (!(event.axes & plane) || staysInPlane(before, after))
       return;
-    if (throughObstacle(event, ctx) || !before.fedFrom.get().isConstant())
+    if (throughObstacle(event, ctx) || (leaves_ && ctx.find({Action::CompensationOff})) ||
+        !before.fedFrom.get().isConstant())
       return;
     const Interval &from = before.at(tool), &to = after.at(tool);
     const double level = before.fedFrom.get().value();
@@ -92,7 +94,8 @@ private:
     });
   }
 
-  bool turns_ = false; ///< turns of rotary axes are looked at
+  bool leaves_ = false; ///< a contour is left at rapid
+  bool turns_ = false;  ///< turns of rotary axes are looked at
 };
 
 } // namespace

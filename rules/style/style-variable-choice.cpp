@@ -15,7 +15,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::UnsetRead)
-      return systemVariable(event, ctx);
+      return event.certain ? systemVariable(event, ctx) : void();
     const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Assignment)
       return;

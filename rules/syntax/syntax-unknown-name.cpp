@@ -41,7 +41,7 @@ public:
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
     if (event.kind == EventKind::UnsetRead)
-      return misspelt(event, ctx);
+      return event.certain ? misspelt(event, ctx) : void();
     if (event.kind == EventKind::Block || event.kind == EventKind::Code)
       return element(ctx);
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];

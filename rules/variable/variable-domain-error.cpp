@@ -1,5 +1,6 @@
 // A division by zero, or a function of a value outside its domain.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -10,6 +11,10 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const auto at = event.place();
+    if (!ctx.dialect().facts->variables.tangentHasPoles &&
+        llvm::any_of(ctx.block().operations,
+                     [&](const ExpressionOp &op) { return op.op == Op::Tan && op.offset == at; }))
+      return;
     SourceRange range{ctx.source().id(), at, at + 1};
     for (const Expression &expression : ctx.block().expressions)
       if (expression.begin <= at && at < expression.end)

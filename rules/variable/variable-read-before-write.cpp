@@ -1,6 +1,7 @@
 // A parameter is read that the program has not given a value.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -11,7 +12,7 @@ namespace ncvet {
 namespace {
 
 struct VariableReadBeforeWriteMemory {
-  uint32_t known = ~0u;
+  TextPlace known{FileId(~0u), ~0u}; ///< the program of which `main` is told
   bool main = false;
   std::set<int64_t> reported;
   std::set<std::string> names;
@@ -33,8 +34,10 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.dialect().variableRanges.namedLocal)
       return named(event, ctx);
-    if (ctx.callDepth() > 0 || !isMain(ctx) ||
-        ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
+    const Dialect &dialect = ctx.dialect();
+    // Where programs share their variables, that of the caller counts.
+    if ((ctx.callDepth() > 0 && !dialect.facts->variables.sharedByPrograms) || !isMain(ctx) ||
+        (!event.certain && ctx.before().may(Fact::UnknownCode)))
       return;
     const llvm::StringRef text = ctx.source().text(event.place(), ctx.block().end);
     const llvm::StringRef name =
@@ -42,6 +45,8 @@ public:
     int64_t index = 0;
     // What a code of the control gives its value: without the code it has that of another program.
     if (stored_.count(variableKey(name)) || stored_.count(keyOf(name))) {
+      if (!event.certain)
+        return;
       const SourceRange range{ctx.source().id(), event.place(),
                               uint32_t(event.place() + name.size())};
       if (memory().reported.insert(-1).second)
@@ -59,9 +64,12 @@ public:
       return;
     const SourceRange range{ctx.source().id(), event.place(),
                             uint32_t(event.place() + name.size())};
-    if (auto finding = ctx.report(range))
-      finding.message("`{0}` is read before the program has given it a value: it holds what an "
-                      "earlier program left there",
+    if (auto finding = ctx.report(range, event.certain))
+      finding.message(event.certain
+                          ? "`{0}` is read before the program has given it a value: it holds what "
+                            "an earlier program left there"
+                          : "`{0}` is read here, and not every path to here gives it a value: it "
+                            "may hold what an earlier program left there",
                       name);
   }
 
@@ -69,7 +77,7 @@ private:
   /// `#<name>` does not exist before it has been given a value.
   void named(const Event &event, RuleContext &ctx) const {
     // A remapped code or a caller in another file may have given it one.
-    if (ctx.before().may(Fact::UnknownCode))
+    if (ctx.before().may(Fact::UnknownCode) || !event.certain)
       return;
     const auto begin = event.place();
     const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
@@ -91,16 +99,26 @@ private:
                : 0;
   }
 
-  /// A program that ends as a main program does, and in a file of its own name.
+  /// Whether the program with which the run began ends as a main program does, and is in a file of
+  /// its own name.
   bool isMain(RuleContext &ctx) const {
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    if (program.begin == memory().known)
+    const CallSite *first = ctx.caller();
+    while (first && first->before)
+      first = first->before;
+    if (first && !first->unit)
+      return false;
+    const FileIndex &index = first ? first->unit->index : ctx.index();
+    const ProgramInfo &program = first ? *first->program : index.programAt(ctx.block().begin);
+    const TextPlace place{index.source().id(), program.begin};
+    if (program.kind == ProgramKind::Subprogram)
+      return false;
+    if (place == memory().known)
       return memory().main;
-    memory().known = program.begin;
+    memory().known = place;
     memory().main = false;
     constexpr uint32_t readable = 1u << 20;
     const uint32_t end = std::min(program.end, program.body + readable);
-    for (const Block &block : blocks(ctx.index(), program.body, end)) {
+    for (const Block &block : blocks(index, program.body, end)) {
       if (llvm::any_of(block.items, [](const Item &i) { return i.kind == ItemKind::Parameters; }))
         return false;
       memory().main |=

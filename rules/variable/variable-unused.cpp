@@ -1,4 +1,5 @@
 // A variable or an element of a contour that is defined and never read.
+#include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/program/block_reading.h"
 
@@ -82,17 +83,27 @@ private:
           (block.number >= 0 &&
            std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), block.number)) ||
           llvm::any_of(block.items, [](const Item &item) {
-            return item.kind != ItemKind::Assignment && item.kind != ItemKind::Instruction;
+            return item.kind != ItemKind::Assignment && item.kind != ItemKind::Instruction &&
+                   item.kind != ItemKind::Call;
           });
-      if (flows)
+      const bool calls =
+          llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::Call; });
+      if (flows || (calls && !readByCalled(block, file, written, ctx)))
         written.clear();
-      for (const ExpressionOp &op : block.operations) {
-        if (op.op == Op::Variable)
-          written.erase(uint64_t(op.value));
-        else if (op.op == Op::VariableAt || op.op == Op::ElementAt || op.op == Op::Unknown)
-          written.clear();
-      }
+      const auto read = [&](llvm::ArrayRef<ExpressionOp> operations) {
+        for (const ExpressionOp &op : operations)
+          if (op.op == Op::Variable)
+            written.erase(uint64_t(op.value));
+          else if (op.op == Op::VariableAt || op.op == Op::ElementAt || op.op == Op::Unknown)
+            written.clear();
+      };
+      read(block.operations);
       for (const Item &item : block.items) {
+        // Each assignment reads what those before it have written.
+        if (item.kind == ItemKind::Assignment && item.value != noExpression) {
+          const Expression &value = block.expressions[item.value];
+          read(llvm::makeArrayRef(block.operations).slice(value.first, value.count));
+        }
         const SourceRange name{file.source.id(), item.nameBegin, item.nameEnd};
         const llvm::StringRef text = ctx.text(name).trim();
         if (flows || item.kind != ItemKind::Assignment || text.size() < 2 ||
@@ -110,6 +121,19 @@ private:
         entry->second = range;
       }
     }
+  }
+
+  /// Takes out what the programs that the block calls read; false: that is not known.
+  static bool readByCalled(const Block &block, const FileSummary &file,
+                           std::map<uint64_t, SourceRange> &written, RuleContext &ctx) {
+    return eachCalledBlock(ctx.unitOf(file.source.id()), block, [&](const Block &called) {
+      for (const ExpressionOp &op : called.operations)
+        if (op.op == Op::Variable)
+          written.erase(uint64_t(op.value));
+        else if (op.op == Op::VariableAt || op.op == Op::ElementAt || op.op == Op::Unknown)
+          return false;
+      return true;
+    });
   }
 
   static void check(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
