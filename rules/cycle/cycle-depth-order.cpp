@@ -74,18 +74,20 @@ private:
     const Block &block = ctx.block();
     const Word *rWord = wordOf(block, code, Role::Retract);
     const Word *zWord = wordOf(block, code, Role::Depth);
+    const char other = depthOfPlane(code, ctx);
+    if (other)
+      zWord = block.find(other);
+    if (!rWord && !zWord) // one more hole of a row
+      return;
     const MachineState &state = ctx.after();
     const auto unit = millimetresPer(ctx.dialect(), state);
     const auto r = kept(state, code, Role::Retract);
     auto z = kept(state, code, Role::Depth);
-    if (const char other = depthOfPlane(code, ctx)) {
-      zWord = block.find(other);
+    if (other) {
       z = state.cycle.has(other) ? std::optional(state.cycle.get(other)) : std::nullopt;
       if (z && std::isnan(*z))
         z.reset();
     }
-    if (!rWord && !zWord)
-      return;
     if (zWord && unit && z && countsFromApproach(*zWord, ctx) && code.cycle != CycleKind::BackBore)
       countsUpwards(event, code, *zWord, *z * *unit, ctx);
     const bool increments = incremental(ctx) != Truth::No;

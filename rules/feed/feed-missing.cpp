@@ -15,6 +15,7 @@ class FeedMissing final : public StatefulRule<FeedMissingMemory> {
 public:
   void listen(Subscriptions &to) override {
     inverseEach_ = to.dialect().facts->feed.inverseTimeInEachBlock;
+    turns_ = to.dialect().isLathe();
     to.onChange({EventKind::CycleRun});
     if (inverseEach_)
       to.on(EventKind::Motion); // a block without F is like the one before in everything else
@@ -25,11 +26,13 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (inverseEach_ && lacksItsTime(event, ctx))
       return;
-    if (event.code == noCode || ctx.before().must(Fact::InContour) || // it has feeds of its own
+    const bool isSet = ctx.after().must(Fact::FeedSet);
+    if (event.code == noCode || (isSet && !turns_) ||
+        ctx.before().must(Fact::InContour) || // it has feeds of its own
         ctx.after().may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);
-    if (ctx.after().must(Fact::FeedSet))
+    if (isSet)
       return leadAsFeed(event, code, ctx);
     // A modal cycle without axis words sets modes only.
     if (event.kind == EventKind::CycleRun && !event.axes && code.group != noGroup &&
@@ -66,7 +69,7 @@ private:
                           ? !cutsThread(code.cycle) && ctx.codeWord(event)
                           : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                                 event.motion == MotionKind::ArcCcw;
-    if (!ctx.dialect().isLathe() || !cuts || !code.needsFeed || event.inMachineCoordinates() ||
+    if (!cuts || !code.needsFeed || event.inMachineCoordinates() ||
         after.profile == ProfileMode::Recorded || !after.must(Fact::FeedIsLead))
       return;
     const Origin &lead = after.origin.of(StatePart::Feed); // read only here: it changes with each F
@@ -111,6 +114,7 @@ private:
   }
 
   bool inverseEach_ = false; ///< inverse time feed wants F in each block that moves
+  bool turns_ = false;       ///< a lathe: the F of a thread is its lead
 };
 
 } // namespace
