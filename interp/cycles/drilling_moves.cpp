@@ -245,33 +245,26 @@ private:
           axisOfShift(spec) == tool_)
         if (const auto word = words_.value(spec))
           top = incremental() ? bottom + *word : *word;
-    spindle(spindleOriented);
-    shift(1);
-    toLevel(MoveKind::Rapid, bottom);
-    shift(-1);
-    spindle(turning);
+    besideAxis(bottom, turning);
     toLevel(MoveKind::Linear, top);
     toLevel(MoveKind::Linear, bottom);
     dwell();
-    spindle(spindleOriented);
-    shift(1);
-    toLevel(MoveKind::Rapid, executed_.after.at(tool_));
-    shift(-1);
-    spindle(turning);
+    besideAxis(executed_.after.at(tool_), turning);
   }
 
   /// From below: through the bore beside its axis, then fed up.
   void backBore(const Interval &below, const Interval &top, uint8_t turning) {
-    spindle(spindleOriented);
-    shift(1);
-    toLevel(MoveKind::Rapid, below);
-    shift(-1);
-    spindle(turning);
+    besideAxis(below, turning);
     toLevel(MoveKind::Linear, top);
     dwell();
+    besideAxis(executed_.after.at(tool_), turning);
+  }
+
+  /// Through the bore beside its axis: the edge is turned away from the wall on the way.
+  void besideAxis(const Interval &level, uint8_t turning) {
     spindle(spindleOriented);
     shift(1);
-    toLevel(MoveKind::Rapid, executed_.after.at(tool_));
+    toLevel(MoveKind::Rapid, level);
     shift(-1);
     spindle(turning);
   }

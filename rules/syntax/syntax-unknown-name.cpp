@@ -41,7 +41,7 @@ public:
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
     if (event.kind == EventKind::UnsetRead)
-      return event.certain ? misspelt(event, ctx) : void();
+      return event.certain ? undefinedRead(event, ctx) : void();
     if (event.kind == EventKind::Block || event.kind == EventKind::Code)
       return element(ctx);
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
@@ -105,20 +105,43 @@ private:
     }
   }
 
-  /// A name is read that the program does not define, and it defines one that is almost the same.
-  /// Any other name may be one of the machine's own definitions.
-  void misspelt(const Event &event, RuleContext &ctx) const {
+  /// A name is read that the program does not define. Where it defines one that is almost the same
+  /// that one was meant; names as builders write them may be definitions of the machine.
+  void undefinedRead(const Event &event, RuleContext &ctx) const {
     if (ctx.callDepth() > 0 || isSubprogram(ctx))
       return;
     const auto begin = event.place();
     const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
       return llvm::isAlnum(c) || c == '_';
     });
-    constexpr size_t least = 4; // shorter names differ by a letter on purpose
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    if (name.size() < least || !llvm::isAlpha(name[0]) || ctx.index().definition(program, name) ||
-        known_.count(variableKey(name)) || !memory().spoken.insert(variableKey(name)).second)
+    if (name.size() < shortest || !llvm::isAlpha(name[0]) ||
+        ctx.index().definition(program, name) || known_.count(variableKey(name)) ||
+        !memory().spoken.insert(variableKey(name)).second)
       return;
+    const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
+    if (const Defined *near = nearlyDefined(name, ctx.index().definitions(program))) {
+      const SourceRange defined = ctx.range(*near);
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("the program defines no `{0}`, but `{1}`: unless the machine's own "
+                     "definitions have both, the control stops here",
+                     name, ctx.text(defined))
+            .note(defined, "this name is defined");
+      return;
+    }
+    if (isArgument(range, ctx.block()) || mayBeOfMachine(name))
+      return;
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("nothing has defined `{0}`: unless the machine's own definitions have it, the "
+                   "control stops here",
+                   name);
+  }
+
+  /// The first definition whose name differs by one letter, not by its digits; null: there is none.
+  static const Defined *nearlyDefined(llvm::StringRef name,
+                                      const FileIndex::Definitions &definitions) {
     const auto letters = [](llvm::StringRef text) {
       std::string kept;
       for (const char c : text)
@@ -128,34 +151,19 @@ private:
     };
     const std::string own = letters(name);
     const Defined *near = nullptr;
-    for (const auto &entry : ctx.index().definitions(program)) {
+    for (const auto &entry : definitions) {
       const std::string other = letters(entry.getKey());
       if (entry.getValue().kind != ItemKind::Definition || other == own ||
-          entry.getKey().size() < least || llvm::StringRef(other).edit_distance(own, true, 1) > 1)
+          entry.getKey().size() < shortest ||
+          llvm::StringRef(other).edit_distance(own, true, 1) > 1)
         continue;
-      if (near && near->begin < entry.getValue().begin)
-        continue;
-      near = &entry.getValue();
+      if (!near || near->begin > entry.getValue().begin)
+        near = &entry.getValue();
     }
-    const SourceRange range{ctx.source().id(), begin, uint32_t(begin + name.size())};
-    if (!near) {
-      if (isArgument(range, ctx.block()) || mayBeOfMachine(name))
-        return;
-      if (auto finding = ctx.report(range))
-        finding.severity(Severity::Warning)
-            .message("nothing has defined `{0}`: unless the machine's own definitions have it, the "
-                     "control stops here",
-                     name);
-      return;
-    }
-    const SourceRange defined = ctx.range(*near);
-    if (auto finding = ctx.report(range))
-      finding.severity(Severity::Warning)
-          .message("the program defines no `{0}`, but `{1}`: unless the machine's own definitions "
-                   "have both, the control stops here",
-                   name, ctx.text(defined))
-          .note(defined, "this name is defined");
+    return near;
   }
+
+  static constexpr size_t shortest = 4; ///< shorter names differ by a letter on purpose
 
   /// `R200`, `GUD_X`: a parameter that other programs set, a name as builders write them.
   static bool mayBeOfMachine(llvm::StringRef name) {
