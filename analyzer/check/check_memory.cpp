@@ -25,6 +25,7 @@ FileScan *CheckMemory::scanFor(const FileSetup &setup, const SourceFile &file,
   } else {
     scan_.clear();
   }
+  checked_ &= same && !hides && text_ == text.bytes;
   text_ = text.bytes;
   dialect_ = setup.dialect;
   machine_ = setup.machine;
@@ -40,11 +41,13 @@ StraightRuns *CheckMemory::runsFor(const FileIndex &index) {
     programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
                               program.hasHeader())
                     .str();
-  if (!changes_ || programs_ != programs)
+  if (!changes_ || programs_ != programs) {
     runs_->clear();
-  else
+    checked_ = false;
+  } else {
     for (const TextChange &change : changes_->fromFront())
       runs_->edit(change);
+  }
   changes_ = TextChanges(); // the runs are those of this text now
   programs_ = std::move(programs);
   return runs_.get();

@@ -32,6 +32,9 @@ public:
   FileScan *scanFor(const FileSetup &setup, const SourceFile &file, const SharedText &text);
   /// The runs for the same text, of which this is the index.
   StraightRuns *runsFor(const FileIndex &index);
+  /// A check has followed all of the text.
+  void setChecked() { checked_ = true; }
+  bool isChecked() const { return checked_; }
   /// Forgets everything, after a crash.
   void abandon();
   /// Blocks that the next check need not follow when nothing changes.
@@ -43,6 +46,7 @@ private:
   FileScan scan_;
   std::unique_ptr<StraightRuns> runs_; ///< a pointer: the editor's features need not see states
   std::shared_ptr<const std::string> text_;
+  bool checked_ = false;
   std::optional<TextChanges> changes_; ///< that led to it; none: it is another text
   std::shared_ptr<const Dialect> dialect_;
   std::shared_ptr<const MachineProfile> machine_;

@@ -13,6 +13,8 @@
 #include "formats/finding/fingerprint.h"
 #include "formats/text/crash_guard.h"
 
+#include "llvm/Support/FormatVariadic.h"
+
 #include <cmath>
 #include <set>
 
@@ -164,6 +166,8 @@ void checkUnder(const FileSetup &setup, Session &session, SourceSet &sources,
       project.unit(file, again ? again->memory.scanFor(setup, file, again->text) : nullptr);
   AnalysisResult result = analyze(project, unit, *setup.rules, setup.limits, cancel,
                                   again ? again->memory.runsFor(unit.index) : nullptr);
+  if (again && result.complete)
+    again->memory.setChecked();
   outcome.blocks = result.blocks;
   outcome.complete = result.complete;
   outcome.cuts = std::move(result.cuts);
@@ -223,8 +227,10 @@ StatesAt statesInCheck(Session &session, SourceSet &sources, const SourceFile &f
     Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                     setup->folders);
     FileUnit &unit = project.unit(file, again.memory.scanFor(*setup, file, again.text));
-    *states = statesAt(project, unit, offset, *setup->rules, setup->limits, cancel,
-                       *again.memory.runsFor(unit.index));
+    StraightRuns &runs = *again.memory.runsFor(unit.index);
+    *states = again.memory.isChecked()
+                  ? statesAfterCheck(project, unit, offset, setup->limits, cancel, runs)
+                  : statesAt(project, unit, offset, *setup->rules, setup->limits, cancel, runs);
   });
   if (!crash)
     return std::move(*states);

@@ -1,7 +1,8 @@
 // Blocks that a dialog of the control wrote: their comments carry what the dialog reads back.
 #pragma once
 
-#include "analyzer/rule/rule.h"
+#include "formats/dialect/machine.h"
+#include "formats/readers/block.h"
 
 #include <string>
 #include <vector>

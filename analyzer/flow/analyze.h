@@ -4,7 +4,6 @@
 #include "analyzer/flow/analysis_result.h"
 #include "analyzer/program/project.h"
 #include "analyzer/rule/analysis_limits.h"
-#include "analyzer/rule/rule.h"
 #include "analyzer/rule/selection.h"
 
 #include <atomic>

@@ -17,17 +17,21 @@ constexpr CallSite somewhere;
 
 } // namespace
 
-Engine::Engine(Project &project, FileUnit &unit, const AnalysisLimits &limits,
+Engine::Engine(Project &programs, FileUnit &entry, const AnalysisLimits &bounds,
                const std::atomic<bool> *cancel)
-    : FlowRun(project, unit, limits), cancel_(cancel), flow_(*this) {}
+    : FlowRun(programs, entry, bounds), cancel_(cancel), flow_(*this) {}
 
 Exits Engine::execute(const Region &region, Lives entry) {
   const bool straightOn = &region.unit == &unit && region.kind == RegionKind::Main &&
                           region.depth() == 0 && callStack.empty();
   if (!runs_ || !straightOn)
-    return RegionRun(*this, flow_, region, std::move(entry), nullptr, cancel_).execute();
+    return RegionRun(*this, flow_, region, std::move(entry), {}, cancel_).execute();
+  if (!rules_) {
+    RunReplay replay(*runs_);
+    return RegionRun(*this, flow_, region, std::move(entry), {nullptr, &replay}, cancel_).execute();
+  }
   RunRecorder recorder(*runs_, unit, rules_->dispatcher(), rules_->collector());
-  return RegionRun(*this, flow_, region, std::move(entry), &recorder, cancel_).execute();
+  return RegionRun(*this, flow_, region, std::move(entry), {&recorder}, cancel_).execute();
 }
 
 /// Runs a program that no other calls.

@@ -17,7 +17,7 @@ namespace ncvet {
 /// what is reported early stays true.
 class Engine final : private FlowRun {
 public:
-  Engine(Project &project, FileUnit &unit, const AnalysisLimits &limits,
+  Engine(Project &programs, FileUnit &entry, const AnalysisLimits &bounds,
          const std::atomic<bool> *cancel);
 
   using FlowRun::visits;
@@ -27,6 +27,8 @@ public:
     runs_ = &runs;
     rules_ = &rules;
   }
+  /// The same for who asks for states alone, when a check of the same text has left `runs`.
+  void replay(StraightRuns &runs) { runs_ = &runs; }
 
   /// Runs all programs of the file.
   void run();
@@ -48,8 +50,8 @@ private:
   Lives startOf(bool subprogram) const;
 
   const std::atomic<bool> *cancel_;
-  StraightRuns *runs_ = nullptr; ///< null: every block is executed
-  const RuleHost *rules_ = nullptr;
+  StraightRuns *runs_ = nullptr;    ///< null: every block is executed
+  const RuleHost *rules_ = nullptr; ///< that listen
   BlockFlow flow_;
 };
 

@@ -43,8 +43,8 @@ private:
 
 /// One analysis of a file: what it works on, what it has spent and found out so far.
 struct FlowRun {
-  FlowRun(Project &project, FileUnit &unit, const AnalysisLimits &limits)
-      : project(project), unit(unit), limits(limits) {}
+  FlowRun(Project &programs, FileUnit &entry, const AnalysisLimits &bounds)
+      : project(programs), unit(entry), limits(bounds) {}
   FlowRun(const FlowRun &) = delete;
   virtual ~FlowRun() = default;
 

@@ -39,9 +39,10 @@ bool onlyDefines(const Block &block) {
 } // namespace
 
 RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry,
-                     RunRecorder *recorder, const std::atomic<bool> *cancel)
+                     KnownRuns known, const std::atomic<bool> *cancel)
     : run_(run), flow_(flow), region_(region), unit_(region.unit), cancel_(cancel),
-      activation_(region), recorder_(recorder), lives_(std::move(entry)), at_(region.start) {}
+      activation_(region), recorder_(known.recorder), replay_(known.replay),
+      lives_(std::move(entry)), at_(region.start) {}
 
 Exits RegionRun::execute() {
   const CrashPlace place(unit_.source, at_);
@@ -114,7 +115,7 @@ void RegionRun::runOut() {
 
 /// Goes over a run of blocks of which an earlier analysis knows what it does.
 bool RegionRun::takeOver() {
-  if (!recorder_)
+  if (!recorder_ && !replay_)
     return false;
   if (lives_.size() != 1 || !activation_.pending.isEmpty() || at_ < activation_.high) {
     interruptRecord();
@@ -122,8 +123,9 @@ bool RegionRun::takeOver() {
   }
   // What is not in step with the state begins anew with the next block.
   PlainRun present = synced_ ? plainRun_ : PlainRun();
-  const auto known = recorder_->takeOver(at_, lives_[0].state, present,
-                                         [&](const RunPlace &run) { return mayTakeOver(run); });
+  const auto may = [&](const RunPlace &run) { return mayTakeOver(run); };
+  const auto known = recorder_ ? recorder_->takeOver(at_, lives_[0].state, present, may)
+                               : replay_->takeOver(at_, lives_[0].state, present, may);
   if (!known)
     return false;
   follow(*known);

@@ -3,10 +3,17 @@
 
 #include "analyzer/flow/block_flow.h"
 #include "analyzer/reuse/run_recorder.h"
+#include "analyzer/reuse/run_replay.h"
 
 #include <atomic>
 
 namespace ncvet {
+
+/// Who knows runs of blocks that need not be executed again: one of them, or none.
+struct KnownRuns {
+  RunRecorder *recorder = nullptr; ///< when rules listen
+  RunReplay *replay = nullptr;     ///< when only the states are asked for
+};
 
 /// One run of a region. Straight-line blocks are read, executed and forgotten; states wait only
 /// where flow meets: at targets of jumps, after conditions and skipped blocks.
@@ -15,8 +22,7 @@ namespace ncvet {
 /// arrived before it is executed, save those over a backward jump.
 class RegionRun {
 public:
-  /// `recorder`, when given, knows runs of blocks that need not be executed again.
-  RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry, RunRecorder *recorder,
+  RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry, KnownRuns known,
             const std::atomic<bool> *cancel);
 
   /// The states that leave the region.
@@ -41,6 +47,8 @@ private:
   void interruptRecord() {
     if (recorder_)
       recorder_->interrupt();
+    if (replay_)
+      replay_->interrupt();
   }
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
@@ -54,6 +62,7 @@ private:
   const std::atomic<bool> *cancel_;
   Activation activation_;
   RunRecorder *const recorder_;
+  RunReplay *const replay_;
   Lives lives_;            ///< that come to the block at `at_`
   uint32_t at_;            ///< the block that is executed next
   uint32_t next_ = 0;      ///< and the one after it in the text

@@ -35,4 +35,13 @@ StatesAt statesAt(Project &project, FileUnit &unit, uint32_t offset, const RuleS
   return observe(engine, observed);
 }
 
+StatesAt statesAfterCheck(Project &project, FileUnit &unit, uint32_t offset,
+                          const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                          StraightRuns &runs) {
+  Engine engine(project, unit, limits, cancel);
+  engine.replay(runs);
+  ObservedBlock observed(unit.source.id(), offset);
+  return observe(engine, observed);
+}
+
 } // namespace ncvet

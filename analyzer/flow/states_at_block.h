@@ -20,5 +20,9 @@ StatesAt statesAt(Project &project, FileUnit &entry, const FileUnit &unit, uint3
 StatesAt statesAt(Project &project, FileUnit &unit, uint32_t offset, const RuleSelection &rules,
                   const AnalysisLimits &limits, const std::atomic<bool> *cancel,
                   StraightRuns &runs);
+/// The same after a check has followed all of this text: rules need not hear of it again.
+StatesAt statesAfterCheck(Project &project, FileUnit &unit, uint32_t offset,
+                          const AnalysisLimits &limits, const std::atomic<bool> *cancel,
+                          StraightRuns &runs);
 
 } // namespace ncvet

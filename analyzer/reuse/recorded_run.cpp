@@ -88,8 +88,12 @@ void StraightRun::finish(const StateUse &used, const OriginState &before, const 
 
 bool StraightRun::begins(const MachineState &state, const PlainRun &plain,
                          const RuleMemory &now) const {
+  return memory.isSame(now, use.aside) && leadsFrom(state, plain);
+}
+
+bool StraightRun::leadsFrom(const MachineState &state, const PlainRun &plain) const {
   if (plain.addresses != plainEntry.addresses || plain.machineAxes != plainEntry.machineAxes ||
-      isSettled(plain, state) != isSettled(plainEntry, entry) || !memory.isSame(now, use.aside))
+      isSettled(plain, state) != isSettled(plainEntry, entry))
     return false;
   // Most states that meet differ in where they are.
   if (std::memcmp(state.position.data(), entry.position.data(), sizeof state.position) != 0)

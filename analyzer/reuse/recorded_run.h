@@ -26,6 +26,8 @@ struct StraightRun : RunPlace {
   /// It ends here, has used this much, and things were set there when it began.
   void finish(const StateUse &used, const OriginState &before, const MachineState &after,
               const PlainRun &plainAfter);
+  /// Whether the state becomes what it became then. What rules remember is another matter.
+  bool leadsFrom(const MachineState &state, const PlainRun &plain) const;
   /// Whether it does the same from here.
   bool begins(const MachineState &state, const PlainRun &plain, const RuleMemory &now) const;
   /// Applies the recorded run: turns its entry state into its exit state.

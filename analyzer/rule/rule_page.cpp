@@ -1,7 +1,7 @@
 // A rule's page: the fenced JSON block at its head, and what follows.
 #include "analyzer/rule/rule_page.h"
 
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/rule_table.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include <nlohmann/json.hpp>

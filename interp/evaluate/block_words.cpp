@@ -2,6 +2,7 @@
 #include "interp/evaluate/block_words.h"
 
 #include "interp/evaluate/expression.h"
+#include "interp/state/state.h"
 #include "interp/value/units.h"
 
 namespace ncvet {

@@ -3,9 +3,11 @@
 
 #include "formats/dialect/machine.h"
 #include "formats/readers/table_words.h"
-#include "interp/state/state.h"
+#include "interp/value/value.h"
 
 namespace ncvet {
+
+struct MachineState; // interp/state/state.h
 
 /// Key of the variable used in place of `spec`'s word: the one of its two that the program has
 /// given a value.

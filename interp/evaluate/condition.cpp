@@ -3,6 +3,7 @@
 
 #include "interp/evaluate/formula.h"
 #include "interp/evaluate/tool_data.h"
+#include "interp/state/event.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "formats/dialect/machine.h"
-#include "interp/state/event.h"
+#include "formats/readers/block.h"
 
 namespace ncvet {
+
+struct CodeUse;      // interp/state/event.h
+struct MachineState; // interp/state/state.h
 
 /// All that a condition may ask about.
 struct ConditionContext {

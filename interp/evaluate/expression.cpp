@@ -2,6 +2,7 @@
 #include "interp/evaluate/expression.h"
 
 #include "interp/evaluate/program_operators.h"
+#include "interp/state/event.h"
 #include "interp/state/zero_point.h"
 #include "interp/value/units.h"
 

@@ -1,9 +1,13 @@
 // Evaluates expressions of the program on abstract values.
 #pragma once
 
-#include "interp/state/event.h"
+#include "formats/readers/block.h"
+#include "interp/value/value.h"
 
 namespace ncvet {
+
+struct MachineState; // interp/state/state.h
+struct Outcome;      // interp/state/event.h
 
 /// Value of expression `index` of `block`. Domain errors and reads of vacant variables in
 /// arithmetic are emitted into `outcome`, which may be null.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "interp/evaluate/condition_context.h"
+#include "interp/value/value.h"
 
 namespace ncvet {
 

@@ -5,6 +5,7 @@
 #include "interp/evaluate/expression.h"
 #include "interp/execute/mode_masks.h"
 #include "interp/geometry/plane_place.h"
+#include "interp/state/event.h"
 #include "interp/state/modes.h"
 
 namespace ncvet {

@@ -3,6 +3,7 @@
 
 #include "analyzer/facts/generated_block.h"
 #include "analyzer/program/flow_shape.h"
+#include "formats/readers/table_words.h"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,9 @@
 // What a word is for: looked up in the formats of the codes that may read it.
 #include "lsp/features/word_use.h"
 
+#include "interp/evaluate/block_words.h"
+#include "interp/execute/execute.h"
+#include "interp/state/executed_block.h"
 #include "lsp/features/number_text.h"
 
 namespace ncvet::lsp {
@@ -158,11 +161,28 @@ std::optional<EffectiveValue> effectiveValue(const ExecutedBlock &executed, cons
   return result;
 }
 
+struct LoneBlock::Execution {
+  Execution(const Dialect &dialect, const MachineProfile &machine, const Executor &executor,
+            Block read, const MachineState *state)
+      : block(std::move(read)), before(state ? *state : unknownState(dialect)),
+        after(before), executed{dialect, machine, block, outcome, before, after} {
+    executor.execute(block, before, after, outcome);
+  }
+
+  const Block block;
+  MachineState before, after;
+  Outcome outcome;
+  const ExecutedBlock executed;
+};
+
 LoneBlock::LoneBlock(const Dialect &dialect, const MachineProfile &machine,
                      const Executor &executor, Block block, const MachineState *before)
-    : block_(std::move(block)), before_(before ? *before : unknownState(dialect)),
-      after_(before_), executed_{dialect, machine, block_, outcome_, before_, after_} {
-  executor.execute(block_, before_, after_, outcome_);
-}
+    : execution_(std::make_unique<const Execution>(dialect, machine, executor, std::move(block),
+                                                   before)) {}
+
+LoneBlock::~LoneBlock() = default;
+
+const Block &LoneBlock::block() const { return execution_->block; }
+const ExecutedBlock &LoneBlock::executed() const { return execution_->executed; }
 
 } // namespace ncvet::lsp

@@ -1,11 +1,18 @@
 // What a word is for: the code that reads it, its role there, and the value that counts.
 #pragma once
 
-#include "interp/execute/execute.h"
-#include "interp/state/executed_block.h"
+#include "formats/dialect/machine.h"
+#include "formats/readers/block.h"
 
+#include <memory>
 #include <optional>
 #include <string>
+
+namespace ncvet {
+class Executor;       // interp/execute/execute.h
+struct ExecutedBlock; // interp/state/executed_block.h
+struct MachineState;  // interp/state/state.h
+} // namespace ncvet
 
 namespace ncvet::lsp {
 
@@ -35,17 +42,16 @@ class LoneBlock {
 public:
   LoneBlock(const Dialect &dialect, const MachineProfile &machine, const Executor &executor,
             Block block, const MachineState *before = nullptr);
+  ~LoneBlock();
   LoneBlock(const LoneBlock &) = delete;
   LoneBlock &operator=(const LoneBlock &) = delete;
 
-  const Block &block() const { return block_; }
-  const ExecutedBlock &executed() const { return executed_; }
+  const Block &block() const;
+  const ExecutedBlock &executed() const;
 
 private:
-  const Block block_;
-  MachineState before_, after_;
-  Outcome outcome_;
-  ExecutedBlock executed_;
+  struct Execution;
+  const std::unique_ptr<const Execution> execution_;
 };
 
 } // namespace ncvet::lsp

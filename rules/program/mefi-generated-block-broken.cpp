@@ -2,6 +2,7 @@
 #include "analyzer/facts/drill_parts.h"
 #include "analyzer/facts/generated_block.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/rule.h"
 
 #include "llvm/ADT/StringExtras.h"
 

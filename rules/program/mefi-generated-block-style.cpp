@@ -1,6 +1,7 @@
 // A generated block that departs from what its dialog writes, without harm.
 #include "analyzer/facts/generated_block.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/rule.h"
 
 namespace ncvet {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "formats/readers/select/make_reader.h"
 #include "interp/evaluate/expression.h"
+#include "interp/state/state.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analyzer/flow/analyze.h"
+#include "analyzer/rule/rule_table.h"
 #include "formats/dialect/loader.h"
 
 #include "gtest/gtest.h"

@@ -3,6 +3,7 @@
 
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/expression.h"
+#include "interp/state/executed_block.h"
 #include "lsp/features/number_text.h"
 #include "lsp/features/word_use.h"
 

@@ -1,5 +1,6 @@
 // Completion of codes and of the words that they read, by the table.
 #include "interp/evaluate/condition.h"
+#include "interp/state/executed_block.h"
 #include "lsp/features/showing/word_help.h"
 #include "lsp/features/writing/completion_sources.h"
 

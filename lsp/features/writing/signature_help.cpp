@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "interp/evaluate/condition.h"
+#include "interp/state/executed_block.h"
 #include "interp/value/macro_argument.h"
 #include "lsp/features/cursor_context.h"
 #include "lsp/features/showing/word_help.h"
