@@ -16,19 +16,20 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
       if (auto &codes = noticed[notice.rule]; codes.empty() || codes.back() != code)
         codes.push_back(CodeIndex(code));
   for (size_t i = 0; i < table.size(); ++i) {
-    if (i < selection.enabled.size() && !selection.enabled[i])
-      continue;
     // The user's options lie over the dialect's.
     RuleOverride options;
     const auto ofDialect = dialect.rules.find(table[i].info.id);
     if (ofDialect != dialect.rules.end())
       options = ofDialect->second;
+    const RuleId told = options.toldAs.empty() ? RuleId(i) : findRule(options.toldAs).value_or(i);
+    if (told < selection.enabled.size() && !selection.enabled[told])
+      continue;
     const auto ofUser = selection.options.find(table[i].info.id);
     if (ofUser != selection.options.end())
       for (const auto &entry : ofUser->second)
         options.options[entry.first()] = entry.second;
     rules_.push_back(table[i].make());
-    Listener listener{rules_.back().get(), RuleId(i)};
+    Listener listener{rules_.back().get(), told};
     all_.push_back(listener);
     Subscriptions subscriptions(dialect, machine, &options);
     listener.rule->listen(subscriptions);
@@ -42,7 +43,7 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     listenToKinds(listener, subscriptions);
     // Facts of the table are reported for every rule; some do so themselves.
     if (const auto codes = noticed.find(table[i].info.id); codes != noticed.end())
-      listenToNotices(listener.id, dialect, codes->second, !subscriptions.noticesHandled());
+      listenToNotices(RuleId(i), dialect, codes->second, !subscriptions.noticesHandled());
     listenToCodes(listener, subscriptions);
   }
 }

@@ -61,11 +61,13 @@ void checkRules(JsonReader &in, const Json &table) {
   if (!rules || !rules->is_object())
     return;
   for (auto rule = rules->begin(); rule != rules->end(); ++rule) {
-    const auto named = [&](const RuleEntry &entry) { return entry.info.id == rule.key(); };
-    if (llvm::none_of(allRules(), named))
+    if (!findRule(rule.key()))
       in.fail(*rule, "unknown rule \"" + rule.key() + "\"" + nearestRule(rule.key()));
     if (!rule->is_object())
       continue;
+    if (const Json *told = in.member(*rule, "toldAs"); told && told->is_string())
+      if (const std::string name = told->get<std::string>(); !findRule(name))
+        in.fail(*told, "unknown rule \"" + name + "\"" + nearestRule(name));
     for (auto option = rule->begin(); option != rule->end(); ++option)
       if (!isFieldOf(ruleRecord, option.key()) && !option->is_null())
         if (auto value = readRuleOption(rule.key(), option.key(), *option); !value)

@@ -186,6 +186,8 @@ struct ProgramFacts {
   bool callsTakeNoWords = false;
   /// A block that may be skipped changes no mode, whether or not a later block relies on it.
   bool skipKeepsModes = false;
+  /// A local call names a block as a jump does.
+  bool callsBlocks = false;
   /// Modes and frames that a subprogram sets stay active in its caller.
   bool modesOutliveReturn = false;
   /// An end inside a repeated section ends the program before the repeat.

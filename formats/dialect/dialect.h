@@ -233,6 +233,7 @@ using OptionValue = std::variant<double, std::string>;
 struct RuleOverride {
   std::optional<Severity> severity;
   std::optional<bool> enabled;
+  std::string toldAs;         ///< rule under whose name its findings are told; empty: its own
   bool uncalledStops = false; ///< the control also stops in a body that it does not run
   llvm::StringMap<OptionValue> options;
 };

@@ -270,6 +270,11 @@ constexpr Field ruleFields[] = {
                                   "whether the rule is on unless a user says "
                                   "otherwise",
                                   "true"),
+    field<&RuleOverride::toldAs>(
+        "toldAs", text,
+        "rule under whose name its findings are told, where this control's manual has one rule for "
+        "both",
+        "\"block-missing-word\""),
     flag<&RuleOverride::uncalledStops>(
         "uncalledStops",
         "the control also stops at what the rule reports in a body that it does not run"),

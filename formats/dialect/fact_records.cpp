@@ -227,6 +227,9 @@ constexpr Field programFields[] = {
     flag<&ProgramFacts::modesOutliveEnd>("modesOutliveEnd",
                                          "modes stay active after the end of the program"),
     flag<&ProgramFacts::callsTakeNoWords>("callsTakeNoWords", "a call takes no words of its block"),
+    flag<&ProgramFacts::callsBlocks>(
+        "callsBlocks", "a local call names a block as a jump does: one that is missing is told as "
+                       "a target that is missing"),
     flag<&ProgramFacts::skipKeepsModes>(
         "skipKeepsModes",
         "a block that may be skipped changes no mode, whether or not a later block relies on it"),

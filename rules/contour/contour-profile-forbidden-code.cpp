@@ -169,7 +169,9 @@ private:
       return;
     const bool absolute = ctx.after().isActive(ctx.dialect(), StandardGroup::Distance,
                                                {Action::Absolute}) != Truth::No;
-    if (event.motion == MotionKind::Rapid && absolute)
+    // The contour of a turned part begins with any move.
+    constexpr uint16_t turned = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
+    if ((event.motion == MotionKind::Rapid && absolute) || plane == turned)
       return;
     if (auto finding = ctx.report(event))
       finding.message("a contour begins with a straight block of G90 and G0, which says where its "

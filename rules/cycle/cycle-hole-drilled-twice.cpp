@@ -72,6 +72,7 @@ public:
     calls_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
       return code.group == noGroup && makesHole(code.cycle);
     });
+    waits_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) { return code.waits; });
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -84,8 +85,7 @@ public:
     if (event.kind == EventKind::CycleRun) {
       if (calls_)
         afterCall(event, ctx);
-      // Of a block that neither moves nor calls the cycle, other rules say that it runs it.
-      if (ctx.dialect().emptyBlocksRun && !event.axes && !ctx.codeWord(event))
+      if (othersTell(event, ctx))
         return;
       using Position = std::array<Interval, axisCount>;
       const llvm::ArrayRef<Position> holes = ctx.outcome().holes;
@@ -163,7 +163,17 @@ private:
             .note(memory().call, "the hole is made here");
     memory().call = {};
   }
+  /// Of a block that neither moves nor calls the cycle, other rules say that it runs it: of a modal
+  /// call also where only the tool's axis moves.
+  bool othersTell(const Event &event, const RuleContext &ctx) const {
+    if (ctx.codeWord(event))
+      return false;
+    const unsigned tool = unsigned(toolAxis(ctx.dialect(), ctx.after()));
+    return waits_ ? !(event.axes & ~(1u << tool)) : ctx.dialect().emptyBlocksRun && !event.axes;
+  }
+
   bool calls_ = false; ///< the control has cycles of one hole
+  bool waits_ = false; ///< modal calls, which only an own word ends
 
   /// A position that the same list of holes has had before; true: it was reported.
   bool samePlace(const Event &event, const std::array<Interval, axisCount> &position,

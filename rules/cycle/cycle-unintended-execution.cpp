@@ -55,7 +55,10 @@ public:
     for (const CodeUse &use : ctx.codes())
       if (ctx.code(use).action == Action::Cycle)
         return;
-    if (makesHole(code.cycle))
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    if (makesHole(code.cycle) && waits_ && !(event.axes & ~(1u << unsigned(tool))))
+      sameBlock(event, code, ctx);
+    else if (makesHole(code.cycle))
       checkHole(event, code, ctx);
     else if (code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::ThreadPass)
       checkPass(event, code, Axis::X, ctx);
@@ -105,6 +108,12 @@ private:
         after.cycleActive(ctx.dialect()) != Truth::Yes || before.may(Fact::UnknownCode))
       return;
     report(event, *cycle, ctx, false, "at a machine position");
+  }
+
+  /// A block that moves nothing in the plane runs a modal call all the same.
+  static void sameBlock(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    if (ctx.before().must(Fact::CycleRan))
+      report(event, code, ctx, true, "at the place where the tool is");
   }
 
   bool calls_ = false;        ///< calls under a cycle are looked at

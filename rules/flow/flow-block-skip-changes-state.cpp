@@ -38,9 +38,8 @@ public:
     const uint8_t was = before.spindle, is = after.spindle;
     const bool turned = was == spindleCw || was == spindleCcw,
                turns = is == spindleCw || is == spindleCcw;
-    // Where every change counts, so do start and stop.
-    if (was != is && ((turned && turns) ||
-                      (atCause_ && (turned || was == spindleOff) && (turns || is == spindleOff))))
+    // Where every change counts, so does a stop.
+    if (was != is && ((turned || was == spindleOff) && (turns || (atCause_ && is == spindleOff))))
       changes.groups |= groupMask(ctx.dialect(), {StandardGroup::Spindle});
     if (atCause_ && !changes.any() && !(before.frames == after.frames)) {
       if (auto finding = ctx.report(ctx.blockRange()))

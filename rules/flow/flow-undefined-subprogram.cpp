@@ -29,6 +29,8 @@ public:
     // A macro of the control itself is not part of any folder of programs.
     const bool builtIn =
         flow.macro && flow.target.isConstant() && flow.target.number.value() >= firstProtected;
+    if (local && ctx.dialect().facts->program.callsBlocks) // told as a target that is missing
+      return;
     if (isProtected(flow, ctx.dialect().limits.protectedPrograms))
       return;
     // A subprogram may belong to a set of the machine's builder, which lies on the control.

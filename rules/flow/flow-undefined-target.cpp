@@ -1,5 +1,6 @@
 // A jump or a return names a block that does not exist.
 #include "analyzer/facts/silent_program.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -9,8 +10,10 @@ public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.flowIssue() != FlowIssue::UnknownBlock ||
-        ctx.outcome().flow.kind == FlowKind::CallLocal)
+    if (event.flowIssue() != FlowIssue::UnknownBlock)
+      return;
+    if (ctx.outcome().flow.kind == FlowKind::CallLocal &&
+        !ctx.dialect().facts->program.callsBlocks) // other controls know it as a subprogram
       return;
     // The block is one of the caller's, and who calls the program is not known here.
     if (ctx.outcome().flow.kind == FlowKind::Return && ctx.callDepth() == 0 && onlyReturns(ctx))
