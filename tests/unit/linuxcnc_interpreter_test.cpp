@@ -37,7 +37,7 @@ std::vector<std::string> moves(llvm::StringRef text) {
 }
 
 /// Rules that say that the control stops.
-std::vector<std::string> errors(llvm::StringRef text) {
+std::vector<std::string> errorsOf(llvm::StringRef text) {
   std::vector<std::string> rules;
   test::withProgram("linuxcnc", {{"part.ngc", linesOf(text)}}, "",
                     [&](Project &project, FileUnit &unit) {
@@ -52,8 +52,8 @@ std::vector<std::string> errors(llvm::StringRef text) {
 TEST(LinuxCncInterpretation, AFunctionMayFollowItsAddressDirectly) {
   EXPECT_THAT(moves("G0 XABS[-3] | G0 YFIX[2.7] ZSQRT[16] | M2"),
               ElementsAre("rapid X3 Y0 Z0", "rapid X3 Y2 Z4"));
-  EXPECT_THAT(errors("G0 XABS[-3] | M2"), IsEmpty());
-  EXPECT_THAT(errors("G0 XABSOLUTE[-3] | M2"), Contains("syntax-error"));
+  EXPECT_THAT(errorsOf("G0 XABS[-3] | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("G0 XABSOLUTE[-3] | M2"), Contains("syntax-error"));
 }
 
 TEST(LinuxCncInterpretation, ATabMayBeBeforeTheBracketOfAFunction) {
@@ -61,7 +61,7 @@ TEST(LinuxCncInterpretation, ATabMayBeBeforeTheBracketOfAFunction) {
 }
 
 TEST(LinuxCncInterpretation, ASmallLIsTheAddressInSmallLetters) {
-  EXPECT_THAT(errors("g10l2p0x1 | g0x1 | m2"), IsEmpty());
+  EXPECT_THAT(errorsOf("g10l2p0x1 | g0x1 | m2"), IsEmpty());
   EXPECT_THAT(moves("g10l2p0x1 | g0x1 | m2"), ElementsAre("rapid X1 Y0 Z0"));
 }
 
@@ -75,12 +75,12 @@ TEST(LinuxCncInterpretation, ZerosBeforeTheNumberOfAnOWordDoNotCount) {
 }
 
 TEST(LinuxCncInterpretation, TheNumberOfABlockIsFirst) {
-  EXPECT_THAT(errors("(a) N3 | M2"), ElementsAre("syntax-invalid-character"));
-  EXPECT_THAT(errors("N3 (a) | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("(a) N3 | M2"), ElementsAre("syntax-invalid-character"));
+  EXPECT_THAT(errorsOf("N3 (a) | M2"), IsEmpty());
 }
 
 TEST(LinuxCncInterpretation, AConditionNeedsItsBracket) {
-  EXPECT_THAT(errors("o1 if | o1 endif | M2"), Contains("syntax-error"));
+  EXPECT_THAT(errorsOf("o1 if | o1 endif | M2"), Contains("syntax-error"));
 }
 
 TEST(LinuxCncInterpretation, ARepeatCountsToTheNearestWholeNumber) {
@@ -130,64 +130,64 @@ TEST(LinuxCncInterpretation, G87GoesDownBesideTheBoreAndFeedsUp) {
                           "rapid X3 Y2 Z0.2", "rapid X3 Y2 Z-1.1", "rapid X2 Y2 Z-1.1",
                           "linear X2 Y2 Z-0.5", "linear X2 Y2 Z-1.1", "rapid X3 Y2 Z-1.1",
                           "rapid X3 Y2 Z0.2", "rapid X2 Y2 Z0.2"));
-  EXPECT_THAT(errors("F100 M3 S500 | G0 X1 Y1 Z5 | G87 X2 Y2 Z-1.1 R0.2 I1 J0 K-0.5 | M2"),
+  EXPECT_THAT(errorsOf("F100 M3 S500 | G0 X1 Y1 Z5 | G87 X2 Y2 Z-1.1 R0.2 I1 J0 K-0.5 | M2"),
               IsEmpty());
-  EXPECT_THAT(errors("F100 M3 S500 | G0 X1 Y1 Z5 | G87 X2 Y2 Z-1.1 R0.2 I1 J0 | M2"),
+  EXPECT_THAT(errorsOf("F100 M3 S500 | G0 X1 Y1 Z5 | G87 X2 Y2 Z-1.1 R0.2 I1 J0 | M2"),
               ElementsAre("cycle-missing-parameter"));
 }
 
 TEST(LinuxCncInterpretation, PolarWordsWorkInTheXyPlaneAwayFromZero) {
-  EXPECT_THAT(errors("G0 @-0.0025 ^20 | M2"), IsEmpty());
-  EXPECT_THAT(errors("G18 G0 @5 ^10 | M2"), ElementsAre("coordinate-polar-invalid"));
-  EXPECT_THAT(errors("G0 X0 Y0 | G91 G0 @5 | M2"), ElementsAre("coordinate-polar-invalid"));
-  EXPECT_THAT(errors("G0 X1 Y0 | G91 G0 @5 | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("G0 @-0.0025 ^20 | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("G18 G0 @5 ^10 | M2"), ElementsAre("coordinate-polar-invalid"));
+  EXPECT_THAT(errorsOf("G0 X0 Y0 | G91 G0 @5 | M2"), ElementsAre("coordinate-polar-invalid"));
+  EXPECT_THAT(errorsOf("G0 X1 Y0 | G91 G0 @5 | M2"), IsEmpty());
 }
 
 TEST(LinuxCncInterpretation, LevelsOfACycleAreComparedAlongTheAxisOfThePlane) {
-  EXPECT_THAT(errors("F100 G18 G0 Y5 | G81 X1 Y-1 R-2 | M2"), ElementsAre("cycle-depth-order"));
-  EXPECT_THAT(errors("F100 G19 G0 X5 | G81 Y1 X-1 R-2 | M2"), ElementsAre("cycle-depth-order"));
-  EXPECT_THAT(errors("F100 G18 G0 Y5 | G81 X1 Y-1 R2 | M2"), IsEmpty());
-  EXPECT_THAT(errors("F100 G18 G0 Y5 | G81 X1 Z-5 R-1 | M2"),
+  EXPECT_THAT(errorsOf("F100 G18 G0 Y5 | G81 X1 Y-1 R-2 | M2"), ElementsAre("cycle-depth-order"));
+  EXPECT_THAT(errorsOf("F100 G19 G0 X5 | G81 Y1 X-1 R-2 | M2"), ElementsAre("cycle-depth-order"));
+  EXPECT_THAT(errorsOf("F100 G18 G0 Y5 | G81 X1 Y-1 R2 | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("F100 G18 G0 Y5 | G81 X1 Z-5 R-1 | M2"),
               ElementsAre("cycle-missing-parameter"));
-  EXPECT_THAT(errors("F100 G19 G0 X5 | G81 Y1 Z-5 R-1 | M2"),
+  EXPECT_THAT(errorsOf("F100 G19 G0 X5 | G81 Y1 Z-5 R-1 | M2"),
               ElementsAre("cycle-missing-parameter"));
 }
 
 TEST(LinuxCncInterpretation, BoringWithAStopNeedsTheSpindle) {
-  EXPECT_THAT(errors("F100 M5 | G0 Z5 | G86 X1 Z-1 R1 P0 | M2"),
+  EXPECT_THAT(errorsOf("F100 M5 | G0 Z5 | G86 X1 Z-1 R1 P0 | M2"),
               Contains("cycle-spindle-not-prepared"));
 }
 
 TEST(LinuxCncInterpretation, G53WorksWithG0AndG1Only) {
   for (const char *wrong : {"G53 | M2", "G0 X1 | G53 | M2", "F100 G53 G2 X1 Y1 R5 | M2",
                             "F100 G2 X1 Y1 R5 | G53 X2 | M2"})
-    EXPECT_THAT(errors(wrong), ElementsAre("coordinate-machine-move-state")) << wrong;
-  EXPECT_THAT(errors("G0 X1 | G53 X2 | M2"), IsEmpty());
-  EXPECT_THAT(errors("G0 X1 | G92 Y1 G53 | M2"), Contains("block-modal-group-conflict"));
+    EXPECT_THAT(errorsOf(wrong), ElementsAre("coordinate-machine-move-state")) << wrong;
+  EXPECT_THAT(errorsOf("G0 X1 | G53 X2 | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("G0 X1 | G92 Y1 G53 | M2"), Contains("block-modal-group-conflict"));
 }
 
 TEST(LinuxCncInterpretation, SomeModesAreNotChangedUnderCompensation) {
   for (const char *code :
        {"G61", "G61.1", "G64", "G98", "G99", "G43 H1", "G43.1 Z1", "G43.2 H1", "G49"})
-    EXPECT_THAT(errors(std::string("F100 G41 D1 | ") + code + " | M2"),
+    EXPECT_THAT(errorsOf(std::string("F100 G41 D1 | ") + code + " | M2"),
                 ElementsAre("compensation-forbidden-code"))
         << code;
-  EXPECT_THAT(errors("F100 G41 D1 | G40 G49 | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("F100 G41 D1 | G40 G49 | M2"), IsEmpty());
 }
 
 TEST(LinuxCncInterpretation, ABlockTakesOneMCodeOfAGroup) {
   for (const char *wrong : {"M3 M3 | M2", "M7 M7 | M2", "M70 M5 | M2", "M70 M73 | M2"})
-    EXPECT_THAT(errors(wrong), ElementsAre("block-modal-group-conflict")) << wrong;
+    EXPECT_THAT(errorsOf(wrong), ElementsAre("block-modal-group-conflict")) << wrong;
 }
 
 TEST(LinuxCncInterpretation, NumbersOfVariablesAndToolsAreWhole) {
-  EXPECT_THAT(errors("#1.5 = 2 | M2"), ElementsAre("variable-domain-error"));
-  EXPECT_THAT(errors("G10 L1 P0 Z1 | M2"), ElementsAre("block-value-out-of-range"));
+  EXPECT_THAT(errorsOf("#1.5 = 2 | M2"), ElementsAre("variable-domain-error"));
+  EXPECT_THAT(errorsOf("G10 L1 P0 Z1 | M2"), ElementsAre("block-value-out-of-range"));
 }
 
 TEST(LinuxCncInterpretation, AnOrientationOfTheToolIsForTheXzPlane) {
-  EXPECT_THAT(errors("G41.1 D3 L9 | M2"), ElementsAre("block-unused-word"));
-  EXPECT_THAT(errors("G18 G41.1 D3 L9 | M2"), IsEmpty());
+  EXPECT_THAT(errorsOf("G41.1 D3 L9 | M2"), ElementsAre("block-unused-word"));
+  EXPECT_THAT(errorsOf("G18 G41.1 D3 L9 | M2"), IsEmpty());
 }
 
 } // namespace
