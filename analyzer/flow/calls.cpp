@@ -62,8 +62,9 @@ bool Calls::mayEnter(const Step &step, const Callee &callee) {
 }
 
 void Calls::enter(Step &step, const Callee &callee, const Passes &passes) {
-  const CallSite site{&step.unit(), &step.region().program, passes.next,
-                      passes.known && passes.count <= 1, step.region().caller};
+  const CallSite site{&step.unit(),         &step.region().program,
+                      passes.next,          passes.known && passes.count <= 1,
+                      step.region().caller, step.outcome.flow.macro};
   passes_.run(step, {*callee.unit, *callee.program, callee.start, callee.kind, &site}, passes);
 }
 

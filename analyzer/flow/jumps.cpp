@@ -65,8 +65,12 @@ void Jumps::byWord(Step &step) {
     run_.issue(FlowIssue::UnknownBlock, step, where);
   else if (certain && loops_.isNeverLeft(step, step.unit(), *target))
     run_.issue(FlowIssue::EndlessLoop, step, where);
-  else
+  else {
+    if (flow.item >= 0 && structures_.isEntered(step.region(), step.at, *target))
+      run_.issue(FlowIssue::IntoStructure, step, where,
+                 {step.unit().source.id(), *target, *target + 1});
     loops_.goTo(step, *target, std::move(step.live), certain);
+  }
 }
 
 /// Targets of a choice by value: pairs of a value and a target, perhaps with one for all others.

@@ -15,6 +15,7 @@ struct CallSite {
   uint32_t next = 0;                    ///< block at which the caller goes on
   bool once = false;                    ///< it runs one time before that
   const CallSite *before = nullptr; ///< where the caller was called; null: it is the main program
+  bool macro = false;               ///< with variables of its own
   unsigned depth = before ? before->depth + 1 : 1; ///< of calls, with this one
 };
 

@@ -64,6 +64,8 @@ struct CompensationFacts {
   bool mayPassIdleBlocks = false;
   /// Compensation is for the elements of a contour only.
   bool onlyForContours = false;
+  /// Compensation is off where the program stops for the operator.
+  bool offAtStops = false;
 };
 
 /// About coordinates.
@@ -158,6 +160,19 @@ struct LimitFacts {
   unsigned sectionElements = 0;
   /// Fastest feed of a measuring move, mm/min; 0: any.
   double probeFeed = 0;
+  /// Loops have numbers from 1 to this one, each in use once; 0: any.
+  unsigned loopNumbers = 0;
+  /// Brackets in each other, those of functions counted; 0: any number.
+  unsigned bracketDepth = 0;
+  /// Most digits of a block number, which begins at 1; 0: any.
+  unsigned blockDigits = 0;
+  /// Most digits of a length in least increments, which have three decimals; 0: any.
+  unsigned lengthDigits = 0;
+  /// Levels of macros that call each other; 0: those of all calls.
+  unsigned macroDepth = 0;
+  /// Least and greatest number of an alarm that a program raises.
+  double leastAlarm = 0;
+  double greatestAlarm = 0;
 };
 
 /// About measuring.
@@ -182,6 +197,8 @@ struct ProgramFacts {
   bool modesOutliveEnd = false;
   /// A return code in a main program starts it again, which may be meant.
   bool returnRestarts = false;
+  /// Stops, ends, calls and returns share their block with no other M code.
+  bool flowCodesAlone = false;
   /// A call takes no words of its block.
   bool callsTakeNoWords = false;
   /// A block that may be skipped changes no mode, whether or not a later block relies on it.
@@ -233,6 +250,18 @@ struct TextFacts {
   bool variantNames = false;
   /// Comments for the operator and for the reader are of different kinds.
   bool kindsOfComments = false;
+  /// Assignments, jumps and loops share their block with no words.
+  bool statementsAlone = false;
+  /// The brackets of loops share their block with no words.
+  bool loopsAlone = false;
+  /// Axis letters alone do not name the axes of a reference return.
+  bool noBareAxes = false;
+  /// Numbers of tools, offsets and speeds take no sign.
+  bool noMinusAtNumbers = false;
+  /// A % ends the text inside a comment too.
+  bool tapeMarkInComments = false;
+  /// A program means its lengths with a decimal point, or without one, throughout.
+  bool pointsThroughout = false;
 };
 
 /// About tools.
@@ -289,6 +318,8 @@ struct TurningFacts {
   double threadDepthUnit = 1;
   /// Millimetres per unit of a step written without a point.
   double stepUnit = 1;
+  /// Both axes in the first block of a contour are allowed for any contour.
+  bool bothAxesFirst = false;
 };
 
 /// About numbered variables.
@@ -309,6 +340,15 @@ struct VariableFacts {
   bool sharedByPrograms = false;
   /// The tangent of 90 degrees is an error; else it is a large number.
   bool tangentHasPoles = false;
+  /// First and last number of each range that has no variables.
+  std::vector<int> gaps;
+  /// First and last number of each range that the control's own macros write.
+  std::vector<int> ofMacros;
+  /// First and last number of each range that shows places, which change while the control reads
+  /// ahead.
+  std::vector<int> shownAhead;
+  /// Functions of its family that the control lacks.
+  std::vector<std::string> lacksFunctions;
 };
 
 struct ControlFacts {

@@ -73,6 +73,8 @@ constexpr Field compensationFields[] = {
         "the control perhaps looks past more blocks without a move than are allowed"),
     flag<&CompensationFacts::onlyForContours>("onlyForContours",
                                               "compensation is for the elements of a contour only"),
+    flag<&CompensationFacts::offAtStops>(
+        "offAtStops", "compensation is off where the program stops for the operator"),
 };
 constexpr RecordOf<CompensationFacts> compensationRecord =
     RecordOf<CompensationFacts>{"facts of compensation", "what holds for radius compensation",
@@ -191,6 +193,24 @@ constexpr Field limitsFields[] = {
         "sectionElements", count, "most elements of a section's profile; 0: any number", "100"),
     field<&LimitFacts::probeFeed>("probeFeed", number,
                                   "fastest feed of a measuring move, mm/min; 0: any", "100"),
+    field<&LimitFacts::loopNumbers>(
+        "loopNumbers", count, "loops have numbers from 1 to this one, each in use once; 0: any",
+        "3"),
+    field<&LimitFacts::bracketDepth>(
+        "bracketDepth", count, "brackets in each other, those of functions counted; 0: any number",
+        "5"),
+    field<&LimitFacts::blockDigits>(
+        "blockDigits", count, "most digits of a block number, which begins at 1; 0: any", "8"),
+    field<&LimitFacts::lengthDigits>(
+        "lengthDigits", count,
+        "most digits of a length in least increments, which have three decimals; 0: any", "8"),
+    field<&LimitFacts::macroDepth>(
+        "macroDepth", count, "levels of macros that call each other; 0: those of all calls", "5"),
+    field<&LimitFacts::leastAlarm>("leastAlarm", number,
+                                   "least number of an alarm that a program raises", "1"),
+    field<&LimitFacts::greatestAlarm>("greatestAlarm", number,
+                                      "greatest number of an alarm that a program raises; 0: any",
+                                      "999"),
 };
 constexpr RecordOf<LimitFacts> limitsRecord =
     RecordOf<LimitFacts>{"facts of limits", "what holds for how much the control takes",
@@ -251,6 +271,8 @@ constexpr Field programFields[] = {
                                   R"(["SPF", ".WPD"])"),
     flag<&ProgramFacts::returnRestarts>(
         "returnRestarts", "a return code in a main program starts it again, which may be meant"),
+    flag<&ProgramFacts::flowCodesAlone>(
+        "flowCodesAlone", "stops, ends, calls and returns share their block with no other M code"),
 };
 constexpr RecordOf<ProgramFacts> programRecord =
     RecordOf<ProgramFacts>{"facts of program", "what holds for programs and their ends",
@@ -277,6 +299,19 @@ constexpr Field textFields[] = {
                                    "`G83/R` is a manual's name of a variant, no code"),
     flag<&TextFacts::kindsOfComments>(
         "kindsOfComments", "comments for the operator and for the reader are of different kinds"),
+    flag<&TextFacts::statementsAlone>(
+        "statementsAlone", "assignments, jumps and loops share their block with no words"),
+    flag<&TextFacts::loopsAlone>("loopsAlone",
+                                 "the brackets of loops share their block with no words"),
+    flag<&TextFacts::noBareAxes>("noBareAxes",
+                                 "axis letters alone do not name the axes of a reference return"),
+    flag<&TextFacts::noMinusAtNumbers>("noMinusAtNumbers",
+                                       "numbers of tools, offsets and speeds take no sign"),
+    flag<&TextFacts::tapeMarkInComments>("tapeMarkInComments",
+                                         "a % ends the text inside a comment too"),
+    flag<&TextFacts::pointsThroughout>(
+        "pointsThroughout",
+        "a program means its lengths with a decimal point, or without one, throughout"),
 };
 constexpr RecordOf<TextFacts> textRecord =
     RecordOf<TextFacts>{"facts of text", "what holds for how text is read", textFields}.overlay();
@@ -332,6 +367,8 @@ constexpr Field turningFields[] = {
         "millimetres per unit of a thread's depth written without a point", "0.001"),
     field<&TurningFacts::stepUnit>(
         "stepUnit", number, "millimetres per unit of a step written without a point", "0.001"),
+    flag<&TurningFacts::bothAxesFirst>(
+        "bothAxesFirst", "both axes in the first block of a contour are allowed for any contour"),
 };
 constexpr RecordOf<TurningFacts> turningRecord =
     RecordOf<TurningFacts>{"facts of turning", "what holds for turning cycles and their profiles",
@@ -357,6 +394,20 @@ constexpr Field variablesFields[] = {
                                            "a called program writes the variables of its caller"),
     flag<&VariableFacts::tangentHasPoles>(
         "tangentHasPoles", "the tangent of 90 degrees is an error; left out: it is a large number"),
+    field<&VariableFacts::gaps>("gaps", listOf(count),
+                                "first and last number of each range that has no variables",
+                                "[34, 99]"),
+    field<&VariableFacts::ofMacros>(
+        "ofMacros", listOf(count),
+        "first and last number of each range that the control's own macros write", "[550, 599]"),
+    field<&VariableFacts::shownAhead>(
+        "shownAhead", listOf(count),
+        "first and last number of each range that shows places, which change while the control "
+        "reads ahead",
+        "[5021, 5069]"),
+    field<&VariableFacts::lacksFunctions>("lacksFunctions", texts,
+                                          "functions of its family that the control lacks",
+                                          R"(["FUP", "LN"])"),
 };
 constexpr RecordOf<VariableFacts> variablesRecord =
     RecordOf<VariableFacts>{"facts of variables", "what holds for numbered variables",

@@ -258,7 +258,8 @@ bool OperatorStack::apply(Operator op) {
   }
   if (rules_.strict && unknown && !isComparison(op)) {
     push(Value::unknown());
-    return true;
+    // Divided by zero, whatever is divided.
+    return row.outside != divisorIsZero || !values[1].isConstant() || !divisorIsZero(&numbers[0]);
   }
   // `-#1` of a vacant variable is vacant, and vacant is equal only to vacant.
   if (op == Operator::Negate && values[0].isVacant()) {

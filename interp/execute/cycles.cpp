@@ -81,7 +81,8 @@ void Execution::storeCycleWords(bool fresh) {
   }
 }
 
-void Execution::startCycle(const CodeUse &use) {
+/// The cycle is active from now on; what it runs at is another matter.
+void Execution::beginCycle(const CodeUse &use) {
   const CodeInfo &code = info(use);
   const bool same = before_.group(code.group) == (uint64_t(1) << code.bit);
   storeCycleWords(!same && !takesOverWords(code, dialect_, before_));
@@ -98,6 +99,11 @@ void Execution::startCycle(const CodeUse &use) {
   event.code = use.code;
   event.word = use.word;
   event.axes = axesOf(dialect_, block_);
+}
+
+void Execution::startCycle(const CodeUse &use) {
+  beginCycle(use);
+  const CodeInfo &code = info(use);
   // L0 (K0 on newer controls) stores the data and makes no hole.
   for (const WordSpec &spec : code.words)
     if (spec.role == Role::Repeat)

@@ -1,6 +1,7 @@
 // The order in which the parts of a block take effect.
 #include "interp/execute/execution.h"
 
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 #include "interp/evaluate/program_operators.h"
 #include "interp/value/units.h"
@@ -9,6 +10,25 @@ namespace ncvet {
 
 namespace {
 constexpr uint16_t axisBit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
+
+/// Whether the block holds statements alone: a control that keeps them apart from words works them
+/// out beforehand, and they are no block of the path.
+bool calculatesOnly(const Block &block) {
+  return block.words.empty() && !block.items.empty() &&
+         llvm::all_of(block.items, [](const Item &item) {
+           switch (item.kind) {
+           case ItemKind::Assignment:
+           case ItemKind::If:
+           case ItemKind::Jump:
+           case ItemKind::While:
+           case ItemKind::Do:
+           case ItemKind::End:
+             return true;
+           default:
+             return false;
+           }
+         });
+}
 } // namespace
 
 /// The motion code of a block of axis words and perhaps F under G00 or G01, with no cycle, polar
@@ -298,13 +318,13 @@ void Execution::finish() {
       state_.origin.of(StatePart::PendingCycle).begin ==
           before_.origin.of(StatePart::PendingCycle).begin)
     state_.pendingCycle = noCode;
-  if (state_.compensation & phaseOn) {
+  if (!(state_.compensation & phaseOn)) {
+    state_.idleBlocks = 0;
+  } else if (!dialect_.facts->text.statementsAlone || !calculatesOnly(block_)) {
     uint16_t moved = 0;
     for (const Event &event : outcome_.events)
       moved |= event.kind == EventKind::Motion ? event.axes : 0;
     countIdle(moved);
-  } else {
-    state_.idleBlocks = 0;
   }
   if (state_.modalCalls)
     outcome_.callsModally = firesModalCall();

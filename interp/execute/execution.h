@@ -226,6 +226,7 @@ private:
   static bool isTransformation(const CodeInfo &code);
 
   // cycles.cpp
+  void beginCycle(const CodeUse &use);
   void startCycle(const CodeUse &use);
   void runCycle(CodeIndex code, uint16_t axes);
   void drillHoles(const CodeInfo &code, uint16_t axes);

@@ -379,6 +379,10 @@ void Execution::moveAxes() {
       return; // the element is named, not run
     axes |= planeAxes(dialect_, state_);
   }
+  // A pattern beside the code of a cycle: the cycle runs at the places of the pattern.
+  if (actionCode_.word && motionCode_.word && info(motionCode_).action == Action::Cycle &&
+      info(actionCode_).cycle == CycleKind::Pattern)
+    beginCycle(motionCode_);
   if (actionCode_.word && axisWordsTaken(axes))
     return;
   if (machineMove_) {

@@ -1,6 +1,7 @@
 // An address that is allowed once in a block is there twice.
 #include "analyzer/rule/rule.h"
 
+#include <array>
 #include <set>
 
 namespace ncvet {
@@ -25,7 +26,7 @@ public:
       return;
     // Arguments of a macro call may be given in several sets of I, J and K.
     if (ctx.find({Action::MacroCall, Action::MacroModal}))
-      return;
+      return sets(ctx);
     const Block &block = ctx.block();
     const AddressMask repeated = block.repeated & ~ctx.dialect().repeatable;
     AddressMask seen = 0;
@@ -40,6 +41,21 @@ public:
   }
 
 private:
+  /// More sets of I, J and K than a call passes on.
+  static void sets(RuleContext &ctx) {
+    constexpr unsigned most = 10;
+    std::array<unsigned, 3> count{};
+    for (const Word &word : ctx.block().words) {
+      const unsigned which = word.address - letterAddress('I');
+      if (word.address < letterAddress('I') || which >= count.size() || ++count[which] <= most)
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` begins set {1} of I, J and K: a call passes {2} on", ctx.text(word),
+                        count[which], most);
+      return;
+    }
+  }
+
   /// A cycle's parameter that the block sets twice.
   void parameterAgain(uint64_t key, RuleContext &ctx) const {
     if (!parameters_.count(key))

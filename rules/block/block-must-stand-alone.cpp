@@ -1,5 +1,6 @@
 // A code that needs a block of its own shares it with words that are not its own.
 #include "analyzer/facts/word_checks.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -10,8 +11,10 @@ public:
     to.handleNotices();
     if (to.flag("statements"))
       to.on(EventKind::Statement);
-    to.onCode([](const CodeInfo &code) {
-      return code.alone || llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
+    flowAlone_ = to.dialect().facts->program.flowCodesAlone;
+    to.onCode([&](const CodeInfo &code) {
+      return code.alone || (flowAlone_ && decidesFlow(code)) ||
+             llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
 
@@ -20,6 +23,8 @@ public:
       return atStatement(ctx.block().items[event.item()], event.item(), ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
+    if (flowAlone_ && decidesFlow(code))
+      besideOthers(*event.word, ctx);
     if (!code.alone)
       return;
     AddressMask own = code.takes;
@@ -52,6 +57,43 @@ public:
   }
 
 private:
+  /// An M code at which the program stops, ends, or goes elsewhere.
+  static bool decidesFlow(const CodeInfo &code) {
+    switch (code.action) {
+    case Action::ProgramStop:
+    case Action::OptionalStop:
+    case Action::ProgramEnd:
+    case Action::ProgramEndRewind:
+    case Action::CallProgram:
+    case Action::CallLocal:
+    case Action::Return:
+      return code.letter == 'M';
+    default:
+      return false;
+    }
+  }
+
+  /// Another M code in the block of one that decides where the program goes.
+  static void besideOthers(const Word &code, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (!(block.repeated & maskOf('M')))
+      return;
+    for (const Word &word : block.words) {
+      if (&word == &code || word.address != letterAddress('M'))
+        continue;
+      // Two such codes: the first speaks.
+      const CodeIndex other = ctx.dialect().find('M', word.codeNumber());
+      if (word.offset < code.offset && other != noCode && decidesFlow(ctx.dialect().codes[other]))
+        return;
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` is in the block of `{1}`, which takes no other M code",
+                        ctx.text(word), ctx.text(code));
+      return;
+    }
+  }
+
+  bool flowAlone_ = false; ///< codes that decide the flow share their block with no other M code
+
   /// Calls by name, brackets of structured flow and jumps without a condition share their block
   /// with nothing.
   static void atStatement(const Item &item, size_t index, RuleContext &ctx) {

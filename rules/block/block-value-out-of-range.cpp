@@ -2,7 +2,9 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
+#include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
+#include "interp/evaluate/expression.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -29,6 +31,10 @@ public:
     for (const AddressInfo &address : to.dialect().addresses)
       ranged_ |= std::isfinite(address.least) || std::isfinite(address.most);
     to.on(EventKind::WordIssue);
+    leastAlarm_ = to.dialect().facts->limits.leastAlarm;
+    greatestAlarm_ = to.dialect().facts->limits.greatestAlarm;
+    if (greatestAlarm_ > 0)
+      to.on(EventKind::Assignment);
     if (ranged_)
       to.on(
           {EventKind::ToolWord, EventKind::OffsetWord, EventKind::SpeedWord, EventKind::FeedWord});
@@ -43,6 +49,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::WordIssue)
       return skipLevel(event, ctx);
+    if (event.kind == EventKind::Assignment)
+      return alarm(event, ctx);
     if (event.kind != EventKind::Code)
       return ofAddress(event, ctx);
     if (ctx.code(event).action == Action::Reset) { // the limits of the machine hold again
@@ -66,6 +74,30 @@ public:
   }
 
 private:
+  double leastAlarm_ = 0, greatestAlarm_ = 0; ///< of the numbers that `#3000` takes
+
+  /// `#3000=5000`: the number of an alarm.
+  void alarm(const Event &event, RuleContext &ctx) const {
+    constexpr int64_t alarms = 3000;
+    if (event.variable() != alarms)
+      return;
+    for (const Item &item : ctx.block().items) {
+      if (item.kind != ItemKind::Assignment || item.value == noExpression ||
+          int64_t(ctx.block().keyOf(item.target)) != alarms)
+        continue;
+      const Value value = evaluate(ctx.block(), item.value, ctx.before(), nullptr);
+      if (!value.isConstant() ||
+          (value.number.value() >= leastAlarm_ && value.number.value() <= greatestAlarm_))
+        return;
+      const SourceRange range = ctx.range(item);
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("`{0}`: the number of an alarm is from {1} to {2}", ctx.text(range),
+                     shortNumber(leastAlarm_), shortNumber(greatestAlarm_));
+      return;
+    }
+  }
+
   /// What the address takes whatever is beside it.
   static void ofAddress(const Event &event, RuleContext &ctx) {
     const AddressInfo &address = ctx.dialect().addresses[event.word->address];

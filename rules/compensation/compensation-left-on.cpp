@@ -23,6 +23,8 @@ public:
     to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
                  EventKind::CycleRun, EventKind::Block, EventKind::FlowIssue});
     to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
+    if (to.dialect().facts->compensation.offAtStops)
+      to.onAction({Action::ProgramStop, Action::OptionalStop});
     if (!to.dialect().isLathe())
       to.onMoves({MotionKind::Rapid});
     if (to.dialect().facts->tools.cuttingEdges)
@@ -38,7 +40,11 @@ public:
       atProfileEnd(event, ctx);
       return;
     case EventKind::Code:
-      onceMore(event, ctx);
+      if (ctx.code(event).action == Action::ProgramStop ||
+          ctx.code(event).action == Action::OptionalStop)
+        leftOn(event, "the program stops", Severity::Warning, ctx);
+      else
+        onceMore(event, ctx);
       return;
     case EventKind::Motion:
       memory().retracted |= isRetract(ctx);

@@ -1,5 +1,5 @@
 // A cycle takes a value that was meant for another one.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
 
 #include <map>
@@ -23,7 +23,8 @@ public:
     kept_ = to.dialect().facts->cycles.valuesInVariables;
     to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
-      return llvm::any_of(code.words, [](const WordSpec &w) { return w.variable; }) ||
+      return llvm::any_of(code.words,
+                          [](const WordSpec &w) { return w.variable || w.role == Role::Shift; }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -33,6 +34,7 @@ public:
       return assigned(ctx.block().items[event.item()], ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
+    shiftFromPeck(event, code, ctx);
     for (const WordSpec &spec : code.words) {
       if (!spec.variable)
         continue;
@@ -61,6 +63,23 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-stale-parameter"};
+
+  /// A bore shifts its tool by the word that the cycle before it has left for its pecks.
+  static void shiftFromPeck(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const AddressMask shift = addressesOf(code, Role::Shift);
+    const CodeInfo *active = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
+    if (code.action != Action::Cycle || !shift || ctx.block().hasAny(shift) || !active ||
+        active->action != Action::Cycle || !(addressesOf(*active, Role::Peck) & shift))
+      return;
+    const auto peck = kept(ctx.before(), *active, Role::Peck);
+    if (!peck || *peck == 0)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` shifts the tool by the pecks of `{1}`, {2}: its block gives no shift",
+                   code.name, active->name, *peck);
+  }
+
   /// A value that a block of its own gives is meant for whatever comes.
   void assigned(const Item &item, RuleContext &ctx) const {
     const auto meant = item.kind == ItemKind::Assignment

@@ -12,8 +12,10 @@ public:
   void listen(Subscriptions &to) override {
     words_ = to.dialect().facts->program.callsTakeNoWords;
     to.on({EventKind::FlowIssue, EventKind::Syntax, EventKind::Statement});
+    to.onNotices("flow-argument-mismatch");
     to.onCode([](const CodeInfo &code) {
-      return code.arguments || llvm::any_of(code.words, [](const WordSpec &w) { return w.text; });
+      return code.arguments || isMacro(code) ||
+             llvm::any_of(code.words, [](const WordSpec &w) { return w.text; });
     });
   }
 
@@ -48,6 +50,28 @@ public:
   }
 
 private:
+  static bool isMacro(const CodeInfo &code) {
+    return code.letter == 'G' &&
+           (code.action == Action::MacroCall || code.action == Action::MacroModal);
+  }
+
+  /// The number of a macro and its repeats are no arguments: each is there once.
+  static void repeated(RuleContext &ctx) {
+    const Block &block = ctx.block();
+    for (const char letter : {'P', 'L'}) {
+      if (!(block.repeated & maskOf(letter)))
+        continue;
+      const Word *first = block.find(letter);
+      const Word *again = llvm::find_if(
+          block.words, [&](const Word &w) { return &w != first && w.address == first->address; });
+      if (auto finding = ctx.report(*again))
+        finding
+            .message("`{0}` is a second {1}, which is no argument of a macro", ctx.text(*again),
+                     letter)
+            .note(ctx.range(*first), "the first one");
+    }
+  }
+
   /// Axis words in the block of a call that takes none.
   void wordsBeside(const Item &item, RuleContext &ctx) const {
     const Word *word = ctx.block().findAny(ctx.dialect().axisWords);
@@ -65,6 +89,9 @@ private:
   static void atCode(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const Block &block = ctx.block();
+    ctx.reportNotices("flow-argument-mismatch", event);
+    if (isMacro(code))
+      repeated(ctx);
     if (code.arguments)
       if (const Word *further = block.argument(code.arguments + 1u))
         if (auto finding = ctx.report(*further))

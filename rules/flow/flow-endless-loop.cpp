@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
 #include <set>
@@ -16,7 +17,10 @@ struct FlowEndlessLoopMemory {
 
 class FlowEndlessLoop final : public StatefulRule<FlowEndlessLoopMemory> {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::FlowIssue, EventKind::Statement});
+    restarts_ = to.dialect().facts->program.returnRestarts;
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement) {
@@ -31,13 +35,16 @@ public:
         return whileTrue(ctx.block().items[index - 1], item, ctx);
       return backwards(item, ctx);
     }
-    if (event.flowIssue() != FlowIssue::EndlessLoop)
+    if (event.flowIssue() != FlowIssue::EndlessLoop ||
+        (restarts_ && ctx.outcome().flow.kind == FlowKind::Return))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");
   }
 
 private:
+  bool restarts_ = false; ///< a return code of a main program begins the next part
+
   /// A choice that leads back, over blocks that write nothing of what it looks at and lead nowhere
   /// else.
   void backwards(const Item &item, RuleContext &ctx) const {

@@ -11,7 +11,7 @@ public:
       if (code.cancelsCalls) {
         cancel_ = code.name;
         ofCycles_ = code.action == Action::CycleCancel;
-        to.on({EventKind::ProgramEnd, EventKind::ToolChange});
+        to.on({EventKind::ProgramEnd, EventKind::ToolChange, EventKind::Return});
         return;
       }
   }
@@ -32,7 +32,7 @@ public:
           .message(
               "a modal call is still on {0}: every move from here on runs it again; `{1}` ends "
               "it",
-              event.kind == EventKind::ProgramEnd ? "at the program's end" : "at this tool change",
+              event.kind == EventKind::ToolChange ? "at this tool change" : "at the program's end",
               cancel_)
           .note(begins(state, cycle), "the modal call begins here")
           .fix(FixSafety::Unsafe, "insert " + cancel_ + " before this block",

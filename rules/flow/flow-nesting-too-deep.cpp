@@ -1,6 +1,7 @@
 // Calls inside calls go deeper than the control can follow.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -11,7 +12,12 @@ struct FlowNestingTooDeepMemory {
 
 class FlowNestingTooDeep final : public StatefulRule<FlowNestingTooDeepMemory> {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::FlowIssue, EventKind::Statement}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::FlowIssue, EventKind::Statement});
+    macros_ = to.dialect().facts->limits.macroDepth;
+    if (macros_)
+      to.onAction({Action::MacroCall});
+  }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     const unsigned most = ctx.dialect().limits.structureDepth;
@@ -44,6 +50,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Code)
+      return macro(event, ctx);
     if (event.kind == EventKind::Statement) {
       memory().structures |= ctx.block().items[event.item()].kind == ItemKind::Structure;
       return;
@@ -65,6 +73,19 @@ public:
   }
 
 private:
+  unsigned macros_ = 0; ///< levels of macros; 0: those of all calls
+
+  /// Levels of macros are counted apart from those of subprograms.
+  void macro(const Event &event, RuleContext &ctx) const {
+    unsigned level = 1;
+    for (const CallSite *call = ctx.caller(); call; call = call->before)
+      level += call->macro;
+    if (level != macros_ + 1)
+      return;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` is level {1} of macros, the control follows {2}: it stops here",
+                      ctx.text(*event.word), level, macros_);
+  }
 };
 
 } // namespace

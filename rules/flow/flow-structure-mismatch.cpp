@@ -9,6 +9,7 @@ namespace {
 
 struct FlowStructureMismatchMemory {
   bool repeats = false;
+  bool loops = false; ///< a loop with a number was executed
 };
 
 class FlowStructureMismatch final : public StatefulRule<FlowStructureMismatchMemory> {
@@ -16,6 +17,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::FlowIssue, EventKind::Statement});
     to.onAction({Action::ModesRestored});
+    loopNumbers_ = to.dialect().facts->limits.loopNumbers;
     nest_ = to.dialect().facts->program.repeatsNest;
   }
 
@@ -23,7 +25,9 @@ public:
     if (event.kind == EventKind::Code)
       return restores(event, ctx);
     if (event.kind == EventKind::Statement) {
-      memory().repeats |= ctx.block().items[event.item()].kind == ItemKind::Repeat;
+      const ItemKind kind = ctx.block().items[event.item()].kind;
+      memory().repeats |= kind == ItemKind::Repeat;
+      memory().loops |= kind == ItemKind::While || kind == ItemKind::Do;
       return;
     }
     if (event.flowIssue() == FlowIssue::RepeatOverlap) {
@@ -63,6 +67,9 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
+    if (loopNumbers_ && memory().loops)
+      for (const ProgramInfo &program : file.index.programs())
+        numbers(program, file, ctx);
     if (!memory().repeats)
       return;
     const std::vector<RepeatedSection> sections = repeatedSections(file.index);
@@ -75,6 +82,35 @@ public:
   }
 
 private:
+  unsigned loopNumbers_ = 0; ///< greatest number of a loop; 0: any
+
+  /// Numbers of loops: the control has some, and each may be in use once.
+  void numbers(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
+    std::vector<unsigned> open;
+    for (const Block &block : blocks(file.reader, program.body, program.end)) {
+      for (const Item &item : block.items) {
+        if (item.kind == ItemKind::End) {
+          const auto last = std::find(open.rbegin(), open.rend(), item.loop);
+          if (last != open.rend())
+            open.erase(std::next(last).base(), open.end());
+          continue;
+        }
+        if ((item.kind != ItemKind::While && item.kind != ItemKind::Do) || item.loop == 0)
+          continue;
+        const bool used = llvm::is_contained(open, item.loop);
+        open.push_back(item.loop);
+        if (!used && item.loop <= loopNumbers_)
+          continue;
+        const SourceRange range{file.source.id(), item.begin, item.end};
+        if (auto finding = ctx.report(range))
+          finding.message(used ? "the loop of `{0}` is inside another with the same number: the "
+                                 "control stops with an alarm"
+                               : "`{0}`: the control has loops 1 to {1} and stops with an alarm",
+                          ctx.text(range), loopNumbers_);
+      }
+    }
+  }
+
   /// Whether the bracket is one whose body always runs.
   static bool loops(const RuleContext &ctx) {
     return ctx.block().items[size_t(ctx.outcome().flow.item)].structure == Structure::Repeat;

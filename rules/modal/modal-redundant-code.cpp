@@ -11,6 +11,8 @@ public:
   void listen(Subscriptions &to) override {
     wanted_ = to.flag("wanted");
     neverCalled_ = to.flag("cycleOff");
+    if (to.flag("macroOff"))
+      to.onAction({Action::MacroCancel});
     if (wanted_)
       to.onAction({Action::CompensationOff});
     if (wanted_ || neverCalled_)
@@ -36,6 +38,8 @@ public:
     }
     ctx.reportNotices(id, event);
     const Action action = ctx.code(event).action;
+    if (action == Action::MacroCancel)
+      return macroOff(event, ctx);
     if (action == Action::CycleCancel) {
       if (wanted_)
         cycleOffAgain(event, ctx);
@@ -134,6 +138,20 @@ private:
     if (auto finding = ctx.report(*feed))
       finding.severity(Severity::Style)
           .message("F does nothing in a rapid move: it counts from the next feed move on");
+  }
+
+  /// A modal call of a macro is ended and none was begun.
+  static void macroOff(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (ctx.callDepth() > 0 || before.callsModally() != Truth::No || !before.must(Fact::Moved) ||
+        before.may(Fact::UnknownCode) || isSafeLine(ctx))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.group != noGroup && before.mayBeStated(code.group))
+      return; // one was on before
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Style)
+          .message("`{0}`: no modal call is active", ctx.text(*event.word));
   }
 
   /// Advice: a cycle is cancelled and none was called.

@@ -1,6 +1,5 @@
 // A block number that occurs twice in a program.
-#include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/facts/data_sections.h"
 
 namespace ncvet {
 namespace {
@@ -22,11 +21,13 @@ private:
     const llvm::ArrayRef<NumberedBlock> numbers = file.index.numbers(program);
     const NumberedBlock *plain = nullptr, *plainFirst = nullptr;
     size_t others = 0;
+    DataSections data(program, file.reader, ctx.dialect());
     for (size_t i = 1; i < numbers.size(); ++i) {
       if (numbers[i].number != numbers[i - 1].number)
         continue;
       const NumberedBlock &first = numbers[i - 1], &again = numbers[i];
-      if (isPhase(first, file, ctx) || isPhase(again, file, ctx))
+      if (isPhase(first, file, ctx) || isPhase(again, file, ctx) || data.holds(first.offset) ||
+          data.holds(again.offset))
         continue;
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
         if (i > 1 && numbers[i - 2].number == again.number) // once for each number
@@ -75,10 +76,20 @@ private:
         const Word *word = block.find(letter);
         return word && word->isNumber() && int64_t(word->value()) == again.number;
       };
-      if ((names('P') || names('Q')) && findCode(dialect, block, {Action::Cycle}))
+      if ((names('P') || names('Q')) && llvm::any_of(codesOf(dialect, block), [&](CodeIndex code) {
+            return readsProfile(dialect.codes[code], dialect);
+          }))
         return true;
     }
     return false;
+  }
+
+  /// Whether the code, or a variant of it, works along blocks that two of its words name.
+  static bool readsProfile(const CodeInfo &code, const Dialect &dialect) {
+    return addressesOf(code, Role::ProfileFirst) ||
+           llvm::any_of(code.variants, [&](const auto &variant) {
+             return addressesOf(dialect.codes[variant.code], Role::ProfileFirst) != 0;
+           });
   }
 
   /// `:20` where that begins a phase of the program, which is found by a number of its own.

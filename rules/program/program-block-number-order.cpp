@@ -1,5 +1,6 @@
-// Block numbers that do not ascend, or are not first in their block.
-#include "analyzer/rule/rule.h"
+// Block numbers that do not ascend, are not first in their block, or are none of the control's.
+#include "analyzer/facts/data_sections.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -13,6 +14,7 @@ public:
     to.on(EventKind::WordIssue);
     if (to.dialect().lexical.blocksSpanLines)
       to.on(EventKind::Block);
+    digits_ = to.dialect().facts->limits.blockDigits;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -38,11 +40,40 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
-    for (const ProgramInfo &program : file.index.programs())
+    for (const ProgramInfo &program : file.index.programs()) {
       ascending(program, file, ctx);
+      if (digits_)
+        range(program, file, ctx);
+    }
   }
 
 private:
+  unsigned digits_ = 0; ///< most digits of a block number; 0: any
+
+  /// The first number that the control does not take.
+  void range(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
+    int64_t greatest = 9;
+    for (unsigned i = 1; i < digits_; ++i)
+      greatest = greatest * 10 + 9;
+    // Sorted by number: what is out of range is at one of the ends.
+    const llvm::ArrayRef<NumberedBlock> numbers = file.index.numbers(program);
+    if (numbers.empty() || (numbers.front().number > 0 && numbers.back().number <= greatest))
+      return;
+    DataSections data(program, file.reader, ctx.dialect());
+    for (const NumberedBlock &block : numbers) {
+      if ((block.number > 0 && block.number <= greatest) || data.holds(block.offset))
+        continue;
+      const SourceRange where = numberAt(block, file);
+      if (auto finding = ctx.report(where))
+        finding.severity(block.number > 0 ? std::optional(Severity::Warning) : std::nullopt)
+            .message(block.number > 0 ? "`{0}` has more than {1} digits: the control does not take "
+                                        "it as a block number"
+                                      : "`{0}`: the control has no block number 0",
+                     ctx.text(where), digits_);
+      return;
+    }
+  }
+
   /// Where a number begins a block wherever it is, one after other words hides it.
   static void beginsInside(RuleContext &ctx) {
     const llvm::StringRef text = ctx.source().text();
@@ -63,15 +94,17 @@ private:
   static void ascending(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     const NumberedBlock *last = nullptr;
     const bool phases = ctx.dialect().keyword(":N") != noCode;
+    DataSections data(program, file.reader, ctx.dialect());
     for (const NumberedBlock &block : file.index.numbersAsWritten(program)) {
       if (phases && isPhase(block, file))
         continue;
       const bool descends = last && block.number < last->number;
       const bool begins = descends && last->number >= wrapsFrom && block.number < wrapsFrom / 10;
       if (descends && !begins) {
-        if (isLabel(block, file))
+        if (isLabel(block, file) || data.holds(block.offset))
           continue;
-        return report(*last, block, file, ctx);
+        if (!data.holds(last->offset))
+          return report(*last, block, file, ctx);
       }
       if (!file.usedNumbers.empty() && isLabel(block, file))
         continue;
@@ -97,17 +130,18 @@ private:
 
   static void report(const NumberedBlock &before, const NumberedBlock &block,
                      const FileSummary &file, RuleContext &ctx) {
-    const auto numberAt = [&](const NumberedBlock &where) {
-      Block text;
-      file.reader.read(where.offset, text);
-      return SourceRange{file.source.id(), text.numberBegin, text.numberEnd};
-    };
-    if (auto finding = ctx.report(numberAt(block)))
+    if (auto finding = ctx.report(numberAt(block, file)))
       finding
           .message("N{0} comes after N{1}: blocks run in the order of the text, "
                    "not of their numbers",
                    block.number, before.number)
-          .note(numberAt(before), "the higher number");
+          .note(numberAt(before, file), "the higher number");
+  }
+
+  static SourceRange numberAt(const NumberedBlock &where, const FileSummary &file) {
+    Block text;
+    file.reader.read(where.offset, text);
+    return {file.source.id(), text.numberBegin, text.numberEnd};
   }
 };
 

@@ -11,12 +11,16 @@ public:
     if (llvm::any_of(to.dialect().codes,
                      [](const CodeInfo &c) { return c.action == Action::Reset; }))
       to.onAction({Action::Reset});
+    if (to.flag("numberFirst"))
+      to.onChange({EventKind::Block});
     hasHead_ = llvm::any_of(to.dialect().codes,
                             [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
   }
 
   /// A reset opens the program; a numbered one begins a new phase of it.
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Block)
+      return numberInside(ctx);
     if (ctx.block().mainBlock)
       return;
     if (ctx.callDepth() > 0) {
@@ -44,6 +48,20 @@ public:
   }
 
 private:
+  /// `G21 O1001`: the number opens no program.
+  static void numberInside(RuleContext &ctx) {
+    const Word *number = ctx.block().find('O');
+    if (!number || !number->isNumber() || !ctx.block().issues.empty() ||
+        ctx.block().kind == BlockKind::ProgramHeader ||
+        ctx.find({Action::CallProgram, Action::MacroCall, Action::MacroModal, Action::Return,
+                  Action::ProgramEnd, Action::ProgramEndRewind}))
+      return;
+    if (auto finding = ctx.report(*number))
+      finding.severity(Severity::Warning)
+          .message("`{0}` comes after other words of its block: it opens no program there",
+                   ctx.text(*number));
+  }
+
   static void check(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     Block block;
     SourceRange head, end;

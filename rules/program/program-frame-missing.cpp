@@ -15,6 +15,7 @@ public:
     to.on(EventKind::ProgramEnd);
     wantsHeader_ = to.flag("header", true);
     wantsReset_ = to.flag("reset");
+    wantsMarks_ = to.flag("tapeMarks");
     wantsEndMark_ = to.flag("endMark", to.dialect().lexical.percentHeader);
     percent_ = to.dialect().lexical.percentHeader;
   }
@@ -46,6 +47,8 @@ public:
       header(first, file, ctx);
     if (wantsEndMark_)
       endMark(*end, file, ctx);
+    if (wantsMarks_ && file.index.tapeMarks().empty())
+      tapeMarks(first, file, ctx);
   }
 
 private:
@@ -72,6 +75,22 @@ private:
         return &code;
     return nullptr;
   }
+
+  /// No `%` at either end.
+  static void tapeMarks(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    for (const Block &block : blocks(file.reader, program.begin, program.end)) {
+      if (block.kind == BlockKind::Empty)
+        continue;
+      const uint32_t end = block.headerEnd ? block.headerEnd : block.end;
+      if (auto finding = ctx.report(SourceRange{file.source.id(), block.begin, end}))
+        finding.severity(Severity::Style)
+            .text("the file has no line `%` at either end: a transfer does not know where the "
+                  "programs begin and end");
+      return;
+    }
+  }
+
+  bool wantsMarks_ = false;
 
   void header(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
     for (const Block &block : blocks(file.reader, program.begin, program.end)) {

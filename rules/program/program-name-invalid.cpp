@@ -20,6 +20,7 @@ public:
     percent_ = to.dialect().lexical.percentHeader;
     nameLength_ = size_t(to.number("fileNameLength", 0));
     ending_ = to.flag("fileEnding");
+    numbersFromOne_ = to.flag("fromOne");
     labelLength_ = size_t(to.dialect().facts->limits.longestLabel);
   }
 
@@ -241,7 +242,8 @@ private:
           .message("this file is called as a subprogram, and its ending is `.{0}`", ending);
   }
 
-  size_t names_ = 0; ///< most characters of a program's name; 0: programs have numbers
+  bool numbersFromOne_ = false; ///< 0 is no number of a program
+  size_t names_ = 0;            ///< most characters of a program's name; 0: programs have numbers
 
   /// `<NAME>` as a program's header.
   static void bracketed(llvm::StringRef text, SourceRange range, RuleContext &ctx) {
@@ -272,6 +274,11 @@ private:
     if (!letter || digits.empty() || !rest.empty()) {
       if (auto finding = ctx.report(range))
         finding.message("`{0}` is no program number: {1}", text, wanted());
+    } else if (program.number == 0 && numbersFromOne_) {
+      if (auto finding = ctx.report(range))
+        // (CAM systems write `O0000` where the number is given at the panel)
+        finding.severity(digits.size() < 4 ? std::nullopt : std::optional(Severity::Style))
+            .message("`{0}`: the control has no program number 0", text);
     } else if (digitsMax_ && digits.size() > digitsMax_) {
       if (auto finding = ctx.report(range))
         finding.message("`{0}` has {1} digits: {2}", text, digits.size(), wanted());

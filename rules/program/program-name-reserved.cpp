@@ -1,4 +1,5 @@
 // A program number that belongs to the control.
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 
@@ -9,6 +10,7 @@ class ProgramNameReserved final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     reserved_ = to.dialect().limits.reservedPrograms;
+    protected_ = to.dialect().limits.protectedPrograms;
     if (!to.dialect().hiddenPrograms.empty()) {
       to.on(EventKind::Statement);
       to.onCode([](const CodeInfo &code) { return code.isProgram; });
@@ -44,6 +46,8 @@ public:
     if (!ctx.dialect().keywords.empty())
       return named(file, ctx);
     for (const ProgramInfo &program : file.index.programs()) {
+      if (protected_ && program.hasHeader())
+        ofBuilder(program, file, ctx);
       if (!program.hasHeader() || !llvm::is_contained(reserved_, int(program.number)))
         continue;
       if (auto finding =
@@ -54,6 +58,28 @@ public:
   }
 
 private:
+  int64_t protected_ = 0; ///< from here on numbers of four digits are the builder's; 0: none are
+
+  /// A main program with a number under which machines keep and protect macros.
+  void ofBuilder(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
+    constexpr int64_t last = 9999;
+    constexpr size_t readable = 4u << 20; // a program that long was made by a machine
+    if (program.number < protected_ || program.number > last ||
+        program.end - program.body > readable)
+      return;
+    for (const Block &block : blocks(file.reader, program.body, program.end)) {
+      if (!block.has(letterAddress('M')) ||
+          !findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind}))
+        continue;
+      if (auto finding =
+              ctx.report(SourceRange{file.source.id(), program.headerBegin, program.headerEnd}))
+        finding.severity(Severity::Style)
+            .message("O{0} is a main program: machines keep macros from O{1} on, and protect them",
+                     program.number, protected_);
+      return;
+    }
+  }
+
   /// A variable with the name of one of the control's codes or cycles.
   static void variable(const Item &definition, RuleContext &ctx) {
     const SourceRange where{ctx.source().id(), definition.nameBegin, definition.nameEnd};

@@ -31,6 +31,8 @@ public:
     if (file.index.programs().size() < 2)
       return;
     for (const ProgramInfo &program : file.index.programs()) {
+      if (program.hasHeader() && program.number < 0 && ctx.dialect().lexical.namedPrograms)
+        named(program, file, ctx);
       if (!program.hasHeader() || program.number < 0)
         continue;
       const ProgramInfo *first = file.index.find(program.number);
@@ -51,6 +53,27 @@ public:
   }
 
 private:
+  /// `<NAME>` twice.
+  static void named(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    const auto headerOf = [&](const ProgramInfo &p) {
+      return SourceRange{file.source.id(), p.headerBegin, p.headerEnd};
+    };
+    const llvm::StringRef name = ctx.text(headerOf(program)).trim();
+    for (const ProgramInfo &first : file.index.programs()) {
+      if (&first == &program)
+        return;
+      if (!first.hasHeader() || first.number >= 0 || ctx.text(headerOf(first)).trim() != name)
+        continue;
+      if (auto finding = ctx.report(headerOf(program)))
+        finding
+            .message("a second program `{0}` in this file: one overwrites the other, calls find "
+                     "one of them",
+                     name)
+            .note(headerOf(first), "the first one");
+      return;
+    }
+  }
+
   /// Advice: a control's memory holds a number once, folders of a computer several times. The first
   /// file tells of the others.
   static void filesBeside(const FileSummary &file, RuleContext &ctx) {

@@ -13,13 +13,28 @@ class SyntaxError final : public StatefulRule<SyntaxErrorMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
-    if (to.dialect().facts->text.oneSeparator)
+    const ControlFacts &facts = *to.dialect().facts;
+    oneSeparator_ = facts.text.oneSeparator;
+    statementsAlone_ = facts.text.statementsAlone;
+    loopsAlone_ = facts.text.loopsAlone;
+    if (oneSeparator_ || statementsAlone_ || loopsAlone_)
       to.on(EventKind::Statement);
+    brackets_ = facts.limits.bracketDepth;
+    if (brackets_)
+      to.onChange({EventKind::Block});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::Statement)
-      return separators(ctx.block().items[event.item()], ctx);
+    if (event.kind == EventKind::Block)
+      return depth(ctx);
+    if (event.kind == EventKind::Statement) {
+      const Item &item = ctx.block().items[event.item()];
+      if (oneSeparator_)
+        separators(item, ctx);
+      if (statementsAlone_ || loopsAlone_)
+        besideWords(item, ctx);
+      return;
+    }
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     if (ctx.block().repeatsIssue(event.issue()))
       return;
@@ -60,6 +75,52 @@ public:
   }
 
 private:
+  bool oneSeparator_ = false;
+  bool statementsAlone_ = false; ///< no words beside assignments, jumps and loops
+  bool loopsAlone_ = false;      ///< no words beside the brackets of loops
+  unsigned brackets_ = 0;        ///< brackets in each other that the control takes; 0: any number
+
+  /// A statement among words: the control takes the one or the other.
+  void besideWords(const Item &item, RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    const bool loop =
+        item.kind == ItemKind::While || item.kind == ItemKind::Do || item.kind == ItemKind::End;
+    const bool other = item.kind == ItemKind::Assignment || item.kind == ItemKind::Jump;
+    if (block.words.empty() || !block.issues.empty() || !(loop || (other && statementsAlone_)))
+      return;
+    const SourceRange range = ctx.range(item);
+    if (auto finding = ctx.report(range))
+      finding.severity(statementsAlone_ ? std::nullopt : std::optional(Severity::Warning))
+          .message("`{0}` shares its block with words: the control takes statements in blocks of "
+                   "their own",
+                   ctx.text(range));
+  }
+
+  /// More brackets in each other than the control follows. Those that a condition needs do not
+  /// count.
+  void depth(RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    for (const Expression &expression : block.expressions) {
+      const llvm::StringRef text = ctx.text(ctx.range(expression));
+      const bool condition = llvm::any_of(block.items, [&](const Item &item) {
+        return item.condition != noExpression && &block.expressions[item.condition] == &expression;
+      });
+      const unsigned most = brackets_ + condition;
+      unsigned open = 0;
+      for (size_t i = 0; i < text.size(); ++i) {
+        open += text[i] == '[';
+        open -= text[i] == ']' && open;
+        if (open <= most)
+          continue;
+        const auto at = uint32_t(expression.begin + i);
+        if (auto finding = ctx.report(SourceRange{ctx.source().id(), at, at + 1}))
+          finding.message("a bracket inside {0} others: the control follows {1}", open - 1,
+                          brackets_);
+        return;
+      }
+    }
+  }
+
   /// Arguments of one instruction that are separated by `;` and by `,`.
   static void separators(const Item &item, RuleContext &ctx) {
     char first = 0;

@@ -9,6 +9,7 @@ class SyntaxIncompleteWord final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
+    noBareAxes_ = to.dialect().facts->text.noBareAxes;
     limitAxes_ = to.dialect().facts->text.bareAxesOfLimits;
   }
 
@@ -46,12 +47,14 @@ private:
       const AddressMask mask = maskOf(word.address);
       return !(ctx.dialect().known & mask) ||
              ((ctx.dialect().axisWords & mask) &&
-              (ctx.find({Action::ReferenceReturn}) || (limitAxes_ && ctx.find({Action::ZoneOn}))));
+              ((!noBareAxes_ && ctx.find({Action::ReferenceReturn})) ||
+               (limitAxes_ && ctx.find({Action::ZoneOn}))));
     }
     return false;
   }
 
-  bool limitAxes_ = false; ///< `G25 X Y` gives the limits of these axes up
+  bool limitAxes_ = false;  ///< `G25 X Y` gives the limits of these axes up
+  bool noBareAxes_ = false; ///< a reference return does not take axis letters alone
 };
 
 } // namespace

@@ -9,10 +9,14 @@ class SyntaxMalformedNumber final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
+    if (to.dialect().facts->text.noMinusAtNumbers)
+      to.on({EventKind::ToolWord, EventKind::SpeedWord, EventKind::OffsetWord});
     tight_ = to.dialect().facts->text.noBlanksInWords;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind != EventKind::Syntax)
+      return signedNumber(*event.word, ctx);
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     SourceRange range = ctx.range(issue);
     const Block &block = ctx.block();
@@ -84,6 +88,14 @@ private:
                   FixSafety::Unsafe, "take the blank away",
                   ctx.replace(range, (word.take_front(1) + word.drop_front(1).ltrim(" \t")).str()));
       }
+  }
+
+  /// `T-1`: what is counted has no sign.
+  static void signedNumber(const Word &word, RuleContext &ctx) {
+    if (!word.isNumber() || !word.has(wordMinus))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}`: a minus at a number that takes no sign", ctx.text(word));
   }
 
   bool tight_ = false; ///< numbers are right after their addresses

@@ -6,6 +6,7 @@ namespace ncvet {
 namespace {
 
 struct SyntaxUnclosedCommentMemory {
+  bool marked = false; ///< a comment with a % was told
   OncePerCause once;
 };
 
@@ -13,10 +14,14 @@ class SyntaxUnclosedComment final : public StatefulRule<SyntaxUnclosedCommentMem
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::Syntax);
+    if (to.dialect().facts->text.tapeMarkInComments)
+      to.onChange({EventKind::Block});
     nestedStops_ = to.dialect().facts->text.noNestedComments;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Block)
+      return tapeMark(ctx);
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     const SourceRange range = ctx.range(issue);
     switch (issue.kind) {
@@ -59,6 +64,19 @@ public:
   }
 
 private:
+  /// A `%` in a comment, the first of the file.
+  void tapeMark(RuleContext &ctx) const {
+    for (const Comment &comment : ctx.block().comments) {
+      const size_t at = ctx.text(ctx.range(comment)).find('%');
+      if (at == llvm::StringRef::npos || std::exchange(memory().marked, true))
+        continue;
+      const auto begin = uint32_t(comment.begin + at);
+      if (auto finding = ctx.report(SourceRange{ctx.source().id(), begin, begin + 1}))
+        finding.severity(Severity::Warning)
+            .text("a `%` inside a comment: it ends the transfer of the program there");
+    }
+  }
+
   bool nestedStops_ = false; ///< the control stops at a `(` inside a comment
 };
 

@@ -1,6 +1,9 @@
 // A name that the control does not know and the program does not define.
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/instruction_name.h"
+#include "formats/dialect/control_facts.h"
+
+#include "llvm/ADT/StringExtras.h"
 
 #include <set>
 
@@ -19,6 +22,9 @@ public:
       to.onAction({Action::DefineElement});
       to.onChange({EventKind::Block});
     }
+    lacks_ = to.dialect().facts->variables.lacksFunctions;
+    if (!lacks_.empty())
+      to.onChange({EventKind::Block});
     if (to.dialect().keywords.empty())
       return;
     for (const CodeInfo &code : to.dialect().codes)
@@ -42,6 +48,8 @@ public:
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
     if (event.kind == EventKind::UnsetRead)
       return event.certain ? undefinedRead(event, ctx) : void();
+    if (event.kind == EventKind::Block && !lacks_.empty())
+      functions(ctx);
     if (event.kind == EventKind::Block || event.kind == EventKind::Code)
       return element(ctx);
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
@@ -72,6 +80,25 @@ public:
   }
 
 private:
+  std::vector<std::string> lacks_; ///< functions that the control lacks
+
+  /// `FUP[#1]` where the control has no such function.
+  void functions(RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    for (const ExpressionOp &op : block.operations) {
+      const llvm::StringRef name =
+          ctx.source().text(op.offset, block.end).take_while(llvm::isAlpha);
+      if (name.size() < 2 || llvm::none_of(lacks_, [&](const std::string &one) {
+            return name.equals_insensitive(one);
+          }))
+        continue;
+      const SourceRange range{ctx.source().id(), op.offset, op.offset + uint32_t(name.size())};
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("`{0}` is no function of this control", ctx.text(range));
+    }
+  }
+
   /// A value for a name that a main program does not define. What it is called by may have defined
   /// it, and so may the machine's own definitions.
   void undefined(const Event &event, RuleContext &ctx) const {

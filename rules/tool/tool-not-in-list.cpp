@@ -9,6 +9,7 @@ class ToolNotInList final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::ToolWord);
+    greatest_ = to.number("greatestOffset", 0);
     // Offsets that belong to tools have numbers of their own, or those of tools.
     ofTools_ = to.dialect().offsetsOfTool && cutterOfBlock(to.dialect());
     if (!to.dialect().offsetsOfTool || ofTools_)
@@ -16,6 +17,13 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (greatest_ > 0 && event.kind == EventKind::OffsetWord && event.wordValue().lo > greatest_) {
+      if (auto finding = ctx.report(*event.word))
+        finding.severity(Severity::Error)
+            .message("`{0}`: the control has {1} offsets and stops with an alarm",
+                     ctx.text(*event.word), int(greatest_));
+      return;
+    }
     if (!ctx.machine().hasTools || !event.wordValue().isConstant() ||
         event.wordValue().value() < 0 || event.wordValue().value() > 1e8)
       return;
@@ -56,6 +64,7 @@ private:
     return true;
   }
 
+  double greatest_ = 0;  ///< number of the last offset; 0: not known
   bool ofTools_ = false; ///< the number of an offset is that of a tool
 };
 

@@ -15,6 +15,7 @@ public:
     faceXForbidden_ = to.dialect().facts->turning.faceStartsInZ;
     undercutNeedsZ_ = to.dialect().facts->turning.pocketsNeedZ;
     finish_ = to.dialect().facts->turning.finishNeedsLineFirst;
+    bothAxesFirst_ = to.dialect().facts->turning.bothAxesFirst;
     mustMove_ = to.dialect().facts->turning.firstBlockMoves;
   }
 
@@ -105,7 +106,7 @@ private:
     const Profile &profile = work.way.profile;
     const bool hasX = work.moves(Axis::X), hasZ = work.moves(Axis::Z);
     const ShapeBreak undercut = undercutOf(ctx, profile);
-    if (hasX && hasZ && !undercut.found && undercut.decided && work.way.always) {
+    if (!bothAxesFirst_ && hasX && hasZ && !undercut.found && undercut.decided && work.way.always) {
       if (auto finding = work.report(ctx))
         finding
             .message(
@@ -125,8 +126,9 @@ private:
   }
 
   bool codeRequired_ = false, startsInX_ = false, faceXForbidden_ = false, undercutNeedsZ_ = false;
-  bool finish_ = false;   ///< a finishing cycle asks the same of its first block
-  bool mustMove_ = false; ///< the first block has to move
+  bool finish_ = false;        ///< a finishing cycle asks the same of its first block
+  bool bothAxesFirst_ = false; ///< both axes are allowed for any contour
+  bool mustMove_ = false;      ///< the first block has to move
 };
 
 } // namespace

@@ -15,9 +15,14 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().facts->variables.sharedByPrograms)
       to.on(EventKind::CallReturned);
+    ofMacros_ = to.dialect().facts->variables.ofMacros;
+    if (!ofMacros_.empty())
+      to.on(EventKind::Assignment);
   }
 
-  void on(const Event &, RuleContext &ctx) const override {
+  void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Assignment)
+      return written(event, ctx);
     const MachineState &before = ctx.before(), &after = ctx.after();
     if (ctx.outcome().flow.kind != FlowKind::CallNamed || after.may(Fact::UnknownCode))
       return;
@@ -47,6 +52,31 @@ public:
   }
 
 private:
+  std::vector<int> ofMacros_; ///< first and last number of each range that macros write
+
+  /// A variable in which the machine's own macros keep their values.
+  void written(const Event &event, RuleContext &ctx) const {
+    constexpr int64_t firstOfMachine = 9000;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (program.hasHeader() && program.number >= firstOfMachine)
+      return;
+    for (size_t i = 0; i + 1 < ofMacros_.size(); i += 2) {
+      if (event.variable() < ofMacros_[i] || event.variable() > ofMacros_[i + 1])
+        continue;
+      for (const Item &item : ctx.block().items) {
+        if (item.kind != ItemKind::Assignment ||
+            int64_t(ctx.block().keyOf(item.target)) != event.variable())
+          continue;
+        const SourceRange range{ctx.source().id(), item.begin, item.nameEnd};
+        if (auto finding = ctx.report(range))
+          finding.severity(Severity::Style)
+              .message("`{0}`: macros of the machine, as those of its probe, write #{1} to #{2}",
+                       ctx.text(range).rtrim(), ofMacros_[i], ofMacros_[i + 1]);
+        return;
+      }
+    }
+  }
+
   /// A variable without a meaning of its own: a letter and a number.
   static bool isNumbered(const ExpressionOp &op, const RuleContext &ctx) {
     const llvm::StringRef text = ctx.source().text(op.offset, op.offset + 2);

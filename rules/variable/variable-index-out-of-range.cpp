@@ -20,6 +20,7 @@ public:
     reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
     reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
     numbered_ = to.dialect().facts->variables.numbered;
+    gaps_ = to.dialect().facts->variables.gaps;
     named_ = greatest_ || to.dialect().lexical.commaSeparates;
     to.on(EventKind::Statement);
     to.onChange({EventKind::Block});
@@ -28,6 +29,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Block && !gaps_.empty())
+      return inGaps(ctx);
     if (event.kind == EventKind::Block)
       return numbered_ ? numbersRead(ctx) : elements(ctx);
     if (event.kind == EventKind::UnsetRead) {
@@ -49,6 +52,40 @@ public:
   }
 
 private:
+  std::vector<int> gaps_; ///< first and last number of each range without variables
+
+  /// `#50`, written or read, where the control has none of that number.
+  void inGaps(RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    const auto look = [&](uint32_t begin, llvm::StringRef digits) {
+      digits = digits.take_while(llvm::isDigit);
+      int64_t index = 0;
+      if (digits.getAsInteger(10, index))
+        return;
+      for (size_t i = 0; i + 1 < gaps_.size(); i += 2) {
+        if (index < gaps_[i] || index > gaps_[i + 1])
+          continue;
+        const SourceRange range{ctx.source().id(), begin, begin + 1 + uint32_t(digits.size())};
+        if (auto finding = ctx.report(range))
+          finding.severity(Severity::Warning)
+              .message("`{0}`: the control has no variables #{1} to #{2}", ctx.text(range),
+                       gaps_[i], gaps_[i + 1]);
+      }
+    };
+    for (const Item &item : block.items)
+      if (item.kind == ItemKind::Assignment && item.nameBegin > item.begin)
+        look(item.begin, ctx.source().text(item.nameBegin, item.nameEnd));
+    for (const ExpressionOp &op : block.operations) {
+      llvm::StringRef digits = ctx.source().text(op.offset, block.end);
+      const bool target = llvm::any_of(block.items, [&](const Item &item) {
+        return item.kind == ItemKind::Assignment && item.begin <= op.offset &&
+               op.offset < item.nameEnd;
+      });
+      if (op.op == Op::Variable && !target && digits.consume_front("#"))
+        look(op.offset, digits);
+    }
+  }
+
   /// `R2050`, one of the control's parameters.
   void parameter(llvm::StringRef name, SourceRange place, RuleContext &ctx) const {
     int64_t index = 0;

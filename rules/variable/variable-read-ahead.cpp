@@ -1,12 +1,23 @@
 // An actual value is read before the moves before it are done.
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/preprocessor_reads.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
 
-class VariableReadAhead final : public Rule {
+struct VariableReadAheadMemory {
+  bool limited = false; ///< the program limits how far the control reads ahead
+};
+
+class VariableReadAhead final : public StatefulRule<VariableReadAheadMemory> {
 public:
   void listen(Subscriptions &to) override {
+    shown_ = to.dialect().facts->variables.shownAhead;
+    if (!shown_.empty()) {
+      to.onChange({EventKind::Block});
+      to.onAction({Action::LookAheadLimit});
+    }
     if (to.dialect().readAhead.empty())
       return;
     to.on(EventKind::Statement);
@@ -14,6 +25,12 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Code) {
+      memory().limited = true;
+      return;
+    }
+    if (event.kind == EventKind::Block && !shown_.empty())
+      places(ctx);
     // A value that is kept is wanted for what it is worth; others may be signals to wait for.
     const bool kept = event.kind == EventKind::Statement &&
                       ctx.block().items[event.item()].kind == ItemKind::Assignment;
@@ -21,6 +38,42 @@ public:
   }
 
 private:
+  std::vector<int> shown_; ///< first and last number of each range that shows places
+
+  /// `#1=#5021` right after a move.
+  void places(RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    if (memory().limited || block.operations.empty())
+      return;
+    for (const ExpressionOp &op : block.operations) {
+      if (op.op != Op::Variable)
+        continue;
+      for (size_t i = 0; i + 1 < shown_.size(); i += 2) {
+        if (op.value < shown_[i] || op.value > shown_[i + 1] || !movedJustBefore(ctx))
+          continue;
+        const llvm::StringRef text = ctx.source().text(op.offset, block.end);
+        const auto length = uint32_t(text.drop_front().take_while(llvm::isDigit).size() + 1);
+        const SourceRange range{ctx.source().id(), op.offset, op.offset + length};
+        if (auto finding = ctx.report(range))
+          finding.severity(Severity::Warning)
+              .message("`{0}` is read while the move before it still runs: `G103 P1` and empty "
+                       "blocks, or a stop, make the control wait",
+                       ctx.text(range));
+        return;
+      }
+    }
+  }
+
+  /// The block before it moves the axes, and no empty line is between.
+  static bool movedJustBefore(const RuleContext &ctx) {
+    Block previous;
+    return readPrevious(ctx, previous) && previous.next == ctx.block().begin &&
+           previous.hasAny(ctx.dialect().axisWords) && previous.items.empty() &&
+           !findCode(ctx.dialect(), previous,
+                     {Action::MacroCall, Action::MacroModal, Action::DataInput,
+                      Action::PresetPosition, Action::LocalShift, Action::ProgramStop});
+  }
+
   static void look(const Expression &value, bool ofAxis, RuleContext &ctx) {
     if (!readsAhead(value, ctx, ofAxis) || !movesBefore(ctx))
       return;

@@ -151,6 +151,8 @@ inline void IsoScanner::addNumber(Word &word, const char *begin) {
   word.length = lengthFrom(begin);
   if (word.address == letterAddress('N') && numbersBlock(word, begin))
     return;
+  if (word.has(wordMinus) && (maskOf('G') | maskOf('M')) & maskOf(word.address))
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
   append(word);
 }
 

@@ -68,6 +68,9 @@ void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
   if (lexical_.macro && at_ < end_ && (opensExpression(at_) || *at_ == '-' || *at_ == '+')) {
     word.mantissa = operand();
     word.flags |= wordExpression;
+    // Where a number names a place of the program it cannot be computed.
+    if (!lexical_.flowWords && (address == letterAddress('N') || address == letterAddress('O')))
+      return issue(SyntaxIssueKind::BadExpression, begin, at_);
     return append(word);
   }
   at_ = begin + (*begin == ',' ? 2 : 1);
