@@ -55,7 +55,7 @@ llvm::SmallVector<MissingWord, 2> missingWords(const RuleContext &ctx, const Eve
       continue;
     if (!holds(spec.when, &code, ctx.conditions()))
       continue;
-    if (givenBefore(spec, ctx.after()) != Truth::No)
+    if (spec.need != Need::Here && givenBefore(spec, ctx.after()) != Truth::No)
       continue; // set by a block before, or who knows
     bool certain = event.certain;
     if (spec.need == Need::First && code.group != noGroup) {
@@ -86,7 +86,7 @@ void reportMissingWords(RuleContext &ctx, const Event &event,
     if (auto finding = ctx.report(event, missing.certain)) {
       const std::string words = missing.spec->any ? ctx.dialect().alternatives(missing.spec->any)
                                                   : "`" + missing.spec->name + "`";
-      const char *const where = missing.spec->variable
+      const char *const where = missing.spec->variable && missing.spec->need != Need::Here
                                     ? "neither its block nor one before gives it a value"
                                     : "its block has none";
       if (missing.spec->note.empty())

@@ -108,6 +108,8 @@ struct Condition {
   uint32_t off = 0;                  ///< switches that certainly are off
   AddressMask before = 0;            ///< one of these is before the code
   AddressMask after = 0;             ///< one of these is after the code
+  AddressMask next = 0;              ///< the word right after the code is one of these
+  AddressMask noneAfter = 0;         ///< none of these is after the code
   std::optional<bool> spindleTurns;  ///< the spindle certainly turns, or does not, before the block
   std::vector<std::string> toolKind; ///< the tool in use is known to be one of these
   std::vector<std::string> otherToolKind; ///< … is known, and none of these
@@ -203,8 +205,9 @@ enum class Naming : uint8_t { None, Define, Use, Drop };
 
 enum class Need : uint8_t {
   Optional,
-  Required, ///< in every block with the code
-  First     ///< in the block that makes the code active; later blocks keep the value
+  Required, ///< in every block with the code; a variable that has a value will do
+  First,    ///< in the block that makes the code active; later blocks keep the value
+  Here      ///< in every block with the code, whatever a variable holds
 };
 
 /// One word of a code's format, or several of which each will do (`X|U`).

@@ -61,6 +61,10 @@ constexpr Field conditionFields[] = {
     field<&Condition::before>("before", addresses, "one of these words is before the code",
                               "\"F\""),
     field<&Condition::after>("after", addresses, "one of these words is after the code", "\"F\""),
+    field<&Condition::next>("next", addresses, "the word right after the code is one of these",
+                            "\"X\""),
+    field<&Condition::noneAfter>("noneAfter", addresses, "none of these words is after the code",
+                                 "\"XYZ\""),
     special<&DialectBuilder::readActive>(
         "active", texts, "one of these codes of one group is in force before the block",
         R"(["G91"])"),
@@ -117,39 +121,39 @@ constexpr Field noticeFields[] = {
 };
 constexpr Shape noticeShape = object(noticeRecord), noticeOrName = either(noticeShape, aText);
 
-constexpr auto wordFields =
-    join(
-        std::array<Field, 11>{
-            field<&WordSpec::need>("need", name("need", needNames),
-                                   "whether the word must be there; `first`: in the block that "
-                                   "makes the code active",
-                                   "\"required\""),
-            field<&WordSpec::role>("role", name("role", roleNames), "what the word is for",
-                                   "\"depth\""),
-            field<&WordSpec::severity>("severity", severityShape, "severity of its absence",
-                                       "\"warning\""),
-            elsewhere("when", conditionShape, "the requirement holds only then",
-                      R"({"active": ["G17"]})"),
-            field<&WordSpec::text>("text", boolean, "the argument is a string", "true"),
-            field<&WordSpec::characters>("characters", text,
-                                         "what a string may be made of, with ranges", "\"A-Z0-9\""),
-            field<&WordSpec::naming>("naming", name("naming", namingNames),
-                                     "the word names something of the control that the code "
-                                     "defines, uses or drops",
-                                     "\"define\""),
-            field<&WordSpec::absent>("absent", number,
-                                     "the value that counts when the word is not given", "0"),
-            field<&WordSpec::rangeSeverity>("rangeSeverity", severityShape,
-                                            "severity of a value out of range", "\"warning\""),
-            field<&WordSpec::pointAdvised>("pointAdvised", boolean,
-                                           "should be written with a decimal point here; over the "
-                                           "address's own",
-                                           "true"),
-            field<&WordSpec::note>("note", text,
-                                   "what the word means, for messages and hover; two cycles that "
-                                   "give a variable one note mean the same by it",
-                                   "\"peck depth\"")},
-        boundFields<&WordSpec::range>());
+constexpr auto wordFields = join(
+    std::array<Field, 11>{
+        field<&WordSpec::need>("need", name("need", needNames),
+                               "whether the word must be there; `first`: in the block that "
+                               "makes the code active; `here`: in the block, whatever value "
+                               "the variable has from an earlier one",
+                               "\"required\""),
+        field<&WordSpec::role>("role", name("role", roleNames), "what the word is for",
+                               "\"depth\""),
+        field<&WordSpec::severity>("severity", severityShape, "severity of its absence",
+                                   "\"warning\""),
+        elsewhere("when", conditionShape, "the requirement holds only then",
+                  R"({"active": ["G17"]})"),
+        field<&WordSpec::text>("text", boolean, "the argument is a string", "true"),
+        field<&WordSpec::characters>("characters", text,
+                                     "what a string may be made of, with ranges", "\"A-Z0-9\""),
+        field<&WordSpec::naming>("naming", name("naming", namingNames),
+                                 "the word names something of the control that the code "
+                                 "defines, uses or drops",
+                                 "\"define\""),
+        field<&WordSpec::absent>("absent", number,
+                                 "the value that counts when the word is not given", "0"),
+        field<&WordSpec::rangeSeverity>("rangeSeverity", severityShape,
+                                        "severity of a value out of range", "\"warning\""),
+        field<&WordSpec::pointAdvised>("pointAdvised", boolean,
+                                       "should be written with a decimal point here; over the "
+                                       "address's own",
+                                       "true"),
+        field<&WordSpec::note>("note", text,
+                               "what the word means, for messages and hover; two cycles that "
+                               "give a variable one note mean the same by it",
+                               "\"peck depth\"")},
+    boundFields<&WordSpec::range>());
 void checkWord(JsonReader &in, const Json &value, WordSpec &word) {
   for (const char *key : {"min", "max", "integer", "oneOf", "point"})
     word.hasRange |= in.member(value, key) != nullptr;

@@ -83,6 +83,7 @@ struct AddressInfo {
   bool linesOnly = false;    ///< … between two straight lines only
   bool acrossCorner = false; ///< … a chamfer by its own length, not by that of its legs
   bool lineAngle = false;    ///< direction of a straight line
+  bool lineLength = false;   ///< length of one, beside its direction
   uint8_t switches = 0xFF;   ///< index of the switch that a value other than zero turns on
   double least = -std::numeric_limits<double>::infinity(); ///< of its values
   double most = std::numeric_limits<double>::infinity();

@@ -217,6 +217,9 @@ constexpr Field addressFields[] = {
     flag<&AddressInfo::acrossCorner>("acrossCorner",
                                      "a chamfer by its own length, not by that of its legs"),
     flag<&AddressInfo::lineAngle>("lineAngle", "direction of a straight line"),
+    flag<&AddressInfo::lineLength>(
+        "lineLength", "length of a straight line; without its direction beside it, it is the "
+                      "number of an offset on another control"),
     special<&DialectBuilder::readAddressArc>(
         "arc", name("meaning in an arc", arcWordNames),
         "radius or opening angle of an arc, or a coordinate of a point that it leads through",

@@ -213,7 +213,7 @@ private:
         emit(FormulaOp::Element, index);
         return true;
       }
-      emit(FormulaOp::Variable, 0, double(variableKey(name)));
+      emit(FormulaOp::Variable, 0, keyOf(name));
       return true;
     }
     const llvm::StringRef name = rest_.take_while(isNameCharacter);
@@ -250,7 +250,7 @@ private:
       return take(")") || fail("lacks a \")\"");
     }
     if (name == "given" && take("$")) {
-      emit(FormulaOp::GivenVariable, 0, double(variableKey(takeName())));
+      emit(FormulaOp::GivenVariable, 0, keyOf(takeName()));
       return take(")") || fail("lacks a \")\"");
     }
     if (name == "given") {
@@ -304,11 +304,19 @@ private:
     return take(")") || fail("lacks a \")\"");
   }
 
+  /// Key of a variable by its name, or by its number as in `#271`.
+  static double keyOf(llvm::StringRef name) {
+    int64_t number = 0;
+    if (name.startswith("#") && !name.drop_front().getAsInteger(10, number))
+      return double(elementKey(variableKey("#"), number));
+    return double(variableKey(name));
+  }
+
   /// A variable's name, perhaps with the marks of its type.
   llvm::StringRef takeName() {
     rest_ = rest_.ltrim();
     const llvm::StringRef name =
-        rest_.take_while([](char c) { return isNameCharacter(c) || c == '%'; });
+        rest_.take_while([](char c) { return isNameCharacter(c) || c == '%' || c == '#'; });
     rest_ = rest_.drop_front(name.size());
     return name;
   }

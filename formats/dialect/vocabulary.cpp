@@ -39,7 +39,7 @@ constexpr llvm::StringLiteral cycles[] = {"none",           "drill",
                                           "surface",        "thread-chain"};
 static_assert(std::size(cycles) == size_t(CycleKind::ThreadChain) + 1);
 
-constexpr llvm::StringLiteral needs[] = {"optional", "required", "first"};
+constexpr llvm::StringLiteral needs[] = {"optional", "required", "first", "here"};
 constexpr llvm::StringLiteral points[] = {"any", "required", "forbidden"};
 constexpr llvm::StringLiteral spindles[] = {"any", "running", "clockwise", "counter-clockwise",
                                             "starts-itself"};

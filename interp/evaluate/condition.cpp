@@ -60,11 +60,20 @@ bool isAround(const Condition &condition, const CodeInfo *code, const ConditionC
     if (!code || !use.word || context.dialect.codes[use.code].base != code->base)
       continue;
     bool before = !condition.before, after = !condition.after;
+    AddressMask later = 0;
+    const Word *next = nullptr;
     for (const Word &word : context.block.words) {
       before |= word.offset < use.word->offset && (condition.before & maskOf(word.address));
-      after |= word.offset > use.word->offset && (condition.after & maskOf(word.address));
+      if (word.offset <= use.word->offset)
+        continue;
+      later |= maskOf(word.address);
+      if (!next || word.offset < next->offset)
+        next = &word;
     }
-    return before && after;
+    after |= (condition.after & later) != 0;
+    if (condition.next && !(next && condition.next & maskOf(next->address)))
+      return false;
+    return before && after && !(condition.noneAfter & later);
   }
   return false;
 }
@@ -123,7 +132,8 @@ bool holds(const Condition &condition, const CodeInfo *code, const ConditionCont
   if ((condition.on & ~before.switches.areOn(condition.on)) ||
       before.switches.mayBeOn(condition.off))
     return false;
-  if ((condition.before || condition.after) && !isAround(condition, code, context))
+  if ((condition.before || condition.after || condition.next || condition.noneAfter) &&
+      !isAround(condition, code, context))
     return false;
   constexpr uint8_t turning = spindleCw | spindleCcw;
   if (condition.spindleTurns &&

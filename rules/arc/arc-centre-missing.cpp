@@ -19,8 +19,12 @@ public:
     if (event.motion == MotionKind::Feed)
       return curve(event, ctx);
     const ArcWords &words = ctx.arcWords();
-    if (words.hasCentre() && event.code != noCode && ctx.dialect().facts->arcs.centreAndEnd)
-      return incomplete(words, event, ctx);
+    if (event.code != noCode && ctx.dialect().facts->arcs.centreAndEnd) {
+      if (words.hasCentre())
+        return incomplete(words, event, ctx);
+      if (words.radius)
+        return radiusAlone(words, event, ctx);
+    }
     // A centre word of the wrong axis is another rule's business.
     if (words.radius || words.angle || words.hasCentre() ||
         ctx.block().hasAny(ctx.dialect().polarWords) || words.foreign || event.code == noCode)
@@ -45,6 +49,19 @@ public:
   }
 
 private:
+  /// By its radius, and nothing that says where the arc ends.
+  static void radiusAlone(const ArcWords &words, const Event &event, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    if (words.angle || words.foreign || !words.planeKnown ||
+        (axesOf(dialect, ctx.block()) & planeAxes(dialect, ctx.after())) ||
+        ctx.block().hasAny(dialect.polarWords | dialect.lineAngleWords))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding.message("`{0}` has a radius, {1}, and neither an end nor an angle: the control does "
+                      "not know where the arc ends",
+                      ctx.code(event).name, ctx.text(*words.radius));
+  }
+
   /// By its centre: half of it, or nothing that says where the arc ends.
   static void incomplete(const ArcWords &words, const Event &event, RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();

@@ -36,8 +36,9 @@ public:
                        !(ctx.outcome().kinds & bitOf(EventKind::CoordinateChange));
     if ((!staysPut && !meets) || !words.planeKnown)
       return;
-    // With its centre beside the radius its neighbours give the ends.
-    if (staysPut && words.hasCentre() && ctx.dialect().facts->arcs.centreAndEnd)
+    // With its centre beside the radius its neighbours give the ends; of a radius alone another
+    // rule speaks.
+    if (staysPut && ctx.dialect().facts->arcs.centreAndEnd)
       return;
     // A radius of zero is reported as such.
     if (arc.radius && *arc.radius == 0)

@@ -27,9 +27,10 @@ public:
 private:
   static constexpr llvm::StringLiteral id{"block-execution-order"};
 
-  /// A jump, call or repeat beside a move.
+  /// A jump, a repeat or a prompt with its way out beside a move.
   static void jump(const Item &item, RuleContext &ctx) {
-    if (item.kind != ItemKind::Jump && item.kind != ItemKind::Repeat)
+    if (item.kind != ItemKind::Jump && item.kind != ItemKind::Repeat &&
+        item.kind != ItemKind::Input)
       return;
     if (!ctx.block().hasAny(ctx.dialect().axisWords))
       return;

@@ -12,6 +12,10 @@ public:
     to.onNotices(id);
     if (to.dialect().polarWords & maskOf(letterAddress('O')))
       to.on(EventKind::WordIssue);
+    lineLengths_ = llvm::any_of(to.dialect().addresses,
+                                [](const AddressInfo &address) { return address.lineLength; });
+    if (lineLengths_)
+      to.on(EventKind::WordIssue);
     isoSigns_ = to.dialect().facts->text.isoSignsForeign;
     carried_ = to.flag("tapeMarksCarried");
     variantNames_ = to.dialect().facts->text.variantNames;
@@ -45,8 +49,11 @@ public:
                             ctx.text(word));
       return;
     }
-    if (event.wordIssue() == WordIssue::Special)
-      programNumber(ctx);
+    if (event.wordIssue() != WordIssue::Special)
+      return;
+    if (lineLengths_)
+      offsetNumber(ctx);
+    programNumber(ctx);
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
@@ -55,6 +62,24 @@ public:
   }
 
 private:
+  /// `D1` with no direction beside it: no length of a line, but an offset as other controls have.
+  static void offsetNumber(RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    if (ctx.block().hasAny(dialect.lineAngleWords))
+      return;
+    for (const CodeUse &use : ctx.codes()) // a motion that has no use for the word: another rule
+      if (const CodeInfo &code = ctx.code(use);
+          isMotion(code.action) && code.action == Action::Rapid)
+        return;
+    for (const Word &word : ctx.block().words)
+      if (dialect.addresses[word.address].lineLength)
+        if (auto finding = ctx.report(word))
+          finding.message("`{0}` is no number of an offset here: a tool has its length and radius "
+                          "with its change, and the word is the length of a line beside its "
+                          "direction",
+                          ctx.text(word));
+  }
+
   /// `G83/R`: the manual's name of a variant.
   static void variantName(const SyntaxIssue &issue, SourceRange range, RuleContext &ctx) {
     if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
@@ -99,6 +124,7 @@ private:
           .fix(FixSafety::Unsafe, "delete the block", ctx.remove(*word));
   }
 
+  bool lineLengths_ = false;  ///< a word is the length of a line by its direction
   bool variantNames_ = false; ///< `G81/3` may be meant for `G81`
   bool carried_ = false;      ///< what sends programs to the control sets tape marks about them
   bool isoSigns_ = false;     ///< `%`, `O1000` and `#1` are another control's here

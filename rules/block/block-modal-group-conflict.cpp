@@ -66,10 +66,14 @@ private:
   /// Message of the conflict, or null.
   static const char *conflict(const Dialect &dialect, const CodeInfo &a, const CodeInfo &b,
                               bool sameTwice) {
-    if (a.letter == b.letter && a.number == b.number) // the same code twice says the same thing
+    if (a.base == b.base || (a.letter && a.letter == b.letter && a.number == b.number)) // the same
       return sameTwice ? "`{0}` and `{1}`: the interpreter takes one code of a "
                          "group, and stops at a second one"
                        : nullptr;
+    // An oriented stop that is a stop as well: a plain one beside it takes nothing back.
+    if ((a.action == Action::SpindleStop && b.stopsSpindle) ||
+        (a.stopsSpindle && b.action == Action::SpindleStop))
+      return nullptr;
     // The cancel of one family of cycles says nothing of the others.
     if (a.family != b.family &&
         (a.action == Action::CycleCancel || b.action == Action::CycleCancel))

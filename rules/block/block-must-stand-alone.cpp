@@ -40,6 +40,8 @@ public:
                           ctx.text(call), ctx.text(*event.word));
         return;
       }
+    if (assignment(code, event, ctx))
+      return;
     // `G4 X2`: what is missing is there under another letter, and another rule says so.
     if (!missingWords(ctx, event).empty())
       return;
@@ -93,6 +95,22 @@ private:
   }
 
   bool flowAlone_ = false; ///< codes that decide the flow share their block with no other M code
+
+  /// `R1=3` beside a code that reads no variables: its own words may be computed from it.
+  static bool assignment(const CodeInfo &code, const Event &event, RuleContext &ctx) {
+    if (llvm::any_of(code.words, [](const WordSpec &spec) { return spec.variable != 0; }))
+      return false;
+    for (const Item &item : ctx.block().items) {
+      if (item.kind != ItemKind::Assignment)
+        continue;
+      const SourceRange range = ctx.range(item);
+      if (auto finding = ctx.report(range))
+        finding.message("`{0}` is in the block of `{1}`, which needs its own block",
+                        ctx.text(range), ctx.text(*event.word));
+      return true;
+    }
+    return false;
+  }
 
   /// Calls by name, brackets of structured flow and jumps without a condition share their block
   /// with nothing.

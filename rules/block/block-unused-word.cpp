@@ -62,7 +62,8 @@ public:
       const AddressMask alone = dialect.plain | dialect.speedLimitWords | dialect.orientWords |
                                 dialect.switchWords | dialect.elementWords;
       if ((mask & alone) || !(mask & dialect.known) || (mask & *taken) ||
-          word.address == letterAddress('N') || word.address == letterAddress('O'))
+          word.address == letterAddress('N') || word.address == letterAddress('O') ||
+          isOffsetOfOther(word, ctx))
         continue;
       if (auto finding = ctx.report(word))
         finding
@@ -74,6 +75,13 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-unused-word"};
+
+  /// `D1` away from a straight line: another rule says whose word it is.
+  static bool isOffsetOfOther(const Word &word, const RuleContext &ctx) {
+    return ctx.dialect().addresses[word.address].lineLength &&
+           llvm::none_of(ctx.codes(),
+                         [&](const CodeUse &use) { return isMotion(ctx.code(use).action); });
+  }
 
   uint32_t dataInput_ = 0;        ///< the switch under which every block is data
   std::set<uint64_t> parameters_; ///< keys of the variables that cycles read

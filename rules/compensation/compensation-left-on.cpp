@@ -22,7 +22,8 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::ToolChange, EventKind::ProgramEnd, EventKind::Return,
                  EventKind::CycleRun, EventKind::Block, EventKind::FlowIssue});
-    to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
+    to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff,
+                 Action::Reset});
     if (to.dialect().facts->compensation.offAtStops)
       to.onAction({Action::ProgramStop, Action::OptionalStop});
     if (!to.dialect().isLathe())
@@ -40,6 +41,8 @@ public:
       atProfileEnd(event, ctx);
       return;
     case EventKind::Code:
+      if (ctx.code(event).action == Action::Reset)
+        return atReset(event, ctx);
       if (ctx.code(event).action == Action::ProgramStop ||
           ctx.code(event).action == Action::OptionalStop)
         leftOn(event, "the program stops", Severity::Warning, ctx);
@@ -93,10 +96,27 @@ private:
     }
   }
 
+  /// A reset in the middle of the program takes compensation away without leaving the contour.
+  static void atReset(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    const CodeInfo *code = before.activeCode(ctx.dialect(), StandardGroup::Compensation);
+    if (before.compensationActive(ctx.dialect()) != Truth::Yes || !code ||
+        before.may(Fact::UnknownCode) || before.profile != ProfileMode::Off)
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` resets the control with `{1}` still on: compensation ends without a move",
+                   ctx.text(*event.word), code->name)
+          .note(before.origin.of(StatePart::Compensation), "it is switched on here");
+  }
+
   /// Whether every caller cuts on along the contour that this program has approached, and switches
   /// compensation off before anything else.
   bool callersLeave(const RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
+    // Where what a program sets outlives its return, it has to end what it has begun.
+    if (dialect.facts->program.modesOutliveReturn)
+      return false;
     const bool cuts =
         ctx.after().isActive(dialect, StandardGroup::Motion,
                              {Action::Linear, Action::ArcCw, Action::ArcCcw}) == Truth::Yes;

@@ -82,7 +82,9 @@ private:
   /// The code that ends it goes on along the last piece: only a block of its own leaves the
   /// contour.
   void onLastPiece(const Event &event, RuleContext &ctx) const {
-    if (!feeds_ || ctx.before().compensation != phaseOn || !ctx.before().must(Fact::CompensatedCut))
+    // A recorded section may leave straight on.
+    if (!feeds_ || ctx.before().compensation != phaseOn ||
+        ctx.before().profile == ProfileMode::Recorded || !ctx.before().must(Fact::CompensatedCut))
       return;
     if (closesContour(ctx)) {
       if (auto finding = ctx.report(event))

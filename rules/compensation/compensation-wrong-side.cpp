@@ -196,7 +196,9 @@ private:
 
   void enters(const Event &event, RuleContext &ctx) const {
     // With AGAP=N the block of the code is the first element itself.
+    // Where the tool is says nothing of where a recorded section begins.
     memory().known = event.code != noCode && ctx.code(event).action != Action::CompensationOff &&
+                     ctx.before().profile != ProfileMode::Recorded &&
                      ctx.machine().option("agap").value_or("") != "N";
     memory().from = pointOf(ctx.before(), ctx.dialect());
     memory().to = pointOf(ctx.after(), ctx.dialect());

@@ -43,7 +43,9 @@ public:
 private:
   /// A profile that the control records and runs later: elements of one plane, and nothing else.
   static void recorded(const Event &event, RuleContext &ctx) {
-    if (ctx.callDepth() == 0) // what is recorded lies in a program of its own
+    // In the main program only codes tell: the moves of what is recorded lie elsewhere, as a rule.
+    if (ctx.callDepth() == 0 &&
+        (event.kind != EventKind::Code || ctx.find({Action::ProfileBegin, Action::ProfileRun})))
       return;
     if (event.kind == EventKind::Block)
       return technology(ctx);
@@ -64,6 +66,7 @@ private:
       const CodeInfo &code = ctx.code(event);
       const bool own = code.letter == 'M' && code.action != Action::Return;
       const bool sets = code.action == Action::WorkOffset || code.action == Action::Cycle ||
+                        code.action == Action::FrameAdd || code.action == Action::FrameSet ||
                         code.action == Action::Reset || code.action == Action::PlaneXY ||
                         code.action == Action::PlaneZX || code.action == Action::PlaneYZ;
       if (!own && !sets)
@@ -75,11 +78,12 @@ private:
                    ctx.text(*event.word));
   }
 
-  /// Feeds and speeds, which mean nothing to a path that is recorded.
+  /// Feeds, speeds and tools, which mean nothing to a path that is recorded.
   static void technology(RuleContext &ctx) {
     for (const Word &word : ctx.block().words) {
       const AddressUnit unit = ctx.dialect().addresses[word.address].unit;
-      if (unit != AddressUnit::Feed && unit != AddressUnit::Speed)
+      if (unit != AddressUnit::Feed && unit != AddressUnit::Speed &&
+          word.address != letterAddress('T'))
         continue;
       if (auto finding = ctx.report(word))
         finding.severity(Severity::Warning)

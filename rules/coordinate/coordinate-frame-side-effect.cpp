@@ -64,7 +64,11 @@ private:
       if (!(ctx.dialect().elementWords & maskOf(word.address)))
         continue;
       const DefinedElements::Element *element = memory().elements.find(word);
-      if (!element || !ctx.before().switches.areOn(frames & ~element->switches))
+      if (!element)
+        continue;
+      const uint32_t then = frames & element->switches;
+      if (!ctx.before().switches.areOn(frames & ~element->switches) &&
+          (!then || ctx.before().switches.mayBeOn(then)))
         continue;
       if (auto finding = ctx.report(word))
         finding.severity(Severity::Warning)

@@ -1,4 +1,6 @@
 // A canned or turning cycle lacks a word that it needs.
+#include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
 
 namespace ncvet {
@@ -37,10 +39,29 @@ public:
           return issue.kind == SyntaxIssueKind::UnbalancedBracket;
         }))
       return;
-    reportMissingWords(ctx, event, [](const CodeInfo &code, const WordSpec &spec) {
-      return topicOfMissing(code, spec) == WordTopic::Cycle;
+    reportMissingWords(ctx, event, [&](const CodeInfo &code, const WordSpec &spec) {
+      return topicOfMissing(code, spec) == WordTopic::Cycle && !givenInTime(code, spec, ctx);
     });
     ctx.reportNotices(id, event);
+  }
+
+private:
+  /// A cycle that its block only makes active reads its variables at its first place: a block
+  /// between may give them.
+  static bool givenInTime(const CodeInfo &code, const WordSpec &spec, RuleContext &ctx) {
+    constexpr unsigned most = 20; // blocks that are read
+    const AddressMask axes = ctx.dialect().axisWords;
+    if (!spec.variable || !code.firesInPlane || ctx.block().hasAny(axes))
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < most && ahead.next(next); ++i) {
+      if (assignmentOf(next, spec.variable))
+        return true;
+      if (next.hasAny(axes) || findCode(ctx.dialect(), next, {Action::Cycle, Action::CycleCancel}))
+        return false;
+    }
+    return false;
   }
 };
 

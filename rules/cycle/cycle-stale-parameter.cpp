@@ -1,8 +1,10 @@
 // A cycle takes a value that was meant for another one.
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
+#include "interp/evaluate/condition.h"
 
 #include <map>
+#include <set>
 
 namespace ncvet {
 namespace {
@@ -21,10 +23,15 @@ public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
     kept_ = to.dialect().facts->cycles.valuesInVariables;
+    for (const CodeInfo &code : to.dialect().codes)
+      for (const WordSpec &spec : code.words)
+        if (spec.variable && spec.need != Need::Optional)
+          parameters_.insert(spec.variable);
     to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words,
                           [](const WordSpec &w) { return w.variable || w.role == Role::Shift; }) ||
+             llvm::any_of(code.stores, [](const Store &s) { return s.variable; }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -36,7 +43,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     shiftFromPeck(event, code, ctx);
     for (const WordSpec &spec : code.words) {
-      if (!spec.variable)
+      if (!spec.variable || !holds(spec.when, &code, ctx.conditions()))
         continue;
       const auto last = memory().meant.find(spec.variable);
       if (wordFor(ctx.block(), spec)) {
@@ -46,9 +53,13 @@ public:
       if (mayBeGivenOnly(spec) || last == memory().meant.end() ||
           ctx.before().commons.given(spec.variable) != Truth::Yes)
         continue;
+      // A value that the control sets is there for whoever may leave the word out.
+      if (last->second.taken == noCode && spec.need == Need::Optional)
+        continue;
       if (last->second.taken == code.base || shared(spec) ||
-          (kept_ && meansTheSame(spec, ctx.dialect().codes[last->second.taken]))) {
-        if (kept_ && (code.action == Action::Cycle || isForm(spec, code)))
+          (kept_ && last->second.taken != noCode &&
+           meansTheSame(spec, ctx.dialect().codes[last->second.taken]))) {
+        if (kept_ && !spec.absent && (code.action == Action::Cycle || isForm(spec, code)))
           keeps(event, spec, code, ctx);
         continue;
       }
@@ -59,6 +70,9 @@ public:
                      code.name, spec.name, other.name);
       last->second.taken = code.base;
     }
+    for (const Store &store : code.stores)
+      if (kept_ && !store.value.empty() && parameters_.count(store.variable))
+        memory().meant[store.variable] = {code.base, noCode};
   }
 
 private:
@@ -116,7 +130,8 @@ private:
                    code.name, spec.name);
   }
 
-  bool kept_ = false; ///< values that stay the same are reported too
+  bool kept_ = false;             ///< values that stay the same are reported too
+  std::set<uint64_t> parameters_; ///< keys of the variables that some code requires
 
   /// A word that may be beside the code, and of which the table says nothing more.
   static bool mayBeGivenOnly(const WordSpec &spec) {
@@ -124,7 +139,7 @@ private:
   }
   /// A word without which a profile is worked along in another way.
   static bool isForm(const WordSpec &spec, const CodeInfo &code) {
-    return code.action == Action::ProfileBegin && spec.need == Need::Optional &&
+    return code.action == Action::ProfileBegin && spec.need == Need::Optional && !spec.absent &&
            spec.role == Role::None;
   }
   /// The other code calls the variable what this one calls it.

@@ -17,10 +17,13 @@ public:
   void listen(Subscriptions &to) override {
     always_ = to.dialect().facts->spindle.inRevolutions;
     to.on(EventKind::SpeedWord);
+    to.onCode([](const CodeInfo &code) { return code.action == Action::Cycle && speedOf(code); });
     to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Code)
+      return ofCycle(event, ctx);
     if (event.kind != EventKind::SpeedWord)
       return cuts(event, ctx);
     const MachineState &state = ctx.after();
@@ -38,6 +41,24 @@ public:
   }
 
 private:
+  /// The word by which a cycle gives the spindle a speed of its own.
+  static const WordSpec *speedOf(const CodeInfo &code) {
+    for (const WordSpec &spec : code.words)
+      if (spec.role == Role::Speed)
+        return &spec;
+    return nullptr;
+  }
+
+  void ofCycle(const Event &event, RuleContext &ctx) const {
+    const Word *word = wordFor(ctx.block(), *speedOf(ctx.code(event)));
+    if (!word || !isAbove(ctx.value(*word), ctx))
+      return;
+    if (auto finding = ctx.report(*word, event.certain))
+      finding.message(
+          "`{0}` lies above the speed limit of {1} 1/min: the spindle turns no faster than that",
+          ctx.text(*word), shortNumber(ctx.after().speedLimit->value()));
+  }
+
   /// Whether the speed is one in revolutions, and above the limit.
   bool isAbove(const Interval &speed, const RuleContext &ctx) const {
     const MachineState &state = ctx.after();

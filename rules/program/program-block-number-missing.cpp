@@ -63,12 +63,26 @@ private:
       if (const Action action = ctx.code(use).action;
           action == Action::Reset || action == Action::DataInput)
         return;
-    const auto &switches = ctx.dialect().switches;
-    for (unsigned i = 0; i < switches.size(); ++i)
-      if (switches[i].id == "tool-file" && ctx.before().switchMayBeOn(i))
-        return;
+    if (llvm::any_of(ctx.codes(), [&](const CodeUse &use) { return isOfToolFile(use, ctx); }))
+      return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding.message("this block has no number, and every block of this control has one");
+  }
+
+  /// The code that opens the file of tools, and those that write it.
+  static bool isOfToolFile(const CodeUse &use, const RuleContext &ctx) {
+    constexpr llvm::StringLiteral name{"tool-file"};
+    const auto &switches = ctx.dialect().switches;
+    const auto is = [&](unsigned i) { return i < switches.size() && switches[i].id == name; };
+    const CodeInfo &code = ctx.code(use);
+    if (is(code.effect.index))
+      return true;
+    return llvm::any_of(code.notices, [&](const Notice &notice) {
+      for (unsigned i = 0; i < switches.size(); ++i)
+        if (is(i) && (notice.when.off >> i & 1))
+          return true;
+      return false;
+    });
   }
 
   bool every_ = false; ///< every block has a number, not only those of tools

@@ -28,8 +28,13 @@ public:
     if (event.kind == EventKind::Return)
       return atReturn(ctx);
     const Item &item = ctx.block().items[event.item()];
-    if (labels_ && item.kind == ItemKind::Call)
-      return calledName({ctx.source().id(), item.nameBegin, item.nameEnd}, ctx);
+    if (labels_ && (item.kind == ItemKind::Call || item.kind == ItemKind::Jump)) {
+      if (item.nameEnd > item.nameBegin)
+        calledName({ctx.source().id(), item.nameBegin, item.nameEnd}, ctx);
+      return namedLabels(item, ctx);
+    }
+    if (labels_ && item.kind == ItemKind::Input)
+      return namedLabels(item, ctx);
     if (item.kind != ItemKind::Definition)
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
@@ -82,6 +87,33 @@ private:
       finding.severity(Severity::Warning)
           .message("`{0}` is no name that a call takes: capitals and digits, without an ending",
                    name);
+  }
+
+  /// Labels to which a block leads on, written with blanks that do not count.
+  static void namedLabels(const Item &item, RuleContext &ctx) {
+    for (const Argument &argument : ctx.block().argumentsOf(item)) {
+      const SourceRange range{ctx.source().id(), argument.begin, argument.end};
+      if (argument.kind != ArgumentKind::Label ||
+          !ctx.text(range).split(':').first.trim().contains(' ') || isWrittenSo(range, ctx))
+        continue;
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Style)
+            .message("blanks of the label `{0}` do not count", ctx.text(range));
+    }
+  }
+
+  /// The label itself has these blanks: it is reported there.
+  static bool isWrittenSo(SourceRange named, RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    Block block;
+    for (const auto &label : ctx.index().labels(program))
+      for (const uint32_t at : label.getValue()) {
+        ctx.index().reader().read(at, block);
+        if (ctx.text(SourceRange{named.file, block.labelBegin, block.labelEnd}).trim() ==
+            ctx.text(named).trim())
+          return true;
+      }
+    return false;
   }
 
   /// Of a label only some characters count.

@@ -59,7 +59,8 @@ private:
       ask(wanted_, event, ctx);
     }
     const bool turns = event.kind != EventKind::Motion || event.motion == MotionKind::ArcCw ||
-                       event.motion == MotionKind::ArcCcw;
+                       event.motion == MotionKind::ArcCcw ||
+                       (event.code != noCode && ctx.code(event).action == Action::CurveFeed);
     if (!plane_ || !turns || memory().turned)
       return;
     memory().turned = true;

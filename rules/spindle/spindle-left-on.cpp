@@ -33,6 +33,8 @@ public:
             .note(ctx.after().origin.of(StatePart::Spindle), "it is started here");
       return;
     }
+    if (event.kind == EventKind::Code)
+      return underCompensation(event, ctx);
     if (event.kind != EventKind::ToolChange || !atToolChange_ ||
         (ctx.before().spindle & ~(spindleCw | spindleCcw)) || !ctx.before().spindle ||
         (!always_ && !ctx.before().must(Fact::CutSinceTool)) || ctx.find({Action::SpindleStop}))
@@ -44,6 +46,18 @@ public:
   }
 
 private:
+  /// The stop is for a look or a hand at the work, and the tool stays at the contour.
+  static void underCompensation(const Event &event, RuleContext &ctx) {
+    const CodeInfo *code = ctx.before().activeCode(ctx.dialect(), StandardGroup::Compensation);
+    if (ctx.before().compensation != phaseOn || !code || ctx.before().may(Fact::UnknownCode) ||
+        ctx.find({Action::CompensationOff}))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Style)
+          .message("the program stops with `{0}` on: the tool stays at the contour", code->name)
+          .note(ctx.before().origin.of(StatePart::Compensation), "it is switched on here");
+  }
+
   bool atToolChange_ = false, atEnd_ = false;
   bool always_ = false; ///< at a tool change that nothing was cut before, too
 };

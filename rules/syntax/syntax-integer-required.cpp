@@ -44,7 +44,8 @@ public:
       if (issue.kind == SyntaxIssueKind::MalformedNumber && block.number >= 0 &&
           issue.begin == block.numberBegin && issue.end == block.numberEnd) {
         const SourceRange range = ctx.range(issue);
-        if (ctx.text(range).count('.') == 1 || ctx.text(range).contains('-'))
+        if (ctx.text(range).count('.') == 1 ||
+            ctx.text(range).find_first_of("+-") != llvm::StringRef::npos)
           if (auto finding = ctx.report(range))
             finding.message("`{0}`: a block number is a whole number without a sign or point",
                             ctx.text(range));

@@ -24,7 +24,8 @@ public:
     case SyntaxIssueKind::MalformedNumber:
       // A block number with a point or sign is a number in itself: syntax-integer-required speaks.
       if (block.number >= 0 && issue.begin == block.numberBegin && issue.end == block.numberEnd &&
-          (ctx.text(range).count('.') == 1 || ctx.text(range).contains('-')))
+          (ctx.text(range).count('.') == 1 ||
+           ctx.text(range).find_first_of("+-") != llvm::StringRef::npos))
         return;
       if (auto finding = ctx.report(range))
         finding.message(

@@ -19,7 +19,9 @@ public:
     for (unsigned i = 0; i < axisCount; ++i)
       if (to.machine().axes[i].min || to.machine().axes[i].max)
         memory().axes |= uint16_t(1u << i);
-    if (memory().axes)
+    // A list without the axes that every machine has says something of single ones only.
+    constexpr uint16_t always = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
+    if ((memory().axes & always) == always)
       to.on(EventKind::Motion);
   }
 

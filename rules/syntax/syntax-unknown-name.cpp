@@ -38,7 +38,7 @@ public:
       known_.insert(variableKey(name));
     to.on({EventKind::Syntax, EventKind::Assignment});
     defined_ = to.flag("definedNames");
-    if (defined_)
+    if (defined_ || !known_.empty())
       to.on(EventKind::UnsetRead);
     instructions_ = instructionNames(to.dialect());
   }
@@ -47,7 +47,9 @@ public:
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
     if (event.kind == EventKind::UnsetRead)
-      return event.certain ? undefinedRead(event, ctx) : void();
+      return !event.certain ? void()
+             : defined_     ? undefinedRead(event, ctx)
+                            : unknownRead(event, ctx);
     if (event.kind == EventKind::Block && !lacks_.empty())
       functions(ctx);
     if (event.kind == EventKind::Block || event.kind == EventKind::Code)
@@ -164,6 +166,24 @@ private:
           .message("nothing has defined `{0}`: unless the machine's own definitions have it, the "
                    "control stops here",
                    name);
+  }
+
+  /// `<%CON=%CXN+1>`: the control has variables with names of its own only, and none of this name.
+  void unknownRead(const Event &event, RuleContext &ctx) const {
+    const uint32_t begin = event.place();
+    const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
+    const llvm::StringRef name =
+        text.take_front(text.find_if_not([](char c) { return llvm::isAlnum(c) || c == '%'; }));
+    const llvm::StringRef bare = name.ltrim('%');
+    const bool numbered =
+        bare.size() > 1 && llvm::all_of(bare.drop_front(), [](char c) { return llvm::isDigit(c); });
+    if (bare.empty() || !llvm::isAlpha(bare[0]) || numbered || known_.count(variableKey(name)) ||
+        knownWithout(name) || instructions_.count(bare.upper()))
+      return;
+    if (auto finding =
+            ctx.report(SourceRange{ctx.source().id(), begin, uint32_t(begin + name.size())}))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is no variable of the control: it has no value", name);
   }
 
   /// The first definition whose name differs by one letter, not by its digits; null: there is none.

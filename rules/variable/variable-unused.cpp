@@ -22,11 +22,12 @@ public:
     overwritten_ = to.flag("overwritten");
     if (to.dialect().elementWords) {
       to.onAction({Action::DefineElement});
-      to.onChange({EventKind::Motion});
+      to.on(EventKind::WordIssue);
     }
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    // Also where an element leads nowhere, as in a profile that is read by itself.
     if (event.kind != EventKind::Statement)
       return element(ctx);
     const ItemKind kind = ctx.block().items[event.item()].kind;

@@ -169,8 +169,13 @@ bool EcsExpression::factor(unsigned depth) {
   if (at_ + 1 < end_ && at_[0] == '*' && at_[1] == '*') {
     const char *const power = at_;
     at_ += 2;
+    skipBlanks();
+    const bool atomic = at_ < end_ && *at_ != '(';
+    const size_t operations = block_.operations.size();
     if (!factor(depth + 1))
       return false;
+    if (atomic && block_.operations.size() > operations && block_.operations.back().op == Op::Power)
+      ambiguous(at); // `2**3**2`
     emit(Op::Power, power);
     return true;
   }

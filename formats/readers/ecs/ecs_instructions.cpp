@@ -46,6 +46,7 @@ void EcsScanner::scanAngle() {
     closeAngle(begin);
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
   }
+  block_.lowerCase |= llvm::any_of(word, [](char c) { return c >= 'a' && c <= 'z'; });
   const char *const after = afterBlanks(word.end());
   const char c = after < end_ ? *after : '\n';
   if (c == '=') {
@@ -73,6 +74,9 @@ void EcsScanner::scanAngle() {
   closeAngle(begin);
   if (code != noCode)
     return keyword(code, begin, at_);
+  // `<RTE>`: neither an instruction nor a variable that lacks its value.
+  if (c == '>' && !isVariable(word))
+    return issue(SyntaxIssueKind::UnknownWord, word.begin(), word.end());
   issue(c == '>' ? SyntaxIssueKind::MissingValue : SyntaxIssueKind::BadStatement, begin, at_);
 }
 
@@ -207,11 +211,30 @@ llvm::SmallVector<Argument, 8> EcsScanner::inOrder(llvm::ArrayRef<Argument> writ
   return placed;
 }
 
+/// A prompt, also one whose opening quote was forgotten: `<INP: Radius"; R0; N100>`.
+Argument EcsScanner::scanPrompt() {
+  skipBlanks();
+  const llvm::StringRef rest =
+      llvm::StringRef(at_, size_t(end_ - at_)).take_until([](char c) { return c == '\n'; });
+  const size_t quote = rest.find('"');
+  if (quote == 0 || quote == llvm::StringRef::npos || rest.find_first_of(";,<>") < quote)
+    return scanArgument(0);
+  Argument prompt;
+  prompt.kind = ArgumentKind::Text;
+  prompt.begin = offset(at_);
+  const char *const begin = at_;
+  at_ += quote;
+  prompt.end = offset(at_);
+  ++at_;
+  issue(SyntaxIssueKind::UnclosedString, begin, at_);
+  return prompt;
+}
+
 /// `<INP: "prompt"; R0; N100; 10; 100>`: the target for ESC is the first argument of the item,
 /// after it the prompt and the bounds.
 void EcsScanner::scanInput(const char *begin) {
   Item item = itemAt(ItemKind::Input, begin);
-  Argument prompt = scanArgument(0);
+  Argument prompt = scanPrompt();
   bool complete = prompt.kind == ArgumentKind::Text;
   if (const char after = scanSeparator()) {
     prompt.separator = after;

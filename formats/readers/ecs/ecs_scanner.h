@@ -72,6 +72,7 @@ private:
   void scanPlane(const char *begin);
   bool skipVariantName(const char *begin);
   void scanExpression(AddressId address, const char *begin);
+  bool isReal(uint16_t index, llvm::StringRef text) const;
   void scanValue(AddressId address, const char *begin);
   bool scanNumber(Word &word, const char *begin);
   void scanElement(const char *begin);
@@ -90,6 +91,7 @@ private:
   void scanInstruction(const char *begin, llvm::StringRef name);
   void argumentWord(const Argument &argument);
   llvm::SmallVector<Argument, 8> inOrder(llvm::ArrayRef<Argument> written, const CodeInfo &code);
+  Argument scanPrompt();
   void scanInput(const char *begin);
   void scanCall(const char *begin);
 

@@ -142,13 +142,38 @@ void EcsScanner::scanPlane(const char *begin) {
   keyword(minus, mark, at_);
 }
 
+/// `G M T N` select something by its number.
+static bool takesInteger(AddressId address) {
+  return address == letterAddress('G') || address == letterAddress('M') ||
+         address == letterAddress('T') || address == letterAddress('N');
+}
+
+/// `<R5>`: a value of real variables that no function makes whole. The marks `%` and `%%` of a
+/// name say that it holds whole numbers.
+bool EcsScanner::isReal(uint16_t index, llvm::StringRef text) const {
+  const Expression &expression = block_.expressions[index];
+  if (expression.bad || text.contains('%'))
+    return false;
+  bool variable = false;
+  for (const ExpressionOp &op :
+       llvm::makeArrayRef(block_.operations).slice(expression.first, expression.count)) {
+    if (op.op == Op::Truncate)
+      return false;
+    variable |= op.op == Op::Variable;
+  }
+  return variable;
+}
+
 /// `= expression` or `<expression>` after an address.
 void EcsScanner::scanExpression(AddressId address, const char *begin) {
   Word word;
   word.address = address;
   uint16_t index = 0;
   if (*at_ == '<') {
+    const char *const open = at_;
     index = bracketed();
+    if (takesInteger(address) && isReal(index, {open, size_t(at_ - open)}))
+      issue(SyntaxIssueKind::RealForInteger, begin, at_);
   } else {
     ++at_;
     skipBlanks();
@@ -158,8 +183,7 @@ void EcsScanner::scanExpression(AddressId address, const char *begin) {
       return addWord(word, begin);
     }
     index = expression();
-    if (address == letterAddress('G') || address == letterAddress('M') ||
-        address == letterAddress('T') || address == letterAddress('N'))
+    if (takesInteger(address))
       issue(SyntaxIssueKind::RealForInteger, begin, at_);
   }
   word.flags = wordExpression;

@@ -257,7 +257,7 @@ std::string specHelp(const WordSpec &spec) {
   if (spec.hasRange)
     if (const std::string bounds = boundsOf(spec.range); !bounds.empty())
       out += ", " + bounds;
-  if (spec.need == Need::Required)
+  if (spec.need == Need::Required || spec.need == Need::Here)
     out += " (required)";
   else if (spec.need == Need::First)
     out += " (required when the cycle begins)";
