@@ -94,8 +94,6 @@ private:
     }
   }
 
-  bool flowAlone_ = false; ///< codes that decide the flow share their block with no other M code
-
   /// `R1=3` beside a code that reads no variables: its own words may be computed from it.
   static bool assignment(const CodeInfo &code, const Event &event, RuleContext &ctx) {
     if (llvm::any_of(code.words, [](const WordSpec &spec) { return spec.variable != 0; }))
@@ -104,6 +102,9 @@ private:
       if (item.kind != ItemKind::Assignment)
         continue;
       const SourceRange range = ctx.range(item);
+      // `AX[1]=5` is a word of the axis that the index names.
+      if (ctx.text(range).split('=').first.contains('['))
+        continue;
       if (auto finding = ctx.report(range))
         finding.message("`{0}` is in the block of `{1}`, which needs its own block",
                         ctx.text(range), ctx.text(*event.word));
@@ -165,6 +166,8 @@ private:
   }
 
   static constexpr llvm::StringLiteral id{"block-must-stand-alone"};
+
+  bool flowAlone_ = false; ///< codes that decide the flow share their block with no other M code
 };
 
 } // namespace
