@@ -147,6 +147,9 @@ void Contours::read(Step &step, const CodeInfo &cycle, const Callee &callee,
   const CallSite site{&step.unit(), &step.region().program, step.block.next, true,
                       step.region().caller};
   const Region region{*callee.unit, *callee.program, callee.start, callee.kind, &site};
+  if (const unsigned levels = step.unit().dialect->limits.callDepth;
+      levels && region.depth() > levels)
+    run_.issue(FlowIssue::TooDeep, step, step.flowRange());
   if (!bodies_.isRunning(region.unit, region.start, region.kind) &&
       region.depth() < run_.limits.callDepth) {
     const bool stopped = run_.stopped;

@@ -71,11 +71,14 @@ void Sections::report(const Step &step, const Bounds &bounds, uint32_t start, ui
   FileUnit &unit = step.unit();
   const SourceRange where = step.flowRange();
   for (const auto &[head, past] : run_.shape(unit, step.region().program).past)
-    if ((head < bounds.first && bounds.first < past && past < end) ||
+    if ((head < bounds.first && bounds.first < past && past <= end) ||
         (bounds.first < head && head < end && end < past))
       run_.issue(FlowIssue::RepeatOverlap, step, where, {unit.source.id(), head, head + 1});
   const unsigned deepest = unit.dialect->limits.repeatDepth;
   if (deepest && bodies_.runningSections() >= deepest)
+    run_.issue(FlowIssue::TooDeep, step, where);
+  const unsigned levels = unit.dialect->limits.callDepth;
+  if (unit.dialect->facts->limits.repeatsTakeLevel && levels && step.region().depth() + 1 > levels)
     run_.issue(FlowIssue::TooDeep, step, where);
   // Where the end comes first the rule says so at the end.
   if (!unit.dialect->facts->program.endCutsRepeats && holdsEnd(unit, start, end))

@@ -175,7 +175,9 @@ private:
     const size_t i = find({Bracket::If, Bracket::ElseIf});
     if (i == open_.size()) {
       shape_.mismatched.push_back(at);
-      if (bracket == Bracket::Else && !label_)
+      // After the ELSE of an open IF a second one opens nothing.
+      const bool second = !open_.empty() && open_.back().bracket == Bracket::Else;
+      if (bracket == Bracket::Else && !label_ && !second)
         begin(at, bracket);
       return;
     }

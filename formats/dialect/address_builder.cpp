@@ -91,8 +91,10 @@ void DialectBuilder::readAddress(const std::string &name, const Json &value) {
 
 void DialectBuilder::readAddressAction(const Json &value, AddressInfo &) {
   const auto action = choice(&value, "action", addressActionNames());
+  AddressMask *const sets[] = {&dialect_.speedLimitWords, &dialect_.orientWords,
+                               &dialect_.feedWords, &dialect_.blockFeedWords};
   if (action)
-    (*action == 0 ? dialect_.speedLimitWords : dialect_.orientWords) |= maskOf(address_);
+    *sets[*action] |= maskOf(address_);
 }
 
 void DialectBuilder::readAddressSwitch(const Json &value, AddressInfo &info) {

@@ -126,6 +126,8 @@ struct CycleFacts {
   /// The contour that a milling cycle reads is a closed outline of moves alone, at most this many;
   /// 0: it is no outline.
   unsigned outlineMoves = 0;
+  /// The call of another cycle takes the place of the one in force.
+  bool newCallReplaces = false;
   /// Back boring leaves the bore whatever the return level is.
   bool backBoreAtAnyLevel = false;
 };
@@ -152,6 +154,8 @@ struct LimitFacts {
   unsigned repeats = 0;
   /// The count of a repeat is a whole number from 1 on, which a function makes of a real variable.
   bool repeatsWhole = false;
+  /// A section that is repeated takes a level of calls.
+  bool repeatsTakeLevel = false;
   /// Longest label that the control takes; 0: any length.
   unsigned longestLabel = 0;
   /// Most digits of the tool number of a mill; 0: any number.
@@ -217,6 +221,8 @@ struct ProgramFacts {
   bool everyBlockNumbered = false;
   /// The INI file of the machine makes codes.
   bool remapsInIni = false;
+  /// Calls with which a program of steps begins that only the control's own editor knows.
+  std::vector<std::string> stepHeads;
   /// Folders in which the control keeps programs, in the order in which it looks for a called one:
   /// `SPF` is also `SPF.DIR`, `.WPD` is the ending of such folders. Empty: it has no folders.
   std::vector<std::string> folders;
@@ -228,6 +234,8 @@ struct SpindleFacts {
   bool inRevolutions = false;
   /// Other codes than those of tapping also stop the spindle.
   bool stoppedByCodes = false;
+  /// Variables of the control that hold the greatest speed of the spindle.
+  std::vector<std::string> limitVariables;
 };
 
 /// About how text is read.

@@ -195,13 +195,14 @@ struct Lexical {
 };
 
 struct Limits {
-  uint16_t blockLength = 0;    ///< characters; 0: not limited
-  uint16_t structureDepth = 0; ///< structures in each other; 0: not limited
-  uint16_t repeatDepth = 0;    ///< repeats in each other; 0: not limited
-  uint16_t labelLength = 0;    ///< letters of a label that count; 0: all
-  uint16_t nameLength = 0;     ///< letters of a program's name; 0: not limited
-  uint16_t mCodesPerBlock = 0; ///< 0: not limited
-  uint16_t callDepth = 0;      ///< levels below the main program; 0: not documented
+  uint16_t blockLength = 0;       ///< characters; 0: not limited
+  uint16_t structureDepth = 0;    ///< structures in each other; 0: not limited
+  uint16_t repeatDepth = 0;       ///< repeats in each other; 0: not limited
+  uint16_t labelLength = 0;       ///< letters of a label that count; 0: all
+  uint16_t nameLength = 0;        ///< letters of a program's name; 0: not limited
+  uint16_t mCodesPerBlock = 0;    ///< 0: not limited
+  uint16_t functionsPerBlock = 0; ///< of M, S, T, D and H together; 0: not limited
+  uint16_t callDepth = 0;         ///< levels below the main program; 0: not documented
   /// Digits of a program's number in a call whose P has the count of runs before it
   /// (`P51000`); 0: P is the number alone.
   uint16_t packedCallDigits = 0;
@@ -307,6 +308,8 @@ struct Dialect {
   std::array<AddressId, 3> arcThrough{noAddress, noAddress, noAddress};
   AddressMask speedLimitWords = 0; ///< set the greatest speed of the spindle
   AddressMask orientWords = 0;     ///< stop the spindle at an angle
+  AddressMask feedWords = 0;       ///< give a feed that stays, beside F
+  AddressMask blockFeedWords = 0;  ///< give a feed of their own block
   AddressMask switchWords = 0;     ///< turn a switch on or off
   AddressMask cornerWords = 0;     ///< ask for a chamfer or rounding
   AddressMask known = 0;           ///< all addresses of this control

@@ -166,6 +166,9 @@ constexpr Shape depth = whole(0, 100);
 constexpr Shape reservedNumber = whole(0, 99999999);
 constexpr Shape digitCount = whole(0, 20);
 constexpr Field limitFields[] = {
+    field<&Limits::functionsPerBlock>("functionsPerBlock", depth,
+                                      "words M, S, T, D and H in a block together; 0: not limited",
+                                      "10"),
     field<&Limits::mCodesPerBlock>("mCodesPerBlock", depth, "M codes in a block; 0: not limited",
                                    "1"),
     field<&Limits::callDepth>("callDepth", depth,
@@ -380,6 +383,10 @@ constexpr Field dialectFields[] = {
         "single controls of the family, by the value of the option `control`: what differs is "
         "laid over the table",
         R"({"802D": {"limits": {"callDepth": 7}}})"),
+    elsewhere("byOption", mapOf(anything),
+              "what an option of the machine profile changes, by the option and its value: it is "
+              "laid over the table",
+              R"({"toolChangeByM6": {"false": {"toolChangeByT": true}}})"),
     special<&DialectBuilder::readLexical>("lexical", object(lexicalRecord),
                                           "how programs are spelt"),
     field<&Dialect::limits>("limits", object(limitRecord), "how much the control takes"),

@@ -151,6 +151,8 @@ constexpr Field cyclesFields[] = {
         "40"),
     flag<&CycleFacts::backBoreAtAnyLevel>(
         "backBoreAtAnyLevel", "back boring leaves the bore whatever the return level is"),
+    flag<&CycleFacts::newCallReplaces>(
+        "newCallReplaces", "the call of another cycle takes the place of the one in force"),
     flag<&CycleFacts::firesInCalls>(
         "firesInCalls",
         "the moves of a subprogram that is called while a cycle is active are places of the cycle"),
@@ -180,6 +182,8 @@ constexpr RecordOf<FeedFacts> feedRecord =
     RecordOf<FeedFacts>{"facts of feed", "what holds for feed", feedFields}.overlay();
 
 constexpr Field limitsFields[] = {
+    flag<&LimitFacts::repeatsTakeLevel>("repeatsTakeLevel",
+                                        "a section that is repeated takes a level of calls"),
     flag<&LimitFacts::repeatsWhole>("repeatsWhole",
                                     "the count of a repeat is a whole number from 1 on, which a "
                                     "function makes of a real variable"),
@@ -230,6 +234,10 @@ constexpr Field spindleFields[] = {
     flag<&SpindleFacts::inRevolutions>("inRevolutions", "every S is a speed in revolutions"),
     flag<&SpindleFacts::stoppedByCodes>("stoppedByCodes",
                                         "other codes than those of tapping also stop the spindle"),
+    field<&SpindleFacts::limitVariables>(
+        "limitVariables", texts,
+        "variables of the control that hold the greatest speed of the spindle",
+        R"(["$SC_SPIND_MAX_VELO_LIMS"])"),
 };
 constexpr RecordOf<SpindleFacts> spindleRecord =
     RecordOf<SpindleFacts>{"facts of the spindle", "what holds for the spindle", spindleFields}
@@ -262,6 +270,10 @@ constexpr Field programFields[] = {
     flag<&ProgramFacts::modesStatedAtTargets>(
         "modesStatedAtTargets", "a block that several paths reach states the modes that it needs"),
     flag<&ProgramFacts::everyBlockNumbered>("everyBlockNumbered", "every block has a number"),
+    field<&ProgramFacts::stepHeads>("stepHeads", texts,
+                                    "calls with which a program of steps begins that only the "
+                                    "control's own editor knows",
+                                    R"(["E_HEAD", "F_HEAD"])"),
     flag<&ProgramFacts::remapsInIni>(
         "remapsInIni", "the machine's INI file, near the program, makes codes (`REMAP=`)"),
     field<&ProgramFacts::folders>("folders", texts,

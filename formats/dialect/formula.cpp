@@ -12,6 +12,20 @@ namespace {
 /// A table's formula is short; deeper nesting is a mistake.
 constexpr unsigned maxNesting = 32;
 
+/// Functions without arguments, which tell of the state.
+constexpr std::pair<llvm::StringLiteral, FormulaOp> ofState[] = {
+    {"toolRadius", FormulaOp::ToolRadius},
+    {"tool", FormulaOp::Tool},
+    {"edge", FormulaOp::Edge},
+    {"level", FormulaOp::Level},
+    {"feed", FormulaOp::Feed},
+    {"speed", FormulaOp::Speed},
+    {"note", FormulaOp::Note},
+    {"origin", FormulaOp::Origin},
+    {"index", FormulaOp::Index},
+    {"increment", FormulaOp::Increment},
+    {"unknown", FormulaOp::Unknown}};
+
 class FormulaParser {
 public:
   using Names = llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)>;
@@ -129,6 +143,7 @@ private:
     case FormulaOp::GivenVariable:
     case FormulaOp::ToolRadius:
     case FormulaOp::Tool:
+    case FormulaOp::Edge:
     case FormulaOp::Level:
     case FormulaOp::Feed:
     case FormulaOp::Speed:
@@ -229,12 +244,6 @@ private:
     return true;
   }
   bool function(llvm::StringRef name, unsigned depth) {
-    constexpr std::pair<llvm::StringLiteral, FormulaOp> ofState[] = {
-        {"toolRadius", FormulaOp::ToolRadius}, {"tool", FormulaOp::Tool},
-        {"level", FormulaOp::Level},           {"feed", FormulaOp::Feed},
-        {"speed", FormulaOp::Speed},           {"note", FormulaOp::Note},
-        {"origin", FormulaOp::Origin},         {"index", FormulaOp::Index},
-        {"increment", FormulaOp::Increment},   {"unknown", FormulaOp::Unknown}};
     for (const auto &[known, op] : ofState)
       if (name == known) {
         emit(op);

@@ -25,6 +25,7 @@ enum class FormulaOp : uint8_t {
   Element,       ///< value of the variable `names[index]` at the place on top: `$NAME[x]`
   ToolRadius,    ///< of the tool in use, by the machine profile
   Tool,          ///< number of the tool in use
+  Edge,          ///< number of its edge in force, 0 without one
   Level,         ///< place along the tool axis before the block
   Feed,          ///< F in force before the block
   Speed,         ///< S in force before the block
@@ -83,8 +84,8 @@ struct FormulaName {
 /// Reads `text`: numbers, names, `+ - * /`, `< <= > >= == !=`, `and or not`, parentheses,
 /// `$NAME` for a variable of the program, `$NAME[x]` for one of several, `abs(x) min(x,y) max(x,y)
 /// floor(x) sqrt(x) sin(x) cos(x) select(x,y,z) index() increment() unknown() given(NAME)
-/// toolRadius() tool() level() feed() speed() note() origin() key(SYMBOL) option(NAME) length(NAME)
-/// here(NAME) bare(ADDRESS) place(AXIS)`. None, with `error` set, when it cannot.
+/// toolRadius() tool() edge() level() feed() speed() note() origin() key(SYMBOL) option(NAME)
+/// length(NAME) here(NAME) bare(ADDRESS) place(AXIS)`. None, with `error` set, when it cannot.
 std::optional<Formula>
 parseFormula(llvm::StringRef text,
              llvm::function_ref<std::optional<FormulaName>(llvm::StringRef)> name,

@@ -159,6 +159,26 @@ llvm::Error selectControl(Json &merged, llvm::ArrayRef<Json> controls, const Jso
   return reader.takeError();
 }
 
+/// Lays over the table what its layers say of the values that the profile gives to options.
+/// `choices` are those of each layer, base first.
+void selectOptions(Json &merged, llvm::ArrayRef<Json> choices, const Json &profile) {
+  const auto options = profile.is_object() ? profile.find("options") : profile.end();
+  if (options == profile.end() || !options->is_object())
+    return;
+  for (const Json &layer : choices)
+    for (auto option = layer.begin(); option != layer.end(); ++option) {
+      const auto given = options->find(option.key());
+      const auto own = given == options->end() || !option->is_object()
+                           ? option->end()
+                           : option->find(optionText(*given));
+      if (own == option->end())
+        continue;
+      Json laid = *own;
+      prepareLayer(laid);
+      layOver(merged, std::move(laid));
+    }
+}
+
 /// The block that the control runs before every program says which modes are in force.
 void startState(Dialect &dialect, JsonReader &reader, const Json &block) {
   llvm::SmallVector<llvm::StringRef, 8> words;
@@ -228,7 +248,7 @@ llvm::Expected<std::shared_ptr<const Dialect>> overlay(std::shared_ptr<const Dia
   if (!profile)
     return profile.takeError();
   std::vector<JsonLayer> files;
-  std::vector<Json> values, controls;
+  std::vector<Json> values, controls, choices;
   for (const auto &[layerName, layerText] : dialect->layers) {
     llvm::Expected<Json> value = parseJson(layerName, layerText);
     if (!value)
@@ -238,11 +258,14 @@ llvm::Expected<std::shared_ptr<const Dialect>> overlay(std::shared_ptr<const Dia
     // What is taken away there must still be said when it is laid over the whole.
     if (const auto own = value->find("controls"); own != value->end() && own->is_object())
       controls.push_back(*own);
+    if (const auto own = value->find("byOption"); own != value->end() && own->is_object())
+      choices.push_back(*own);
     values.push_back(std::move(*value));
   }
   Json merged = merge(std::move(values));
   if (llvm::Error error = selectControl(merged, controls, *profile, {name.str(), text}))
     return error;
+  selectOptions(merged, choices, *profile);
   Json fragment = profileCodes(*profile);
   dropRedefined(merged, fragment);
   layOver(merged, std::move(fragment));

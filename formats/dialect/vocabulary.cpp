@@ -51,7 +51,8 @@ constexpr llvm::StringLiteral units[] = {"none",  "length", "angle", "feed",
                                          "speed", "time",   "whole"};
 constexpr llvm::StringLiteral arcWords[] = {"radius", "angle", "through-x", "through-y",
                                             "through-z"};
-constexpr llvm::StringLiteral addressActions[] = {"speed-limit", "spindle-orient"};
+constexpr llvm::StringLiteral addressActions[] = {"speed-limit", "spindle-orient", "feed",
+                                                  "block-feed"};
 constexpr llvm::StringLiteral codeNeeds[] = {"feed", "speed"};
 constexpr llvm::StringLiteral axes[] = {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
 static_assert(std::size(axes) == axisCount);

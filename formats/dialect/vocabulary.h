@@ -16,7 +16,7 @@ llvm::ArrayRef<llvm::StringLiteral> spindleNames();
 llvm::ArrayRef<llvm::StringLiteral> addressKindNames();
 llvm::ArrayRef<llvm::StringLiteral> addressUnitNames();
 llvm::ArrayRef<llvm::StringLiteral> arcWordNames();       ///< of an address: "radius", "through-x"
-llvm::ArrayRef<llvm::StringLiteral> addressActionNames(); ///< "speed-limit", "spindle-orient"
+llvm::ArrayRef<llvm::StringLiteral> addressActionNames(); ///< "speed-limit", ...
 llvm::ArrayRef<llvm::StringLiteral> codeNeedNames();      ///< "feed", "speed"
 llvm::ArrayRef<llvm::StringLiteral> axisNames();
 llvm::ArrayRef<llvm::StringLiteral> machineNames();

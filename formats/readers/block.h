@@ -271,6 +271,10 @@ enum class SyntaxIssueKind : uint8_t {
   AssignmentInTest,    ///< `=` where two values are compared
   AmbiguousExpression, ///< operators whose order is another than it looks
   RealForInteger,      ///< `T=R5`: a real value where a whole number is to be made of it
+  BadName,             ///< a name that begins with a digit, or is a word of the language
+  SkipInside,          ///< a block skip that is not at the start of its block
+  UnknownAttribute,    ///< a word after the head of a program that is none of its attributes
+  NoAction,            ///< a word of the path among the actions of a synchronised block
   NotABlock            ///< text of which no part is code: prose, or another language
 };
 

@@ -222,6 +222,9 @@ private:
       return tool();
     case FormulaOp::Tool:
       return before.tool >= 0 ? Interval::exactly(before.tool) : Interval::unknown();
+    case FormulaOp::Edge:
+      return before.radiusOffset >= 0 ? Interval::exactly(before.radiusOffset)
+                                      : Interval::unknown();
     case FormulaOp::Level:
       return place(toolAxis(context_.dialect, before));
     case FormulaOp::Feed:

@@ -152,7 +152,8 @@ void Execution::run(bool guardHolds) {
   for (const CodeUse &use : outcome_.codes)
     applyModes(use);
   technologyWords();
-  if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords))
+  if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords |
+                    dialect_.feedWords))
     settingWords();
   for (const CodeUse &use : outcome_.codes)
     applyEarly(use);

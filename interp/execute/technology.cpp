@@ -122,11 +122,18 @@ void Execution::offsetWord(const Word &word, bool cycleTakesD) {
   event.setWordValue(number);
 }
 
-/// Words that set something without a code: a limit of the speed, a position of the spindle.
+/// Words that set something without a code: a feed of a tooth, a limit of the speed, a position of
+/// the spindle.
 void Execution::settingWords() {
   for (const Word &word : block_.words) {
     const AddressMask mask = maskOf(word.address);
-    if (mask & dialect_.speedLimitWords) {
+    if (mask & dialect_.feedWords) {
+      state_.feed = Interval::unknown();
+      state_.origin.set(StatePart::Feed, originOf(word));
+      state_.set(Fact::FeedSet);
+      state_.clear(Fact::FeedCarried);
+      state_.clear(Fact::FeedIsLead);
+    } else if (mask & dialect_.speedLimitWords) {
       state_.speedLimit = value(word);
       state_.set(Fact::SpeedLimitSet);
     } else if (mask & dialect_.orientWords) {

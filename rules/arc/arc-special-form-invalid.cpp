@@ -31,7 +31,7 @@ private:
   };
 
   static void threePoints(const Event &event, RuleContext &ctx) {
-    if (lacksCoordinate(event, ctx))
+    if (lacksPoint(event, ctx) || lacksCoordinate(event, ctx))
       return;
     const std::optional<ThreePoints> points = pointsOf(ctx);
     const std::optional<double> place = points ? partOfLine(*points) : std::nullopt;
@@ -92,6 +92,17 @@ private:
       return std::nullopt;
     const PlaceOnLine place = placeOnLine(start, end, middle);
     return place.aside > tolerance ? std::nullopt : std::optional(place.along);
+  }
+
+  /// No coordinate of the intermediate point is given.
+  static bool lacksPoint(const Event &event, RuleContext &ctx) {
+    for (unsigned axis = 0; axis < 3; ++axis)
+      if (intermediate(axis, ctx))
+        return false;
+    if (auto finding = ctx.report(event))
+      finding.message("`{0}` has no intermediate point: the control does not know the arc",
+                      ctx.code(event).name);
+    return true;
   }
 
   /// Of the intermediate point one coordinate in the plane is given, and not the other.

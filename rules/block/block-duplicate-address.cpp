@@ -11,6 +11,8 @@ class BlockDuplicateAddress final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::WordIssue);
+    if (to.dialect().lexical.commaSeparates)
+      to.on(EventKind::Statement);
     for (const CodeInfo &code : to.dialect().codes)
       for (const WordSpec &spec : code.words)
         if (spec.variable)
@@ -20,6 +22,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Statement)
+      return numberedAgain(event.item(), ctx);
     if (event.kind == EventKind::Assignment)
       return parameterAgain(uint64_t(event.variable()), ctx);
     if (event.wordIssue() != WordIssue::Repeated)
@@ -54,6 +58,32 @@ private:
                         count[which], most);
       return;
     }
+  }
+
+  /// `S2=500 S2=600`: the number belongs to the address.
+  static void numberedAgain(size_t index, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const auto addressOf = [&](const Item &item) {
+      const llvm::StringRef text = ctx.text(ctx.range(item));
+      const llvm::StringRef name = text.take_until([](char c) { return c == '='; }).rtrim();
+      const bool numbered = item.kind == ItemKind::Output && name.size() > 1 &&
+                            name.size() < text.size() &&
+                            llvm::StringRef("STst").contains(name[0]) &&
+                            llvm::all_of(name.drop_front(), llvm::isDigit);
+      return numbered ? name : llvm::StringRef();
+    };
+    const llvm::StringRef address = addressOf(block.items[index]);
+    for (size_t i = 0; i < index && !address.empty(); ++i)
+      if (address.equals_insensitive(addressOf(block.items[i]))) {
+        const SourceRange range = ctx.range(block.items[index]);
+        const SourceRange first = ctx.range(block.items[i]);
+        if (auto finding = ctx.report(range))
+          finding
+              .message("`{0}` is in the block beside `{1}`: one of them is lost", ctx.text(range),
+                       ctx.text(first))
+              .note(first, "the first of the two");
+        return;
+      }
   }
 
   /// A cycle's parameter that the block sets twice.

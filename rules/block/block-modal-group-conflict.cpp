@@ -66,6 +66,7 @@ private:
   /// Message of the conflict, or null.
   static const char *conflict(const Dialect &dialect, const CodeInfo &a, const CodeInfo &b,
                               bool sameTwice) {
+    // The same code twice says the same thing; a word that is a code has no number.
     if (a.base == b.base || (a.letter && a.letter == b.letter && a.number == b.number)) // the same
       return sameTwice ? "`{0}` and `{1}`: the interpreter takes one code of a "
                          "group, and stops at a second one"

@@ -9,6 +9,7 @@ class BlockMustStandAlone final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
+    to.on(EventKind::Syntax);
     if (to.flag("statements"))
       to.on(EventKind::Statement);
     flowAlone_ = to.dialect().facts->program.flowCodesAlone;
@@ -21,6 +22,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return atStatement(ctx.block().items[event.item()], event.item(), ctx);
+    if (event.kind == EventKind::Syntax)
+      return noAction(ctx.block().issues[event.issue()], ctx);
     ctx.reportNotices(id, event);
     const CodeInfo &code = ctx.code(event);
     if (flowAlone_ && decidesFlow(code))
@@ -46,7 +49,7 @@ public:
     if (!missingWords(ctx, event).empty())
       return;
     for (const Word &word : ctx.block().words) {
-      if (&word == event.word || own & maskOf(word.address))
+      if (&word == event.word || own & maskOf(word.address) || isCalled(code, word, ctx))
         continue;
       auto finding = ctx.report(word);
       if (!finding)
@@ -111,6 +114,25 @@ private:
       return true;
     }
     return false;
+  }
+
+  /// What belongs to the path of the program is no action beside it.
+  static void noAction(const SyntaxIssue &issue, RuleContext &ctx) {
+    if (issue.kind != SyntaxIssueKind::NoAction)
+      return;
+    const SourceRange range = ctx.range(issue);
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` belongs to the path and wants a block of the program: no synchronised "
+                      "action takes it",
+                      ctx.text(range));
+  }
+
+  /// The cycle that a modal call calls.
+  static bool isCalled(const CodeInfo &code, const Word &word, const RuleContext &ctx) {
+    if (word.address != keywordAddress || !ctx.dialect().codes[code.base].cancelsCalls)
+      return false;
+    const CodeIndex called = codeOf(ctx.dialect(), word);
+    return called != noCode && ctx.dialect().codes[called].action == Action::Cycle;
   }
 
   /// Calls by name, brackets of structured flow and jumps without a condition share their block

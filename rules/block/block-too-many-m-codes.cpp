@@ -13,6 +13,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
+    if (functions(event, ctx))
+      return;
     if (event.word->address != letterAddress('M') || !(block.repeated & maskOf('M')))
       return;
     const double limit =
@@ -29,6 +31,29 @@ public:
   }
 
 private:
+  /// M words and the other words that go to the machine, all together.
+  static bool functions(const Event &event, RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const unsigned most = ctx.dialect().limits.functionsPerBlock;
+    if (!most || block.words.size() + block.items.size() <= most || event.word != block.find('M'))
+      return false;
+    constexpr AddressMask counted = lettersMask("MSTDH");
+    unsigned count = 0;
+    const Word *further = nullptr;
+    for (const Word &word : block.words)
+      if (counted & maskOf(word.address) && ++count > most && !further)
+        further = &word;
+    for (const Item &item : block.items)
+      count += item.kind == ItemKind::Output && ctx.text(ctx.range(item)).contains('=') &&
+               llvm::StringRef("MSTH").contains(llvm::toUpper(ctx.text(ctx.range(item))[0]));
+    if (count <= most)
+      return false;
+    if (auto finding = further ? ctx.report(*further) : ctx.report(*event.word))
+      finding.message("{0} auxiliary functions are in the block, and the control takes {1}", count,
+                      most);
+    return true;
+  }
+
   static void report(const Word &word, double limit, RuleContext &ctx) {
     auto finding = ctx.report(word);
     if (!finding)

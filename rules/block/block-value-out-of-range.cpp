@@ -28,9 +28,15 @@ class BlockValueOutOfRange final : public StatefulRule<BlockValueOutOfRangeMemor
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
-    for (const AddressInfo &address : to.dialect().addresses)
-      ranged_ |= std::isfinite(address.least) || std::isfinite(address.most);
-    to.on(EventKind::WordIssue);
+    constexpr AddressMask told = lettersMask("FSTDH"); // by events of their own
+    for (size_t i = 0; i < to.dialect().addresses.size(); ++i) {
+      const AddressInfo &address = to.dialect().addresses[i];
+      if (!std::isfinite(address.least) && !std::isfinite(address.most))
+        continue;
+      ranged_ = true;
+      others_ |= maskOf(AddressId(i)) & ~told;
+    }
+    to.on({EventKind::WordIssue, EventKind::Syntax});
     leastAlarm_ = to.dialect().facts->limits.leastAlarm;
     greatestAlarm_ = to.dialect().facts->limits.greatestAlarm;
     if (greatestAlarm_ > 0)
@@ -38,8 +44,8 @@ public:
     if (ranged_)
       to.on(
           {EventKind::ToolWord, EventKind::OffsetWord, EventKind::SpeedWord, EventKind::FeedWord});
-    to.onCode([](const CodeInfo &code) {
-      return code.action == Action::ZoneOn || !code.excludes.empty() ||
+    to.onCode([&](const CodeInfo &code) {
+      return isZone(code, to.dialect()) || !code.excludes.empty() ||
              llvm::any_of(code.words,
                           [&](const WordSpec &spec) { return isRangeOfBlock(code, spec); }) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
@@ -47,8 +53,12 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::WordIssue)
+    if (event.kind == EventKind::Syntax)
+      return skipInside(ctx.block().issues[event.issue()], ctx);
+    if (event.kind == EventKind::WordIssue) {
+      ofAddresses(event, ctx);
       return skipLevel(event, ctx);
+    }
     if (event.kind == EventKind::Assignment)
       return alarm(event, ctx);
     if (event.kind != EventKind::Code)
@@ -67,10 +77,10 @@ public:
     });
     if (code.action != Action::Cycle)
       reportExcludedWords(ctx, event);
-    if (code.action == Action::ZoneOn) {
+    if (code.action == Action::ZoneOn)
       zone(ctx);
+    if (isZone(code, ctx.dialect()))
       side(event, ctx);
-    }
   }
 
 private:
@@ -98,18 +108,55 @@ private:
     }
   }
 
-  /// What the address takes whatever is beside it.
-  static void ofAddress(const Event &event, RuleContext &ctx) {
-    const AddressInfo &address = ctx.dialect().addresses[event.word->address];
-    if (!(event.wordValue().hi < address.least) && !(event.wordValue().lo > address.most))
+  /// A code that limits where the tool may be, or how fast the spindle turns.
+  static bool isZone(const CodeInfo &code, const Dialect &dialect) {
+    return code.action == Action::ZoneOn ||
+           (code.base != noCode && dialect.codes[code.base].action == Action::ZoneOn);
+  }
+
+  /// Words that no event tells of.
+  void ofAddresses(const Event &event, RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    if ((event.wordIssue() != WordIssue::Special && event.wordIssue() != WordIssue::NumberInside) ||
+        !block.hasAny(others_) || ctx.find({Action::MacroCall, Action::MacroModal}))
       return;
+    const AddressMask of = event.wordIssue() == WordIssue::Special ? ~maskOf('N') : maskOf('N');
+    for (const Word &word : block.words)
+      if (others_ & of & maskOf(word.address) && !word.has(wordNoValue))
+        outside(word, ctx.value(word), ctx);
+  }
+
+  static void ofAddress(const Event &event, RuleContext &ctx) {
+    outside(*event.word, event.wordValue(), ctx);
+  }
+
+  /// What the address takes whatever is beside it.
+  static void outside(const Word &word, const Interval &value, RuleContext &ctx) {
+    const AddressInfo &address = ctx.dialect().addresses[word.address];
+    if (!(value.hi < address.least) && !(value.lo > address.most))
+      return;
+    constexpr double nothing = 1e-5; // the least that is not zero
+    const auto bound = [](double number) {
+      return llvm::formatv("{0}", llvm::format("%.9g", number)).str();
+    };
     const std::string range =
-        !std::isfinite(address.least) ? "at most " + shortNumber(address.most)
+        value.hi < address.least && address.least > 0 && address.least < nothing ? "above 0"
+        : !std::isfinite(address.least) ? "at most " + bound(address.most)
         : !std::isfinite(address.most)
-            ? "at least " + shortNumber(address.least)
-            : "from " + shortNumber(address.least) + " to " + shortNumber(address.most);
-    if (auto finding = ctx.report(*event.word))
-      finding.message("`{0}` ({1}) is not {2}", ctx.text(*event.word), address.title, range);
+            ? "at least " + bound(address.least)
+            : "from " + bound(std::fabs(address.least) < nothing ? 0 : address.least) + " to " +
+                  bound(address.most);
+    if (auto finding = ctx.report(word))
+      finding.message("`{0}` ({1}) is not {2}", ctx.text(word), address.title, range);
+  }
+
+  static void skipInside(const SyntaxIssue &issue, RuleContext &ctx) {
+    if (issue.kind != SyntaxIssueKind::SkipInside)
+      return;
+    const SourceRange range = ctx.range(issue);
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` comes after the block number: a block skip is the first of its block",
+                      ctx.text(range));
   }
 
   static void skipLevel(const Event &event, RuleContext &ctx) {
@@ -139,15 +186,16 @@ private:
     const bool upper = code.base == sides[1];
     std::map<uint32_t, Memory::Limit> &own = upper ? memory().upper : memory().lower;
     // The code by itself takes back what it narrowed, an axis without a value this axis'.
-    if (!axesOf(dialect, ctx.block()))
+    if (!axesOf(dialect, ctx.block()) && !ctx.block().has(letterAddress('S')))
       std::erase_if(own, [&](const auto &limit) { return limit.first >> 8 == code.group; });
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = dialect.addresses[word.address];
       const Interval value = ctx.value(word);
       const uint32_t key = uint32_t(code.group) << 8 | uint32_t(address.axis);
-      if (address.kind == AddressKind::Axis && (!value.isConstant() || word.has(wordNoValue)))
+      const bool limited = address.kind == AddressKind::Axis || word.address == letterAddress('S');
+      if (limited && (!value.isConstant() || word.has(wordNoValue)))
         own.erase(key);
-      if (address.kind != AddressKind::Axis || !value.isConstant() || word.has(wordNoValue))
+      if (!limited || !value.isConstant() || word.has(wordNoValue))
         continue;
       if (!upper) {
         memory().lower[key] = {value.value(), ctx.range(word)};
@@ -161,7 +209,7 @@ private:
         continue;
       if (auto finding = ctx.report(word))
         finding
-            .message("`{0}` of `{1}` lies below the lower limit: nothing is left to move in",
+            .message("`{0}` of `{1}` lies below the lower limit: nothing is left between the two",
                      ctx.text(word), code.name)
             .note(low->second.second, "the lower limit");
     }
@@ -178,12 +226,13 @@ private:
       return;
     if (auto finding = ctx.report(word))
       finding
-          .message("`{0}` of `{1}` lies above the upper limit: nothing is left to move in",
+          .message("`{0}` of `{1}` lies above the upper limit: nothing is left between the two",
                    ctx.text(word), code.name)
           .note(upper.second, "the upper limit");
   }
 
   bool ranged_ = false;
+  AddressMask others_ = 0; ///< addresses with bounds that have no event of their own
   static constexpr llvm::StringLiteral id{"block-value-out-of-range"};
 
   /// The limits of a working-space zone: X Y Z are the upper ones, I J K the lower ones.

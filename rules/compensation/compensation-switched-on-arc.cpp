@@ -16,11 +16,12 @@ public:
     if (event.code == noCode || event.by == noCode)
       return;
     const CodeInfo &motion = ctx.dialect().codes[event.by];
-    if (!isArc(motion.action))
+    if (!isArc(motion.action) && !isCurve(motion.action))
       return;
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
-    const CodeUse *arc = ctx.find({Action::ArcCw, Action::ArcCcw});
+    const CodeUse *arc =
+        ctx.find({Action::ArcCw, Action::ArcCcw, Action::CurveThrough, Action::CurveTangent});
     auto finding =
         arc ? ctx.report(*arc->word, event.certain) : ctx.report(ctx.blockRange(), event.certain);
     if (!finding)
@@ -46,6 +47,11 @@ public:
   }
 
 private:
+  /// An arc that is not given by its centre.
+  static bool isCurve(Action action) {
+    return action == Action::CurveThrough || action == Action::CurveTangent;
+  }
+
   bool entryArcs_ = false; ///< an arc may build compensation up
 };
 

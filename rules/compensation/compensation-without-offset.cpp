@@ -131,15 +131,17 @@ private:
           !(value.isConstant() && value.number.value() == 0))
         return;
     }
+    const bool empty = state.tool == 0;
     const bool none =
         state.tool == notSet && !state.may(Fact::ToolCalled) && !state.may(Fact::UnknownCode);
-    if (!none && compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
+    if (!none && !empty && compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
       return;
     if (auto finding = ctx.report(where, event.certain))
       finding
           .message("`{0}` {1}: the tool runs on the contour line", code.name,
-                   none ? "before any tool was changed in: the radius is zero"
-                        : llvm::formatv("with tool {0}, whose radius is 0", state.tool).str())
+                   empty  ? "with T0: there is no tool"
+                   : none ? "before any tool was changed in: the radius is zero"
+                          : llvm::formatv("with tool {0}, whose radius is 0", state.tool).str())
           .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 

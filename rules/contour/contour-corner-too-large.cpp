@@ -48,6 +48,8 @@ private:
     const Interval size = lengthOf(word, ctx.block(), ctx.dialect(), ctx.machine(), ctx.after());
     if (!(zero_ ? size.hi < 0 : size.hi <= 0))
       return false;
+    if (size.hi < address.least) // its address does not take it
+      return true;
     if (auto finding = ctx.report(word))
       finding.message("`{0}`: the size of a corner is above zero", ctx.text(word));
     return true;

@@ -1,4 +1,5 @@
 // A program writes data that later programs work with.
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
@@ -27,6 +28,8 @@ public:
       return;
     const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
     const llvm::StringRef name = ctx.text(range);
+    if (!moves_.of(ctx.source().id(), [&] { return moves(ctx); }))
+      return; // setting data is what the program is for
     for (const std::string &data : ctx.dialect().machineData)
       if (name.startswith_insensitive(data))
         if (auto finding = ctx.report(range))
@@ -79,7 +82,20 @@ private:
     }
   }
 
+  /// Whether any block of the text moves an axis, calls a program or runs a cycle.
+  static bool moves(RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    for (const Block &block :
+         blocks(ctx.index(), ctx.index().reader().first(), uint32_t(ctx.source().text().size())))
+      if (block.hasAny(dialect.axisWords | dialect.polarWords) ||
+          findCode(dialect, block, {Action::Cycle, Action::ToolChange}) ||
+          llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::Call; }))
+        return true;
+    return false;
+  }
+
   TextAnswers<FileId, std::vector<Passes>> passes_;
+  TextAnswers<FileId, bool> moves_;
   static constexpr llvm::StringLiteral id{"coordinate-offset-table-written"};
 };
 

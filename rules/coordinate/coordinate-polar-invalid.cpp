@@ -110,6 +110,11 @@ private:
                 "it is programmed here");
   }
 
+  /// Whether the word is a polar one with a value of the unit.
+  bool address(const Word &word, AddressUnit unit, const RuleContext &ctx) const {
+    return (words_ & maskOf(word.address)) && ctx.dialect().addresses[word.address].unit == unit;
+  }
+
   bool modal_ = false; ///< polar points have motion codes of their own
   /// An end point by words for angle and radius.
   void byWords(const Event &event, RuleContext &ctx) const {
@@ -123,6 +128,14 @@ private:
           !aboutZero_)
         if (auto finding = ctx.report(word))
           finding.message("`{0}`: a radius is not negative", ctx.text(word));
+      if (address(word, AddressUnit::Length, ctx) && value.isConstant() && value.value() == 0 &&
+          !aboutZero_ && llvm::any_of(ctx.block().words, [&](const Word &other) {
+            return address(other, AddressUnit::Angle, ctx);
+          }))
+        if (auto finding = ctx.report(word))
+          finding.message("`{0}`: with a radius of 0 the angle says nothing, and its direction is "
+                          "lost",
+                          ctx.text(word));
     }
     const uint16_t plane = planeAxes(dialect, ctx.after());
     for (const Word &word : ctx.block().words) {

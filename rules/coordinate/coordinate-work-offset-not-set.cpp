@@ -18,7 +18,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
-    if (memory().reported || state.must(Fact::WorkOffsetStated) ||
+    if (memory().reported || (state.must(Fact::WorkOffsetStated) && !isNone(ctx)) ||
         event.motion == MotionKind::Reference || event.inMachineCoordinates() || !event.axes)
       return;
     // A preset makes a coordinate system of its own; increments need none.
@@ -36,7 +36,7 @@ public:
              Truth::No))
       return;
     memory().reported = true;
-    auto finding = ctx.report(*word, !state.may(Fact::WorkOffsetStated));
+    auto finding = ctx.report(*word, isNone(ctx) || !state.may(Fact::WorkOffsetStated));
     if (!finding)
       return;
     const std::string offset = firstOffset(ctx.dialect());
@@ -47,6 +47,14 @@ public:
   }
 
 private:
+  /// The code in force is the one that takes all offsets away.
+  static bool isNone(const RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    const CodeInfo *active = ctx.after().activeCode(dialect, StandardGroup::WorkOffset);
+    return active && !llvm::StringRef(active->name).startswith("G54") &&
+           dialect.groups[dialect.group(StandardGroup::WorkOffset)].initial == active->bit;
+  }
+
   /// `G54`, or `G54.01` where the origins have numbers.
   static std::string firstOffset(const Dialect &dialect) {
     for (const CodeIndex member : dialect.groups[dialect.group(StandardGroup::WorkOffset)].members)

@@ -50,7 +50,7 @@ public:
     const Interval distance = words[2] ? ctx.value(*words[2]) : Interval::exactly(0);
     const Interval level = part + distance;
     if (!level.isConstant() || from.value() >= level.value() * *unit - 1e-6)
-      return;
+      return belowRetract(event, *words[0], from.value() / *unit, ctx);
     // A retraction plane that is itself no higher is the mistake, and another rule's.
     if (const Interval retract = ctx.value(*words[0]); retract.hi < level.lo)
       return;
@@ -61,6 +61,18 @@ public:
   }
 
 private:
+  /// Above the part, but lower than the plane at which the cycle goes to its first point.
+  static void belowRetract(const Event &event, const Word &retract, double from, RuleContext &ctx) {
+    const Interval level = ctx.value(retract);
+    if (!level.isConstant() || from >= level.value() - 1e-6 || !ctx.asked())
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Style)
+          .message("`{0}` begins at {1}, below its retraction plane {2}: the path to its first "
+                   "point is meant to be free at that height",
+                   ctx.code(event).name, shortNumber(from), ctx.text(retract));
+  }
+
   static bool hasPlaneVariable(const CodeInfo &code) {
     return llvm::any_of(code.words, [](const WordSpec &spec) {
       return spec.role == Role::Retract && spec.variable;

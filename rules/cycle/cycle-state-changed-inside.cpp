@@ -27,10 +27,11 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       for (const WordSpec &spec : code.words)
         axes_.erase(spec.variable); // it is one cycle's own
+    const bool replaces = to.dialect().facts->cycles.newCallReplaces;
     to.onCode([&](const CodeInfo &code) {
       if (goesOn_)
         return changes(code.action) || shifts(code) ||
-               (code.action == Action::Cycle && code.base != noCode &&
+               (!replaces && code.action == Action::Cycle && code.base != noCode &&
                 code.cycle != CycleKind::Pattern);
       return !code.cancelsCycle && code.group != cycles &&
              (isMotion(code.action) || code.action == Action::Cycle);

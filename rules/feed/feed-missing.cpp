@@ -28,7 +28,8 @@ public:
       return;
     const bool isSet = ctx.after().must(Fact::FeedSet);
     if (event.code == noCode || (isSet && !turns_) ||
-        ctx.before().must(Fact::InContour) || // it has feeds of its own
+        ctx.block().hasAny(ctx.dialect().blockFeedWords) || // a feed of its own block
+        ctx.before().must(Fact::InContour) ||               // it has feeds of its own
         ctx.after().may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);

@@ -150,15 +150,16 @@ private:
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     unsigned heads = 0;
-    bool moves = false;
+    bool moves = false, runs = false;
     std::optional<SourceRange> first;
     for (const Block &block : blocks(ctx.index(), program.body, ctx.block().begin)) {
       moves |= block.hasAny(ctx.dialect().axisWords);
+      runs |= !onlySets(block, ctx.dialect());
       heads += llvm::any_of(block.items, isHead);
       if (!first && runsBefore(block, head))
         first = ctx.range(block);
     }
-    if (!first || (head && heads > 1))
+    if (!first || (head && heads > 1) || (!head && !runs))
       return;
     const SourceRange range = ctx.range(item);
     auto finding = ctx.report(range);
@@ -172,6 +173,26 @@ private:
     // Where only modes were set many controls take it.
     if (!head && !moves)
       finding.severity(Severity::Warning);
+  }
+
+  /// Modes and remarks for the operator, which controls take before definitions: neither a work
+  /// offset nor anything that acts.
+  static bool onlySets(const Block &block, const Dialect &dialect) {
+    const GroupIndex offsets = dialect.group(StandardGroup::WorkOffset);
+    return llvm::all_of(block.words,
+                        [&](const Word &word) {
+                          const CodeIndex code = codeOf(dialect, word);
+                          if (code == noCode || dialect.codes[code].letter == 'M')
+                            return word.address == argumentAddress;
+                          const CodeInfo &info = dialect.codes[code];
+                          return info.group != noGroup ? info.group != offsets
+                                                       : info.action == Action::None;
+                        }) &&
+           llvm::all_of(block.items, [](const Item &item) {
+             return item.kind == ItemKind::Instruction || item.kind == ItemKind::Definition ||
+                    item.kind == ItemKind::Declaration || item.kind == ItemKind::Parameters ||
+                    item.kind == ItemKind::Macro;
+           });
   }
 
   static bool isHead(const Item &item) { return item.kind == ItemKind::Parameters; }

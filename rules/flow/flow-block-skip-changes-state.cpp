@@ -47,6 +47,11 @@ public:
                      "the panel decides what holds after it");
       return;
     }
+    if (words_ && ctx.block().hasLabel())
+      if (auto finding = ctx.report(
+              SourceRange{ctx.source().id(), ctx.block().labelBegin, ctx.block().labelEnd}))
+        finding.message("the label `{0}` is in a block that can be skipped",
+                        ctx.source().text(ctx.block().labelBegin, ctx.block().labelEnd));
     if (!changes.any()) {
       if (words_)
         words(ctx);

@@ -19,6 +19,7 @@ struct FlowConstantConditionMemory {
     int64_t number = -1; ///< of its block
     bool truth = false;
     bool other = false; ///< it was reached with another result too
+    bool loops = false; ///< it is that of a loop, which has to begin as true
   };
   std::map<std::pair<FileId, uint32_t>, Choice> choices;
   std::map<std::pair<FileId, uint32_t>, Decided> decided;
@@ -46,7 +47,7 @@ public:
       return;
     for (const auto &[place, set] : memory().decided) {
       // A jump to the block brings other values along.
-      if (place.first != file.source.id() || set.other ||
+      if (place.first != file.source.id() || set.other || (set.loops && set.truth) ||
           std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), set.number))
         continue;
       if (auto finding = ctx.report(set.range))
@@ -108,7 +109,8 @@ private:
         return std::nullopt;
       const Expression &e = block.expressions[index];
       for (uint32_t i = 0; i < e.count; ++i)
-        if (block.operations[e.first + i].op == Op::Variable)
+        if (block.operations[e.first + i].op == Op::Variable &&
+            !isGivenBefore(uint64_t(block.operations[e.first + i].value), ctx))
           return std::nullopt;
       const Value value = evaluate(block, index, ctx.before(), nullptr);
       return value.isConstant() ? std::optional(value.number.value()) : std::nullopt;
@@ -161,6 +163,20 @@ private:
     decided.variable = ctx.range(*given);
     decided.number = ctx.block().number;
     decided.truth = truth == Truth::Yes;
+    decided.loops = item.kind == ItemKind::Structure && item.structure == Structure::While;
+  }
+
+  /// The block before gives the variable a number.
+  static bool isGivenBefore(uint64_t variable, const RuleContext &ctx) {
+    Block before;
+    if (ctx.block().hasLabel() || ctx.block().skip >= 0 || !readPrevious(ctx, before) ||
+        before.skip >= 0)
+      return false;
+    return llvm::any_of(before.items, [&](const Item &item) {
+      return item.kind == ItemKind::Assignment && before.keyOf(item.target) == variable &&
+             item.value < before.expressions.size() && before.expressions[item.value].count == 1 &&
+             before.operations[before.expressions[item.value].first].op == Op::Number;
+    });
   }
 
   /// Only what no variable decides: a parameter that is set at the program's head is there to be
@@ -171,7 +187,8 @@ private:
     const auto operations =
         llvm::makeArrayRef(ctx.block().operations).slice(condition.first, condition.count);
     if (item.kind == ItemKind::If ||
-        (item.kind == ItemKind::Structure && item.structure == Structure::If))
+        (item.kind == ItemKind::Structure &&
+         (item.structure == Structure::If || item.structure == Structure::While)))
       byBlockBefore(condition, operations, item, ctx);
     for (const ExpressionOp &op : operations)
       if (op.op == Op::Variable || op.op == Op::VariableAt || op.op == Op::ElementAt ||

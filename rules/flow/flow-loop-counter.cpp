@@ -37,6 +37,10 @@ public:
     for (const Block &block : blocks(file.reader)) {
       for (const Item &item : block.items) {
         if (item.kind == ItemKind::Structure && item.structure == Structure::For) {
+          const uint64_t key = block.keyOf(item.target);
+          for (const Loop &loop : loops)
+            if (key && loop.variable == key)
+              report({file.source.id(), item.begin, item.end}, loop.where, ctx);
           loops.push_back(
               {block.keyOf(item.target), {file.source.id(), item.nameBegin, item.nameEnd}});
         } else if (item.kind == ItemKind::Structure && item.structure == Structure::EndFor) {

@@ -62,7 +62,7 @@ public:
     if (!finding)
       return;
     const Flow &flow = ctx.outcome().flow;
-    if (flow.kind == FlowKind::Repeat) {
+    if (flow.kind == FlowKind::Repeat && ctx.dialect().limits.repeatDepth) {
       const unsigned most = ctx.dialect().limits.repeatDepth;
       finding.message("`{0}` is repeat {1} in another, the control follows {2}: it stops here",
                       ctx.text(ctx.flowRange()), most + 1, most);

@@ -16,6 +16,7 @@ public:
     usual_ = to.number("usual", 0);
     greatest_ = to.dialect().facts->limits.repeats;
     whole_ = to.dialect().facts->limits.repeatsWhole;
+    wholeText_ = to.dialect().facts->text.wholeCodes == 1;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -62,6 +63,8 @@ private:
     const bool computed =
         !plain || ctx.block().operations[count.first].op != Op::Number; // the text shows no number
     const SourceRange range = ctx.range(count);
+    if (!computed && item.kind == ItemKind::Call && wholeText_ && runs != std::floor(runs))
+      return; // syntax-integer-required speaks
     const bool none = runs < 1 && (plain || runs < 0 || whole_);
     const bool broken = none || runs != std::floor(runs) || (greatest_ > 0 && runs > greatest_);
     if (!broken && (usual_ == 0 || runs <= usual_ || item.kind == ItemKind::Repeat))
@@ -98,7 +101,8 @@ private:
                    ctx.text(range));
   }
 
-  bool whole_ = false; ///< a repeat needs a whole number from 1 on, however it is computed
+  bool wholeText_ = false; ///< numbers that name something are written whole
+  bool whole_ = false;     ///< a repeat needs a whole number from 1 on, however it is computed
   double usual_ = 0, greatest_ = 0; ///< 0: not limited; the first is one of calls
 };
 

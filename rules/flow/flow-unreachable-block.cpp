@@ -50,6 +50,8 @@ private:
       return;
     for (uint32_t at = reached.end; at < program.end; at = std::max(block.next, at + 1)) {
       file.reader.read(at, block);
+      if (block.kind == BlockKind::Normal && ends && block.hasLabel())
+        return; // a section that cycles and other programs name by its label
       if (block.isEmpty() || block.kind != BlockKind::Normal)
         continue;
       if (!file.isReached(block.begin) && !onlyEndsLoop(block) && !endsAfterLoop(block, ctx))

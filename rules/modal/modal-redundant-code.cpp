@@ -60,10 +60,13 @@ private:
     const MachineState &before = ctx.before();
     const CodeInfo &code = ctx.code(event);
     // The first one, and one at the head of a tool's section, makes the state certain.
-    if (before.compensation != phaseOff || !before.must(Fact::Cut) ||
-        before.may(Fact::UnknownCode) || !before.must(Fact::CutSinceTool) ||
-        code.group == noGroup || !(before.isStated(code.group)) ||
+    if (before.compensation != phaseOff || before.may(Fact::UnknownCode) || code.group == noGroup ||
         before.group(code.group) != (uint64_t(1) << code.bit) || isSafeLine(ctx))
+      return;
+    const bool usual =
+        before.must(Fact::Cut) && before.must(Fact::CutSinceTool) && before.isStated(code.group);
+    // Whoever asks for it hears of each one after a move of the same tool.
+    if (!usual && !(ctx.asked() && ctx.callDepth() == 0 && before.must(Fact::MovedSinceTool)))
       return;
     if (otherWayLeadsHere(before.origin.ofGroup(code.group), ctx))
       return;

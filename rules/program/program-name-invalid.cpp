@@ -14,7 +14,7 @@ public:
     if (labels_)
       to.on(EventKind::Statement);
     if (names_)
-      to.on({EventKind::Return, EventKind::Statement});
+      to.on({EventKind::Return, EventKind::Statement, EventKind::Syntax});
     digitsMin_ = to.dialect().limits.programDigitsMin;
     digitsMax_ = to.dialect().limits.programDigitsMax;
     percent_ = to.dialect().lexical.percentHeader;
@@ -27,6 +27,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Return)
       return atReturn(ctx);
+    if (event.kind == EventKind::Syntax)
+      return badName(ctx.block().issues[event.issue()], ctx);
     const Item &item = ctx.block().items[event.item()];
     if (labels_ && (item.kind == ItemKind::Call || item.kind == ItemKind::Jump)) {
       if (item.nameEnd > item.nameBegin)
@@ -61,6 +63,17 @@ public:
   }
 
 private:
+  static void badName(const SyntaxIssue &issue, RuleContext &ctx) {
+    if (issue.kind != SyntaxIssueKind::BadName)
+      return;
+    const SourceRange range = ctx.range(issue);
+    if (auto finding = ctx.report(range))
+      finding.message(llvm::isDigit(ctx.text(range)[0])
+                          ? "`{0}` is no name: it has to begin with two letters"
+                          : "`{0}` is no name: it is a word of the language",
+                      ctx.text(range));
+  }
+
   /// The control lists files with its own ending only.
   static void ending(const FileSummary &file, RuleContext &ctx) {
     const auto &endings = ctx.dialect().extensions;
@@ -163,6 +176,7 @@ private:
   /// Programs with names: the header's, and the file's that holds it.
   void named(const FileSummary &file, RuleContext &ctx) const {
     const auto programs = file.index.programs();
+    ownName(file, ctx);
     for (const ProgramInfo &program : programs) {
       labelNames(program, file, ctx);
       if (!program.hasHeader())
@@ -198,6 +212,42 @@ private:
           .message("`{0}` is in the file `{1}`: the control files it under the name of its "
                    "header",
                    ctx.text(range), name);
+  }
+
+  /// The name of a file that holds one program without a header: the control stores it so.
+  /// Files of other machines' programs are named freely: it is said on demand, or of a control that
+  /// the machine profile names.
+  void ownName(const FileSummary &file, RuleContext &ctx) const {
+    if (!ctx.asked() && !ctx.machine().option("control"))
+      return;
+    const auto programs = file.index.programs();
+    const std::string shown = file.source.display();
+    const llvm::StringRef name =
+        llvm::StringRef(shown).substr(llvm::StringRef(shown).rfind('/') + 1);
+    const auto [stem, ending] = name.rsplit('.');
+    if (programs.size() != 1 || programs[0].hasHeader() || stem.startswith("<") ||
+        kindOfEnding(ending, ctx.dialect()) == ProgramKind::Unknown)
+      return;
+    const bool numbered = (stem.startswith("L") || stem.startswith("l")) && stem.size() > 1 &&
+                          llvm::all_of(stem.drop_front(), llvm::isDigit);
+    const char *why = numbered ? nullptr : wrongName(stem);
+    if (!why && !llvm::all_of(stem, [](char c) { return llvm::isAlnum(c) || c == '_'; }))
+      why = "it has other characters than letters, digits and `_`";
+    if (!why && stem.size() <= names_)
+      return;
+    const llvm::StringRef text = file.source.text();
+    const size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    const size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    auto finding = ctx.report(SourceRange{file.source.id(), uint32_t(begin), uint32_t(end)});
+    if (!finding)
+      return;
+    finding.severity(Severity::Style);
+    if (why)
+      finding.message("the file is `{0}`, and the control takes no program of that name: {1}", name,
+                      why);
+    else
+      finding.message("the file is `{0}`: its name has {1} characters, and the control takes {2}",
+                      name, stem.size(), names_);
   }
 
   /// An address of several letters.

@@ -1,5 +1,6 @@
 // Constant surface speed without a limit of the spindle's speed.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -12,6 +13,8 @@ public:
     for (const CodeInfo &code : to.dialect().codes)
       if (code.action == Action::SpeedLimit && limit_.empty())
         limit_ = code.name;
+    for (const std::string &name : to.dialect().facts->spindle.limitVariables)
+      variables_.push_back(variableKey(name));
     if (!limit_.empty() || to.dialect().speedLimitWords)
       to.onAction({Action::SurfaceSpeed});
   }
@@ -21,6 +24,9 @@ public:
     if (state.must(Fact::SpeedLimitSet) ||
         (state.may(Fact::SpeedLimitSet) && state.may(Fact::UnknownCode)))
       return;
+    for (const uint64_t variable : variables_)
+      if (state.commons.given(variable) != Truth::No)
+        return;
     // Reported where the mode is switched on, not where it is said again.
     if (ctx.before().activeAction(ctx.dialect(), StandardGroup::SpeedMode) == Action::SurfaceSpeed)
       return;
@@ -39,6 +45,7 @@ public:
 
 private:
   std::string limit_;
+  llvm::SmallVector<uint64_t, 2> variables_; ///< keys of those that hold a limit
 };
 
 } // namespace

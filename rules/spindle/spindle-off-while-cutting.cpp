@@ -20,6 +20,9 @@ public:
     to.onChange({EventKind::Motion, EventKind::CycleRun});
     anyMachine_ = to.flag("anyMachine");
     builderStarts_ = to.flag("builderStarts");
+    const MachineProfile &machine = to.machine();
+    top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
+                                                  : machine.number("stockTopZ");
     hasHead_ = llvm::any_of(to.dialect().codes,
                             [](const CodeInfo &c) { return c.action == Action::ProgramHead; });
   }
@@ -28,7 +31,8 @@ public:
     if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
       return;
     const CodeInfo &code = ctx.code(event);
-    if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) : runs(event, code)))
+    if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) && !isAboveStock(ctx)
+                                          : runs(event, code)))
       return;
     // After rigid tapping another rule speaks.
     if (ctx.before().may(Fact::SpindleStoppedByTap))
@@ -91,6 +95,15 @@ private:
     const GroupIndex motion = ctx.dialect().group(StandardGroup::Motion);
     return motion == noGroup || ctx.after().mayBeStated(motion) || ctx.after().may(Fact::FeedSet);
   }
+
+  /// The machine profile says where the stock ends, and the whole move is above it.
+  bool isAboveStock(const RuleContext &ctx) const {
+    const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
+    return top_ && !ctx.dialect().isLathe() && from.lo > *top_ && to.lo > *top_ &&
+           !ctx.before().inMachineCoordinates(Axis::Z) &&
+           !ctx.after().inMachineCoordinates(Axis::Z);
+  }
+
   /// The cycle cuts with the spindle; without axis words a modal cycle sets modes only.
   static bool runs(const Event &event, const CodeInfo &code) {
     return code.spindle != SpindleNeed::Any && code.spindle != SpindleNeed::StartsItself &&
@@ -138,6 +151,7 @@ private:
 
   bool anyMachine_ = false; ///< a program that names no spindle at all may be for a machine without
   bool builderStarts_ = false; ///< a program that starts no spindle has it started by other codes
+  std::optional<double> top_;  ///< of the stock
   bool hasHead_ = false;       ///< the control has a word that opens a program
 };
 

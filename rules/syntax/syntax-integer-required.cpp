@@ -29,8 +29,10 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
-    if (event.kind == EventKind::Statement)
+    if (event.kind == EventKind::Statement) {
+      passes(block.items[event.item()], ctx);
       return variable(block.items[event.item()], ctx);
+    }
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = block.issues[event.issue()];
       if (issue.kind == SyntaxIssueKind::RealForInteger) {
@@ -102,6 +104,19 @@ private:
       finding.severity(Severity::Warning)
           .message("`{0}` holds whole numbers, and gets {1}", ctx.text(name),
                    shortNumber(value.number.value()));
+  }
+
+  /// `PART P2.5`: the number of passes of a program that is called by its name.
+  void passes(const Item &item, RuleContext &ctx) const {
+    if (codes_ != 1 || item.kind != ItemKind::Call || item.count == noExpression)
+      return;
+    const Expression &count = ctx.block().expressions[item.count];
+    const ExpressionOp &op = ctx.block().operations[count.first];
+    if (count.bad || count.count != 1 || op.op != Op::Number || op.value == std::floor(op.value))
+      return;
+    const SourceRange range = ctx.range(count);
+    if (auto finding = ctx.report(range))
+      finding.message("`P{0}` is no number of passes: it has to be whole", ctx.text(range));
   }
 
   double codes_ = 0; ///< codes are whole numbers too: 1 all, 2 those that exist

@@ -38,6 +38,8 @@ public:
       known_.insert(variableKey(name));
     to.on({EventKind::Syntax, EventKind::Assignment});
     defined_ = to.flag("definedNames");
+    if (defined_)
+      to.on(EventKind::Statement);
     if (defined_ || !known_.empty())
       to.on(EventKind::UnsetRead);
     instructions_ = instructionNames(to.dialect());
@@ -54,10 +56,16 @@ public:
       functions(ctx);
     if (event.kind == EventKind::Block || event.kind == EventKind::Code)
       return element(ctx);
+    if (event.kind == EventKind::Statement)
+      return again(ctx.block().items[event.item()], ctx);
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
+    const SourceRange range = ctx.range(issue);
+    if (issue.kind == SyntaxIssueKind::UnknownAttribute && !ctx.block().repeatsIssue(event.issue()))
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("`{0}` is no attribute of a program that the control knows", ctx.text(range));
     if (issue.kind != SyntaxIssueKind::UnknownWord)
       return;
-    const SourceRange range = ctx.range(issue);
     auto finding = ctx.report(range);
     if (!finding)
       return;
@@ -99,6 +107,20 @@ private:
         finding.severity(Severity::Warning)
             .message("`{0}` is no function of this control", ctx.text(range));
     }
+  }
+
+  /// A name that the program has defined before.
+  static void again(const Item &item, RuleContext &ctx) {
+    if (item.kind != ItemKind::Definition)
+      return;
+    const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
+    const Defined *first =
+        ctx.index().definition(ctx.index().programAt(ctx.block().begin), ctx.text(range));
+    if (!first || first->kind != ItemKind::Definition || first->begin >= item.nameBegin)
+      return;
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is defined already: the control stops here", ctx.text(range))
+          .note(ctx.range(*first), "the first definition");
   }
 
   /// A value for a name that a main program does not define. What it is called by may have defined

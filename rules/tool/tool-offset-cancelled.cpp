@@ -72,10 +72,18 @@ private:
     const MachineState &state = ctx.before();
     const bool cuts = event.kind == EventKind::CycleRun ||
                       (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
-    if (!cuts || event.inMachineCoordinates() || ctx.after().radiusOffset != 0 ||
+    const bool empty = ctx.after().tool == 0;
+    if (!cuts || event.inMachineCoordinates() || (ctx.after().radiusOffset != 0 && !empty) ||
         state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
-        !memory().once.speaks(ctx.after().origin.of(StatePart::RadiusOffset), ctx))
+        !memory().once.speaks(
+            ctx.after().origin.of(empty ? StatePart::Tool : StatePart::RadiusOffset), ctx))
       return;
+    if (empty) {
+      if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+        finding.message("the spindle is empty here: T0 has put the tool away")
+            .note(ctx.after().origin.of(StatePart::Tool), "T0 is changed in here");
+      return;
+    }
     if (auto finding = ctx.report(ctx.blockRange(), event.certain)) {
       finding.message("the tool cuts with D0: neither its length nor its radius is in force")
           .note(ctx.after().origin.of(StatePart::RadiusOffset), "D0 is programmed here");

@@ -171,7 +171,20 @@ private:
       if (const Value value = operandOf(ctx.block(), expression, place, ctx.before());
           value.isConstant())
         index = value.number.value();
+    if (greatest_ && index && name.equals_insensitive("R"))
+      return computed(std::llround(*index), op.offset, rest.drop_front(name.size() + 1), ctx);
     element(op.offset, name, index, rest.drop_front(name.size() + 1), ctx);
+  }
+
+  /// `R[R2+1]` whose number is known; `rest` begins after the bracket.
+  void computed(int64_t number, uint32_t offset, llvm::StringRef rest, RuleContext &ctx) const {
+    const std::optional<size_t> close = lengthInBrackets(rest);
+    if (!close || (number >= 0 && number <= greatest_))
+      return;
+    const SourceRange range{ctx.source().id(), offset, offset + uint32_t(*close) + 3};
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` is R{1}: the control has the parameters R0 to R{2}", ctx.text(range),
+                      number, greatest_);
   }
 
   /// Length of what is up to the bracket that closes.

@@ -47,6 +47,8 @@ public:
     const bool takesText = type == VariableType::String || type == VariableType::Axis;
     if (takesNumber && !text && operands(value, ctx.text(name), ctx))
       return;
+    if (takesNumber && !text && textIn(range, ctx))
+      return;
     if (takesText && !value.bad && value.count == 1 &&
         block.operations[value.first].op == Op::Variable &&
         isNumber(typeOf(ctx.text(range), ctx))) {
@@ -116,6 +118,34 @@ private:
     return false;
   }
 
+  /// `5+"A"`: a text that is no argument of a function, and neither compared nor put together with
+  /// another one.
+  static bool textIn(SourceRange value, RuleContext &ctx) {
+    const llvm::StringRef text = ctx.text(value);
+    if (!ctx.dialect().lexical.commaSeparates || !text.contains('"') || text.contains("<<") ||
+        text.contains('=') || text.contains("<>"))
+      return false;
+    int depth = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+      depth += text[i] == '(' || text[i] == '[';
+      depth -= text[i] == ')' || text[i] == ']';
+      if (text[i] != '"')
+        continue;
+      const size_t end = text.find('"', i + 1);
+      if (end == llvm::StringRef::npos)
+        return false;
+      if (depth == 0) {
+        const SourceRange range{value.file, uint32_t(value.begin + i),
+                                uint32_t(value.begin + end + 1)};
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}` is a text, and a number is due", ctx.text(range));
+        return true;
+      }
+      i = end;
+    }
+    return false;
+  }
+
   static llvm::StringRef nameAt(uint32_t offset, RuleContext &ctx) {
     return ctx.text(SourceRange{ctx.source().id(), offset, ctx.block().end}).take_while([](char c) {
       return llvm::isAlnum(c) || c == '_';
@@ -133,8 +163,11 @@ private:
         continue;
       const AddressKind kind = ctx.dialect().addresses[word.address].kind;
       if (kind == AddressKind::Axis || kind == AddressKind::Increment ||
-          kind == AddressKind::Parameter || kind == AddressKind::Polar)
-        operands(block.expressions[size_t(word.mantissa)], ctx.text(word), ctx);
+          kind == AddressKind::Parameter || kind == AddressKind::Polar) {
+        const Expression &value = block.expressions[size_t(word.mantissa)];
+        if (!operands(value, ctx.text(word), ctx))
+          textIn(ctx.range(value), ctx);
+      }
     }
   }
 

@@ -193,8 +193,9 @@ TEST_F(SinumerikReading, ASynchronisedActionIsTheRestOfItsBlock) {
       EXPECT_TRUE(item.kind == ItemKind::Output || item.kind == ItemKind::Instruction) << text;
   }
   // The path is the program's own.
-  for (const char *text : {"DO G1 X5\n", "DO F100\n", "ID=1 WHEN $A_IN[1]==1 DO G41\n"})
-    EXPECT_EQ(issuesOf(blockOf(text)), std::vector{SyntaxIssueKind::BadStatement}) << text;
+  for (const char *text :
+       {"DO G1 X5\n", "DO F100\n", "DO T2\n", "DO TRANS X5\n", "ID=1 WHEN $A_IN[1]==1 DO G41\n"})
+    EXPECT_EQ(issuesOf(blockOf(text)), std::vector{SyntaxIssueKind::NoAction}) << text;
   EXPECT_TRUE(issuesOf(blockOf("DO G71\n")).empty());
   EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]==1\n")), std::vector{SyntaxIssueKind::BadStatement});
   EXPECT_EQ(issuesOf(blockOf("WHEN $A_IN[1]=1 DO M8\n")),

@@ -134,8 +134,8 @@ void SinumerikScanner::scanAction(Deeds &deeds) {
     deeds.turns |= letter == 'm' || letter == 's';
     // The path is the program's own: of the G functions only the units of lengths are actions.
     const bool units = number == "70" || number == "71" || number == "700" || number == "710";
-    if (letter == 'f' || (letter == 'g' && !units))
-      issue(SyntaxIssueKind::BadStatement, begin, at_);
+    if (letter == 'f' || letter == 't' || letter == 'd' || (letter == 'g' && !units))
+      issue(SyntaxIssueKind::NoAction, begin, at_);
     if (!scanActionValue(name, begin))
       skipNumberCharacters();
     return;
@@ -143,6 +143,10 @@ void SinumerikScanner::scanAction(Deeds &deeds) {
   deeds.turns |= name.startswith_insensitive("SPOS");
   if (scanActionValue(name, begin))
     return;
+  if (const CodeIndex code = dialect_.keyword(name);
+      code != noCode && (dialect_.codes[code].action == Action::FrameSet ||
+                         dialect_.codes[code].action == Action::FrameAdd))
+    issue(SyntaxIssueKind::NoAction, begin, at_);
   // A name that the control does not have is a program that runs beside this one.
   deeds.turns |= dialect_.keyword(name) == noCode && !name.equals_insensitive("ELSE");
   if (const char *const after = afterBlanks(at_); after < end_ && *after == '(') {

@@ -1,4 +1,5 @@
 // Definitions in Sinumerik blocks: variables, parameters, macros.
+#include "formats/readers/sinumerik/sinumerik_functions.h"
 #include "formats/readers/sinumerik/sinumerik_scanner.h"
 
 #include "llvm/ADT/StringSwitch.h"
@@ -19,6 +20,27 @@ VariableType typeOf(llvm::StringRef name) {
 }
 
 } // namespace
+
+/// A word of the language, which no variable can be.
+bool SinumerikScanner::isTaken(llvm::StringRef name) const {
+  const std::string upper = name.upper();
+  if (sinumerikKeyword(name) != SinumerikKeyword::None || sinumerikFunction(upper) != Op::Unknown)
+    return true;
+  for (const char *operation : {"DIV", "MOD", "AND", "OR", "XOR", "NOT", "B_AND", "B_OR", "B_XOR",
+                                "B_NOT", "TRUE", "FALSE", "ATAN2", "MINVAL", "MAXVAL", "BOUND"})
+    if (upper == operation)
+      return true;
+  return false;
+}
+
+/// Words after the head of a program that say how it runs.
+static bool isAttribute(llvm::StringRef name) {
+  for (const char *known : {"SAVE", "SBLOF", "SBLON", "DISPLOF", "DISPLON", "ACTBLOCNO", "PREPRO",
+                            "IPTRLOCK", "IPTRUNLOCK", "ICYCOF", "ICYCON", "BLSYNC"})
+    if (name.equals_insensitive(known))
+      return true;
+  return false;
+}
 
 /// The type of a definition, with what may be before it.
 VariableType SinumerikScanner::scanType() {
@@ -81,6 +103,8 @@ void SinumerikScanner::scanDefinitions() {
     nameItem(item, name);
     item.target = constant(name.begin(), name.end(), double(variableKey(name)));
     at_ = name.end();
+    if (isTaken(name))
+      issue(SyntaxIssueKind::BadName, name.begin(), at_);
     skipBlanks();
     if (at_ < end_ && *at_ == '[')
       scanSizes(item, name.begin());
@@ -176,6 +200,8 @@ void SinumerikScanner::scanParameters(ItemKind kind, const char *begin) {
     }
     item.restores |= attribute.equals_insensitive("SAVE");
     at_ = attribute.end();
+    if (kind == ItemKind::Parameters && !isAttribute(attribute))
+      issue(SyntaxIssueKind::UnknownAttribute, attribute.begin(), at_);
   }
   add(item);
 }

@@ -213,10 +213,17 @@ void SinumerikScanner::scanFor(const char *begin) {
   add(item);
 }
 
+/// `G0`, `X5`: a code or the place of an axis, as no label is called.
+static bool isWord(llvm::StringRef name) {
+  constexpr llvm::StringLiteral letters{"GMXYZ"};
+  return name.size() > 1 && letters.contains(char(name[0] & ~32)) &&
+         llvm::all_of(name.drop_front(), isNumberDigit);
+}
+
 /// `REPEAT` alone begins a loop; with labels it runs a section again.
 void SinumerikScanner::scanRepeat(bool single, const char *begin) {
   skipBlanks();
-  if (atBlockEnd() && !single)
+  if (!single && (atBlockEnd() || isWord(identifier())))
     return structure(Structure::Repeat, begin);
   Item item = itemAt(ItemKind::Repeat, begin);
   item.single = single;

@@ -1,6 +1,7 @@
 // Reader of Sinumerik programs: blocks, what is before their words, archive headers.
 #include "formats/readers/sinumerik/sinumerik_reader.h"
 
+#include "formats/dialect/control_facts.h"
 #include "formats/readers/sinumerik/sinumerik_scanner.h"
 
 #include "llvm/ADT/STLExtras.h"
@@ -122,6 +123,26 @@ bool SinumerikScanner::scanLabel() {
   block_.labelBegin = offset(name.begin());
   block_.labelEnd = offset(name.end());
   at_ = name.end() + 1;
+  if (sinumerikKeyword(name) != SinumerikKeyword::None)
+    issue(SyntaxIssueKind::BadName, name.begin(), name.end());
+  return true;
+}
+
+/// `1PART P2`: the name of a program that begins with a digit.
+bool SinumerikScanner::scanBadName() {
+  constexpr size_t letters = 2; // one and a number are words
+  const llvm::StringRef name = identifier();
+  const llvm::StringRef rest = name.drop_while(isNumberDigit);
+  if (!startsBlock() || rest.size() == name.size() || rest.size() < letters ||
+      !llvm::all_of(rest.take_front(letters), isNameLetter))
+    return false;
+  at_ = name.end();
+  issue(SyntaxIssueKind::BadName, name.begin(), at_);
+  if (const char *const count = afterBlanks(at_);
+      count < end_ && (*count | 32) == 'p' && count + 1 < end_ && isNumberDigit(count[1])) {
+    at_ = count + 1;
+    takeWhole();
+  }
   return true;
 }
 
@@ -215,10 +236,14 @@ void SinumerikScanner::scanOther() {
     ++at_;
     while (at_ < end_ && isNumberDigit(*at_))
       ++at_;
-    return issue(SyntaxIssueKind::InvalidCharacter, begin, at_);
+    return issue(startsBlock() && block_.number >= 0 ? SyntaxIssueKind::SkipInside
+                                                     : SyntaxIssueKind::InvalidCharacter,
+                 begin, at_);
   default:
     break;
   }
+  if (isNumberDigit(*at_) && scanBadName())
+    return;
   if (isNumberDigit(*at_) || *at_ == '.' || *at_ == '-' || *at_ == '+') {
     skipNumberCharacters();
     return issue(SyntaxIssueKind::MissingAddress, begin, at_);
@@ -233,9 +258,10 @@ SinumerikReader::SinumerikReader(const Dialect &dialect, llvm::StringRef text)
     : Reader(text), dialect_(dialect) {
   for (size_t i = 0; i < dialect.addressNames.size(); ++i)
     addresses_[llvm::StringRef(dialect.addressNames[i]).upper()] = AddressId(firstNamed + i);
-  // Both write the head and mark their blocks as read-only.
+  // The editors write the head, and mark their blocks as read-only.
   const llvm::StringRef head = text.take_front(4096);
-  steps_ = head.contains_insensitive("E_HEAD(") || head.contains_insensitive("F_HEAD(");
+  for (const std::string &call : dialect.facts->program.stepHeads)
+    steps_ |= head.contains_insensitive(call + "(");
 }
 
 /// `E_DR_SIN(..)`, `F_ROUGH(..)`: what a step does only the control's own editor knows.

@@ -68,6 +68,7 @@ private:
   void scanComment();
   void scanHeader();
   bool scanLabel();
+  bool scanBadName();
   void scanNumberOfBlock(const char *begin);
   void scanQuotes();
   void skipValue();
@@ -87,7 +88,8 @@ private:
   bool atDecimalComma() const;
   void scanAddress(AddressId address, const char *begin);
   void scanName();
-  void scanAssignment(const char *begin);
+  void scanAssignment(const char *begin, bool acting = false);
+  void addValue(const Item &item);
 
   // sinumerik_calls.cpp
   std::optional<llvm::StringRef> scanString();
@@ -112,6 +114,7 @@ private:
   void scanRepeat(bool single, const char *begin);
 
   // sinumerik_definitions.cpp
+  bool isTaken(llvm::StringRef name) const;
   VariableType scanType();
   void scanSizes(Item &item, const char *begin);
   void scanDefinitions();
@@ -126,7 +129,7 @@ private:
     bool turns = false; ///< it may start or stop a spindle
   };
   void addKeyword(llvm::StringRef name);
-  void addActing(llvm::StringRef name);
+  bool addActing(llvm::StringRef name);
   void scanProgram(llvm::StringRef name);
   void scanSynchronised(Keyword keyword, const char *begin);
   void scanActionCondition(Item &item);

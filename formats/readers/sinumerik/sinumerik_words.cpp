@@ -67,6 +67,8 @@ void SinumerikScanner::scanLetter() {
     return;
   if (letter == 'R' && next < end_ && (isNumberDigit(*next) || *next == '['))
     return scanAssignment(begin);
+  if (next < end_ && *next == ':' && scanLabel()) // too short, but nothing else
+    return;
   ++at_;
   const AddressId address = letterAddress(letter);
   if (at_ < end_ && (isNumberDigit(*at_) || *at_ == '-')) {
@@ -133,7 +135,17 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
     item.value = expression();
     return add(item);
   }
-  addActing({begin, digits.size() + 1});
+  const char *const from = at_;
+  if (addActing({begin, digits.size() + 1})) {
+    Item item = itemAt(ItemKind::Assignment, begin);
+    item.nameBegin = item.begin;
+    item.nameEnd = offset(digits.end());
+    item.target = constant(begin, digits.end(), double(variableKey({begin, digits.size() + 1})));
+    item.value = expression();
+    add(item);
+    addValue(item);
+    at_ = from;
+  }
   // An axis of the machine: where it goes says nothing of the workpiece's axes.
   const uint16_t value = expression();
   if (value < block_.expressions.size() && !block_.expressions[value].bad) {
@@ -301,10 +313,8 @@ void SinumerikScanner::scanName() {
     at_ = name.end();
     return scanAddress(address->second, begin);
   }
-  if (isEquals(after)) {
-    addActing(name);
-    return scanAssignment(begin);
-  }
+  if (isEquals(after))
+    return scanAssignment(begin, addActing(name));
   if (after < end_ && *after == '[') {
     at_ = name.end();
     if (name.equals_insensitive("PO")) {
@@ -352,15 +362,28 @@ void SinumerikScanner::scanProgram(llvm::StringRef name) {
 
 /// `PW=2`, `LEAD=5`: a name of the language that takes a value. It is a code of its block where the
 /// table says more of it than its title.
-void SinumerikScanner::addActing(llvm::StringRef name) {
+bool SinumerikScanner::addActing(llvm::StringRef name) {
   const CodeIndex code = dialect_.keyword(name);
-  if (code != noCode &&
-      (!dialect_.codes[code].notices.empty() || !dialect_.codes[code].words.empty()))
+  const bool acts = code != noCode &&
+                    (!dialect_.codes[code].notices.empty() || !dialect_.codes[code].words.empty());
+  if (acts)
     addKeyword(name);
+  return acts;
+}
+
+/// The value of such a name as a word of its code.
+void SinumerikScanner::addValue(const Item &item) {
+  if (item.value == noExpression)
+    return;
+  Word word;
+  word.address = variableAddress;
+  word.flags = wordExpression;
+  word.mantissa = item.value;
+  addWord(word, base_ + item.begin);
 }
 
 /// `R1=..`, `NAME=..`, `FIELD[1]=..`, `$TC_DP6[1,1]=..`
-void SinumerikScanner::scanAssignment(const char *begin) {
+void SinumerikScanner::scanAssignment(const char *begin, bool acting) {
   Item item = itemAt(ItemKind::Assignment, begin);
   item.nameBegin = item.begin;
   item.target = parsed(&SinumerikExpression::parseTarget);
@@ -389,6 +412,8 @@ void SinumerikScanner::scanAssignment(const char *begin) {
     item.value = expression();
   }
   add(item);
+  if (acting)
+    addValue(item);
 }
 
 } // namespace ncvet
