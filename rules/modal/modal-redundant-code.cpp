@@ -11,6 +11,7 @@ public:
   void listen(Subscriptions &to) override {
     wanted_ = to.flag("wanted");
     neverCalled_ = to.flag("cycleOff");
+    firstToo_ = to.flag("firstToo");
     if (to.flag("macroOff"))
       to.onAction({Action::MacroCancel});
     if (wanted_)
@@ -56,7 +57,7 @@ private:
   /// A line of several modes, which states them all whatever they are.
   static bool isSafeLine(const RuleContext &ctx) { return ctx.codes().size() > 2; }
 
-  static void compensationOff(const Event &event, RuleContext &ctx) {
+  void compensationOff(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     const CodeInfo &code = ctx.code(event);
     // The first one, and one at the head of a tool's section, makes the state certain.
@@ -66,7 +67,8 @@ private:
     const bool usual =
         before.must(Fact::Cut) && before.must(Fact::CutSinceTool) && before.isStated(code.group);
     // Whoever asks for it hears of each one after a move of the same tool.
-    if (!usual && !(ctx.asked() && ctx.callDepth() == 0 && before.must(Fact::MovedSinceTool)))
+    if (!usual &&
+        !(firstToo_ && ctx.asked() && ctx.callDepth() == 0 && before.must(Fact::MovedSinceTool)))
       return;
     if (otherWayLeadsHere(before.origin.ofGroup(code.group), ctx))
       return;
@@ -186,6 +188,7 @@ private:
   bool wanted_ = false;
   bool rapidFeed_ = false;   ///< a feed in a rapid block is advised against
   bool neverCalled_ = false; ///< a cancel before every cycle is advised against
+  bool firstToo_ = false;    ///< compensation that was never on is told to who asks for the rule
 };
 
 } // namespace
