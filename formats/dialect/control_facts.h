@@ -258,6 +258,8 @@ struct TextFacts {
   bool variantNames = false;
   /// Comments for the operator and for the reader are of different kinds.
   bool kindsOfComments = false;
+  /// A bracket without its partner is told apart from other errors of an expression.
+  bool bracketsApart = false;
   /// Assignments, jumps and loops share their block with no words.
   bool statementsAlone = false;
   /// The brackets of loops share their block with no words.

@@ -311,6 +311,9 @@ constexpr Field textFields[] = {
                                    "`G83/R` is a manual's name of a variant, no code"),
     flag<&TextFacts::kindsOfComments>(
         "kindsOfComments", "comments for the operator and for the reader are of different kinds"),
+    flag<&TextFacts::bracketsApart>(
+        "bracketsApart",
+        "a bracket without its partner is told apart from other errors of an expression"),
     flag<&TextFacts::statementsAlone>(
         "statementsAlone", "assignments, jumps and loops share their block with no words"),
     flag<&TextFacts::loopsAlone>("loopsAlone",

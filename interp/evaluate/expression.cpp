@@ -177,7 +177,8 @@ bool assignsBefore(const Item &item, uint32_t offset) {
 }
 
 /// Whether an expression may read a variable that the block assigns before it.
-bool readsAssigned(const Block &block, const Expression &expression) {
+bool readsAssigned(const Block &block, uint16_t index) {
+  const Expression &expression = block.expressions[index];
   const auto reads = [&](const Item &item) {
     const uint64_t key = block.keyOf(item.target);
     return llvm::any_of(operationsOf(block, expression), [&](const ExpressionOp &op) {
@@ -193,7 +194,7 @@ bool readsAssigned(const Block &block, const Expression &expression) {
     });
   };
   return llvm::any_of(block.items, [&](const Item &item) {
-    return assignsBefore(item, expression.begin) && reads(item);
+    return item.value != index && assignsBefore(item, expression.begin) && reads(item);
   });
 }
 } // namespace
@@ -203,11 +204,11 @@ Value evaluateInBlock(const Block &block, uint16_t index, const MachineState &be
       llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::If; });
   // Where names belong to the running program the control assigns after the block's words.
   if (index >= block.expressions.size() || block.items.empty() || conditional ||
-      before.ranges.namedLocal || !readsAssigned(block, block.expressions[index]))
+      before.ranges.namedLocal || !readsAssigned(block, index))
     return evaluate(block, index, before, nullptr);
   MachineState state = before;
   for (const Item &item : block.items)
-    if (assignsBefore(item, block.expressions[index].begin))
+    if (item.value != index && assignsBefore(item, block.expressions[index].begin))
       if (const Value key = evaluate(block, item.target, state, nullptr); key.isConstant())
         writeVariable(state, std::llround(key.number.value()),
                       evaluate(block, item.value, state, nullptr));

@@ -1,5 +1,6 @@
 // An address that is allowed once in a block is there twice.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/variable_key.h"
 
 #include <array>
 #include <set>
@@ -90,22 +91,33 @@ private:
   void parameterAgain(uint64_t key, RuleContext &ctx) const {
     if (!parameters_.count(key))
       return;
-    const Word *first = nullptr;
+    const Item *first = nullptr;
     for (const Item &item : ctx.block().items) {
-      if (item.kind != ItemKind::Assignment || ctx.block().keyOf(item.target) != key)
+      if (!sets(item, key, ctx))
         continue;
-      for (const Word &word : ctx.block().words) {
-        if (word.address != variableAddress || word.offset != item.begin)
-          continue;
-        if (!first)
-          first = &word;
-        else if (auto finding = ctx.report(word))
-          finding.severity(Severity::Warning)
-              .message("`{0}` sets again what `{1}` of the same block has set", ctx.text(word),
-                       ctx.text(*first))
-              .note(ctx.range(*first), "the first of the two");
+      if (!first) {
+        first = &item;
+        continue;
       }
+      const SourceRange again = ctx.range(item), before = ctx.range(*first);
+      if (auto finding = ctx.report(again))
+        finding.severity(Severity::Warning)
+            .message("`{0}` sets again what `{1}` of the same block has set", ctx.text(again),
+                     ctx.text(before))
+            .note(before, "the first of the two");
     }
+  }
+
+  /// `<DRA=0>` gives the variable a value, and so does the instruction of the same name, `<DRA:0>`.
+  static bool sets(const Item &item, uint64_t key, const RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (item.kind == ItemKind::Instruction)
+      return variableKey(ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd})) ==
+             key;
+    return item.kind == ItemKind::Assignment && block.keyOf(item.target) == key &&
+           llvm::any_of(block.words, [&](const Word &word) {
+             return word.address == variableAddress && word.offset == item.begin;
+           });
   }
 
   std::set<uint64_t> parameters_; ///< keys of the variables that codes read

@@ -10,6 +10,7 @@ public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
     to.on(EventKind::Syntax);
+    assignments_ = to.flag("assignments");
     if (to.flag("statements"))
       to.on(EventKind::Statement);
     flowAlone_ = to.dialect().facts->program.flowCodesAlone;
@@ -43,7 +44,7 @@ public:
                           ctx.text(call), ctx.text(*event.word));
         return;
       }
-    if (assignment(code, event, ctx))
+    if (assignments_ && assignment(code, event, ctx))
       return;
     // `G4 X2`: what is missing is there under another letter, and another rule says so.
     if (!missingWords(ctx, event).empty())
@@ -187,6 +188,7 @@ private:
         finding.edit(ctx.remove(word));
   }
 
+  bool assignments_ = false; ///< an assignment is something beside the code too
   static constexpr llvm::StringLiteral id{"block-must-stand-alone"};
 
   bool flowAlone_ = false; ///< codes that decide the flow share their block with no other M code

@@ -17,7 +17,7 @@ public:
     to.on(EventKind::WordIssue);
     to.onNotices(id);
     for (const CodeInfo &code : to.dialect().codes)
-      if (code.action == Action::Cycle)
+      if (readsParameters(code))
         for (const WordSpec &spec : code.words)
           if (spec.variable)
             parameters_.insert(spec.variable);
@@ -76,6 +76,12 @@ public:
 private:
   static constexpr llvm::StringLiteral id{"block-unused-word"};
 
+  /// Cycles, and codes that only keep values for what comes later.
+  static bool readsParameters(const CodeInfo &code) {
+    return code.action == Action::Cycle || code.action == Action::ProfileBegin ||
+           (code.action == Action::None && code.exclusive);
+  }
+
   /// `D1` away from a straight line: another rule says whose word it is.
   static bool isOffsetOfOther(const Word &word, const RuleContext &ctx) {
     return ctx.dialect().addresses[word.address].lineLength &&
@@ -98,7 +104,7 @@ private:
           return;
         reads |= spec.variable != 0;
       }
-      if (reads && ctx.code(use).action == Action::Cycle)
+      if (reads && readsParameters(ctx.code(use)))
         cycle = &ctx.code(use);
     }
     if (!cycle)

@@ -1,5 +1,7 @@
 // A shift, rotation, scaling, mirror or polar mode is still on at the end of the program.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/rule/switch_left_on.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,6 +9,39 @@ namespace {
 class CoordinateFrameLeftOn final : public LeftOnRule {
 public:
   CoordinateFrameLeftOn() : LeftOnRule("coordinate-frame-left-on") {}
+  void listen(Subscriptions &to) override {
+    LeftOnRule::listen(to);
+    if (to.dialect().facts->program.modesOutliveReturn)
+      to.on(EventKind::Return);
+  }
+
+  void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Return)
+      atReturn(event, ctx);
+    else
+      LeftOnRule::on(event, ctx);
+  }
+
+private:
+  /// A called program returns with a frame that it has switched on itself, and its caller goes on
+  /// in it.
+  static void atReturn(const Event &event, RuleContext &ctx) {
+    if (ctx.callDepth() == 0 || ctx.after().may(Fact::UnknownCode))
+      return;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (unsigned i = 0; i < ctx.dialect().switches.size() && i < maxSwitches; ++i) {
+      const SwitchInfo &info = ctx.dialect().switches[i];
+      const Origin &origin = ctx.after().origin.ofSwitch(i);
+      if (info.leftOn != "coordinate-frame-left-on" || !ctx.after().switchMustBeOn(i) ||
+          !isIn(ctx, origin, program))
+        continue;
+      if (auto finding = ctx.report(event, event.certain))
+        finding.severity(info.severity)
+            .message("the program returns with {0} still on, which it has switched on itself",
+                     info.title)
+            .note(origin, info.title + " is switched on here");
+    }
+  }
 };
 
 } // namespace

@@ -7,10 +7,15 @@ namespace {
 
 class CoordinateFrameReplaced final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.onAction({Action::FrameSet}); }
+  void listen(Subscriptions &to) override {
+    to.onAction({Action::FrameSet});
+    to.onCode([](const CodeInfo &code) { return counts(code); });
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
+    if (code.action != Action::FrameSet)
+      return again(event, code, ctx);
     if (code.effect.index >= maxSwitches || !code.effect.on ||
         !ctx.before().switchMustBeOn(code.effect.index) || ctx.before().may(Fact::UnknownCode))
       return;
@@ -36,6 +41,29 @@ private:
     const uint16_t first = axesOf(ctx.dialect(), previous),
                    here = axesOf(ctx.dialect(), ctx.block());
     return first && here && !(first & here);
+  }
+
+  /// A frame that a repetition sets once per pass.
+  static bool counts(const CodeInfo &code) {
+    return code.action == Action::FrameAdd && code.group != noGroup &&
+           llvm::any_of(code.words, [](const WordSpec &w) { return w.role == Role::Repeat; });
+  }
+
+  /// The same code at another place, while its frame is on: no pass of a repetition.
+  static void again(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (!counts(code) || code.effect.index >= maxSwitches ||
+        !before.switchMustBeOn(code.effect.index) || before.may(Fact::UnknownCode) ||
+        before.group(code.group) != (uint64_t(1) << code.bit))
+      return;
+    const Origin &origin = before.origin.ofGroup(code.group);
+    if (!origin.known() || (origin.file == ctx.source().id() && origin.begin == event.word->offset))
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` while the frame of another `{0}` is on: nothing has ended that one",
+                   code.name)
+          .note(origin, "that frame is programmed here");
   }
 };
 

@@ -1,5 +1,6 @@
 // An active scaling or mirror image changes more than it seems to.
 #include "analyzer/facts/defined_elements.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <set>
 
@@ -18,7 +19,7 @@ public:
     if (dialect.group(StandardGroup::Scaling) != noGroup)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
     if (dialect.elementWords) {
-      to.onAction({Action::DefineElement});
+      to.onAction({Action::DefineElement, Action::FrameSet});
       to.onChange({EventKind::Motion});
     }
     for (const CodeInfo &code : dialect.codes)
@@ -31,6 +32,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (ctx.block().hasAny(ctx.dialect().elementWords))
       element(ctx);
+    if (event.kind == EventKind::Code && ctx.code(event).action == Action::FrameSet)
+      return insideContour(event, ctx);
     if (event.kind == EventKind::Code)
       return mirror(event, ctx);
     const MachineState &state = ctx.after();
@@ -50,6 +53,22 @@ public:
   }
 
 private:
+  /// The element before has no end of its own: it is solved with the next one, which lies in
+  /// another frame.
+  static void insideContour(const Event &event, RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    Block last;
+    if (!readPrevious(ctx, last) || !last.hasAny(dialect.lineAngleWords) ||
+        (axesOf(dialect, last) & planeAxes(dialect, ctx.before())) ||
+        findCode(dialect, last, {Action::DefineElement, Action::FrameSet}))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` inside a contour: the element before it is solved with the next one, "
+                   "which alone is shifted and turned",
+                   ctx.code(event).name);
+  }
+
   /// An element keeps the shift and rotation that were on when it was defined.
   void element(RuleContext &ctx) const {
     if (const Word *word = DefinedElements::definedBy(ctx)) {

@@ -1,4 +1,5 @@
 // Incremental dimensions are still on when the program ends.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/dialect/control_facts.h"
 
@@ -16,6 +17,9 @@ public:
     if (to.dialect().group(StandardGroup::Distance) != noGroup &&
         to.dialect().facts->program.modesOutliveEnd)
       to.on({EventKind::ProgramEnd, EventKind::FlowIssue});
+    if (to.dialect().group(StandardGroup::Distance) != noGroup &&
+        to.dialect().facts->program.modesOutliveReturn)
+      to.on(EventKind::Return);
     if (to.dialect().group(StandardGroup::Distance) != noGroup) {
       to.onChange({EventKind::CycleRun, EventKind::Motion});
       to.onAction({Action::Absolute});
@@ -30,6 +34,8 @@ public:
     }
     if (event.kind == EventKind::CycleRun || event.kind == EventKind::Motion)
       return early(event, ctx);
+    if (event.kind == EventKind::Return)
+      return atReturn(event, ctx);
     // A subprogram's end ends a main program too.
     if (event.kind == EventKind::FlowIssue &&
         (event.flowIssue() != FlowIssue::ReturnInMain ||
@@ -59,6 +65,22 @@ public:
   }
 
 private:
+  /// What a called program sets outlives its return: what it has switched on itself it ends.
+  static void atReturn(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const Origin on = state.originOf(ctx.dialect(), StandardGroup::Distance);
+    if (ctx.callDepth() == 0 || state.may(Fact::UnknownCode) ||
+        state.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+            Truth::Yes ||
+        !isIn(ctx, on, ctx.index().programAt(ctx.block().begin)))
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("the program returns with incremental dimensions on, which it has switched "
+                   "on itself: its caller's coordinates become distances")
+          .note(on, "it is switched on here");
+  }
+
   /// A cycle is called, or the first move with another tool made, under what was on before.
   void early(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();

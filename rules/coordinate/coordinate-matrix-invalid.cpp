@@ -60,6 +60,11 @@ public:
     case Naming::Drop:
       if (known != memory().matrices.end())
         memory().matrices.erase(known);
+      else if (ctx.callDepth() == 0 && !ctx.before().may(Fact::UnknownCode))
+        if (auto finding = ctx.report(*word)) // another program may have left it there
+          finding.severity(Severity::Warning)
+              .message("the program has defined no matrix `{0}` that could be deleted",
+                       ctx.text(*word));
       break;
     case Naming::None:
       break;

@@ -25,8 +25,10 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
     const Dialect &dialect = ctx.dialect();
-    if (modal_ && event.kind == EventKind::Motion)
+    if (modal_ && event.kind == EventKind::Motion) {
       goesOn(event, ctx);
+      asDistance(event, ctx);
+    }
     if (ctx.block().hasAny(words_))
       return byWords(event, ctx);
     if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
@@ -113,6 +115,26 @@ private:
   /// Whether the word is a polar one with a value of the unit.
   bool address(const Word &word, AddressUnit unit, const RuleContext &ctx) const {
     return (words_ & maskOf(word.address)) && ctx.dialect().addresses[word.address].unit == unit;
+  }
+
+  /// A later block of a polar motion code under distances; of the block with the code the table
+  /// speaks.
+  static void asDistance(const Event &event, RuleContext &ctx) {
+    const CodeInfo *motion = ctx.after().activeCode(ctx.dialect(), StandardGroup::Motion);
+    if (!motion || !isPolar(*motion, ctx.dialect()) || event.inMachineCoordinates() ||
+        ctx.find({motion->action}))
+      return;
+    const Word *distance = ctx.block().findAny(ctx.dialect().incrementWords);
+    if (!distance && ctx.after().isActive(ctx.dialect(), StandardGroup::Distance,
+                                          {Action::Incremental}) != Truth::Yes)
+      return;
+    if (auto finding = ctx.report(distance ? ctx.range(*distance) : ctx.blockRange()))
+      finding
+          .message("`{0}` is still in force and takes absolute values only: this block gives "
+                   "distances",
+                   motion->name)
+          .note(ctx.before().originOf(ctx.dialect(), StandardGroup::Motion),
+                "it is programmed here");
   }
 
   bool modal_ = false; ///< polar points have motion codes of their own

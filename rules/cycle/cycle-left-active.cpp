@@ -70,6 +70,7 @@ public:
     const CodeInfo *cycle = activeCycle(before, dialect);
     if (event.kind == EventKind::CycleRun) {
       repeatedPass(event, ctx);
+      measuresAway(event, ctx);
       return;
     }
     if (!cycle || endsHere(event, *cycle, ctx))
@@ -282,6 +283,25 @@ private:
         if (code->action == Action::Cycle)
           return code;
     return nullptr;
+  }
+
+  /// A rapid move away, along the tool too, is a place of a measuring cycle that has measured. The
+  /// places of one without a depth of its own have that axis.
+  static void measuresAway(const Event &event, RuleContext &ctx) {
+    const auto tool = uint16_t(1u << unsigned(toolAxis(ctx.dialect(), ctx.after())));
+    if (event.code == noCode || !(event.axes & tool) || !ctx.find({Action::Rapid}) ||
+        ctx.find({Action::Cycle, Action::CycleCancel}) || !ctx.before().must(Fact::CycleRan))
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.cycle != CycleKind::Measure ||
+        llvm::none_of(code.words, [](const WordSpec &w) { return w.role == Role::Depth; }))
+      return;
+    const Origin &origin = ctx.before().origin.of(StatePart::Cycle);
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding
+          .message("`{0}` of line {1} is still active: this move away measures again", code.name,
+                   lineOf(ctx, origin))
+          .note(origin, code.name + " becomes active here");
   }
 
   /// A cycle that is called in the very block that ends the program, and that nothing cancels.

@@ -98,6 +98,16 @@ private:
            llvm::any_of(code.words, [](const WordSpec &w) { return w.role == Role::Repeat; });
   }
 
+  /// Whether a repetition may be the one that is meant: its count is no other number.
+  static bool mayCount(const Item &repeat, const Block &block, const Interval &wanted) {
+    if (repeat.count == noExpression)
+      return true;
+    const Expression &count = block.expressions[repeat.count];
+    const ExpressionOp &first = block.operations[count.first];
+    return count.bad || count.count != 1 || first.op != Op::Number || !wanted.isConstant() ||
+           first.value == wanted.value();
+  }
+
   /// A frame that is to be set several times, and nothing repeats it.
   static void counts(const Event &event, RuleContext &ctx) {
     for (const WordSpec &spec : ctx.code(event).words) {
@@ -110,8 +120,8 @@ private:
         // it.
         const bool later = block.begin >= ctx.block().begin;
         if (llvm::any_of(block.items, [&](const Item &i) {
-              return i.kind == ItemKind::Repeat || i.kind == ItemKind::Call ||
-                     (i.kind == ItemKind::Jump && later);
+              return (i.kind == ItemKind::Repeat && mayCount(i, block, ctx.value(*word))) ||
+                     i.kind == ItemKind::Call || (i.kind == ItemKind::Jump && later);
             }))
           return;
       }

@@ -32,7 +32,7 @@ public:
       to.on(EventKind::CycleRun);
     stated_ = to.dialect().facts->cycles.planeStatedFirst;
     if (stated_)
-      to.on(EventKind::CycleStart);
+      to.on({EventKind::CycleStart, EventKind::CycleRun});
     for (const std::string &name : to.dialect().axisVariables)
       axes_.insert(variableKey(name));
     if (!axes_.empty())
@@ -62,6 +62,8 @@ public:
     if (stated_)
       plane(event, ctx);
     if (!wanted_)
+      return;
+    if (event.kind != EventKind::CycleStart)
       return;
     const CodeInfo &code = ctx.code(event);
     const MachineState &state = ctx.after();
@@ -124,11 +126,19 @@ private:
       finding.message("`{0}` names no axis: CFX, CFY, CFZ and their like do", ctx.text(range));
   }
 
+  /// A program of the control that works in the plane to a depth that a variable gives it.
+  static bool isProgram(const CodeInfo &code) {
+    return code.group == noGroup && llvm::any_of(code.words, [](const WordSpec &word) {
+             return word.variable && word.role == Role::Depth;
+           });
+  }
+
   /// The plane that holds is the control's own choice.
   void plane(const Event &event, RuleContext &ctx) const {
     const GroupIndex group = ctx.dialect().group(StandardGroup::Plane);
-    if (event.kind != EventKind::CycleStart || group == noGroup || memory().said ||
-        event.code == noCode || !ctx.code(event).firesInPlane ||
+    if (group == noGroup || memory().said || event.code == noCode ||
+        !(event.kind == EventKind::CycleStart ? ctx.code(event).firesInPlane
+                                              : isProgram(ctx.code(event))) ||
         ctx.before().may(Fact::UnknownCode) || (ctx.after().mayBeStated(group)))
       return;
     memory().said = true;

@@ -60,6 +60,8 @@ public:
       sameBlock(event, code, ctx);
     else if (makesHole(code.cycle))
       checkHole(event, code, ctx);
+    else if (code.firesInPlane && code.cycle != CycleKind::Measure)
+      checkMilling(event, code, ctx);
     else if (code.cycle == CycleKind::TurnPass || code.cycle == CycleKind::ThreadPass)
       checkPass(event, code, Axis::X, ctx);
     else if (code.cycle == CycleKind::FacePass)
@@ -161,6 +163,13 @@ private:
       report(event, code, ctx, true, nullptr);
     else if (said || (notCancelled && isFar(code, ctx)))
       report(event, code, ctx, false, nullptr);
+  }
+
+  /// A pocket or the like that every place repeats: a rapid move away along the tool too.
+  static void checkMilling(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const auto tool = uint16_t(1u << unsigned(toolAxis(ctx.dialect(), ctx.after())));
+    if ((event.axes & tool) && ctx.find({Action::Rapid}) && ctx.before().must(Fact::CycleRan))
+      report(event, code, ctx, false, "at a rapid move");
   }
 
   /// A pass of a turning cycle whose end lies on the free side of its start cuts nothing.

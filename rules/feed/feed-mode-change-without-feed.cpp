@@ -23,8 +23,10 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::CycleRun && !afterTap_)
+      return hole(event, ctx);
     if (event.kind == EventKind::CycleRun) {
-      if (!afterTap_ || event.code == noCode)
+      if (event.code == noCode)
         return;
       if (taps(ctx.code(event).cycle))
         memory().tap = ctx.blockRange();
@@ -40,6 +42,21 @@ public:
       return;
     if (forgets_)
       return feedForgotten(event, ctx);
+    carried(event, ctx);
+  }
+
+private:
+  /// A hole is made at feed too; that of a tap goes with its pitch.
+  void hole(const Event &event, RuleContext &ctx) const {
+    if (event.code == noCode || forgets_ || !event.axes)
+      return;
+    const CodeInfo &code = ctx.code(event);
+    if (code.needsFeed && makesHole(code.cycle) && !taps(code.cycle))
+      carried(event, ctx);
+  }
+
+  /// F was programmed for the other unit.
+  void carried(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     if (!state.must(Fact::FeedCarried) || !state.must(Fact::FeedSet) ||
         state.may(Fact::UnknownCode))
@@ -52,7 +69,7 @@ public:
       return;
     memory().reported = mode.begin;
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
-    if (auto finding = ctx.report(event))
+    if (auto finding = event.word ? ctx.report(event) : ctx.report(ctx.blockRange(), event.certain))
       finding
           .message("this move feeds with the F of before `{0}`: the number now counts in another "
                    "unit",
@@ -61,7 +78,6 @@ public:
           .note(feed, "the feed is programmed here");
   }
 
-private:
   /// The control forgets F at the code of the feed's unit, be it the one in force.
   void feedForgotten(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();

@@ -12,9 +12,13 @@ public:
     if (llvm::any_of(to.dialect().codes,
                      [](const CodeInfo &code) { return code.action == Action::ZoneOn; }))
       to.on(EventKind::ToolChange);
+    if (llvm::any_of(to.dialect().switches, [](const SwitchInfo &s) { return s.leftOn == id; }))
+      to.on(EventKind::ProgramEnd);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::ProgramEnd)
+      return outlives(event, ctx);
     const MachineState &before = ctx.before();
     const Dialect &dialect = ctx.dialect();
     if (before.tool == notSet || !before.origin.of(StatePart::LengthOffset).known() ||
@@ -35,6 +39,25 @@ public:
             .message("the zone was set with the length offset of the tool before: it guards the "
                      "wrong height now")
             .note(zone, "the zone is switched on here");
+    }
+  }
+
+private:
+  static constexpr llvm::StringLiteral id{"limit-zone-not-effective"};
+
+  /// What neither the end nor a reset switches off acts in the next program too.
+  static void outlives(const Event &event, RuleContext &ctx) {
+    for (unsigned i = 0; i < ctx.dialect().switches.size(); ++i) {
+      const SwitchInfo &info = ctx.dialect().switches[i];
+      const Origin &origin = ctx.after().origin.ofSwitch(i);
+      if (info.leftOn != id || !ctx.after().switchMustBeOn(i) || !origin.known() ||
+          ctx.after().may(Fact::UnknownCode))
+        continue;
+      if (auto finding = ctx.report(origin.range(), event.certain))
+        finding.severity(info.severity)
+            .message("{0} is still on at the program's end: it acts in the programs after it",
+                     info.title)
+            .note(ctx.blockRange(), "the program ends here");
     }
   }
 };

@@ -8,7 +8,8 @@ namespace ncvet {
 namespace {
 
 struct ProbeCorrectionTargetMemory {
-  SourceRange corrected; ///< the measurement that corrected the origin in force
+  SourceRange corrected; ///< the measurement that corrected what is in force
+  bool tool = false;     ///< that was the tool in the spindle, not the origin
 };
 
 /// What the correction of a radius, of a length or of an origin ends in is the table's business.
@@ -33,14 +34,23 @@ public:
       return;
     if (memory().corrected.end && memory().corrected.begin != ctx.block().begin) {
       if (auto finding = ctx.report(ctx.blockRange()))
-        finding.message("this measurement counts from the origin that the one before has corrected")
-            .note(memory().corrected, "the origin is corrected here");
+        finding
+            .message("this measurement counts {0} that the one before has corrected",
+                     memory().tool ? "with the tool in the spindle" : "from the origin")
+            .note(memory().corrected, "it is corrected here");
       memory().corrected = {};
       return;
     }
     const auto target = valueOfRole(ctx, ctx.code(event), Role::Offset);
+    if (what && *what >= 1 && target && *target > 0 && *target != std::floor(*target) &&
+        std::floor(*target) == double(ctx.after().tool)) {
+      memory().corrected = ctx.blockRange();
+      memory().tool = true;
+      return;
+    }
     const CodeInfo *origin = ctx.after().activeCode(ctx.dialect(), StandardGroup::WorkOffset);
     int number = 0;
+    memory().tool = false;
     if (!what || *what < 1 || !target || !origin || *target != std::floor(*target) ||
         llvm::StringRef(origin->name).rsplit('.').second.getAsInteger(10, number) ||
         number != int(*target))

@@ -28,9 +28,11 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.code == noCode || ctx.before().profile == ProfileMode::Recorded)
+    if (event.code == noCode)
       return;
     const CodeInfo &code = ctx.code(event);
+    if (ctx.before().profile == ProfileMode::Recorded && code.action != Action::ProfileRun)
+      return;
     if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) && !isAboveStock(ctx)
                                           : runs(event, code)))
       return;

@@ -41,7 +41,8 @@ public:
     const char *what = nullptr;
     switch (issue.kind) {
     case SyntaxIssueKind::UnbalancedBracket:
-      if (ctx.dialect().lexical.commaSeparates) // syntax-unbalanced-brackets speaks
+      if (ctx.dialect().lexical.commaSeparates ||
+          ctx.dialect().facts->text.bracketsApart) // syntax-unbalanced-brackets speaks
         return;
       what = "`{0}` has no bracket to match it";
       break;

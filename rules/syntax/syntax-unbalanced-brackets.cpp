@@ -1,5 +1,6 @@
 // Brackets, parentheses or quotation marks that are not closed, in languages of calls.
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 namespace ncvet {
 namespace {
@@ -7,7 +8,7 @@ namespace {
 class SyntaxUnbalancedBrackets final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().lexical.commaSeparates)
+    if (to.dialect().lexical.commaSeparates || to.dialect().facts->text.bracketsApart)
       to.on(EventKind::Syntax);
   }
 
@@ -16,7 +17,9 @@ public:
     const char *what = nullptr;
     switch (issue.kind) {
     case SyntaxIssueKind::UnbalancedBracket:
-      what = "`{0}` is not closed: the control cannot tell where it ends";
+      what = ctx.dialect().facts->text.bracketsApart
+                 ? "`{0}` has no bracket to match it"
+                 : "`{0}` is not closed: the control cannot tell where it ends";
       break;
     case SyntaxIssueKind::UnclosedString:
       what = "the string `{0}` has no closing quotation mark";

@@ -26,6 +26,7 @@ public:
     reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
     greatest_ = int64_t(to.dialect().facts->variables.lastKept);
     reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
+    volatileFrom_ = int64_t(to.dialect().facts->variables.volatileFrom);
     for (const CodeInfo &code : to.dialect().codes)
       for (const Store &store : code.stores)
         stored_.insert(store.variable);
@@ -60,6 +61,7 @@ public:
       return;
     // Those that the program cannot have: variable-index-out-of-range speaks.
     if ((greatest_ && index > greatest_) || (reservedFrom_ <= index && index <= reservedTo_) ||
+        (index < volatileFrom_ && isCounter(event.place(), ctx)) ||
         !memory().reported.insert(index).second)
       return;
     const SourceRange range{ctx.source().id(), event.place(),
@@ -74,6 +76,29 @@ public:
   }
 
 private:
+  /// `R60=R60+1`: a variable that keeps its value at power-off counts on from the run before, where
+  /// nothing else of the program reads it.
+  static bool isCounter(uint32_t place, RuleContext &ctx) {
+    const auto item = llvm::find_if(ctx.block().items, [&](const Item &i) {
+      return i.kind == ItemKind::Assignment && i.begin < place && place < i.end;
+    });
+    if (item == ctx.block().items.end())
+      return false;
+    const uint64_t key = ctx.block().keyOf(item->target);
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    unsigned reads = 0;
+    for (const Block &block : blocks(ctx.index(), program.body, program.end))
+      for (const ExpressionOp &op : block.operations) {
+        reads += op.op == Op::Variable && uint64_t(op.value) == key;
+        if (reads > 1)
+          return false;
+      }
+    const Expression &value = ctx.block().expressions[item->value];
+    return llvm::any_of(
+        llvm::makeArrayRef(ctx.block().operations).slice(value.first, value.count),
+        [&](const ExpressionOp &op) { return op.op == Op::Variable && uint64_t(op.value) == key; });
+  }
+
   /// `#<name>` does not exist before it has been given a value.
   void named(const Event &event, RuleContext &ctx) const {
     // A remapped code or a caller in another file may have given it one.
@@ -131,6 +156,7 @@ private:
 
   int64_t greatest_ = 0; ///< number of the last parameter; 0: not limited
   int64_t reservedFrom_ = 0, reservedTo_ = -1;
+  int64_t volatileFrom_ = 0;  ///< parameters below it keep their values; 0: it is not known
   std::set<uint64_t> stored_; ///< keys of variables that codes give a value
 };
 

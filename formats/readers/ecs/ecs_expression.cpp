@@ -228,6 +228,7 @@ uint64_t EcsExpression::variable() {
 bool EcsExpression::name(unsigned depth) {
   const char *const begin = at_;
   const llvm::StringRef word = llvm::StringRef(at_, size_t(end_ - at_)).take_while(isNameCharacter);
+  block_.lowerCase |= llvm::any_of(word, [](char c) { return c >= 'a' && c <= 'z'; });
   const char *const after = afterSpaces(word.end());
   if (!word.empty() && after < end_ && *after == '(') {
     const Op function = functionOf(word.upper());
