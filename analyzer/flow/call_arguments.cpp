@@ -40,6 +40,11 @@ std::optional<FlowIssue> wrongWith(const Block &block, llvm::ArrayRef<Argument> 
     if (taken[i].byReference &&
         (left || (given[i].expression != noExpression && !isVariable(block, given[i].expression))))
       return FlowIssue::ArgumentNotVariable;
+    const VariableType type = taken[i].type;
+    if (!left && given[i].kind == ArgumentKind::Text &&
+        (type == VariableType::Integer || type == VariableType::Real ||
+         type == VariableType::Boolean))
+      return FlowIssue::ArgumentType;
     if (left && taken[i].expression == noExpression && !taken[i].byReference && given.size() > 0)
       return FlowIssue::ArgumentLeftOut;
   }
@@ -112,6 +117,11 @@ void checkArguments(FlowRun &run, const Step &step, const Callee &callee, const 
     return run.issue(*wrong, step, where, related);
   for (unsigned i = mismatches(step, call, taken); i > 0; --i)
     run.issue(FlowIssue::DeclarationMismatch, step, where, related);
+  const Defined *declared = step.unit().index.definition(
+      step.region().program, step.unit().source.text(call.nameBegin, call.nameEnd));
+  if (call.arguments && callee.unit != &step.unit() &&
+      (!declared || declared->kind != ItemKind::Declaration))
+    run.issue(FlowIssue::NotDeclared, step, where, related);
 }
 
 void bindPositions(const Block &block, const Item &call, const MachineState &caller,

@@ -81,6 +81,8 @@ enum class FlowIssue : uint8_t {
   TooManyArguments,   ///< a call has more arguments than the program takes; or it takes none
   ArgumentLeftOut,    ///< a parameter without a value of its own gets none
   ArgumentNotVariable, ///< a parameter gives its value back, and the argument is no variable
+  ArgumentType,        ///< a text where the program takes a number
+  NotDeclared,         ///< a program of another file is called with arguments, and not declared
   DeclarationMismatch, ///< the program takes other arguments than its declaration says
   DuplicateLabel,      ///< another bracket of structured flow carries the same label
   EndlessLoop          ///< the state repeats: the program never leaves a loop

@@ -134,6 +134,17 @@ private:
     const bool empty = state.tool == 0;
     const bool none =
         state.tool == notSet && !state.may(Fact::ToolCalled) && !state.may(Fact::UnknownCode);
+    // A list of tools is complete, and says the radius of those that have one.
+    const ToolData *listed =
+        ctx.asked() ? compensatingTool(ctx.dialect(), ctx.machine(), state) : nullptr;
+    if (!none && !empty && listed && !listed->radius && !listed->kind.empty() &&
+        !compensationRadius(ctx.dialect(), ctx.machine(), state)) {
+      if (auto finding = ctx.report(where, event.certain))
+        finding.severity(Severity::Warning)
+            .message("`{0}` with tool {1}, of which the machine profile gives no radius", code.name,
+                     state.tool);
+      return;
+    }
     if (!none && !empty && compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
       return;
     if (auto finding = ctx.report(where, event.certain))

@@ -159,6 +159,16 @@ private:
           .message("this outline has more than {0} moves: the cycle does not take so many", most_);
   }
 
+  /// The first block relies on the dimensions of the caller.
+  static void unstated(const Event &event, RuleContext &ctx) {
+    if (!ctx.asked() || ctx.find({Action::Absolute}))
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Style)
+          .message("the first block of a contour has no G90: its start is where the caller's "
+                   "dimensions say");
+  }
+
   void atMove(const Event &event, RuleContext &ctx) const {
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (event.axes & ~plane & 7u) {
@@ -175,8 +185,10 @@ private:
                                                {Action::Absolute}) != Truth::No;
     // The contour of a turned part begins with any move.
     constexpr uint16_t turned = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
-    if ((event.motion == MotionKind::Rapid && absolute) || plane == turned)
+    if (plane == turned)
       return;
+    if (event.motion == MotionKind::Rapid && absolute)
+      return unstated(event, ctx);
     if (auto finding = ctx.report(event))
       finding.message("a contour begins with a straight block of G90 and G0, which says where its "
                       "start is");

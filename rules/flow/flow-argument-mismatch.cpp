@@ -221,6 +221,12 @@ private:
     case FlowIssue::ArgumentNotVariable:
       what = "`{0}`: the program gives a value back, and the argument is no variable to take it";
       break;
+    case FlowIssue::NotDeclared: // newer controls look for the head themselves
+      if (!ctx.asked())
+        return;
+      what = "`{0}` has arguments, and no EXTERN says before what the program takes";
+      severity = Severity::Style;
+      break;
     case FlowIssue::DeclarationMismatch:
       what = "`{0}` is declared with other types than the program takes";
       break;

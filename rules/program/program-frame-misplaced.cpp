@@ -41,6 +41,10 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
+    if (ctx.dialect().limits.nameLength)
+      for (const ProgramInfo &program : file.index.programs())
+        if (program.hasHeader())
+          path(program, file, ctx);
     if (!hasHead_)
       return;
     for (const ProgramInfo &program : file.index.programs())
@@ -60,6 +64,29 @@ private:
       finding.severity(Severity::Warning)
           .message("`{0}` comes after other words of its block: it opens no program there",
                    ctx.text(*number));
+  }
+
+  /// The line after the header says where the unit is filed, when it is written exactly so.
+  static void path(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
+    const llvm::StringRef rest = file.source.text().slice(program.headerEnd, program.end);
+    const size_t begin = rest.find('\n');
+    if (begin == llvm::StringRef::npos)
+      return;
+    const llvm::StringRef line =
+        rest.drop_front(begin + 1).take_until([](char c) { return c == '\r' || c == '\n'; });
+    std::string close;
+    for (const char c : line)
+      if (c != ' ' && c != '\t')
+        close += llvm::toUpper(c);
+    if (!llvm::StringRef(close).startswith(";$PATH=") || line.startswith(";$PATH="))
+      return;
+    const auto at = uint32_t(program.headerEnd + begin + 1);
+    if (auto finding =
+            ctx.report(SourceRange{file.source.id(), at, at + uint32_t(line.rtrim().size())}))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is a comment: only `;$PATH=` in capitals, at the begin of the line and "
+                   "without blanks, says where the unit is filed",
+                   line.trim());
   }
 
   static void check(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {

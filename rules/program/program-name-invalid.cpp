@@ -177,6 +177,7 @@ private:
   void named(const FileSummary &file, RuleContext &ctx) const {
     const auto programs = file.index.programs();
     ownName(file, ctx);
+    unitHeads(file, ctx);
     for (const ProgramInfo &program : programs) {
       labelNames(program, file, ctx);
       if (!program.hasHeader())
@@ -212,6 +213,36 @@ private:
           .message("`{0}` is in the file `{1}`: the control files it under the name of its "
                    "header",
                    ctx.text(range), name);
+  }
+
+  /// `%_N_PART_MPF` begins each unit of an archive: letters, digits and `_`, and what kind it is.
+  static void unitHeads(const FileSummary &file, RuleContext &ctx) {
+    constexpr llvm::StringLiteral kinds[] = {"MPF", "SPF", "INI", "TEA", "DEF", "COM", "CPF",
+                                             "UFR", "TOA", "RPA", "SYF", "CYC", "WPD", "DIR",
+                                             "JOB", "GUD", "TMA", "EEC", "QEC", "PRO"};
+    const llvm::StringRef text = file.source.text();
+    for (size_t at = text.find("%_N_"); at != llvm::StringRef::npos;
+         at = text.find("%_N_", at + 1)) {
+      if (at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r')
+        continue;
+      const llvm::StringRef line =
+          text.drop_front(at).take_until([](char c) { return c == '\r' || c == '\n' || c == ';'; });
+      const llvm::StringRef head = line.rtrim();
+      const llvm::StringRef name = head.drop_front();
+      const bool readable = llvm::all_of(
+          name, [](char c) { return llvm::isAlnum(c) || c == '_' || c == ' ' || c == '\t'; });
+      const llvm::StringRef kind = name.rsplit('_').second;
+      const bool known =
+          llvm::any_of(kinds, [&](llvm::StringRef one) { return kind.equals_insensitive(one); });
+      if (readable && known)
+        continue;
+      const SourceRange range{file.source.id(), uint32_t(at), uint32_t(at + head.size())};
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message(readable ? "`{0}` heads no kind of file that the control has"
+                              : "`{0}`: the name of a unit has letters, digits and `_` only",
+                     head);
+    }
   }
 
   /// The name of a file that holds one program without a header: the control stores it so.

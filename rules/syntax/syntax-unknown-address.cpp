@@ -22,7 +22,7 @@ public:
     // A list without the axes that every machine has says something of single ones only.
     constexpr uint16_t always = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z);
     if ((memory().axes & always) == always)
-      to.on(EventKind::Motion);
+      to.on({EventKind::Motion, EventKind::Statement});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -36,6 +36,8 @@ public:
       }
       return;
     }
+    if (event.kind == EventKind::Statement)
+      return inBrackets(ctx.block().items[event.item()], ctx);
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = ctx.block().issues[event.issue()];
       if (issue.kind != SyntaxIssueKind::SymbolAsAddress)
@@ -63,6 +65,24 @@ public:
   }
 
 private:
+  /// `POS[V]=10`: the letter of an axis that a positioning or feed word names.
+  void inBrackets(const Item &item, RuleContext &ctx) const {
+    const llvm::StringRef name =
+        ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd});
+    const auto [word, rest] = name.split('[');
+    const llvm::StringRef index = rest.take_until([](char c) { return c == ']'; }).trim();
+    const std::string known = word.trim().upper();
+    if (item.kind != ItemKind::Assignment || index.size() != 1 || !llvm::isAlpha(index[0]) ||
+        (known != "POS" && known != "POSA" && known != "POSP" && known != "FA" && known != "FL" &&
+         known != "OVRA" && known != "ACC"))
+      return;
+    const AddressInfo &address = ctx.dialect().addresses[letterAddress(llvm::toUpper(index[0]))];
+    if (address.kind != AddressKind::Axis || (memory().axes >> unsigned(address.axis) & 1))
+      return;
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd}))
+      finding.message("`{0}`: the machine profile has no axis {1}", name, index.upper());
+  }
+
   /// A code of the block has something to say of just this address.
   static bool explained(const Word &word, const RuleContext &ctx) {
     return llvm::any_of(ctx.codes(), [&](const CodeUse &use) {

@@ -41,6 +41,8 @@ public:
       return parameter(name, {ctx.source().id(), begin, uint32_t(begin + name.size())}, ctx);
     }
     const Item &item = ctx.block().items[event.item()];
+    if (named_ && item.value != noExpression)
+      settings(item, ctx);
     const SourceRange place{ctx.source().id(), item.nameBegin, item.nameEnd};
     if (item.kind == ItemKind::Assignment && numbered_)
       return numbered(item, ctx);
@@ -84,6 +86,59 @@ private:
       if (op.op == Op::Variable && !target && digits.consume_front("#"))
         look(op.offset, digits);
     }
+  }
+
+  /// `FIELD[1]=SET(1,2,3)`: more values than the array has elements from there on.
+  static void settings(const Item &item, RuleContext &ctx) {
+    const SourceRange range{ctx.source().id(), ctx.block().expressions[item.value].begin, item.end};
+    llvm::StringRef values = ctx.text(range).trim();
+    if (!values.consume_front_insensitive("SET") || !(values = values.ltrim()).startswith("(") ||
+        !values.endswith(")") || (item.kind == ItemKind::Definition && !item.arguments))
+      return;
+    values = values.drop_front().drop_back();
+    int depth = 0;
+    double count = 1;
+    for (const char c : values) {
+      depth += c == '(' || c == '[';
+      depth -= c == ')' || c == ']';
+      count += c == ',' && depth == 0;
+    }
+    const llvm::StringRef target =
+        ctx.text(SourceRange{ctx.source().id(), item.nameBegin, item.nameEnd});
+    const auto [array, rest] = target.split('[');
+    int64_t first = 0;
+    if (item.kind == ItemKind::Assignment &&
+        (rest.empty() || rest.split(']').first.trim().getAsInteger(10, first)))
+      return;
+    const auto elements = elementsOf(array.trim(), ctx);
+    if (!elements || double(first) + count <= *elements)
+      return;
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("`{0}` has {1} values, and `{2}` has {3} elements from there on",
+                   ctx.text(range), count, array.trim(), *elements - double(first));
+  }
+
+  /// Elements of an array of one dimension that the program defines with a number.
+  static std::optional<double> elementsOf(llvm::StringRef array, RuleContext &ctx) {
+    const Defined *defined =
+        ctx.index().definition(ctx.index().programAt(ctx.block().begin), array);
+    if (!defined || !defined->array)
+      return std::nullopt;
+    Block block;
+    ctx.index().read(ctx.source().lines().lineBegin(defined->begin), block);
+    for (const Item &definition : block.items) {
+      if (definition.kind != ItemKind::Definition || definition.nameBegin != defined->begin)
+        continue;
+      const auto sizes = block.argumentsOf(definition);
+      if (sizes.size() != 1 || sizes[0].expression >= block.expressions.size())
+        return std::nullopt;
+      const Expression &e = block.expressions[sizes[0].expression];
+      if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number)
+        return std::nullopt;
+      return block.operations[e.first].value;
+    }
+    return std::nullopt;
   }
 
   /// `R2050`, one of the control's parameters.

@@ -16,13 +16,17 @@ struct VariableReadBeforeWriteMemory {
   bool main = false;
   std::set<int64_t> reported;
   std::set<std::string> names;
+  std::set<uint64_t> bare; ///< keys of variables defined without a value, and not given one
 };
 
 class VariableReadBeforeWrite final : public StatefulRule<VariableReadBeforeWriteMemory> {
 public:
   void listen(Subscriptions &to) override {
-    if (to.flag("wanted"))
+    if (to.flag("wanted")) {
       to.on(EventKind::UnsetRead);
+      if (to.dialect().lexical.commaSeparates)
+        to.on({EventKind::Statement, EventKind::Block});
+    }
     reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
     greatest_ = int64_t(to.dialect().facts->variables.lastKept);
     reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
@@ -33,6 +37,10 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Statement)
+      return statement(ctx.block().items[event.item()], ctx);
+    if (event.kind == EventKind::Block)
+      return bareReads(ctx);
     if (ctx.dialect().variableRanges.namedLocal)
       return named(event, ctx);
     const Dialect &dialect = ctx.dialect();
@@ -97,6 +105,43 @@ private:
     return llvm::any_of(
         llvm::makeArrayRef(ctx.block().operations).slice(value.first, value.count),
         [&](const ExpressionOp &op) { return op.op == Op::Variable && uint64_t(op.value) == key; });
+  }
+
+  /// `DEF REAL A` has no value of its own until the program gives it one; what is called may give
+  /// values to any.
+  void statement(const Item &item, RuleContext &ctx) const {
+    std::set<uint64_t> &bare = memory().bare;
+    if (item.kind == ItemKind::Call)
+      return bare.clear();
+    const uint64_t key = item.target == noExpression ? 0 : ctx.block().keyOf(item.target);
+    if (!key)
+      return;
+    if (item.kind == ItemKind::Definition && item.value == noExpression && !item.arguments &&
+        (item.type == VariableType::Real || item.type == VariableType::Integer))
+      bare.insert(key);
+    else
+      bare.erase(key);
+  }
+
+  /// The words of the block that read such a variable.
+  void bareReads(RuleContext &ctx) const {
+    std::set<uint64_t> &bare = memory().bare;
+    if (bare.empty() || !ctx.asked())
+      return;
+    for (const Word &word : ctx.block().words) {
+      if (!word.has(wordExpression) || size_t(word.mantissa) >= ctx.block().expressions.size())
+        continue;
+      const Expression &e = ctx.block().expressions[size_t(word.mantissa)];
+      for (uint32_t i = 0; i < e.count; ++i) {
+        const ExpressionOp &op = ctx.block().operations[e.first + i];
+        if (op.op != Op::Variable || !bare.erase(uint64_t(op.value)))
+          continue;
+        if (auto finding = ctx.report(word))
+          finding.severity(Severity::Style)
+              .message("`{0}` reads a variable that is defined without a value: it is 0",
+                       ctx.text(word));
+      }
+    }
   }
 
   /// `#<name>` does not exist before it has been given a value.

@@ -13,7 +13,7 @@ namespace {
 class VariableTypeMismatch final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    to.on(EventKind::Statement);
+    to.on({EventKind::Statement, EventKind::FlowIssue});
     to.onChange({EventKind::Block});
     for (const std::string &name : to.dialect().variableNames) {
       marked_ |= llvm::StringRef(name).startswith("%");
@@ -22,6 +22,15 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::FlowIssue) {
+      if (event.flowIssue() == FlowIssue::ArgumentType)
+        if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+          finding
+              .message("`{0}` gives a text where the program takes a number",
+                       ctx.text(ctx.flowRange()))
+              .note(ctx.flowRelated(), "what the program takes");
+      return;
+    }
     if (event.kind == EventKind::Block) {
       truncated(ctx);
       return inWords(ctx);
@@ -118,6 +127,18 @@ private:
     return false;
   }
 
+  /// A variable that holds TRUE or FALSE gives a coordinate.
+  static void truth(const Expression &value, const Word &word, RuleContext &ctx) {
+    if (value.bad || value.count != 1 || ctx.block().operations[value.first].op != Op::Variable ||
+        ctx.dialect().addresses[word.address].kind != AddressKind::Axis ||
+        typeOf(ctx.text(ctx.range(value)), ctx) != VariableType::Boolean)
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Warning)
+          .message("`{0}` holds TRUE or FALSE, and `{1}` takes a coordinate",
+                   ctx.text(ctx.range(value)), ctx.text(word));
+  }
+
   /// `5+"A"`: a text that is no argument of a function, and neither compared nor put together with
   /// another one.
   static bool textIn(SourceRange value, RuleContext &ctx) {
@@ -165,8 +186,8 @@ private:
       if (kind == AddressKind::Axis || kind == AddressKind::Increment ||
           kind == AddressKind::Parameter || kind == AddressKind::Polar) {
         const Expression &value = block.expressions[size_t(word.mantissa)];
-        if (!operands(value, ctx.text(word), ctx))
-          textIn(ctx.range(value), ctx);
+        if (!operands(value, ctx.text(word), ctx) && !textIn(ctx.range(value), ctx))
+          truth(value, word, ctx);
       }
     }
   }
