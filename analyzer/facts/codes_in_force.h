@@ -28,6 +28,14 @@ inline bool mayBeTransformed(const Dialect &dialect, const MachineState &state) 
                       [](const CodeInfo &code) { return code.action == Action::None; });
 }
 
+/// Whether the tool was changed after compensation was switched on: that it is still on was told
+/// there, and what else it does from then on has the same cause.
+inline bool outlivesTool(const MachineState &state) {
+  const Origin &on = state.origin.of(StatePart::Compensation);
+  const Origin &tool = state.origin.of(StatePart::Tool);
+  return on.known() && tool.known() && on.file == tool.file && tool.begin > on.begin;
+}
+
 /// Whether X is certainly a diameter: the work turns, and the tool axis is none that goes into it.
 inline bool turnsWork(const Dialect &dialect, const MachineState &state) {
   return state.isActive(dialect, StandardGroup::Diameter,

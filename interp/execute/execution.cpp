@@ -319,6 +319,12 @@ void Execution::finish() {
       state_.origin.of(StatePart::PendingCycle).begin ==
           before_.origin.of(StatePart::PendingCycle).begin)
     state_.pendingCycle = noCode;
+  // Where a word has lost its address or its value, nobody knows where the tool was to go.
+  if (llvm::any_of(block_.issues, [](const SyntaxIssue &issue) {
+        return issue.kind == SyntaxIssueKind::MissingAddress;
+      }))
+    for (Interval &place : state_.position)
+      place = Interval::unknown();
   if (!(state_.compensation & phaseOn)) {
     state_.idleBlocks = 0;
   } else if (!dialect_.facts->text.statementsAlone || !calculatesOnly(block_)) {

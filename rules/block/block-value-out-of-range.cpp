@@ -37,6 +37,7 @@ public:
       others_ |= maskOf(AddressId(i)) & ~told;
     }
     to.on({EventKind::WordIssue, EventKind::Syntax});
+    digits_ = to.dialect().facts->limits.lengthDigits;
     leastAlarm_ = to.dialect().facts->limits.leastAlarm;
     greatestAlarm_ = to.dialect().facts->limits.greatestAlarm;
     if (greatestAlarm_ > 0)
@@ -53,8 +54,11 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::Syntax)
+    if (event.kind == EventKind::Syntax) {
+      if (digits_)
+        tooLong(ctx.block().issues[event.issue()], ctx);
       return skipInside(ctx.block().issues[event.issue()], ctx);
+    }
     if (event.kind == EventKind::WordIssue) {
       ofAddresses(event, ctx);
       return skipLevel(event, ctx);
@@ -84,6 +88,24 @@ public:
   }
 
 private:
+  unsigned digits_ = 0; ///< most digits of a length in least increments; 0: any
+
+  /// `X123456.7891`: a word that is read, and has too many digits.
+  void tooLong(const SyntaxIssue &issue, RuleContext &ctx) const {
+    if (issue.kind != SyntaxIssueKind::MalformedNumber)
+      return;
+    for (const Word &word : ctx.block().words) {
+      if (word.offset != issue.begin || !word.isNumber() || word.has(wordMalformed) ||
+          ctx.block().endOf(word) != issue.end ||
+          llvm::count_if(ctx.text(word), llvm::isDigit) <= digits_)
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` has more than {1} digits in least increments: the control stops "
+                        "with an alarm",
+                        ctx.text(word), digits_);
+    }
+  }
+
   double leastAlarm_ = 0, greatestAlarm_ = 0; ///< of the numbers that `#3000` takes
 
   /// `#3000=5000`: the number of an alarm.

@@ -1,4 +1,5 @@
 // Blocks without a move in the plane, and moves of zero length, inside a compensated contour.
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
@@ -97,8 +98,9 @@ private:
     const bool approached = memory().afterApproach == ctx.block().next;
     const unsigned allowed = approached ? allowedAfterApproach_ : allowed_;
     if (state.compensation != phaseOn || state.profile == ProfileMode::Recorded ||
-        state.idleBlocks != allowed + 1 || ctx.before().idleBlocks != allowed ||
-        ctx.outcome().flow.kind == FlowKind::End || !contourGoesOn(ctx))
+        outlivesTool(state) || state.idleBlocks != allowed + 1 ||
+        ctx.before().idleBlocks != allowed || ctx.outcome().flow.kind == FlowKind::End ||
+        !contourGoesOn(ctx))
       return;
     if (approached) {
       if (auto finding = ctx.report(ctx.blockRange()))
@@ -157,7 +159,8 @@ private:
   }
 
   static void zeroMove(const Event &event, RuleContext &ctx) {
-    if (ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn)
+    if (ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn ||
+        outlivesTool(ctx.after()) || !ctx.block().issues.empty())
       return;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (!(event.axes & plane) || event.inMachineCoordinates() || event.code == noCode ||

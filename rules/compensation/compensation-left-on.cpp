@@ -1,6 +1,7 @@
 // Radius compensation that is still on at a tool change, a return, the end or the next contour.
 #include "analyzer/facts/after_calls.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/references.h"
@@ -158,7 +159,8 @@ private:
   static void leftOn(const Event &event, const char *when, std::optional<Severity> severity,
                      RuleContext &ctx) {
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known())
+    if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known() ||
+        outlivesTool(ctx.before()))
       return;
     if (auto finding = ctx.report(event, active == Truth::Yes && event.certain)) {
       finding.message("{0} with {1} still on", when, nameOf(ctx)).severity(severity);

@@ -41,6 +41,15 @@ public:
   }
 
 private:
+  /// Whether a T word of the program calls a station.
+  static bool callsTool(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index(), program.body, ctx.block().begin))
+      if (const Word *tool = block.find('T'); tool && (!tool->isNumber() || tool->mantissa != 0))
+        return true;
+    return false;
+  }
+
   void check(const CodeInfo &code, const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const bool lathe = ctx.dialect().isLathe();
@@ -52,8 +61,9 @@ private:
       return;
     }
     if (number == notSet || number == 0) {
-      // Some older controls keep radii in the H table.
-      if (state.must(Fact::UnknownCode) || (!lathe && ctx.block().has(letterAddress('H'))))
+      // Some older controls keep radii in the H table; a form has no tool yet.
+      if (state.must(Fact::UnknownCode) ||
+          (lathe ? number == 0 && !callsTool(ctx) : ctx.block().has(letterAddress('H'))))
         return;
       // Every contour after one D0 suffers from it; the first says so.
       if (!lathe && number == 0 &&

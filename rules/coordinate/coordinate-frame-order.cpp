@@ -12,6 +12,7 @@ class CoordinateFrameOrder final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.onNotices(id);
+    lengthEnds_ = to.flag("lengthEnds");
     to.onAction({Action::PresetPosition, Action::LocalShift, Action::MirrorOn, Action::MirrorOff,
                  Action::ScalingOff, Action::RotationOff});
   }
@@ -27,8 +28,11 @@ public:
     case Action::MirrorOn:
     case Action::MirrorOff:
       return mirror(event, code, ctx);
-    case Action::ScalingOff:
     case Action::RotationOff:
+      if (lengthEnds_)
+        lengthInside(event, code, ctx);
+      return nesting(event, code, ctx);
+    case Action::ScalingOff:
       return nesting(event, code, ctx);
     default:
       return;
@@ -36,6 +40,29 @@ public:
   }
 
 private:
+  bool lengthEnds_ = false; ///< a length offset that a rotation has seen begin ends before it
+
+  /// A length offset that was switched on under the rotation is on when that ends.
+  static void lengthInside(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    if (code.effect.index == 0xFF || !before.switchMustBeOn(code.effect.index) ||
+        before.isActive(ctx.dialect(), StandardGroup::LengthOffset,
+                        {Action::LengthPositive, Action::LengthNegative}) != Truth::Yes ||
+        ctx.find({Action::LengthOff}))
+      return;
+    const Origin &length = before.origin.of(StatePart::LengthOffset);
+    const Origin &frame = before.origin.ofSwitch(code.effect.index);
+    if (!length.known() || !frame.known() || length.file != frame.file ||
+        length.begin < frame.begin)
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` while a length offset is on that was switched on after the rotation: it "
+                   "ends first",
+                   ctx.text(*event.word))
+          .note(length, "the length offset begins here");
+  }
+
   static bool is(const RuleContext &ctx, StandardGroup group, Action action) {
     return ctx.dialect().group(group) != noGroup &&
            ctx.before().isActive(ctx.dialect(), group, {action}) == Truth::Yes;

@@ -1,6 +1,7 @@
 // Incremental dimensions are still on when the program ends.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -20,6 +21,7 @@ public:
     if (to.dialect().group(StandardGroup::Distance) != noGroup &&
         to.dialect().facts->program.modesOutliveReturn)
       to.on(EventKind::Return);
+    home_ = to.flag("afterHome");
     if (to.dialect().group(StandardGroup::Distance) != noGroup) {
       to.onChange({EventKind::CycleRun, EventKind::Motion});
       to.onAction({Action::Absolute});
@@ -81,6 +83,34 @@ private:
           .note(on, "it is switched on here");
   }
 
+  bool home_ = false;   ///< the move after a way home is looked at
+  double longest_ = 20; ///< a rapid move away from home of more than this is a coordinate, mm
+
+  /// `G91 G28 Z0` and then a rapid move in the plane whose words look like places of the work.
+  bool afterHome(const Event &event, const Origin &on, RuleContext &ctx) const {
+    if (!home_ || event.kind != EventKind::Motion || event.motion != MotionKind::Rapid ||
+        event.inMachineCoordinates() || !isHere(ctx, on) || ctx.find({Action::Incremental}) ||
+        on.begin >= ctx.block().begin)
+      return false;
+    const auto unit = millimetresPer(ctx.dialect(), ctx.before());
+    bool looks = false;
+    for (const Word &word : ctx.block().words)
+      if (ctx.dialect().axisWords & maskOf(word.address))
+        looks |= word.isNumber() && word.value() * unit.value_or(1) > longest_;
+    if (!looks)
+      return false;
+    Block block;
+    ctx.index().read(ctx.source().lines().lineBegin(on.begin), block);
+    if (!findCode(ctx.dialect(), block, {Action::ReferenceReturn}))
+      return false;
+    // The first move after it that is none to the reference point.
+    for (const Block &between : blocks(ctx.index(), block.next, ctx.block().begin))
+      if (between.hasAny(ctx.dialect().axisWords) &&
+          !findCode(ctx.dialect(), between, {Action::ReferenceReturn}))
+        return false;
+    return true;
+  }
+
   /// A cycle is called, or the first move with another tool made, under what was on before.
   void early(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
@@ -99,6 +129,8 @@ private:
       if (ctx.code(event).group != noGroup || !makesHole(ctx.code(event).cycle) ||
           before.modalCalls)
         return;
+    } else if (afterHome(event, on, ctx)) {
+      ;
     } else if (!event.axes || event.inMachineCoordinates() ||
                event.motion == MotionKind::Reference || !before.must(Fact::ToolCalled) ||
                before.may(Fact::MovedSinceTool) || !ctx.block().hasAny(ctx.dialect().axisWords) ||
@@ -111,7 +143,9 @@ private:
     if (auto finding = ctx.report(event))
       finding.severity(Severity::Warning)
           .message(cycle ? "`{0}` is called with {1} still on"
-                         : "the first move with this tool is a distance: {1} is still on",
+                   : afterHome(event, on, ctx)
+                       ? "a move as long as a coordinate after the way home: {1} is still on"
+                       : "the first move with this tool is a distance: {1} is still on",
                    ctx.code(event).name, name)
           .note(on, "it is switched on here");
   }

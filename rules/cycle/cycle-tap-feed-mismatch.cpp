@@ -1,6 +1,8 @@
 // Feed and speed of a tapping cycle do not give the pitch.
 #include "analyzer/facts/drill_parts.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/named_thread.h"
+#include "analyzer/program/block_reading.h"
 
 #include <cmath>
 
@@ -21,6 +23,7 @@ public:
     to.onNotices(id);
     leastPitch_ = to.number("leastPitch", 0.05);
     greatestPitch_ = to.number("greatestPitch", 12);
+    leads_ = to.flag("leads");
     parts_ = drillParts(to.dialect(), to.machine());
     if (!parts_.empty())
       to.onCode([](const CodeInfo &code) { return makesHole(code.cycle) && code.arguments; });
@@ -49,9 +52,21 @@ public:
     const bool stated = word || changed || !ctx.before().may(Fact::CycleRan) || named;
     if (!stated)
       return;
-    Tapping tapping{code, *unit, state.feed->value() * *unit, {}, named != nullptr, {}};
+    Tapping tapping{code, *unit, state.feed->value() * *unit, {}, named != nullptr, {}, false};
     if (const auto tool = ctx.machine().tools.find(state.tool); tool != ctx.machine().tools.end())
       tapping.pitch = tool->second.pitch;
+    if (leads_ && !tapping.pitch && (named || word)) {
+      tapping.pitch = leadOfComment(ctx);
+      tapping.told = tapping.pitch.has_value();
+      // Without a code for the units they may be inches, of the feed at least.
+      if (tapping.told && unitsOpen(ctx)) {
+        const double feed = tapping.feed * inchInMillimetres;
+        const double turns = hasSpeed(ctx) ? ctx.after().speed->value() : 1;
+        if (std::fabs(feed - *tapping.pitch) < 0.02 * *tapping.pitch ||
+            std::fabs(feed / turns - *tapping.pitch) < 0.02 * *tapping.pitch)
+          return;
+      }
+    }
     tapping.at = word ? ctx.range(*word) : named ? ctx.range(*named) : ctx.blockRange();
     const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
     if (mode == Action::FeedPerRevolution)
@@ -70,6 +85,7 @@ private:
     std::optional<double> pitch; ///< mm, of the tap in use, where the machine knows it
     bool named;                  ///< the block has the code of the cycle
     SourceRange at;              ///< what is reported
+    bool told = false;           ///< a comment gives the pitch
 
     /// Another pitch than that of the tap, or than any tap has.
     bool isOff(double cuts, double least, double greatest) const {
@@ -77,16 +93,66 @@ private:
     }
   };
 
+  /// The lead of the thread that a comment of the tool names, in millimetres: one since the tool
+  /// was changed, or one that names the tool.
+  static std::optional<double> leadOfComment(const RuleContext &ctx) {
+    constexpr uint32_t readable = 1u << 20;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const Origin &tool = ctx.after().origin.of(StatePart::Tool);
+    const uint32_t since = tool.known() && tool.file == ctx.source().id() ? tool.begin : 0;
+    const std::string own = "T" + std::to_string(ctx.after().tool);
+    std::optional<double> lead;
+    if (ctx.block().begin - program.begin > readable)
+      return lead;
+    for (const Block &block : blocks(ctx.index(), program.begin, ctx.block().next))
+      for (const Comment &comment : block.comments) {
+        llvm::StringRef text = ctx.text(ctx.range(comment));
+        text = text.ltrim("( ");
+        const bool ofTool =
+            text.startswith(own) && !(text.size() > own.size() && llvm::isDigit(text[own.size()]));
+        if (block.next < since && !ofTool)
+          continue;
+        if (const auto one = namedLead(text))
+          lead = one;
+      }
+    return lead;
+  }
+
+  /// No code of the program says in which units it counts.
+  static bool unitsOpen(const RuleContext &ctx) {
+    const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
+    return units == noGroup || !ctx.after().isStated(units);
+  }
+
+  /// Feed and speed give a lead that no tap has.
+  bool unusual(const Event &event, const Tapping &tapping, double cuts, RuleContext &ctx) const {
+    if (!leads_ || tapping.pitch || (!tapping.named && !ctx.block().has(letterAddress('F'))) ||
+        isUsualLead(cuts) || (unitsOpen(ctx) && isUsualLead(cuts * inchInMillimetres)))
+      return false;
+    if (auto finding = ctx.report(tapping.at, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` taps a pitch of {1}, which no usual tap has: F is speed times pitch",
+                   tapping.code.name, text(cuts / tapping.unit))
+          .note(ctx.after().origin.of(StatePart::Feed), "the feed is set here");
+    return true;
+  }
+
+  bool leads_ = false; ///< comments name threads, and taps have usual leads
+
   void perRevolution(const Event &event, const Tapping &tapping, RuleContext &ctx) const {
-    const auto &[code, unit, feed, pitch, named, at] = tapping;
-    if (!tapping.isOff(feed, -HUGE_VAL, greatestPitch_))
+    const auto &[code, unit, feed, pitch, named, at, told] = tapping;
+    if (!tapping.isOff(feed, -HUGE_VAL, greatestPitch_)) {
+      unusual(event, tapping, feed, ctx);
       return;
+    }
     auto finding = ctx.report(at, event.certain);
     if (!finding)
       return;
     if (pitch)
-      finding.message("`{0}` with F{1} per revolution taps a pitch of {1}, but the tap has {2}",
-                      code.name, text(feed / unit), text(*pitch / unit));
+      finding
+          .message("`{0}` with F{1} per revolution taps a pitch of {1}, but the tap has {2}",
+                   code.name, text(feed / unit), text(*pitch / unit))
+          .severity(told ? std::optional(Severity::Warning) : std::nullopt);
     else
       finding.message("`{0}` with F{1} under feed per revolution: that is no pitch, it looks "
                       "like a feed per minute",
@@ -105,18 +171,20 @@ private:
 
   /// False when the feed per minute gives the pitch.
   bool perMinute(const Event &event, const Tapping &tapping, RuleContext &ctx) const {
-    const auto &[code, unit, feed, pitch, named, at] = tapping;
+    const auto &[code, unit, feed, pitch, named, at, told] = tapping;
     const double speed = ctx.after().speed->value(), cuts = feed / speed;
     if (!tapping.isOff(cuts, leastPitch_, greatestPitch_))
-      return false;
+      return unusual(event, tapping, cuts, ctx);
     auto finding = ctx.report(at, event.certain);
     if (!finding)
       return true;
     if (pitch)
-      finding.message("`{0}` with F{1} and S{2} taps a pitch of {3}, but the tap has {4}: its "
-                      "feed per minute is F{5}",
-                      code.name, text(feed / unit), text(speed), text(cuts / unit),
-                      text(*pitch / unit), text(*pitch / unit * speed));
+      finding
+          .message("`{0}` with F{1} and S{2} taps a pitch of {3}, but the tap has {4}: its "
+                   "feed per minute is F{5}",
+                   code.name, text(feed / unit), text(speed), text(cuts / unit),
+                   text(*pitch / unit), text(*pitch / unit * speed))
+          .severity(told ? std::optional(Severity::Warning) : std::nullopt);
     else
       finding.message("`{0}` with F{1} per minute and S{2} taps a pitch of {3}: F is speed times "
                       "pitch here",

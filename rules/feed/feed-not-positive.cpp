@@ -11,6 +11,11 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (!(event.feed().hi <= 0))
       return;
+    // Of several words the last one counts.
+    if (ctx.block().repeated & maskOf(event.word->address))
+      for (const Word &word : ctx.block().words)
+        if (word.address == event.word->address && word.offset > event.word->offset)
+          return;
     const bool negative = event.feed().hi < 0;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}`: {1}", ctx.text(*event.word),

@@ -12,6 +12,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Block});
     atCause_ = to.dialect().facts->program.skipKeepsModes;
+    inside_ = to.flag("inside");
     words_ = to.flag("words");
     watched_ = groupMask(to.dialect(),
                          {StandardGroup::Motion, StandardGroup::Distance, StandardGroup::Plane,
@@ -24,6 +25,8 @@ public:
 
   void on(const Event &, RuleContext &ctx) const override {
     if (ctx.block().skip < 0)
+      return;
+    if (inside_ && skipsRest(ctx))
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();
     ModeChanges changes;
@@ -79,6 +82,23 @@ public:
   }
 
 private:
+  bool inside_ = false; ///< a skip mark after words skips the rest of its block
+
+  /// `G00 X10. /Y20.`: what is before the mark runs in any case. Reports it.
+  static bool skipsRest(RuleContext &ctx) {
+    const Block &block = ctx.block();
+    if (block.words.empty())
+      return false;
+    const uint32_t first = block.words.front().offset;
+    const llvm::StringRef text = ctx.source().text(block.begin, block.end);
+    if (text.take_front(first - block.begin).contains('/'))
+      return false;
+    if (auto finding = ctx.report(ctx.blockRange()))
+      finding.severity(Severity::Style)
+          .message("a skip mark after other words skips the rest of the block alone");
+    return true;
+  }
+
   /// A feed, a speed, an edge or a frame that a later block works with.
   static void words(RuleContext &ctx) {
     const MachineState &before = ctx.before(), &after = ctx.after();

@@ -28,6 +28,8 @@ public:
       const Item &item = ctx.block().items[index];
       if (item.kind == ItemKind::Structure && item.structure == Structure::While)
         return bracketed(item, ctx);
+      if (item.kind == ItemKind::While && item.loop)
+        return numbered(item, ctx);
       if (item.kind == ItemKind::Structure &&
           (item.structure == Structure::Loop || item.structure == Structure::Repeat))
         return endedBelow(item, ctx);
@@ -174,6 +176,33 @@ private:
           return;
         }
       }
+    }
+  }
+
+  /// The same of a loop with a number, reported at its end.
+  void numbered(const Item &item, RuleContext &ctx) const {
+    const Block &here = ctx.block();
+    if (item.condition == noExpression ||
+        !memory().seen.insert({ctx.source().id(), item.begin}).second ||
+        evaluate(here, item.condition, ctx.before(), nullptr).isConstant())
+      return;
+    const std::set<uint64_t> read = variablesOf(item, here);
+    const ProgramInfo &program = ctx.index().programAt(here.begin);
+    if (read.empty() || !givenBefore(read, program, here, ctx))
+      return;
+    const uint32_t end = std::min(program.end, here.begin + readable);
+    for (const Block &block : blocks(ctx.index(), here.next, end)) {
+      for (const Item &inner : block.items)
+        if (inner.kind == ItemKind::End && inner.loop == item.loop) {
+          const SourceRange range = ctx.range(inner);
+          if (auto finding = ctx.report(range))
+            finding.message("`{0}`: once the loop runs it never ends, nothing in it changes what "
+                            "its head looks at",
+                            ctx.text(range));
+          return;
+        }
+      if (!leavesAlone(block, read, ctx))
+        return;
     }
   }
 

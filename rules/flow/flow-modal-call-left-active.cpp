@@ -1,5 +1,6 @@
 // A modal call is still on when the program ends.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 
 namespace ncvet {
 namespace {
@@ -18,7 +19,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.before();
-    if (ctx.callDepth() > 0)
+    if (event.kind == EventKind::Return ? !begunHere(ctx) : ctx.callDepth() > 0)
       return;
     const Truth cycle = ofCycles_ ? state.cycleActive(ctx.dialect()) : Truth::No;
     const Truth call = state.callsModally();
@@ -40,6 +41,20 @@ public:
   }
 
 private:
+  /// Whether the program that returns has begun the call, and no caller is known that may end it.
+  static bool begunHere(const RuleContext &ctx) {
+    const ModalCall *call = ctx.before().modalCalls.get();
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (!call || (ctx.caller() && ctx.caller()->unit))
+      return false;
+    if (call->known)
+      return call->file == ctx.source().id() && call->at >= program.begin && call->at < program.end;
+    for (const Block &block : blocks(ctx.index(), program.body, ctx.block().begin))
+      if (findCode(ctx.dialect(), block, {Action::MacroModal}))
+        return true;
+    return false;
+  }
+
   static Origin begins(const MachineState &state, Truth cycle) {
     const ModalCall *call = state.modalCalls.get();
     if (cycle != Truth::No || !call || !call->known)

@@ -69,7 +69,10 @@ private:
     const bool inch =
         state.active(ctx.dialect(), StandardGroup::Units) != groupUnset &&
         state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) != Truth::No;
-    if (event.speed().value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1))
+    // A number above the limit of the spindle is no speed in revolutions either.
+    const bool aboveLimit =
+        state.speedLimit->isConstant() && event.speed().value() > state.speedLimit->value();
+    if (event.speed().value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1) || aboveLimit)
       return;
     if (auto finding = ctx.report(event)) {
       const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);

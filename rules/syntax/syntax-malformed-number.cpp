@@ -2,6 +2,8 @@
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
+#include "llvm/ADT/StringExtras.h"
+
 namespace ncvet {
 namespace {
 
@@ -26,6 +28,8 @@ public:
       if (block.number >= 0 && issue.begin == block.numberBegin && issue.end == block.numberEnd &&
           (ctx.text(range).count('.') == 1 ||
            ctx.text(range).find_first_of("+-") != llvm::StringRef::npos))
+        return;
+      if (isLong(ctx.text(range))) // block-value-out-of-range speaks
         return;
       if (auto finding = ctx.report(range))
         finding.message(
@@ -89,6 +93,14 @@ private:
                   FixSafety::Unsafe, "take the blank away",
                   ctx.replace(range, (word.take_front(1) + word.drop_front(1).ltrim(" \t")).str()));
       }
+  }
+
+  /// A number that is one, but for its many digits.
+  static bool isLong(llvm::StringRef text) {
+    text = text.drop_front();
+    text.consume_front("-");
+    const size_t digits = llvm::count_if(text, llvm::isDigit);
+    return digits > 8 && digits + text.count('.') == text.size() && text.count('.') < 2;
   }
 
   /// `T-1`: what is counted has no sign.

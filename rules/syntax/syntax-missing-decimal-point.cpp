@@ -1,14 +1,33 @@
 // A length, angle or feed without a decimal point on a control that may scale such a value.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
 
-class SyntaxMissingDecimalPoint final : public Rule {
+struct SyntaxMissingDecimalPointMemory {
+  std::vector<SourceRange> places; ///< lengths without a point, the first ones of the file
+};
+
+class SyntaxMissingDecimalPoint final : public StatefulRule<SyntaxMissingDecimalPointMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (to.dialect().pointAdvised)
       to.on(EventKind::WordIssue);
+    if (!to.dialect().facts->text.pointsThroughout)
+      return;
+    lengths_ = maskOf('I') | maskOf('J') | maskOf('R');
+    for (size_t i = 0; i < to.dialect().addresses.size(); ++i)
+      if (const AddressInfo &address = to.dialect().addresses[i];
+          address.axis <= Axis::Z || address.axis >= Axis::U)
+        if (address.kind == AddressKind::Axis || address.kind == AddressKind::Increment)
+          lengths_ |= maskOf(AddressId(i));
+    for (size_t i = 0; i < to.dialect().switches.size(); ++i)
+      if (to.dialect().switches[i].id == "data-input")
+        dataInput_ = 1u << i;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -18,10 +37,12 @@ public:
     if (const auto reading = ctx.machine().option("decimalPoint");
         reading && *reading == "calculator")
       return;
+    if (lengths_)
+      gather(ctx);
     for (const Word &word : ctx.block().words) {
-      const bool pointless = word.isNumber() && !word.has(wordPoint) && word.mantissa;
-      if (!pointless || !(ctx.dialect().pointAdvised & maskOf(word.address)) ||
-          !advised(word.address, ctx))
+      const bool pointless = isPointless(word);
+      if (!pointless || (lengths_ & maskOf(word.address)) ||
+          !(ctx.dialect().pointAdvised & maskOf(word.address)) || !advised(word.address, ctx))
         continue;
       if (auto finding = ctx.report(word))
         finding
@@ -32,7 +53,92 @@ public:
     }
   }
 
+  /// Most whole lengths of the file have a point: those that have none are read as thousandths
+  /// where the control counts whole numbers so, or the others are.
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
+    const std::vector<SourceRange> &places = memory().places;
+    if (places.empty())
+      return;
+    size_t with = 0, without = 0;
+    for (const Block &block : blocks(file.reader))
+      for (const Word &word : block.words)
+        if (lengths_ & maskOf(word.address) && word.isNumber()) {
+          // (`X10.5` needs its point in any case)
+          with += word.has(wordPoint) && word.value() == std::floor(word.value());
+          without += isPointless(word);
+        }
+    if (without >= with)
+      return;
+    constexpr size_t most = 10; // told one by one
+    for (const SourceRange &place : places) {
+      auto finding = ctx.report(place);
+      if (!finding)
+        continue;
+      if (places.size() > most)
+        finding.message("`{0}` and {1} further lengths have no decimal point, and {2} of this file "
+                        "have one: by parameter the control reads these as thousandths",
+                        ctx.text(place), without - 1, with);
+      else
+        finding.message("`{0}` has no decimal point, and other lengths of this file have one: by "
+                        "parameter the control reads it as thousandths",
+                        ctx.text(place));
+      finding.severity(Severity::Warning)
+          .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(place.end, "."));
+      if (places.size() > most)
+        return;
+    }
+  }
+
 private:
+  AddressMask lengths_ = 0; ///< of which a program has the point throughout; 0: not asked
+  uint32_t dataInput_ = 0;  ///< the switch under which every block is data
+
+  static bool isPointless(const Word &word) {
+    return word.isNumber() && !word.has(wordPoint) && word.mantissa;
+  }
+
+  /// Keeps the lengths of the block that have no point.
+  void gather(RuleContext &ctx) const {
+    constexpr size_t enough = 20;
+    std::vector<SourceRange> &places = memory().places;
+    if (places.size() >= enough || ctx.before().switches.mayBeOn(dataInput_) ||
+        (ctx.outcome().kinds & bitOf(EventKind::UnknownCode)))
+      return;
+    if (ctx.find({Action::MacroCall, Action::MacroModal}))
+      return arguments(ctx);
+    for (const CodeUse &use : ctx.codes()) {
+      const CodeInfo &code = ctx.code(use);
+      // What is no motion may take numbers of its own.
+      if (code.action == Action::DataInput || code.action == Action::MachineSpecific ||
+          code.action == Action::Dwell || code.action == Action::PathMode ||
+          code.action == Action::CallProgram || code.action == Action::None ||
+          code.action == Action::ScalingOn || code.action == Action::CallLocal ||
+          (code.action == Action::Cycle && code.group == noGroup) || code.letter == 'M')
+        return;
+    }
+    for (const Word &word : ctx.block().words)
+      if (lengths_ & maskOf(word.address) && isPointless(word) &&
+          !llvm::is_contained(places, ctx.range(word)))
+        places.push_back(ctx.range(word));
+  }
+
+  /// Arguments of a macro, some of which have a point.
+  static void arguments(RuleContext &ctx) {
+    AddressMask lengths = 0;
+    for (const char letter : llvm::StringRef("XYZUVWIJKR"))
+      lengths |= maskOf(letter);
+    const Block &block = ctx.block();
+    if (!(block.pointed & lengths))
+      return;
+    for (const Word &word : block.words)
+      if (lengths & maskOf(word.address) && isPointless(word))
+        if (auto finding = ctx.report(word))
+          finding.severity(Severity::Style)
+              .message("`{0}` has no decimal point, and other arguments have one: by parameter the "
+                       "control reads it as thousandths",
+                       ctx.text(word));
+  }
+
   /// What the block's codes, else the active cycle, else the address itself say.
   static bool advised(AddressId address, const RuleContext &ctx) {
     const auto says = [&](const CodeInfo &code) -> std::optional<bool> {

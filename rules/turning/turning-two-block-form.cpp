@@ -5,12 +5,20 @@
 namespace ncvet {
 namespace {
 
-class TurningTwoBlockForm final : public Rule {
+struct TurningTwoBlockFormMemory {
+  SourceRange oneBlock{}; ///< the first cycle in one block
+  SourceRange data{};     ///< the first data block
+};
+
+class TurningTwoBlockForm final : public StatefulRule<TurningTwoBlockFormMemory> {
   static constexpr llvm::StringLiteral id = "turning-two-block-form";
 
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleStart);
+    mixed_ = to.flag("mixed");
+    if (mixed_)
+      to.on(EventKind::CycleRun);
     to.onNotices(id);
   }
 
@@ -19,7 +27,13 @@ public:
       ctx.reportNotices(id, event);
       return;
     }
+    if (event.code == noCode)
+      return;
     const CodeInfo &code = ctx.code(event);
+    if (mixed_)
+      forms(event, code, ctx);
+    if (event.kind == EventKind::CycleRun)
+      return;
     if (!code.twoBlock || ctx.after().pendingCycle != event.code)
       return;
     BlocksAhead ahead(ctx);
@@ -54,6 +68,35 @@ public:
   }
 
 private:
+  bool mixed_ = false; ///< a machine takes one of the two forms
+
+  /// A parameter of the machine decides between the forms: one program has one of them.
+  void forms(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
+    const Word *word = ctx.codeWord(event);
+    const bool data = event.kind == EventKind::CycleStart && code.twoBlock &&
+                      ctx.after().pendingCycle == event.code;
+    const bool ofForm = code.twoBlock || ctx.dialect().codes[code.base].twoBlock ||
+                        code.cycle == CycleKind::ThreadMulti;
+    const bool whole = event.kind == EventKind::CycleRun && ofForm &&
+                       ctx.before().pendingCycle == noCode && ctx.block().has(letterAddress('D'));
+    if (!word || (!data && !whole))
+      return;
+    SourceRange &own = data ? memory().data : memory().oneBlock;
+    const SourceRange other = data ? memory().oneBlock : memory().data;
+    if (own.empty())
+      own = ctx.range(*word);
+    if (other.empty())
+      return;
+    if (auto finding = ctx.report(*word, event.certain))
+      finding.severity(Severity::Warning)
+          .message(data ? "`{0}` gives the data of a cycle in two blocks, and the program has one "
+                          "in one block too: a machine takes one of the two forms"
+                        : "`{0}` is a cycle in one block, and the program has one in two blocks "
+                          "too: a machine takes one of the two forms",
+                   ctx.text(*word))
+          .note(other, "the other form");
+  }
+
   /// The data last until others are given: a later block of the cycle may take them.
   static bool runsLater(const CodeInfo &code, BlocksAhead &ahead, Block &block,
                         const RuleContext &ctx) {

@@ -151,6 +151,9 @@ inline void IsoScanner::addNumber(Word &word, const char *begin) {
   word.length = lengthFrom(begin);
   if (word.address == letterAddress('N') && numbersBlock(word, begin))
     return;
+  constexpr int64_t eightDigits = 99999999;
+  if ((word.mantissa > eightDigits || word.mantissa < -eightDigits) && symbols_.isTooLong(word))
+    issue(SyntaxIssueKind::MalformedNumber, begin, at_);
   if (word.has(wordMinus) && (maskOf('G') | maskOf('M')) & maskOf(word.address))
     issue(SyntaxIssueKind::MalformedNumber, begin, at_);
   append(word);

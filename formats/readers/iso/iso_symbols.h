@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/dialect/dialect.h"
+#include "formats/readers/block.h"
 
 #include <array>
 
@@ -16,7 +17,12 @@ public:
     return uint8_t(c) < addresses_.size() ? addresses_[uint8_t(c)] : noAddress;
   }
 
+  /// Whether a length has more digits in least increments than the control takes.
+  bool isTooLong(const Word &word) const;
+
 private:
+  AddressMask lengths_ = 0;   ///< addresses of lengths, where their digits are counted
+  double greatestLength_ = 0; ///< in units of the program
   std::array<AddressId, 128> addresses_;
 };
 
