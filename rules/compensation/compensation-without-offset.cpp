@@ -50,6 +50,41 @@ private:
     return false;
   }
 
+  /// No offset was called, or the one that cancels them.
+  void withoutNumber(int32_t number, const CodeInfo &code, SourceRange where, const Event &event,
+                     RuleContext &ctx) const {
+    const MachineState &state = ctx.after();
+    const bool lathe = ctx.dialect().isLathe();
+    // Some older controls keep radii in the H table; a form has no tool yet.
+    if (state.must(Fact::UnknownCode) ||
+        (lathe ? number == 0 && !callsTool(ctx) : ctx.block().has(letterAddress('H'))))
+      return;
+    // Every contour after one D0 suffers from it; the first says so.
+    if (!lathe && number == 0 &&
+        (onlyIntersects(ctx) ||
+         !memory().once.speaks(state.origin.of(StatePart::RadiusOffset), ctx)))
+      return;
+    const bool certain = event.certain && !state.may(Fact::UnknownCode);
+    auto finding = ctx.report(where, certain);
+    if (!finding)
+      return;
+    if (lathe)
+      finding.message(number == 0 ? "`{0}` with the tool offset cancelled: nose radius and tip "
+                                    "direction are missing"
+                                  : "`{0}` before any tool offset was called: nose radius and tip "
+                                    "direction are missing",
+                      code.name);
+    else
+      finding.message(number == 0 ? "`{0}` with D0: the radius is zero, the tool runs on the "
+                                    "contour line"
+                                  : "`{0}` without a D: the radius is zero, the tool runs on the "
+                                    "contour line",
+                      code.name);
+    finding.note(lathe ? state.origin.of(StatePart::Tool)
+                       : state.origin.of(StatePart::RadiusOffset),
+                 lathe ? "the tool is called here" : "D is set here");
+  }
+
   void check(const CodeInfo &code, const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const bool lathe = ctx.dialect().isLathe();
@@ -60,38 +95,8 @@ private:
       ofTool(code, where, event, ctx);
       return;
     }
-    if (number == notSet || number == 0) {
-      // Some older controls keep radii in the H table; a form has no tool yet.
-      if (state.must(Fact::UnknownCode) ||
-          (lathe ? number == 0 && !callsTool(ctx) : ctx.block().has(letterAddress('H'))))
-        return;
-      // Every contour after one D0 suffers from it; the first says so.
-      if (!lathe && number == 0 &&
-          (onlyIntersects(ctx) ||
-           !memory().once.speaks(state.origin.of(StatePart::RadiusOffset), ctx)))
-        return;
-      const bool certain = event.certain && !state.may(Fact::UnknownCode);
-      auto finding = ctx.report(where, certain);
-      if (!finding)
-        return;
-      if (lathe)
-        finding.message(number == 0
-                            ? "`{0}` with the tool offset cancelled: nose radius and tip "
-                              "direction are missing"
-                            : "`{0}` before any tool offset was called: nose radius and tip "
-                              "direction are missing",
-                        code.name);
-      else
-        finding.message(number == 0 ? "`{0}` with D0: the radius is zero, the tool runs on the "
-                                      "contour line"
-                                    : "`{0}` without a D: the radius is zero, the tool runs on the "
-                                      "contour line",
-                        code.name);
-      finding.note(lathe ? state.origin.of(StatePart::Tool)
-                         : state.origin.of(StatePart::RadiusOffset),
-                   lathe ? "the tool is called here" : "D is set here");
-      return;
-    }
+    if (number == notSet || number == 0)
+      return withoutNumber(number, code, where, event, ctx);
     if (const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), state);
         lathe && tool && tool->tip && *tool->tip > greatestTip_) {
       if (auto finding = ctx.report(where, event.certain))
