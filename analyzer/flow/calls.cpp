@@ -28,6 +28,17 @@ static void keepModes(const MachineState &before, MachineState &after, const Dia
   after.modalCalls = before.modalCalls;
 }
 
+/// Compensation that is off stays off: what is called ends what it begins itself.
+static void keepCompensationOff(const MachineState &before, MachineState &after,
+                                const Dialect &dialect) {
+  if (before.isActive(dialect, StandardGroup::Compensation, {Action::CompensationOff}) !=
+      Truth::Yes)
+    return;
+  const GroupIndex group = dialect.group(StandardGroup::Compensation);
+  after.setGroup(group, before.group(group));
+  after.compensation = before.compensation;
+}
+
 /// After a call of which nothing is known.
 void Calls::goOnUnknown(Step &step) {
   const Dialect &dialect = *step.unit().dialect;
@@ -37,6 +48,8 @@ void Calls::goOnUnknown(Step &step) {
   forget(step.live.state, dialect);
   if (dialect.callsKeepModes)
     keepModes(before, step.live.state, dialect);
+  else
+    keepCompensationOff(before, step.live.state, dialect);
   if (dialect.variableRanges.namedLocal) // no call changes those of its caller
     step.live.state.locals = locals;
   step.goOn();
@@ -124,7 +137,9 @@ void Calls::callModally(Step &step) {
     callee = callees_.findModal(step.unit(), *call, made, item);
   }
   if (!callee || !mayEnter(step, *callee)) {
+    const MachineState before = state;
     forget(state, *step.unit().dialect);
+    keepCompensationOff(before, state, *step.unit().dialect);
     state.modalCalls = call;
     run_.lose(step.blockRange(), "what runs after this block is not known");
     return step.goOn();

@@ -158,12 +158,34 @@ void Execution::run(bool guardHolds) {
   for (const CodeUse &use : outcome_.codes)
     applyEarly(use);
   applyZeros();
-  moveAxes();
+  if (isRefused())
+    forgetTargets();
+  else
+    moveAxes();
   for (const CodeUse &use : outcome_.codes)
     carryOut(Phase::Late, use);
   for (const CodeUse &use : outcome_.codes)
     carryOut(Phase::Flow, use);
   finish();
+}
+
+/// A G code that is in no table has the axis words, unless the block moves by a code of its own.
+bool Execution::isRefused() const {
+  return (outcome_.kinds & bitOf(EventKind::UnknownCode)) &&
+         llvm::any_of(outcome_.events,
+                      [](const Event &event) {
+                        return event.kind == EventKind::UnknownCode &&
+                               event.word->address == letterAddress('G');
+                      }) &&
+         llvm::none_of(outcome_.codes,
+                       [&](const CodeUse &use) { return isMotion(info(use).action); });
+}
+
+/// Where its axes go is not known.
+void Execution::forgetTargets() {
+  for (const Word &word : block_.words)
+    if (dialect_.axisWords & maskOf(word.address))
+      state_.position[size_t(dialect_.addresses[word.address].axis)] = Interval::unknown();
 }
 
 /// Variables without a value in the words of the block.

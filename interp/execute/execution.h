@@ -47,6 +47,8 @@ private:
   CodeIndex macroOfBuilder(const Word &word) const;
   void unknownCode(const Word &word);
   void resolveVariants();
+  bool isRefused() const;
+  void forgetTargets();
   void unsetReads();
   void finish();
 

@@ -220,7 +220,12 @@ void Execution::changeTool(int32_t tool, int32_t offset, const Word &word, CodeI
   state_.set(Fact::ToolCalled);
   state_.clear(Fact::CutSinceTool);
   state_.clear(Fact::MovedSinceTool);
-  state_.clear(Fact::LengthSinceTool);
+  // `T1 M6 G43 H1`: the tool is changed first, and the offset is that of the new one.
+  if (llvm::none_of(outcome_.codes, [&](const CodeUse &use) {
+        return info(use).action == Action::LengthPositive ||
+               info(use).action == Action::LengthNegative;
+      }))
+    state_.clear(Fact::LengthSinceTool);
   state_.clear(Fact::OrientedSinceTool);
   state_.clear(Fact::PlungedUncompensated);
   if (dialect_.lengthByTool != noGroup)
