@@ -30,6 +30,8 @@ public:
         ctx.block().hasAny(ctx.dialect().polarWords) || words.foreign || event.code == noCode)
       return;
     const CodeUse *here = ctx.find({Action::ArcCw, Action::ArcCcw});
+    if (!here && ctx.before().may(Fact::UnknownCode)) // it may have changed how the axes move
+      return;
     const std::string &name = ctx.code(event).name;
     if (auto finding = here ? ctx.report(*here->word, event.certain)
                             : ctx.report(ctx.blockRange(), event.certain)) {
