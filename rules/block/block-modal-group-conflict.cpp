@@ -29,7 +29,7 @@ public:
     sameTwice_ = to.dialect().facts->program.sameCodeTwiceStops;
     to.onCode([&](const CodeInfo &code) {
       return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
-             code.opposite != noCode || isArc(code.action) ||
+             code.opposite != noCode || isArc(code.action) || takesBack(to.dialect(), code) ||
              llvm::any_of(code.notices, [](const Notice &n) { return n.rule == id; });
     });
   }
@@ -92,6 +92,10 @@ private:
     if ((a.action == Action::CoolantOn && b.action == Action::CoolantOff) ||
         (a.action == Action::CoolantOff && b.action == Action::CoolantOn))
       return "`{0}` and `{1}` switch the same thing on and off";
+    // `M10 M11`, `M48 M49`: the table names each as what takes the other back.
+    if (a.letter == 'M' && b.letter == 'M' &&
+        (isOpposite(dialect, a, b) || isOpposite(dialect, b, a)))
+      return "`{0}` and `{1}` take each other back";
     // A code of the spindle may switch the coolant with it.
     if (a.action != b.action && a.group != b.group &&
         ((a.action == Action::CoolantOff && switchesOn(b, a)) ||
@@ -102,6 +106,17 @@ private:
         (isMotion(b.action) && b.cancelsCycle && isModalCycle(dialect, a)))
       return "`{0}` and `{1}` end each other: a motion code cancels the cycle";
     return nullptr;
+  }
+
+  /// An M code that is named as the opposite of another one.
+  static bool takesBack(const Dialect &dialect, const CodeInfo &code) {
+    return code.letter == 'M' && llvm::any_of(dialect.codes, [&](const CodeInfo &of) {
+             return of.letter == 'M' && isOpposite(dialect, of, code);
+           });
+  }
+
+  static bool isOpposite(const Dialect &dialect, const CodeInfo &of, const CodeInfo &code) {
+    return of.opposite != noCode && dialect.codes[of.opposite].base == code.base;
   }
 
   /// Whether `code` switches on besides its own work what `off` switches off.

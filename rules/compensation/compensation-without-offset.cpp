@@ -108,13 +108,30 @@ private:
       return;
     }
     if (compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
-      return;
+      return tipOfCentre(code, number, where, event, ctx);
     if (auto finding = ctx.report(where, event.certain))
       finding
           .message("`{0}` with {1} {2}, whose {3} is 0: the tool runs on the contour line",
                    code.name, lathe ? "offset" : "D", number, lathe ? "nose radius" : "radius")
           .note(lathe ? state.origin.of(StatePart::Tool) : state.origin.of(StatePart::RadiusOffset),
                 lathe ? "the tool is called here" : "D is set here");
+  }
+
+  /// A turning tool's nose that touches the work with one side, and no direction says with which.
+  static void tipOfCentre(const CodeInfo &code, int32_t number, SourceRange where,
+                          const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    const ToolData *tool = compensatingTool(ctx.dialect(), ctx.machine(), state);
+    const auto radius = compensationRadius(ctx.dialect(), ctx.machine(), state);
+    if (!ctx.dialect().isLathe() || !tool || tool->kind != "turning" || !tool->tip || *tool->tip ||
+        !radius || *radius <= 0)
+      return;
+    if (auto finding = ctx.report(where, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` with offset {1}, whose tip direction is 0: the control takes the centre "
+                   "of the nose for its tip",
+                   code.name, number)
+          .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 
   /// `G42 G1 X0 Y0 D00`: compensation is on for the points where elements meet, which the control

@@ -6,7 +6,11 @@ namespace {
 
 class CycleSpindleDirection final : public Rule {
 public:
-  void listen(Subscriptions &to) override { to.on({EventKind::CycleStart, EventKind::CycleRun}); }
+  void listen(Subscriptions &to) override {
+    to.on({EventKind::CycleStart, EventKind::CycleRun});
+    if (to.dialect().isLathe())
+      to.onMoves({MotionKind::Thread});
+  }
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode)
@@ -22,8 +26,8 @@ public:
     }
     if (spindle != spindleCw && spindle != spindleCcw)
       return;
-    if (cutsThread(code.cycle)) {
-      if (event.kind == EventKind::CycleRun)
+    if (event.kind == EventKind::Motion || cutsThread(code.cycle)) {
+      if (event.kind != EventKind::CycleStart)
         threadHand(event, code, spindle, ctx);
       return;
     }

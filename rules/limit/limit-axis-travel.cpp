@@ -1,8 +1,11 @@
 // A programmed value lies outside of the machine, or of the volume that the program keeps to.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/stored_names.h"
+#include "interp/geometry/arc.h"
+#include "interp/geometry/direction.h"
 #include "interp/state/zero_point.h"
 
+#include <cmath>
 #include <utility>
 
 namespace ncvet {
@@ -139,6 +142,49 @@ private:
             .message("`{0}` leads to {1:f3}, outside of the volume that ends at {2:f3}: the tool "
                      "is lifted there, and goes on at rapid",
                      ctx.text(word), over ? place.lo : place.hi, over ? *max : *min);
+      return;
+    }
+    bulge(event, ctx);
+  }
+
+  /// An arc whose ends lie inside of the volume, and whose path does not.
+  static void bulge(const Event &event, RuleContext &ctx) {
+    const MachineState &state = ctx.after();
+    if (event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw)
+      return;
+    const ArcGeometry &arc = ctx.arc();
+    const std::optional<Point> centre = arc.centre();
+    if (!arc.start || !arc.end || !centre || ctx.before().machineAxes || state.machineAxes)
+      return;
+    const auto axes = ctx.arcWords().axes;
+    if (axes[0] != Axis::X || axes[1] != Axis::Y)
+      return;
+    const double radius = distance(*arc.start, *centre);
+    const double turn = event.motion == MotionKind::ArcCcw ? 1 : -1;
+    constexpr double whole = 6.283185307179586;
+    const double from = angleOf(*arc.start - *centre);
+    const auto along = [&](double to) {
+      const double way = std::fmod(turn * (to - from) + 2 * whole, whole);
+      return way < 1e-9 ? whole : way;
+    };
+    const double sweep = along(angleOf(*arc.end - *centre));
+    for (unsigned quarter = 0; quarter < 4; ++quarter) {
+      if (along(quarter * whole / 4) >= sweep)
+        continue;
+      const auto axis = unsigned(axes[quarter % 2]);
+      const double middle = quarter % 2 ? centre->y() : centre->x();
+      const double place = middle + (quarter < 2 ? radius : -radius);
+      const auto min = axis < 3 ? bound(least(), axis, state) : std::nullopt,
+                 max = axis < 3 ? bound(greatest(), axis, state) : std::nullopt;
+      constexpr double slack = 1e-6; // mm
+      const bool over = max && place > *max + slack;
+      if (!over && !(min && place < *min - slack))
+        continue;
+      if (auto finding = ctx.report(ctx.blockRange(), false))
+        finding.severity(Severity::Warning)
+            .message("this arc goes as far as {0:f3}, outside of the volume that ends at {1:f3}: "
+                     "the tool is lifted there, and goes on at rapid",
+                     place, over ? *max : *min);
       return;
     }
   }

@@ -30,6 +30,7 @@ public:
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
     if (isRapidWithFeed(ctx) && !leadsDownBelowZero(ctx))
       memory().feedsRapids = true;
+    alongOther(event, ctx);
     if (!(event.axes & tool) || event.inMachineCoordinates() || !from.isConstant() ||
         !to.isConstant() || ctx.before().inMachineCoordinates(Axis::Z) ||
         ctx.after().inMachineCoordinates(Axis::Z) || to.value() >= from.value() ||
@@ -54,6 +55,33 @@ public:
   }
 
 private:
+  /// A tool along another axis than Z goes at rapid to where the stock is.
+  static void alongOther(const Event &event, RuleContext &ctx) {
+    const MachineState &before = ctx.before(), &after = ctx.after();
+    const Axis tool = toolAxis(ctx.dialect(), after);
+    const auto axis = unsigned(tool);
+    if (tool == Axis::Z || axis > 2 || !ctx.machine().stock || !(event.axes >> axis & 1) ||
+        event.inMachineCoordinates() || !after.frames.empty() || before.machineAxes ||
+        after.machineAxes || before.may(Fact::UnknownCode) || after.may(Fact::UnknownCode) ||
+        hasWorkOfItsOwn(ctx) || mayBeTransformed(ctx.dialect(), after))
+      return;
+    const Stock &stock = *ctx.machine().stock;
+    const Interval &from = before.at(tool), &to = after.at(tool);
+    if (!stock.max[axis] || !from.isConstant() || !to.isConstant() ||
+        from.value() < *stock.max[axis] || to.value() >= *stock.max[axis])
+      return;
+    for (unsigned i = 0; i < 3; ++i) {
+      const Interval &at = after.position[i];
+      if (!at.isConstant() || (stock.min[i] && at.value() < *stock.min[i]) ||
+          (stock.max[i] && at.value() > *stock.max[i]))
+        return;
+    }
+    if (auto finding = ctx.report(event, event.certain))
+      finding.message("this rapid move ends {0} mm inside the stock, along the tool: it goes into "
+                      "the work at full speed",
+                      shortNumber(*stock.max[axis] - to.value()));
+  }
+
   /// The path down leads through a clamp.
   static bool intoClamp(const Event &event, RuleContext &ctx) {
     if (!ctx.after().frames.empty() || ctx.before().machineAxes || ctx.after().machineAxes ||

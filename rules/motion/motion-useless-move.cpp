@@ -64,8 +64,8 @@ private:
   /// A feed move of coordinates alone that ends where it begins.
   void nowhere(const Event &event, RuleContext &ctx) const {
     if (event.motion != MotionKind::Feed || event.inMachineCoordinates() || event.code == noCode ||
-        !event.axes || (ctx.block().addresses & ~ctx.dialect().axisWords) ||
-        ctx.before().profile != ProfileMode::Off || ctx.after().compensation != phaseOff)
+        !event.axes || saysMore(ctx) || ctx.before().profile != ProfileMode::Off ||
+        ctx.after().compensation != phaseOff)
       return;
     for (unsigned i = 0; i < axisCount; ++i)
       if ((event.axes >> i & 1) && (!ctx.before().position[i].isConstant() ||
@@ -80,6 +80,13 @@ private:
       return;
     }
     staysPut(ctx.blockRange(), ctx);
+  }
+
+  /// The block holds something beside its coordinates and the code of the line.
+  static bool saysMore(const RuleContext &ctx) {
+    const AddressMask rest = ctx.block().addresses & ~ctx.dialect().axisWords;
+    return rest && (rest != maskOf(letterAddress('G')) || ctx.codes().size() != 1 ||
+                    ctx.code(ctx.codes().front()).action != Action::Linear);
   }
 
   static void staysPut(SourceRange range, RuleContext &ctx) {

@@ -46,7 +46,7 @@ private:
     const SourceRange range{id, generated.page->begin, generated.page->end};
     const Dialog *dialog = dialogs.find(generated.path);
     if (!dialog)
-      return; // a dialog that nobody told of
+      return misspelt(generated.path, range, dialogs, ctx); // or one that nobody told of
     const std::string due = dialogs.folder + dialog->file;
     if (!dialogs.folder.empty() && generated.path != due) {
       const auto begin = uint32_t(generated.path.data() - text.data());
@@ -70,6 +70,35 @@ private:
       if (auto finding = ctx.report(range))
         finding.message("`{0}` is not the dialog of part `{1}`: it cannot edit this block",
                         dialog->file, name);
+  }
+
+  static std::string lettersOf(llvm::StringRef name) {
+    std::string letters;
+    for (const char c : name)
+      if (!llvm::isDigit(c))
+        letters += llvm::toLower(c);
+    return letters;
+  }
+
+  /// The name of a known dialog with a letter or two changed.
+  static void misspelt(llvm::StringRef path, SourceRange range, const Dialogs &dialogs,
+                       RuleContext &ctx) {
+    constexpr unsigned most = 2; // letters
+    const size_t folder = path.find_last_of("\\/");
+    const std::string file =
+        lettersOf(path.substr(folder == llvm::StringRef::npos ? 0 : folder + 1));
+    for (const Dialog &known : dialogs.list) {
+      const std::string letters = lettersOf(known.file);
+      // Another number is another dialog.
+      if (letters == file || letters.size() <= 4 * most ||
+          llvm::StringRef(file).edit_distance(letters, true, most) > most)
+        continue;
+      if (auto finding = ctx.report(range))
+        finding.message("there is no dialog of this name that is known, but `{0}`: the block can "
+                        "no longer be edited graphically",
+                        known.file);
+      return;
+    }
   }
 
   /// The text of a Technology block; true when it was reported.

@@ -44,7 +44,8 @@ private:
   /// An `N` that opens a block and says no number.
   static void bareNumber(RuleContext &ctx) {
     const Block &block = ctx.block();
-    if (block.number >= 0 || block.isEmpty() || ctx.outcome().kinds & bitOf(EventKind::ToolChange))
+    if (block.number >= 0 || block.isEmpty() || ctx.find({Action::ProgramHead}) ||
+        ctx.outcome().kinds & bitOf(EventKind::ToolChange))
       return;
     const llvm::StringRef text = ctx.source().text().substr(block.begin, 2);
     if (text.empty() || (text[0] | 32) != 'n' || (text.size() > 1 && llvm::isAlnum(text[1])))
