@@ -40,7 +40,7 @@ public:
     defined_ = to.flag("definedNames");
     if (defined_)
       to.on(EventKind::Statement);
-    if (defined_ || !known_.empty())
+    if (defined_ || !to.dialect().variableNames.empty()) // a list that the table gives is complete
       to.on(EventKind::UnsetRead);
     instructions_ = instructionNames(to.dialect());
   }
@@ -194,8 +194,8 @@ private:
   void unknownRead(const Event &event, RuleContext &ctx) const {
     const uint32_t begin = event.place();
     const llvm::StringRef text = ctx.source().text(begin, ctx.block().end);
-    const llvm::StringRef name =
-        text.take_front(text.find_if_not([](char c) { return llvm::isAlnum(c) || c == '%'; }));
+    const llvm::StringRef name = text.take_front(
+        text.find_if_not([](char c) { return llvm::isAlnum(c) || c == '%' || c == '_'; }));
     const llvm::StringRef bare = name.ltrim('%');
     const bool numbered =
         bare.size() > 1 && llvm::all_of(bare.drop_front(), [](char c) { return llvm::isDigit(c); });
