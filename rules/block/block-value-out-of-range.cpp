@@ -149,6 +149,10 @@ private:
   }
 
   static void ofAddress(const Event &event, RuleContext &ctx) {
+    // A time that is turned round has no greatest value: short moves take little of it.
+    if (event.kind == EventKind::FeedWord && event.wordValue().lo > 0 &&
+        ctx.after().activeAction(ctx.dialect(), StandardGroup::FeedMode) == Action::FeedInverseTime)
+      return;
     outside(*event.word, event.wordValue(), ctx);
   }
 

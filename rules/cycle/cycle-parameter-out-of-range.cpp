@@ -66,7 +66,10 @@ private:
       }
       return false;
     };
-    const llvm::StringRef text = ctx.text(*word);
+    // An argument has quotation marks: a name without them is a variable.
+    if (spec.position && !ctx.text(*word).startswith("\""))
+      return;
+    const llvm::StringRef text = spec.position ? ctx.text(*word).trim('"') : ctx.text(*word);
     const auto *const bad = llvm::find_if(text, [&](char c) { return !known(c); });
     if (bad == text.end())
       return;
