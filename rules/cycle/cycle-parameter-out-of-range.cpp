@@ -66,10 +66,13 @@ private:
       }
       return false;
     };
-    // An argument has quotation marks: a name without them is a variable.
-    if (spec.position && !ctx.text(*word).startswith("\""))
-      return;
-    const llvm::StringRef text = spec.position ? ctx.text(*word).trim('"') : ctx.text(*word);
+    const Block &block = ctx.block();
+    if (word->has(wordExpression) && size_t(word->mantissa) < block.expressions.size()) {
+      const Expression &e = block.expressions[size_t(word->mantissa)];
+      if (e.count == 1 && block.operations[e.first].op == Op::Variable)
+        return; // the value of a variable
+    }
+    const llvm::StringRef text = ctx.text(*word).trim('"');
     const auto *const bad = llvm::find_if(text, [&](char c) { return !known(c); });
     if (bad == text.end())
       return;
