@@ -27,6 +27,9 @@ public:
       if (to.dialect().lexical.commaSeparates)
         to.on({EventKind::Statement, EventKind::Block});
     }
+    numbered_ = to.flag("numbered");
+    if (numbered_)
+      to.onChange({EventKind::Block});
     reservedFrom_ = int64_t(to.dialect().facts->variables.reservedFrom);
     greatest_ = int64_t(to.dialect().facts->variables.lastKept);
     reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
@@ -40,7 +43,7 @@ public:
     if (event.kind == EventKind::Statement)
       return statement(ctx.block().items[event.item()], ctx);
     if (event.kind == EventKind::Block)
-      return bareReads(ctx);
+      return numbered_ ? numbered(ctx) : bareReads(ctx);
     if (ctx.dialect().variableRanges.namedLocal)
       return named(event, ctx);
     const Dialect &dialect = ctx.dialect();
@@ -142,6 +145,61 @@ private:
                        ctx.text(word));
       }
     }
+  }
+
+  bool numbered_ = false; ///< variables have numbers after `#`
+
+  /// A local variable of a main program, or a common one that the program writes further on, has no
+  /// value yet.
+  void numbered(RuleContext &ctx) const {
+    const Block &block = ctx.block();
+    if (block.operations.empty() || ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode))
+      return;
+    // A test for empty reads no value.
+    if (llvm::any_of(block.operations, [](const ExpressionOp &op) {
+          return op.op == Op::Vacant || (op.op == Op::Variable && op.value == 0);
+        }))
+      return;
+    for (const ExpressionOp &op : block.operations) {
+      const bool target = llvm::any_of(block.items, [&](const Item &item) {
+        return item.kind == ItemKind::Assignment && item.begin <= op.offset &&
+               op.offset < item.nameEnd;
+      });
+      if (op.op == Op::Variable && !target)
+        look(op, ctx);
+    }
+  }
+
+  void look(const ExpressionOp &op, RuleContext &ctx) const {
+    constexpr int64_t lastLocal = 33, firstCommon = 100, lastCommon = 199;
+    const auto index = int64_t(op.value);
+    const auto key = uint64_t(op.value);
+    const bool local = index > 0 && index <= lastLocal;
+    const bool common = index >= firstCommon && index <= lastCommon;
+    if (!(local && ctx.before().locals.given(key) == Truth::No) &&
+        !(common && ctx.before().commons.given(key) == Truth::No && isWrittenLater(index, ctx)))
+      return;
+    if (!isMain(ctx) || !memory().reported.insert(index).second)
+      return;
+    const llvm::StringRef digits = ctx.source().text(op.offset + 1, ctx.block().end);
+    const SourceRange range{ctx.source().id(), op.offset,
+                            op.offset + 1 + uint32_t(digits.take_while(llvm::isDigit).size())};
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message(local ? "`{0}` is read, and the program has given it no value"
+                         : "`{0}` is read before the program gives it its value: it holds what an "
+                           "earlier program left there",
+                   ctx.text(range));
+  }
+
+  static bool isWrittenLater(int64_t index, const RuleContext &ctx) {
+    constexpr unsigned readable = 5000; // blocks
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &block : blocks(ctx.index(), ctx.block().next, program.end, readable))
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Assignment && int64_t(block.keyOf(item.target)) == index)
+          return true;
+    return false;
   }
 
   /// `#<name>` does not exist before it has been given a value.
