@@ -1,6 +1,8 @@
 // A drilling or threading cycle, or a thread, while radius compensation is on.
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
+#include "analyzer/facts/lookahead.h"
 
 #include <set>
 
@@ -26,6 +28,8 @@ public:
       return;
     const Truth active = ctx.after().compensationActive(ctx.dialect());
     if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known())
+      return;
+    if (cutsThread(code.cycle) && outlivesTool(ctx.after()))
       return;
     // Told where the cycle begins, not at each of its holes again.
     const Origin &origin = ctx.after().origin.of(StatePart::Cycle);
