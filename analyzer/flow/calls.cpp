@@ -137,9 +137,7 @@ void Calls::callModally(Step &step) {
     callee = callees_.findModal(step.unit(), *call, made, item);
   }
   if (!callee || !mayEnter(step, *callee)) {
-    const MachineState before = state;
     forget(state, *step.unit().dialect);
-    keepCompensationOff(before, state, *step.unit().dialect);
     state.modalCalls = call;
     run_.lose(step.blockRange(), "what runs after this block is not known");
     return step.goOn();
