@@ -63,7 +63,8 @@ bool Execution::runPlainMove() {
   const Truth relative = incremental();
   if (!factor.isConstant() || relative == Truth::Unknown)
     return false;
-  bool plain = outcome_.kinds == bitOf(EventKind::Block);
+  bool plain = outcome_.kinds == bitOf(EventKind::Block) &&
+               !(masks_.timeOfBlock && !(state_.group(masks_.feedMode) & ~masks_.timeOfBlock));
   if (block_.addresses & maskOf('F')) {
     technologyWords();
     plain = false;

@@ -1,6 +1,8 @@
 // Looks up the groups and members that every block is tested against.
 #include "interp/execute/mode_masks.h"
 
+#include "formats/dialect/control_facts.h"
+
 namespace ncvet {
 
 ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
@@ -30,6 +32,11 @@ ModeMasks::ModeMasks(const Dialect &dialect, const MachineProfile &machine)
               ~(uint64_t(1) << dialect.groups[language].initial);
   diameterOn = members(diameter, Action::DiameterOn);
   diameterAbsolute = members(diameter, Action::DiameterAbsolute);
+  if (dialect.facts->feed.inverseTimeInEachBlock) {
+    timeOfBlock = members(feedMode, Action::FeedInverseTime);
+    if (timeOfBlock)
+      everyBlock |= uint64_t(1) << feedMode;
+  }
   pointlessIsIncrement = machine.option("decimalPoint") == llvm::StringRef("increment");
 }
 

@@ -16,6 +16,7 @@ struct ModeMasks {
   uint64_t foreign = 0;          ///< members of the language group that are not the control's own
   uint64_t diameterOn = 0;       ///< words of X are diameters, its coordinates radii
   uint64_t diameterAbsolute = 0; ///< … where they are no increments
+  uint64_t timeOfBlock = 0;      ///< feed modes in which every block has an F of its own
   bool pointlessIsIncrement = false; ///< the profile reads `X100` as 0.1 mm
 
   ModeMasks(const Dialect &dialect, const MachineProfile &machine);

@@ -126,8 +126,9 @@ private:
     const Origin &tool = before.origin.of(StatePart::Tool);
     if (cycle) {
       // After a modal call the positions may be distances.
-      if (ctx.code(event).group != noGroup || !makesHole(ctx.code(event).cycle) ||
-          before.modalCalls)
+      const CodeInfo &called = ctx.code(event);
+      if (called.group != noGroup || before.modalCalls ||
+          !(makesHole(called.cycle) || (called.alone && !ctx.dialect().isLathe())))
         return;
     } else if (afterHome(event, on, ctx)) {
       ;

@@ -16,11 +16,7 @@ public:
   void listen(Subscriptions &to) override {
     inverseEach_ = to.dialect().facts->feed.inverseTimeInEachBlock;
     turns_ = to.dialect().isLathe();
-    to.onChange({EventKind::CycleRun});
-    if (inverseEach_)
-      to.on(EventKind::Motion); // a block without F is like the one before in everything else
-    else
-      to.onChange({EventKind::Motion});
+    to.onChange({EventKind::CycleRun, EventKind::Motion});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
