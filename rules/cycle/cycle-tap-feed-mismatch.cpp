@@ -5,6 +5,7 @@
 #include "analyzer/program/block_reading.h"
 
 #include <cmath>
+#include <map>
 
 namespace ncvet {
 namespace {
@@ -14,6 +15,8 @@ struct CycleTapFeedMismatchMemory {
   double feed = 0;    ///< those of that hole: mm, 1/min
   double speed = 0;   ///< those of that hole: mm, 1/min
   double was = 0;     ///< pitch of that hole, where this one differs; else 0
+  /// By tool, which is told by where it was changed: the lead that a comment names for it.
+  Aside<std::map<std::pair<FileId, uint32_t>, std::optional<double>>> leads;
 };
 
 class CycleTapFeedMismatch final : public StatefulRule<CycleTapFeedMismatchMemory> {
@@ -95,7 +98,7 @@ private:
 
   /// The lead of the thread that a comment of the tool names, in millimetres: one since the tool
   /// was changed, or one that names the tool.
-  static std::optional<double> leadOfComment(const RuleContext &ctx) {
+  static std::optional<double> readLead(const RuleContext &ctx) {
     constexpr uint32_t readable = 1u << 20;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const Origin &tool = ctx.after().origin.of(StatePart::Tool);
@@ -116,6 +119,15 @@ private:
           lead = one;
       }
     return lead;
+  }
+
+  /// The same, read at the first tapped hole of each tool.
+  std::optional<double> leadOfComment(const RuleContext &ctx) const {
+    const Origin &tool = ctx.after().origin.of(StatePart::Tool);
+    const auto [known, fresh] = memory().leads.look().try_emplace({tool.file, tool.begin});
+    if (fresh)
+      known->second = readLead(ctx);
+    return known->second;
   }
 
   /// No code of the program says in which units it counts.
