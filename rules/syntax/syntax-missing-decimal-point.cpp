@@ -38,7 +38,7 @@ public:
         reading && *reading == "calculator")
       return;
     if (lengths_)
-      gather(ctx);
+      collect(ctx);
     for (const Word &word : ctx.block().words) {
       const bool pointless = isPointless(word);
       if (!pointless || (lengths_ & maskOf(word.address)) ||
@@ -98,7 +98,7 @@ private:
   }
 
   /// Keeps the lengths of the block that have no point.
-  void gather(RuleContext &ctx) const {
+  void collect(RuleContext &ctx) const {
     constexpr size_t enough = 20;
     std::vector<SourceRange> &places = memory().places;
     if (places.size() >= enough || ctx.before().switches.mayBeOn(dataInput_) ||
