@@ -1,9 +1,8 @@
 #include "tests/clauses/clause_files.h"
 
 #include "llvm/ADT/StringSwitch.h"
-#include "llvm/Support/FormatVariadic.h"
-#include "llvm/Support/JSON.h"
 #include "llvm/Support/MemoryBuffer.h"
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,64 +11,85 @@
 namespace ncvet::test {
 namespace {
 
-namespace json = llvm::json;
+using Json = nlohmann::json;
 
-llvm::Expected<json::Value> parsedFile(const std::string &path) {
+llvm::Error failed(const std::string &where, const std::string &what) {
+  return llvm::createStringError(llvm::inconvertibleErrorCode(), "%s: %s", where.c_str(),
+                                 what.c_str());
+}
+
+llvm::Expected<Json> parsedFile(const std::string &path) {
   auto buffer = llvm::MemoryBuffer::getFile(path);
   if (!buffer)
-    return llvm::createStringError(buffer.getError(), "%s: cannot be read", path.c_str());
-  auto value = json::parse((*buffer)->getBuffer());
-  if (!value)
-    return llvm::createStringError(llvm::inconvertibleErrorCode(), "%s: %s", path.c_str(),
-                                   llvm::toString(value.takeError()).c_str());
+    return failed(path, "cannot be read");
+  const llvm::StringRef text = (*buffer)->getBuffer();
+  Json value = Json::parse(text.begin(), text.end(), nullptr, false);
+  if (value.is_discarded())
+    return failed(path, "no JSON");
   return value;
 }
 
-bool fromLines(const json::Object &object, llvm::StringRef key, std::vector<std::string> &lines,
-               json::Path path) {
-  const json::Value *value = object.get(key);
-  return !value || fromJSON(*value, lines, path.field(key));
+/// Reads what `object` has under `key`; what is not there leaves `to` as it is.
+template <typename Value>
+llvm::Error read(const Json &object, const char *key, Value &to, const std::string &where) {
+  const auto found = object.find(key);
+  if (found == object.end())
+    return llvm::Error::success();
+  constexpr bool isText = std::is_same_v<Value, std::string>;
+  constexpr bool isFlag = std::is_same_v<Value, bool>;
+  const bool fits = isText   ? found->is_string()
+                    : isFlag ? found->is_boolean()
+                             : found->is_array() && llvm::all_of(*found, [](const Json &line) {
+                                 return line.is_string();
+                               });
+  if (!fits)
+    return failed(where, std::string(key) + " is of another kind");
+  to = found->template get<Value>();
+  return llvm::Error::success();
 }
 
 /// The keys of a clause beside those that its rule gives.
-bool readClause(const json::Value &value, Clause &clause, json::Path path) {
-  json::ObjectMapper map(value, path);
-  if (!map || !map.map("says", clause.says) || !map.mapOptional("dialect", clause.dialect) ||
-      !map.mapOptional("whole", clause.whole) || !map.mapOptional("missing", clause.missing) ||
-      !map.mapOptional("falseAlarm", clause.falseAlarm))
-    return false;
-  const json::Object &object = *value.getAsObject();
-  static const std::set<llvm::StringRef> keys = {"says", "dialect", "machine", "wrong",     "right",
-                                                 "also", "whole",   "missing", "falseAlarm"};
-  for (const auto &[key, unused] : object)
-    if (!keys.count(key)) {
-      path.field(key).report("no such key");
-      return false;
-    }
-  if (const json::Value *machine = object.get("machine"))
-    clause.machine = llvm::formatv("{0}", *machine);
-  return fromLines(object, "wrong", clause.wrong, path) &&
-         fromLines(object, "right", clause.right, path) &&
-         fromLines(object, "also", clause.also, path);
+llvm::Error readClause(const Json &value, Clause &clause, const std::string &where) {
+  static const std::set<std::string> keys = {"says", "dialect", "machine", "wrong",     "right",
+                                             "also", "whole",   "missing", "falseAlarm"};
+  if (!value.is_object() || !value.contains("says"))
+    return failed(where, "a clause says something");
+  for (const auto &entry : value.items())
+    if (!keys.count(entry.key()))
+      return failed(where, "no such key: " + entry.key());
+  if (const auto machine = value.find("machine"); machine != value.end())
+    clause.machine = machine->dump();
+  for (auto &[key, text] : {std::pair("says", &clause.says),
+                            {"dialect", &clause.dialect},
+                            {"missing", &clause.missing},
+                            {"falseAlarm", &clause.falseAlarm}})
+    if (llvm::Error error = read(value, key, *text, where))
+      return error;
+  for (auto &[key, lines] :
+       {std::pair("wrong", &clause.wrong), {"right", &clause.right}, {"also", &clause.also}})
+    if (llvm::Error error = read(value, key, *lines, where))
+      return error;
+  return read(value, "whole", clause.whole, where);
 }
 
-bool readRule(const json::Value &value, Clause common, std::vector<Clause> &clauses,
-              json::Path path) {
-  json::ObjectMapper map(value, path);
-  if (!map || !map.map("local", common.local) || !map.map("rule", common.rule))
-    return false;
-  const json::Array *list = value.getAsObject()->getArray("clauses");
-  if (!list || list->empty()) {
-    path.field("clauses").report("a rule has one clause or more");
-    return false;
-  }
-  for (size_t i = 0; i < list->size(); ++i) {
+llvm::Error readRule(const Json &value, Clause common, std::vector<Clause> &clauses,
+                     const std::string &path) {
+  if (!value.is_object() || !value.contains("local") || !value.contains("rule"))
+    return failed(path, "an entry has `local` and `rule`");
+  for (auto &[key, text] : {std::pair("local", &common.local), {"rule", &common.rule}})
+    if (llvm::Error error = read(value, key, *text, path))
+      return error;
+  const std::string where = path + ": " + common.local;
+  const auto list = value.find("clauses");
+  if (list == value.end() || !list->is_array() || list->empty())
+    return failed(where, "a rule has one clause or more");
+  for (const Json &one : *list) {
     Clause clause = common;
-    if (!readClause((*list)[i], clause, path.field("clauses").index(unsigned(i))))
-      return false;
+    if (llvm::Error error = readClause(one, clause, where))
+      return error;
     clauses.push_back(std::move(clause));
   }
-  return true;
+  return llvm::Error::success();
 }
 
 /// The table that a reference's programs are checked with, unless they name one.
@@ -96,14 +116,11 @@ llvm::Expected<std::vector<Clause>> readClauses(const std::string &path) {
   common.category = place.parent_path().parent_path().filename().string();
   common.dialect = dialectOf(common.reference);
   std::vector<Clause> clauses;
-  json::Path::Root root(path);
-  const json::Array *rules = file->getAsArray();
-  if (!rules)
-    return llvm::createStringError(llvm::inconvertibleErrorCode(), "%s: a list is due",
-                                   path.c_str());
-  for (size_t i = 0; i < rules->size(); ++i)
-    if (!readRule((*rules)[i], common, clauses, json::Path(root).index(unsigned(i))))
-      return root.getError();
+  if (!file->is_array())
+    return failed(path, "a list is due");
+  for (const Json &rule : *file)
+    if (llvm::Error error = readRule(rule, common, clauses, path))
+      return error;
   return clauses;
 }
 
@@ -122,15 +139,13 @@ std::vector<std::string> clauseFiles() {
 }
 
 Frame frameOf(llvm::StringRef dialect) {
-  static const json::Value frames =
+  static const Json frames =
       llvm::cantFail(parsedFile(std::string(NCVET_SOURCE_DIR) + "/tests/clauses/frames.json"));
   Frame frame;
-  const json::Object *object = frames.getAsObject()->getObject(dialect);
-  json::Path::Root root("frames.json");
-  if (object) {
-    frame.file = object->getString("file").getValueOr(frame.file).str();
-    fromLines(*object, "before", frame.before, root);
-    fromLines(*object, "after", frame.after, root);
+  if (const auto object = frames.find(dialect.str()); object != frames.end()) {
+    llvm::cantFail(read(*object, "file", frame.file, "frames.json"));
+    llvm::cantFail(read(*object, "before", frame.before, "frames.json"));
+    llvm::cantFail(read(*object, "after", frame.after, "frames.json"));
   }
   return frame;
 }
