@@ -31,8 +31,10 @@ public:
     const auto size = uint32_t(ctx.source().text().size());
     for (const Block &next : blocks(ctx.index(), ctx.block().next, size, readable)) {
       for (const ExpressionOp &op : next.operations) {
+        if (op.op != Op::Variable) // only a variable's value is a key
+          continue;
         const auto key = uint64_t(op.value);
-        if (op.op != Op::Variable || !seen.insert(key).second || !isNumbered(op, ctx) ||
+        if (!seen.insert(key).second || !isNumbered(op, ctx) ||
             before.commons.given(key) != Truth::Yes ||
             before.commons.get(key) == after.commons.get(key))
           continue;

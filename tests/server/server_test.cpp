@@ -143,8 +143,8 @@ TEST(LanguageServer, AQuickFixMendsItsFinding) {
   LanguageClient client;
   client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
   const std::string path = "/nowhere/bore.nc";
-  client.open(path, "O1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\nG01 Z-1. F100.\n"
-                    "G00 Z50.\nM30\n");
+  client.open(path, "%\nO1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
+                    "G01 Z-1. F100.\nG00 Z50.\nM30\n%\n");
   const Json diagnostics = client.diagnostics(path);
   ASSERT_FALSE(diagnostics.empty());
   const Json &left = diagnostics[0];
@@ -166,8 +166,8 @@ TEST(LanguageServer, AQuickFixMendsItsFinding) {
 
 TEST(LanguageServer, ACommentSilencesAFindingHereAndInTheFile) {
   const std::string path = "/nowhere/bore.nc";
-  const std::string text = "O1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
-                           "G01 Z-1. F100.\nG00 Z50.\nM30\n";
+  const std::string text = "%\nO1\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\nG43 Z50. H01\n"
+                           "G01 Z-1. F100.\nG00 Z50.\nM30\n%\n";
   for (const size_t which : {1, 2}) {
     LanguageClient client;
     client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
