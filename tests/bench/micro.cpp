@@ -1,5 +1,6 @@
 // Stages of the tool alone, timed by Google Benchmark: ./dev bench, or this binary with its
 // options.
+#include "formats/dialect/control_facts.h"
 #include "formats/dialect/loader.h"
 #include "formats/readers/select/make_reader.h"
 #include "formats/text/source.h"
@@ -43,6 +44,7 @@ Dialect wordAddressDialect() {
   Dialect dialect;
   dialect.id = "bench";
   dialect.reader = "iso";
+  dialect.facts = std::make_shared<ControlFacts>();
   return dialect;
 }
 

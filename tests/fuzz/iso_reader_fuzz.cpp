@@ -1,5 +1,6 @@
 // Fuzzes the reader of word-address programs: it always gets on, and every block start is a place
 // to begin from.
+#include "formats/dialect/control_facts.h"
 #include "tests/fuzz/reader_promises.h"
 
 using namespace ncvet;
@@ -10,6 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   // The first byte chooses the spelling, so that every switch of it is met.
   const uint8_t spelling = data[0];
   Dialect dialect;
+  dialect.facts = std::make_shared<ControlFacts>();
   dialect.id = "fuzz";
   dialect.reader = "iso";
   dialect.lexical.incrementOperator = spelling & 1;
