@@ -132,26 +132,29 @@ private:
                       ctx.text(range));
   }
 
-  /// A WHILE over blocks that write nothing of what its condition looks at and do not leave.
-  void bracketed(const Item &item, RuleContext &ctx) const {
+  /// The variables that the condition at the head of a loop looks at, asked once for each; empty
+  /// where they are none, where what they say is known, or where the program has given them no
+  /// value: then they may change from outside.
+  std::set<uint64_t> lookedAtByHead(const Item &item, RuleContext &ctx) const {
     const Block &here = ctx.block();
     if (item.condition == noExpression ||
         !memory().seen.insert({ctx.source().id(), item.begin}).second ||
         evaluate(here, item.condition, ctx.before(), nullptr).isConstant())
-      return;
-    const std::set<uint64_t> read = variablesOf(item, here);
+      return {};
+    std::set<uint64_t> read = variablesOf(item, here);
     const ProgramInfo &program = ctx.index().programAt(here.begin);
-    if (read.empty() || here.begin - program.body > readable)
+    if (!read.empty() && !givenBefore(read, program, here, ctx))
+      read.clear();
+    return read;
+  }
+
+  /// A WHILE over blocks that write nothing of what its condition looks at and do not leave.
+  void bracketed(const Item &item, RuleContext &ctx) const {
+    const Block &here = ctx.block();
+    const std::set<uint64_t> read = lookedAtByHead(item, ctx);
+    if (read.empty())
       return;
-    // What the program gives no value may be changed from outside.
-    std::set<uint64_t> given;
-    for (const Block &block : blocks(ctx.index(), program.body, here.begin)) {
-      for (const Item &other : block.items)
-        if (other.kind == ItemKind::Assignment || other.kind == ItemKind::Definition)
-          given.insert(block.keyOf(other.target));
-    }
-    if (!llvm::all_of(read, [&](uint64_t key) { return given.count(key); }))
-      return;
+    const ProgramInfo &program = ctx.index().programAt(here.begin);
     unsigned depth = 0;
     const uint32_t end = std::min(program.end, here.begin + readable);
     for (const Block &block : blocks(ctx.index(), here.next, end)) {
@@ -182,14 +185,10 @@ private:
   /// The same of a loop with a number, reported at its end.
   void numbered(const Item &item, RuleContext &ctx) const {
     const Block &here = ctx.block();
-    if (item.condition == noExpression ||
-        !memory().seen.insert({ctx.source().id(), item.begin}).second ||
-        evaluate(here, item.condition, ctx.before(), nullptr).isConstant())
+    const std::set<uint64_t> read = lookedAtByHead(item, ctx);
+    if (read.empty())
       return;
-    const std::set<uint64_t> read = variablesOf(item, here);
     const ProgramInfo &program = ctx.index().programAt(here.begin);
-    if (read.empty() || !givenBefore(read, program, here, ctx))
-      return;
     const uint32_t end = std::min(program.end, here.begin + readable);
     for (const Block &block : blocks(ctx.index(), here.next, end)) {
       for (const Item &inner : block.items)

@@ -317,6 +317,38 @@ TEST(Incremental, QuestionsAndChecksFollowAVersionOnce) {
   EXPECT_TRUE(equal(*first.firstBefore(), *again.firstBefore()));
 }
 
+/// After a check the states at a block are found without the rules: they are those of a fresh run,
+/// wherever the block lies in what is known.
+TEST(Incremental, QuestionsAfterACheckFindTheStatesOfAFreshRun) {
+  SessionOptions options;
+  options.dialect = "haas-mill";
+  CheckJob job;
+  job.session = std::make_shared<Session>(std::move(options));
+  job.overlay = std::make_shared<SourceSet::Overlay>();
+  job.document.path = "/nowhere/a.nc";
+  job.document.memory = std::make_shared<lsp::DocumentMemory>();
+  CheckMemory &checks = job.document.memory->checks;
+  const std::string text = machining(1500);
+  job.document.text = std::make_shared<const std::string>(text);
+  static_cast<void>(lsp::check(job, nullptr, &checks));
+  ASSERT_TRUE(checks.isChecked());
+  const std::atomic<bool> cancelled = false;
+  unsigned places = 0;
+  for (size_t at = 0; at < text.size(); at = text.find('\n', at + 997) + 1, ++places) {
+    const lsp::DocumentStates known = lsp::statesOf(job, uint32_t(at), cancelled);
+    CheckJob alone = job;
+    alone.document.memory = std::make_shared<lsp::DocumentMemory>();
+    const lsp::DocumentStates fresh = lsp::statesOf(alone, uint32_t(at), cancelled);
+    ASSERT_EQ(known.firstBefore() == nullptr, fresh.firstBefore() == nullptr) << at;
+    if (known.firstBefore()) {
+      EXPECT_TRUE(equal(*known.firstBefore(), *fresh.firstBefore())) << at;
+    }
+    if (text.find('\n', at + 997) == std::string::npos)
+      break;
+  }
+  EXPECT_LT(20u, places);
+}
+
 TEST(Incremental, WhatARuleRemembersAtTheStartCanBeCompared) {
   for (const DialectSummary &summary : listDialects()) {
     if (summary.abstract)
