@@ -42,6 +42,7 @@ function(ncvet_warnings target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 warns of its own string concatenation (GCC bug 105329), and of LLVM's formatting of
     # whole numbers, which does not use the variable in question.
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized
+                           -Wno-stringop-overflow -Wno-array-bounds)
   endif()
 endfunction()

@@ -62,7 +62,10 @@ public:
     auto finding = ctx.report(ctx.flowRange(), event.certain);
     if (!finding)
       return;
-    finding.message("`{0}` has no partner: the control stops with an alarm",
+    finding.message(beginsSubprogram(ctx)
+                        ? "`{0}` has no end of its own, or begins inside another subprogram: the "
+                          "control stops with an alarm"
+                        : "`{0}` has no partner: the control stops with an alarm",
                     ctx.text(ctx.flowRange()));
   }
 
@@ -82,6 +85,11 @@ public:
   }
 
 private:
+  static bool beginsSubprogram(const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().items,
+                        [](const Item &item) { return item.structure == Structure::Sub; });
+  }
+
   unsigned loopNumbers_ = 0; ///< greatest number of a loop; 0: any
 
   /// Numbers of loops: the control has some, and each may be in use once.

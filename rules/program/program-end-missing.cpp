@@ -33,7 +33,8 @@ public:
     // Where a program has a head, a text without one is a fragment.
     if (event.flowIssue() != FlowIssue::MainRunsOut || (hasHead_ && !memory().headSeen))
       return;
-    if (tapeMarkEnds_ && ctx.index().tapeMarks().size() > 1)
+    const llvm::ArrayRef<uint32_t> marks = ctx.index().tapeMarks();
+    if (tapeMarkEnds_ && marks.size() > 1)
       return;
     const SourceRange where = ctx.flowRange();
     // In a file that is one program control runs on past the number of a further one.
@@ -41,6 +42,8 @@ public:
       return;
     if (ctx.index().programAt(where.begin).kind == ProgramKind::Subprogram)
       return; // flow-return-missing speaks
+    if (tapeMarkEnds_ && marks.size() == 1 && marks.front() >= where.end)
+      return strayMark(event, marks.front(), where, ctx);
     auto finding = ctx.report(where, event.certain);
     if (!finding)
       return;
@@ -48,15 +51,31 @@ public:
     if (!fileIsProgram_ && !ctx.index().programAt(where.begin).hasHeader())
       finding.severity(Severity::Warning);
     finding.message("the program runs out after this block: no `{0}` ends it", end_);
-    const llvm::StringRef rest = ctx.source().text().substr(where.end, 2);
+    endAfter(where, finding, ctx);
+  }
+
+private:
+  /// A `%` ends what another `%` has opened; alone it is a character that is no word.
+  void strayMark(const Event &event, uint32_t line, const SourceRange &last,
+                 RuleContext &ctx) const {
+    const auto mark = uint32_t(ctx.source().text().find('%', line));
+    if (auto finding = ctx.report(SourceRange{ctx.source().id(), mark, mark + 1}, event.certain)) {
+      finding.message("no `%` has opened the program that this one is to end: the control stops "
+                      "here with an error, and no `{0}` ends the program",
+                      end_);
+      endAfter(last, finding, ctx);
+    }
+  }
+
+  void endAfter(const SourceRange &last, FindingBuilder &finding, RuleContext &ctx) const {
+    const llvm::StringRef rest = ctx.source().text().substr(last.end, 2);
     const llvm::StringRef lineEnd = rest.startswith("\r\n") ? "\r\n" : "\n";
     // Where a block goes on over its line's end, a new one has to be opened.
     const llvm::StringRef opened = ctx.dialect().lexical.blocksSpanLines ? "N " : "";
     finding.fix(FixSafety::Unsafe, "end the program here",
-                ctx.insertBefore(where.end, (lineEnd + opened + end_).str()));
+                ctx.insertBefore(last.end, (lineEnd + opened + end_).str()));
   }
 
-private:
   std::string end_;
   bool hasHead_ = false;       ///< the control has a word that opens a program
   bool fileIsProgram_ = false; ///< a text without a number is one all the same

@@ -62,8 +62,9 @@ public:
     if (!memory().once.speaks(origin, ctx) || (builderStarts_ && startsNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
-      // Neither tool, speed nor spindle: the program may run axes in, or guide a laser.
-      if (nothingSaid(state))
+      // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
+      // to a switch of its own.
+      if (neverTurns(state, ctx))
         finding.severity(Severity::Warning);
       if (last)
         holeOfStop(event, code, finding, ctx);
@@ -127,6 +128,12 @@ private:
   static bool nothingSaid(const MachineState &state) {
     return !state.may(Fact::ToolCalled) && !state.may(Fact::SpeedSet) &&
            !state.may(Fact::SpindleStated);
+  }
+
+  /// Up to here neither speed nor spindle was named, and no block of the program starts a spindle.
+  static bool neverTurns(const MachineState &state, const RuleContext &ctx) {
+    return nothingSaid(state) ||
+           (!state.may(Fact::SpeedSet) && !state.may(Fact::SpindleStated) && startsNoSpindle(ctx));
   }
 
   /// A hole that the block of the stop itself makes.

@@ -8,20 +8,36 @@
 namespace ncvet {
 namespace {
 
-/// The messages of one rule.
-std::vector<std::string> messagesOf(llvm::StringRef rule, const std::string &dialect,
-                                    const std::string &text) {
+/// The findings of one rule.
+std::vector<Finding> findingsOf(llvm::StringRef rule, const std::string &dialect,
+                                const std::string &text) {
   SessionOptions options;
   options.dialect = dialect;
   Session session(std::move(options));
   SourceSet sources;
   const FileOutcome outcome = checkFile(session, sources, sources.add("part.nc", text));
   EXPECT_EQ("", outcome.error);
-  std::vector<std::string> messages;
+  std::vector<Finding> findings;
   for (const CheckedFinding &found : outcome.findings)
     if (allRules()[found.finding.rule].info.id == rule)
-      messages.push_back(found.finding.message);
+      findings.push_back(found.finding);
+  return findings;
+}
+
+std::vector<std::string> messagesOf(llvm::StringRef rule, const std::string &dialect,
+                                    const std::string &text) {
+  std::vector<std::string> messages;
+  for (const Finding &finding : findingsOf(rule, dialect, text))
+    messages.push_back(finding.message);
   return messages;
+}
+
+std::vector<Severity> severitiesOf(llvm::StringRef rule, const std::string &dialect,
+                                   const std::string &text) {
+  std::vector<Severity> severities;
+  for (const Finding &finding : findingsOf(rule, dialect, text))
+    severities.push_back(finding.severity);
+  return severities;
 }
 
 const char *const plotted =
@@ -38,6 +54,15 @@ TEST(WholeText, AProgramThatStartsItsSpindleTooLateIsTold) {
   const std::string milled = "G21 G17 G90\nS8000 M3\n" + std::string(plotted);
   EXPECT_EQ(0u, messagesOf("spindle-off-while-cutting", "linuxcnc", milled).size());
   EXPECT_EQ(1u, messagesOf("motion-rapid-traverse-at-depth", "linuxcnc", milled).size());
+}
+
+TEST(WholeText, ARouterWhoseSpindleHasASwitchIsWarnedOf) {
+  const std::string rule = "spindle-off-while-cutting";
+  const std::string cut = "G0 X0 Y0\nG43 Z5. H1\nG1 Z-1. F300.\nX40.\nG0 Z5.\nM30\n";
+  const std::string head = "O1 (SIGN)\nG21 G17 G90\nG54\nT1 M6\n";
+  EXPECT_EQ(std::vector{Severity::Warning}, severitiesOf(rule, "fanuc-0m", head + cut));
+  // With a speed, a start was meant.
+  EXPECT_EQ(std::vector{Severity::Error}, severitiesOf(rule, "fanuc-0m", head + "S8000\n" + cut));
 }
 
 TEST(WholeText, ALatheProgramOnAControlForMillsHasNoDepth) {
