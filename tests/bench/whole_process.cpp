@@ -1,91 +1,38 @@
-// Times `ncvet check` as a whole process beside `wc -l` and `wc -w` on the same file in the same
-// run.
+// Times `ncvet check` as a whole process beside `wc -w` on the same file in the same run.
 //
-//   ncvet_bench NCVET PROGRAMS.tsv [RUNS]
+//   ncvet_bench NCVET PROGRAMS.tsv [--runs N] [--against OTHER] [--instructions]
 //
-// Every command runs RUNS times (5); the table shows the median time and the largest memory.
-#include <fcntl.h>
-#include <sys/resource.h>
+// The commands run in turn, N times (5): `wc -w`, ncvet, and with --against the other binary. The
+// table shows medians; a unit is the CPU time of `wc -w`. --instructions counts them where the
+// machine does not, which takes minutes.
+#include "measured_process.h"
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdint>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace {
 
-/// What one command took.
-struct Measured {
-  double seconds = 0;    ///< wall clock, from fork to the end
-  double cpuSeconds = 0; ///< user and system time
-  long peakKiB = 0;      ///< largest resident set
-  bool failed = false;   ///< could not start, was killed, or ended with an unexpected status
-};
-
-/// Runs a command once, its output to /dev/null.
-Measured runOnce(const std::vector<std::string> &command) {
-  std::vector<char *> argv;
-  argv.reserve(command.size() + 1);
-  for (const std::string &word : command)
-    argv.push_back(const_cast<char *>(word.c_str()));
-  argv.push_back(nullptr);
-  const auto begin = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child == 0) {
-    const int null = open("/dev/null", O_WRONLY);
-    dup2(null, STDOUT_FILENO);
-    execvp(argv[0], argv.data());
-    _exit(127);
-  }
-  Measured result;
-  int status = 0;
-  rusage usage{};
-  result.failed = child < 0 || wait4(child, &status, 0, &usage) < 0 || !WIFEXITED(status) ||
-                  WEXITSTATUS(status) != 0;
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  auto seconds = [](const timeval &time) {
-    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
-  };
-  result.cpuSeconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  result.peakKiB = usage.ru_maxrss;
-  return result;
-}
-
-/// Median times and the largest memory of several runs; failed when one of them was.
-Measured run(const std::vector<std::string> &command, int runs) {
-  std::vector<double> wall;
-  std::vector<double> cpu;
-  Measured result;
-  for (int i = 0; i < runs; ++i) {
-    const Measured one = runOnce(command);
-    result.failed = result.failed || one.failed;
-    result.peakKiB = std::max(result.peakKiB, one.peakKiB);
-    wall.push_back(one.seconds);
-    cpu.push_back(one.cpuSeconds);
-  }
-  auto median = [](std::vector<double> &values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-  };
-  result.seconds = median(wall);
-  result.cpuSeconds = median(cpu);
-  return result;
-}
+using namespace ncvet::bench;
 
 struct Program {
   std::string path;
   std::string name;
-  uint64_t blocks = 0;  ///< that the control executes
-  double megabytes = 0; ///< 10^6 bytes
+  uint64_t blocks = 0; ///< that the control executes
+  std::string dialect;
+  std::string goal; ///< what is aimed at, in words; empty: nothing
+};
+
+struct Options {
+  std::string ncvet, programs, other;
+  int runs = 5;
+  bool instructions = false;
 };
 
 std::vector<Program> readTable(const std::string &path) {
@@ -94,77 +41,156 @@ std::vector<Program> readTable(const std::string &path) {
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash);
   std::ifstream table(path);
   for (std::string line; std::getline(table, line);) {
-    std::istringstream words(line);
+    std::istringstream columns(line);
     Program program;
-    struct stat info {};
-    if (!(words >> program.name >> program.blocks))
+    if (!(columns >> program.name >> program.blocks >> program.dialect))
       continue;
+    std::getline(columns >> std::ws, program.goal);
     program.path = folder + "/" + program.name;
-    if (stat(program.path.c_str(), &info) != 0)
-      continue;
-    program.megabytes = static_cast<double>(info.st_size) * 1e-6;
     programs.push_back(std::move(program));
   }
   return programs;
 }
 
-/// One row of the table. `executed` blocks are counted per second where they are not 0: `wc` reads
-/// the blocks of a file, but executes no loop.
-void printRow(const Program &program, const char *command, const Measured &measured,
-              uint64_t executed, double beside) {
-  std::printf("%-18s %-8s %9.1f %9.1f %9.1f", program.name.c_str(), command, measured.seconds * 1e3,
-              measured.cpuSeconds * 1e3, program.megabytes / measured.seconds);
-  if (executed > 0)
-    std::printf(" %11.2f", static_cast<double>(executed) * 1e-6 / measured.seconds);
+std::vector<std::string> checkBy(const std::string &ncvet, const Program &program) {
+  return {ncvet,  "check",     "--dialect", program.dialect, "--format",
+          "json", "--fail-on", "never",     program.path};
+}
+
+/// Several runs of one command.
+class Runs {
+public:
+  void add(const Measured &one) { all_.push_back(one); }
+
+  /// The median of its CPU times, in seconds.
+  double cpu() const {
+    std::vector<double> times = sorted();
+    return times[times.size() / 2];
+  }
+  /// How far its CPU times are from each other: half of the range that the middle half of them
+  /// covers, as a share of the median.
+  double noise() const {
+    const std::vector<double> times = sorted();
+    return (times[times.size() * 3 / 4] - times[times.size() / 4]) / 2 / cpu();
+  }
+  long peakKiB() const {
+    long most = 0;
+    for (const Measured &one : all_)
+      most = std::max(most, one.peakKiB);
+    return most;
+  }
+  uint64_t instructions() const { return all_.front().instructions; }
+  bool failed() const {
+    return std::any_of(all_.begin(), all_.end(), [](const Measured &one) { return one.failed; });
+  }
+
+private:
+  std::vector<double> sorted() const {
+    std::vector<double> times;
+    for (const Measured &one : all_)
+      times.push_back(one.cpuSeconds);
+    std::sort(times.begin(), times.end());
+    return times;
+  }
+
+  std::vector<Measured> all_;
+};
+
+/// What the start of the process takes, from the first program of the table.
+struct Start {
+  long peakKiB = 0;
+  uint64_t instructions = 0;
+};
+
+void printRow(const Program &program, const Runs &words, const Runs &check, uint64_t instructions,
+              const Start &start) {
+  const double seconds = check.cpu();
+  std::printf("%-18s %8llu %9.1f %9.1f %7.2f %10.2f", program.name.c_str(),
+              static_cast<unsigned long long>(program.blocks), words.cpu() * 1e3, seconds * 1e3,
+              seconds / words.cpu(), static_cast<double>(program.blocks) * 1e-6 / seconds);
+  if (instructions > start.instructions)
+    std::printf(" %12.0f", static_cast<double>(instructions - start.instructions) /
+                               static_cast<double>(program.blocks));
   else
-    std::printf(" %11s", "-");
-  std::printf(" %9.1f", static_cast<double>(measured.peakKiB) / 1024.0);
-  if (beside > 0)
-    std::printf(" %8.1fx", measured.seconds / beside);
-  std::printf("%s\n", measured.failed ? "  FAILED" : "");
+    std::printf(" %12s", "-");
+  std::printf(" %7.1f  %s%s\n", static_cast<double>(check.peakKiB()) / 1024.0, program.goal.c_str(),
+              check.failed() ? "  FAILED" : "");
+}
+
+/// The other binary beside this one; what is within the noise is said to be so.
+void printComparison(const Runs &words, const Runs &check, const Runs &other) {
+  const double ratio = other.cpu() / check.cpu();
+  const double noise = check.noise() + other.noise();
+  const bool told = std::fabs(std::log(ratio)) > 2 * noise;
+  std::printf("%-18s %8s %9s %9.1f %7.2f   %5.2f times as fast%s (noise %.0f %%), %+.1f MiB%s\n",
+              "  other binary", "", "", other.cpu() * 1e3, other.cpu() / words.cpu(), ratio,
+              told ? "" : ", no more than noise", noise * 100,
+              static_cast<double>(check.peakKiB() - other.peakKiB()) / 1024.0,
+              other.failed() ? "  FAILED" : "");
+}
+
+bool measure(const Options &options, const Program &program, Start &start) {
+  Runs words, check, other;
+  for (int i = 0; i < options.runs; ++i) {
+    words.add(runOnce({"wc", "-w", program.path}));
+    check.add(runOnce(checkBy(options.ncvet, program)));
+    if (!options.other.empty())
+      other.add(runOnce(checkBy(options.other, program)));
+  }
+  uint64_t instructions = check.instructions();
+  if (!instructions && options.instructions)
+    instructions = countByCallgrind(checkBy(options.ncvet, program));
+  printRow(program, words, check, instructions, start);
+  if (!options.other.empty())
+    printComparison(words, check, other);
+  if (!start.peakKiB)
+    start = {check.peakKiB(), instructions};
+  std::fflush(stdout);
+  return !check.failed() && (options.other.empty() || !other.failed());
+}
+
+bool readOptions(int argc, char **argv, Options &options) {
+  if (argc < 3)
+    return false;
+  options.ncvet = argv[1];
+  options.programs = argv[2];
+  for (int i = 3; i < argc; ++i) {
+    const std::string option = argv[i];
+    if (option == "--instructions")
+      options.instructions = true;
+    else if (option == "--runs" && i + 1 < argc)
+      options.runs = std::max(1, std::atoi(argv[++i]));
+    else if (option == "--against" && i + 1 < argc)
+      options.other = argv[++i];
+    else
+      return false;
+  }
+  return true;
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-  if (argc < 3 || argc > 4) {
-    std::fputs("usage: ncvet_bench NCVET PROGRAMS.tsv [RUNS]\n", stderr);
+  Options options;
+  if (!readOptions(argc, argv, options)) {
+    std::fputs("usage: ncvet_bench NCVET PROGRAMS.tsv [--runs N] [--against OTHER] "
+               "[--instructions]\n",
+               stderr);
     return 2;
   }
-  const std::string ncvet = argv[1];
-  const int runs = argc == 4 ? std::max(1, std::atoi(argv[3])) : 5;
-  const std::vector<Program> programs = readTable(argv[2]);
+  const std::vector<Program> programs = readTable(options.programs);
   if (programs.empty()) {
-    std::fprintf(stderr, "ncvet_bench: no programs in %s\n", argv[2]);
+    std::fprintf(stderr, "ncvet_bench: no programs in %s\n", options.programs.c_str());
     return 2;
   }
-  std::printf("median of %d runs; memory: the largest; 1 MB = 10^6 bytes, 1 MiB = 2^20 bytes\n\n",
-              runs);
-  std::printf("%-18s %-8s %9s %9s %9s %11s %9s %9s\n", "program", "command", "ms", "CPU ms", "MB/s",
-              "Mblocks/s", "MiB", "to wc -l");
+  std::printf("CPU time, median of %d runs; memory: the largest; units: of wc -w on the same file\n"
+              "instructions per block: without those of the start\n\n",
+              options.runs);
+  std::printf("%-18s %8s %9s %9s %7s %10s %12s %7s  %s\n", "program", "blocks", "wc -w ms",
+              "ncvet ms", "units", "Mblocks/s", "instr/block", "MiB", "goal");
   bool failed = false;
-  double startMs = 0;
-  long startKiB = 0;
-  for (const Program &program : programs) {
-    const Measured lines = run({"wc", "-l", program.path}, runs);
-    const Measured words = run({"wc", "-w", program.path}, runs);
-    const Measured check = run({ncvet, "check", "--dialect", "fanuc-0m", "--format", "json",
-                                "--fail-on", "never", program.path},
-                               runs);
-    failed = failed || check.failed;
-    printRow(program, "wc -l", lines, 0, 0);
-    printRow(program, "wc -w", words, 0, lines.seconds);
-    printRow(program, "ncvet", check, program.blocks, lines.seconds);
-    if (program.name == "tiny.nc") {
-      startMs = check.seconds * 1e3;
-      startKiB = check.peakKiB;
-    } else if (startKiB > 0) {
-      std::printf("%-18s memory above start-up: %.1f MiB\n", "",
-                  static_cast<double>(check.peakKiB - startKiB) / 1024.0);
-    }
-    std::fflush(stdout);
-  }
-  std::printf("\nstart-up (tiny.nc): %.1f ms, %.1f MiB\n", startMs,
-              static_cast<double>(startKiB) / 1024.0);
+  Start start;
+  for (const Program &program : programs)
+    failed |= !measure(options, program, start);
   return failed ? 1 : 0;
 }

@@ -1,7 +1,11 @@
-"""The binary of another commit, built in a worktree of its own below build/same."""
+"""The binary of another commit, built in a worktree of its own below build/same.
+
+Alone: `other_commit.py COMMIT` prints where it is.
+"""
 import os
 import pathlib
 import subprocess
+import sys
 
 
 class BuildFailed(Exception):
@@ -39,3 +43,10 @@ def binary_of(root, commit, say):
         if done.returncode:
             raise BuildFailed(f"{' '.join(command)} in {folder}:\n{done.stdout[-4000:]}")
     return str(folder / "build/release/ncvet")
+
+
+if __name__ == "__main__":
+    try:
+        print(binary_of(pathlib.Path.cwd(), sys.argv[1], lambda text: print(f"bench: {text}", file=sys.stderr)))
+    except BuildFailed as problem:
+        sys.exit(str(problem))
