@@ -197,6 +197,7 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
     return std::move(*outcome);
   }
   outcome->dialect = setup->dialect->id;
+  outcome->dialectTitle = setup->dialect->title;
   outcome->reason = setup->reason;
   outcome->guessed = setup->detected;
   outcome->sure = setup->sure;

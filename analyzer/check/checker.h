@@ -19,11 +19,12 @@ struct CheckedFinding {
 };
 
 struct FileOutcome {
-  std::string error; ///< not empty: the file was not checked
-  std::string dialect;
-  std::string reason;   ///< why this dialect
-  bool guessed = false; ///< … nobody named it
-  bool sure = false;    ///< of the guess
+  std::string error;        ///< not empty: the file was not checked
+  std::string dialect;      ///< id of the control
+  std::string dialectTitle; ///< its name
+  std::string reason;       ///< why this dialect
+  bool guessed = false;     ///< … nobody named it
+  bool sure = false;        ///< of the guess
   uint64_t blocks = 0;
   bool complete = true;
   std::vector<std::string> cuts; ///< why not complete

@@ -118,6 +118,23 @@ void fixAll(View &view, Session &session, Json &actions) {
                            {{view.document.uri, editsJson(view.positions, edit)}}));
 }
 
+/// The action that applies all safe fixes, its edit left open: this is asked for at each move of
+/// the cursor, and costs as much as a check.
+Json fixAllLater(const View &view, const CheckResult &result) {
+  unsigned safe = 0, unsafe = 0;
+  for (const Problem &problem : result.problems)
+    if (problem.path == view.document.path && !problem.fixTitle.empty())
+      ++(problem.safe ? safe : unsafe);
+  if (safe == 0)
+    return nullptr;
+  std::string title = ("Apply all " + llvm::Twine(safe) + " safe fixes").str();
+  if (unsafe != 0)
+    title += (" (" + llvm::Twine(unsafe) + " more need a look)").str();
+  return {{"title", std::move(title)},
+          {"kind", "source.fixAll.ncvet"},
+          {"data", {{"uri", view.document.uri}, {"version", view.document.version}}}};
+}
+
 Json actionsAt(Context &context, View &view, Session &session, const Json &params) {
   Json actions = Json::array();
   const auto result = context.checks->wait(view.document, view.cancelled);
@@ -141,9 +158,29 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
             {{"title", "Explain"}, {"command", "ncvet.explain"}, {"arguments", {rule.id.str()}}}}});
     }
   }
-  if (wants(asked, "source.fixAll.ncvet"))
-    fixAll(view, session, actions);
+  if (wants(asked, "source.fixAll.ncvet")) {
+    if (!view.client.resolvesEdits)
+      fixAll(view, session, actions);
+    else if (Json later = fixAllLater(view, *result); !later.is_null())
+      actions.push_back(std::move(later));
+  }
   return actions;
+}
+
+/// Gives an action the edit that was left open.
+void resolve(Context &context, const Json &action, Reply reply) {
+  const Json &data = action.at("data");
+  const std::string uri = data.at("uri");
+  const Document *document = context.documents.find(uri);
+  if (!document || document->version != data.at("version"))
+    return reply.fail(RpcError::ContentModified, "the document has changed");
+  context.answerFor(*document, std::move(reply),
+                    [action, session = context.session(*document)](View &view) {
+                      Json made = Json::array(), whole = action;
+                      fixAll(view, *session, made);
+                      whole["edit"] = made.empty() ? Json::object() : made.front()["edit"];
+                      return whole;
+                    });
 }
 
 /// Shows the page of a rule; where files cannot be opened, its summary.
@@ -178,6 +215,9 @@ void bindActions(Context &context) {
                       [&context, params, session = context.session(*document)](View &view) {
                         return actionsAt(context, view, *session, params);
                       });
+  });
+  context.rpc.onRequest("codeAction/resolve", [&context](const Json &params, Reply reply) {
+    resolve(context, params, std::move(reply));
   });
   context.rpc.onRequest("workspace/executeCommand", [&context](const Json &params, Reply reply) {
     const std::string command = params.at("command");

@@ -2,9 +2,9 @@
 #include "analyzer/setup/input_files.h"
 #include "lsp/protocol/uri.h"
 #include "lsp/server/bindings.h"
+#include "lsp/server/file_stamp.h"
 
 #include "llvm/ADT/StringExtras.h"
-#include "llvm/Support/FileSystem.h"
 #include "llvm/Support/xxhash.h"
 
 namespace ncvet::lsp {
@@ -27,8 +27,9 @@ Json ofDocument(Context &context, View &view, const Json &params) {
   context.problems.take(result);
   const std::string &path = view.document.path;
   Json answer = report(context.problems.diagnostics(path), params.value("previousResultId", ""));
-  for (const std::string &file : context.problems.relatedTo(path))
-    answer["relatedDocuments"][uriOfPath(file)] = report(context.problems.diagnostics(file), "");
+  if (context.client.takesRelatedDocuments)
+    for (const std::string &file : context.problems.relatedTo(path))
+      answer["relatedDocuments"][uriOfPath(file)] = report(context.problems.diagnostics(file), "");
   return answer;
 }
 
@@ -36,8 +37,10 @@ Json ofDocument(Context &context, View &view, const Json &params) {
 /// that it looked at are what they were.
 class WorkspaceChecks {
 public:
+  /// `partial`, when given, is handed what is known so far from time to time; the rest is returned.
   Json report(const CheckJob &base, llvm::ArrayRef<std::string> folders, const Json &params,
-              ProblemBoard &board, const std::atomic<bool> &cancelled) {
+              ProblemBoard &board, const std::atomic<bool> &cancelled,
+              const std::function<void(Json items)> &partial) {
     if (base.session != session_) {
       session_ = base.session;
       closed_.clear();
@@ -51,40 +54,51 @@ public:
         break;
       const bool open = base.overlay->count(input.path);
       const std::string uri = uriOfPath(input.path);
-      Json one =
-          lsp::report(open ? board.diagnostics(input.path) : ofFile(base, input.path, cancelled),
-                      previous[uri]);
+      const std::string known = board.diagnostics(input.path);
+      Json one = lsp::report(open ? known : merged(ofFile(base, input.path, cancelled), known),
+                             previous[uri]);
       one["uri"] = uri;
       one["version"] = nullptr;
       items.push_back(std::move(one));
+      if (partial && items.size() == filesOfPart)
+        partial(std::exchange(items, Json::array()));
     }
     return {{"items", std::move(items)}};
   }
 
 private:
+  /// A client that takes parts of an answer gets one for so many files.
+  static constexpr size_t filesOfPart = 32;
+
+  /// Lists of diagnostics in one, each once: a file's own check and those of its callers find the
+  /// same, the latter with the call that leads there.
+  static std::string merged(const std::string &own, const std::string &others) {
+    if (others == "[]")
+      return own;
+    Json all = Json::parse(own);
+    for (Json &other : Json::parse(others))
+      if (llvm::none_of(all, [&](const Json &one) {
+            return one["range"] == other["range"] && one["code"] == other["code"];
+          }))
+        all.push_back(std::move(other));
+    return jsonText(all);
+  }
+
   /// What a check of a closed file has found, and what it rests on.
   struct Kept {
     std::string diagnostics = "[]";          ///< a list as JSON
     std::shared_ptr<ProgramFolders> folders; ///< null: nothing was found out
-    std::map<std::string, std::shared_ptr<const std::string>> files; ///< see `CheckResult`
-    std::map<std::string, llvm::sys::TimePoint<>> written;
+    std::map<std::string, FileStamp> files;  ///< that it looked at
 
     /// Whether a check would find the same.
     bool holds(const CheckJob &job) const {
       if (!folders || folders != job.session->folders())
         return false;
       return llvm::all_of(files, [&](const auto &file) {
-        const auto open = job.overlay->find(file.first);
-        const bool same = open == job.overlay->end() ? !file.second : open->second == file.second;
-        return same && writtenAt(file.first) == written.at(file.first);
+        return file.second == stampOf(file.first, *job.overlay);
       });
     }
   };
-  static llvm::sys::TimePoint<> writtenAt(llvm::StringRef path) {
-    llvm::sys::fs::file_status status;
-    return llvm::sys::fs::status(path, status) ? llvm::sys::TimePoint<>()
-                                               : status.getLastModificationTime();
-  }
 
   const std::string &ofFile(const CheckJob &base, const std::string &path,
                             const std::atomic<bool> &cancelled) {
@@ -104,9 +118,8 @@ private:
       if (problem.path == path)
         appendJson(kept.diagnostics, problem.diagnostic);
     kept.folders = job.session->folders();
-    kept.files = result->files;
-    for (const auto &[file, open] : kept.files)
-      kept.written[file] = writtenAt(file);
+    for (const auto &[file, open] : result->files)
+      kept.files[file] = stampOf(file, *job.overlay);
     return kept.diagnostics;
   }
 
@@ -114,21 +127,32 @@ private:
   std::map<std::string, Kept> closed_;
 };
 
+/// How parts of an answer are sent; null when the client wants none.
+std::function<void(Json items)> partsOf(Rpc &rpc, const Json &params) {
+  const auto token = params.find("partialResultToken");
+  if (token == params.end() || token->is_null())
+    return nullptr;
+  return [&rpc, token = *token](Json items) {
+    rpc.notify("$/progress", {{"token", token}, {"value", {{"items", std::move(items)}}}});
+  };
+}
+
 } // namespace
 
 void bindDiagnostics(Context &context) {
   context.onDocument("textDocument/diagnostic", [&context](View &view, const Json &params) {
     return ofDocument(context, view, params);
   });
-  auto workspace = std::make_shared<WorkspaceChecks>(); // of the thread of features
+  auto workspace = std::make_shared<WorkspaceChecks>(); // of the workspace's thread
   context.rpc.onRequest(
       "workspace/diagnostic", [&context, workspace](const Json &params, Reply reply) {
         if (!context.settings.workspaceDiagnostics)
           return reply({{"items", Json::array()}});
         auto held = std::make_shared<Reply>(std::move(reply));
-        context.features->post([&context, workspace, held, params, job = context.job(Document()),
-                                folders = context.folders] {
-          (*held)(workspace->report(job, folders, params, context.problems, held->cancelled()));
+        context.workspace->post([&context, workspace, held, params, job = context.job(Document()),
+                                 folders = context.folders] {
+          (*held)(workspace->report(job, folders, params, context.problems, held->cancelled(),
+                                    partsOf(context.rpc, params)));
         });
       });
 }

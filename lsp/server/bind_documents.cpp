@@ -25,6 +25,9 @@ void open(Context &context, const Json &params) {
   document.language = item.value("languageId", "");
   document.version = item.value("version", int64_t(0));
   document.text = textOf(item.at("text").get<std::string>());
+  const auto [language, isFirst] = context.languages.emplace(document.path, document.language);
+  if (!isFirst && std::exchange(language->second, document.language) != document.language)
+    context.wantsRefresh = true; // the client has findings of another control
   const Document &opened = context.documents.open(std::move(document));
   checkWithUsers(context, opened);
   context.prepare(opened);

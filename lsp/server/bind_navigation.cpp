@@ -1,5 +1,4 @@
 // Navigation: where names are defined and used, the outline, folds, selections, calls and links.
-#include "analyzer/setup/input_files.h"
 #include "lsp/features/navigation/call_hierarchy.h"
 #include "lsp/features/navigation/definition.h"
 #include "lsp/features/navigation/folding.h"
@@ -10,29 +9,11 @@
 #include "lsp/features/navigation/symbols.h"
 #include "lsp/protocol/uri.h"
 #include "lsp/server/bindings.h"
+#include "lsp/server/workspace_symbols.h"
 
 namespace ncvet::lsp {
 
 namespace {
-
-/// `SymbolKind` of the protocol.
-int symbolKind(PartKind kind) {
-  constexpr int module = 2, classKind = 5, event = 24, function = 12, key = 20, object = 19;
-  switch (kind) {
-  case PartKind::Program:
-    return module;
-  case PartKind::Subprogram:
-    return function;
-  case PartKind::Tool:
-    return classKind;
-  case PartKind::Operation:
-    return event;
-  case PartKind::Label:
-    return key;
-  default:
-    return object;
-  }
-}
 
 Json nested(const Symbol &symbol, Places &places) {
   Json json = {{"name", symbol.name},
@@ -211,64 +192,48 @@ void bindCallHierarchy(Context &context) {
   });
 }
 
-/// Symbols of all programs of the workspace. Tells how far it is, when the client wants to know.
-class SymbolSearch {
-public:
-  SymbolSearch(Context &context, const Json &params)
-      : context_(context), query_(params.at("query").get<std::string>()),
-        token_(params.value("workDoneToken", Json())) {}
-
-  Json run(const CheckJob &base, llvm::ArrayRef<std::string> folders,
-           const std::atomic<bool> &cancelled) {
-    constexpr size_t mostSymbols = 1000; // more nobody looks through
-    Json list = Json::array();
-    const std::vector<Input> files = collectInputs(folders, *base.session).files;
-    progress({{"kind", "begin"}, {"title", "ncvet: symbols"}, {"percentage", 0}});
-    for (size_t i = 0; i < files.size() && list.size() < mostSymbols && !cancelled; ++i) {
-      add(base, files[i].path, list);
-      if (i % 16 == 15)
-        progress({{"kind", "report"}, {"percentage", 100 * i / files.size()}});
-    }
-    progress({{"kind", "end"}});
-    return list;
-  }
-
-private:
-  void progress(Json value) {
-    if (!token_.is_null())
-      context_.rpc.notify("$/progress", {{"token", token_}, {"value", std::move(value)}});
-  }
-
-  void add(const CheckJob &base, const std::string &path, Json &list) {
-    std::shared_ptr<const std::string> text;
-    if (const auto open = base.overlay->find(path); open != base.overlay->end())
-      text = open->second;
-    else if (auto file = llvm::MemoryBuffer::getFile(path, /*IsText=*/false))
-      text = std::make_shared<const std::string>((*file)->getBuffer().str());
-    else
-      return;
-    auto snapshot = Snapshot::make(*base.session, base.overlay, path, std::move(text));
-    if (!snapshot) {
-      llvm::consumeError(snapshot.takeError());
-      return;
-    }
-    Places places((*snapshot)->project().sources(), base.encoding);
-    for (const NamedSymbol &symbol : workspaceSymbols(**snapshot, query_)) {
-      Json json = {{"name", symbol.name},
-                   {"kind", symbolKind(symbol.kind)},
-                   {"location", places.location(symbol.selection)}};
-      if (!symbol.container.empty())
-        json["containerName"] = symbol.container;
-      list.push_back(std::move(json));
-    }
-  }
-
-  Context &context_;
-  std::string query_;
-  Json token_;
-};
+/// Answers `workspace/symbol`. Tells how far it is, when the client wants to know.
+void bindWorkspaceSymbols(Context &context) {
+  auto symbols = std::make_shared<WorkspaceSymbols>();
+  context.rpc.onRequest("workspace/symbol", [&context, symbols](const Json &params, Reply reply) {
+    auto held = std::make_shared<Reply>(std::move(reply));
+    context.workspace->post([&context, symbols, held, query = params.at("query").get<std::string>(),
+                             token = params.value("workDoneToken", Json()),
+                             job = context.job(Document()), folders = context.folders] {
+      const auto progress = [&](Json value) {
+        if (!token.is_null())
+          context.rpc.notify("$/progress", {{"token", token}, {"value", std::move(value)}});
+      };
+      progress({{"kind", "begin"}, {"title", "ncvet: symbols"}, {"percentage", 0}});
+      const auto report = [&](size_t percent) {
+        progress({{"kind", "report"}, {"percentage", percent}});
+      };
+      Json found = symbols->search(job, folders, query, report, held->cancelled());
+      progress({{"kind", "end"}});
+      (*held)(std::move(found));
+    });
+  });
+}
 
 } // namespace
+
+int symbolKind(PartKind kind) {
+  constexpr int module = 2, classKind = 5, event = 24, function = 12, key = 20, object = 19;
+  switch (kind) {
+  case PartKind::Program:
+    return module;
+  case PartKind::Subprogram:
+    return function;
+  case PartKind::Tool:
+    return classKind;
+  case PartKind::Operation:
+    return event;
+  case PartKind::Label:
+    return key;
+  default:
+    return object;
+  }
+}
 
 void bindNavigation(Context &context) {
   context.onDocument("textDocument/definition", defined);
@@ -282,13 +247,7 @@ void bindNavigation(Context &context) {
   context.onDocument("textDocument/documentLink",
                      [](View &view, const Json &) { return linked(view); });
   bindCallHierarchy(context);
-  context.rpc.onRequest("workspace/symbol", [&context](const Json &params, Reply reply) {
-    auto held = std::make_shared<Reply>(std::move(reply));
-    context.features->post([held, search = SymbolSearch(context, params),
-                            job = context.job(Document()), folders = context.folders]() mutable {
-      (*held)(search.run(job, folders, held->cancelled()));
-    });
-  });
+  bindWorkspaceSymbols(context);
 }
 
 } // namespace ncvet::lsp

@@ -54,6 +54,22 @@ std::string plainText(llvm::StringRef snippet) {
   return text;
 }
 
+/// A label whose order as a text is that of its numbers: G1 before G05.1 before G10.
+std::string sortKey(int rank, llvm::StringRef label) {
+  std::string key = llvm::formatv("{0:d3}", rank);
+  while (!label.empty()) {
+    const llvm::StringRef digits = label.take_while(llvm::isDigit);
+    const llvm::StringRef number = digits.ltrim('0');
+    constexpr size_t width = 6;
+    if (!digits.empty())
+      key += std::string(width - std::min(width, number.size()), '0') + number.str();
+    else
+      key += label.front();
+    label = label.drop_front(std::max(digits.size(), size_t(1)));
+  }
+  return key;
+}
+
 Json completed(View &view, const Json &params) {
   constexpr int snippetFormat = 2;
   const uint32_t offset = view.offset(params);
@@ -69,7 +85,7 @@ Json completed(View &view, const Json &params) {
     const bool snippet = item.snippet && view.client.snippets;
     Json json = {{"label", item.label},
                  {"kind", completionKind(item.kind)},
-                 {"sortText", llvm::formatv("{0:d3}{1}", int(item.rank), item.label).str()}};
+                 {"sortText", sortKey(int(item.rank), item.label)}};
     std::string text = item.snippet && !snippet ? plainText(item.insert) : item.insert;
     if (!shared)
       json["textEdit"] = {{"range", view.places.range(item.replace)}, {"newText", std::move(text)}};
@@ -79,6 +95,8 @@ Json completed(View &view, const Json &params) {
       json["insertTextFormat"] = snippetFormat;
     if (!item.detail.empty())
       json["detail"] = item.detail;
+    if (!item.detail.empty() && view.client.labelDetails)
+      json["labelDetails"] = {{"description", item.detail}}; // seen before an item is chosen
     if (!item.documentation.empty())
       json["data"] = {{"uri", view.document.uri}, {"id", item.documentation}};
     items.push_back(std::move(json));
@@ -158,6 +176,8 @@ Json lenses(View &view) {
 class Tokens {
 public:
   Json full(View &view) {
+    if (view.snapshot.text().size() > longestWhole)
+      return nullptr;
     Sent &sent = sent_[view.document.uri];
     sent.data = encode(view, semanticTokens(view.snapshot));
     sent.id = std::to_string(++lastId_);
@@ -172,7 +192,8 @@ public:
     if (sent.id.empty() || params.at("previousResultId") != sent.id)
       return full(view);
     const std::vector<uint32_t> before = std::move(sent.data);
-    full(view);
+    if (full(view).is_null())
+      return nullptr;
     const std::vector<uint32_t> &after = sent.data;
     const size_t most = std::min(before.size(), after.size());
     size_t front = 0, back = 0;
@@ -191,6 +212,10 @@ public:
   }
 
 private:
+  /// The colours of a longer text are given for what is in sight alone: those of 24 MB are 60 MB of
+  /// JSON, after every edit.
+  static constexpr size_t longestWhole = 4 << 20;
+
   struct Sent {
     std::string id;
     std::vector<uint32_t> data;

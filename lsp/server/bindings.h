@@ -1,6 +1,7 @@
 // The parts of the server: each binds the methods of one topic.
 #pragma once
 
+#include "lsp/features/parts.h"
 #include "lsp/server/context.h"
 
 namespace ncvet::lsp {
@@ -13,6 +14,8 @@ void bindNavigation(Context &context); ///< names, outline, folds, selections, c
 void bindWriting(Context &context);    ///< completion, signatures, colours, hints, lenses
 void bindEditing(Context &context);    ///< renaming, formatting, numbers of new blocks
 
+/// `SymbolKind` of the protocol.
+int symbolKind(PartKind kind);
 /// The types and modifiers of semantic tokens, as the capabilities name them.
 Json tokensLegend();
 

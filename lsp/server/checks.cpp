@@ -63,6 +63,11 @@ std::shared_ptr<const CheckResult> check(const CheckJob &job, const std::atomic<
     return nullptr;
   result->error = outcome.error;
   result->complete = outcome.complete;
+  result->dialect = outcome.dialect;
+  result->dialectTitle = outcome.dialectTitle;
+  result->reason = outcome.reason;
+  result->guessed = outcome.guessed;
+  result->sure = outcome.sure;
   DiagnosticWriter writer(sources, job.encoding, job.support);
   for (const CheckedFinding &checked : outcome.findings)
     if (!checked.finding.suppressed)

@@ -31,7 +31,12 @@ struct CheckResult {
   std::vector<Problem> problems;
   /// Every file that was looked at with the text that the editor had of it; null: the one on disk.
   std::map<std::string, std::shared_ptr<const std::string>> files;
-  std::string error; ///< not empty: it could not be checked
+  std::string error;        ///< not empty: it could not be checked
+  std::string dialect;      ///< id of the control
+  std::string dialectTitle; ///< its name
+  std::string reason;       ///< why this control
+  bool guessed = false;     ///< nobody named it
+  bool sure = false;        ///< of the guess
   bool complete = true;
   double seconds = 0;
 };

@@ -37,34 +37,60 @@ DocumentStates View::statesAt(uint32_t offset) {
 
 Context::Context(MessageWriter &writer)
     : rpc(writer), problems([this](const std::string &path, std::optional<int64_t> version,
-                                   llvm::StringRef diagnostics, bool own) {
-        if (client.pullsDiagnostics) {
-          // The client asks for a document that it changed; of others it has to be told.
-          wantsRefresh = wantsRefresh || !own;
-          return;
-        }
-        Json params = {{"uri", uriOfPath(path)}};
-        if (version)
-          params["version"] = *version;
-        std::string text = jsonText(params);
-        text.pop_back();
-        rpc.notifyText("textDocument/publishDiagnostics",
-                       text + R"(,"diagnostics":)" + diagnostics.str() + "}");
-      }) {
+                                   llvm::StringRef diagnostics,
+                                   bool own) { sendProblems(path, version, diagnostics, own); }) {
   features = std::make_unique<Worker>();
+  workspace = std::make_unique<Worker>();
   checks = std::make_unique<Checks>([this](std::shared_ptr<const CheckResult> result) {
-    const llvm::StringRef error = result->error, path = result->document.path;
-    if (!error.empty())
-      log(error.startswith(path) ? error : path + ": " + error);
+    if (!result->error.empty())
+      tellSetup(result->error);
+    tellControl(*result);
     problems.take(std::move(result));
     if (wantsRefresh.exchange(false) && client.refreshesDiagnostics)
       rpc.request("workspace/diagnostic/refresh", Json(), nullptr);
   });
 }
 
+void Context::tellControl(const CheckResult &result) {
+  if (client.showsControl && !result.dialect.empty())
+    rpc.notify("ncvet/control", {{"uri", result.document.uri},
+                                 {"dialect", result.dialect},
+                                 {"title", result.dialectTitle},
+                                 {"guessed", result.guessed},
+                                 {"sure", result.sure},
+                                 {"reason", result.reason}});
+}
+
+void Context::sendProblems(const std::string &path, std::optional<int64_t> version,
+                           llvm::StringRef diagnostics, bool own) {
+  if (client.pullsDiagnostics) {
+    // The client asks for a document that it changed; of other open ones it has to be told.
+    wantsRefresh = wantsRefresh || !own;
+    // It asks for no closed file, and forgets one that it was told of only when it is told again.
+    const bool open = version.has_value();
+    if (client.takesRelatedDocuments || settings.workspaceDiagnostics)
+      return;
+    if (open && !published_.erase(path))
+      return;
+    if (open)
+      diagnostics = "[]";
+    else
+      published_.insert(path);
+    version.reset();
+  }
+  Json params = {{"uri", uriOfPath(path)}};
+  if (version)
+    params["version"] = *version;
+  std::string text = jsonText(params);
+  text.pop_back();
+  rpc.notifyText("textDocument/publishDiagnostics",
+                 text + R"(,"diagnostics":)" + diagnostics.str() + "}");
+}
+
 Context::~Context() {
-  // Both threads use what is above them.
+  // The threads use what is above them.
   checks->stop();
+  workspace->stop();
   features->stop();
 }
 
@@ -83,6 +109,11 @@ void Context::log(const llvm::Twine &line) const {
   llvm::errs() << "ncvet: " + line + "\n";
 }
 
+void Context::tellSetup(llvm::StringRef error) {
+  if (setupNotices.add(error))
+    warn(error);
+}
+
 void Context::warn(const llvm::Twine &message) {
   log(message);
   rpc.notify("window/showMessage", {{"type", 2}, {"message", message.str()}});
@@ -98,7 +129,23 @@ std::shared_ptr<Session> Context::session(const Document &document) {
   std::shared_ptr<Session> &session = sessions_[options.usualDialect];
   if (!session)
     session = std::make_shared<Session>(options);
+  if (const auto former = former_.find(options.usualDialect);
+      former != former_.end() && document.text.bytes) {
+    if (!givesSetups(*session))
+      session = former->second;
+    former_.erase(former);
+  }
   return session;
+}
+
+bool Context::givesSetups(Session &session) {
+  bool all = true;
+  for (const auto &[uri, document] : documents.all())
+    if (auto setup = session.setup(document.path, *document.text.bytes); !setup) {
+      tellSetup(llvm::toString(setup.takeError()));
+      all = false;
+    }
+  return all;
 }
 
 void Context::forgetFiles() {
@@ -122,6 +169,8 @@ void Context::checkAll() {
 }
 
 bool Context::setupsDependOn(const std::string &path) const {
+  if (setupNotices.any() && llvm::StringRef(path).endswith_insensitive(".json"))
+    return true; // what was missing or wrong may be right now
   return path == settings.machineFile || llvm::any_of(sessions_, [&](const auto &session) {
            return session.second->dependsOn(path);
          });
@@ -133,8 +182,33 @@ void Context::renew(Json options) {
   settings = readSettings(givenOptions, wrong);
   for (const std::string &why : wrong)
     warn(why);
-  sessions_.clear();
+  setupNotices.renew();
+  for (auto &[dialect, session] : std::exchange(sessions_, {}))
+    former_[dialect] = std::move(session);
+  wantsRefresh = true; // the client has findings of the setups before
+  registerDiagnostics();
   checkAll();
+}
+
+Json Context::diagnosticOptions() const {
+  return {{"documentSelector", nullptr},
+          {"identifier", "ncvet"},
+          {"interFileDependencies", true},
+          {"workspaceDiagnostics", !client.registersDiagnostics || settings.workspaceDiagnostics}};
+}
+
+void Context::registerDiagnostics() {
+  if (!client.registersDiagnostics || registeredWorkspace_ == settings.workspaceDiagnostics)
+    return;
+  const Json which = {{"id", "ncvet-diagnostics"}, {"method", "textDocument/diagnostic"}};
+  if (registeredWorkspace_)
+    rpc.request("client/unregisterCapability", {{"unregisterations", Json::array({which})}},
+                nullptr);
+  registeredWorkspace_ = settings.workspaceDiagnostics;
+  Json registration = which;
+  registration["registerOptions"] = diagnosticOptions();
+  rpc.request("client/registerCapability",
+              {{"registrations", Json::array({std::move(registration)})}}, nullptr);
 }
 
 llvm::Expected<std::shared_ptr<Snapshot>> Context::snapshotOf(const CheckJob &job) {

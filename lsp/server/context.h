@@ -5,6 +5,7 @@
 #include "lsp/protocol/places.h"
 #include "lsp/server/problem_board.h"
 #include "lsp/server/settings.h"
+#include "lsp/server/setup_notices.h"
 #include "lsp/server/worker.h"
 #include "lsp/transport/rpc.h"
 
@@ -15,12 +16,17 @@ struct ClientSupport {
   PositionEncoding encoding = PositionEncoding::Utf16;
   DiagnosticSupport diagnostics;
   bool pullsDiagnostics = false;
+  bool takesRelatedDocuments = false; ///< with the diagnostics of a document that it pulls
+  bool registersDiagnostics = false;  ///< pull diagnostics may be registered later
+  bool showsControl = false;          ///< takes `ncvet/control`
+  bool resolvesEdits = false;         ///< the edit of a code action may come when it is chosen
   bool refreshesDiagnostics = false;
   bool progress = false;
   bool configuration = false;
   bool watchesFiles = false;
   bool snippets = false;
   bool sharesEditRange = false; ///< of completions: what they replace is said once for all
+  bool labelDetails = false;    ///< of completions
   bool markdown = false;
   bool nestedSymbols = false;
   bool lineFoldingOnly = false;
@@ -80,6 +86,10 @@ public:
   /// Takes these settings, or the same again after a file that they come from has changed, and
   /// checks everything anew. The user is warned of what is wrong with them.
   void renew(Json options);
+  /// How documents are pulled, as the settings have it now. The client is told where it lets itself
+  /// be told; `workspace/diagnostic` is asked for ever where it is offered.
+  void registerDiagnostics();
+  Json diagnosticOptions() const;
   /// Whether setups come from the file, see `Session::dependsOn`.
   bool setupsDependOn(const std::string &path) const;
   /// Which programs lie in which folder is looked up again.
@@ -91,6 +101,8 @@ public:
   /// The document is closed: what is kept of it is given back.
   void forget(const std::string &path);
   void log(const llvm::Twine &line) const;
+  /// Why a document has no setup. The user is told, once.
+  void tellSetup(llvm::StringRef error);
   /// `window/showMessage` with a warning.
   void warn(const llvm::Twine &message);
 
@@ -98,13 +110,16 @@ public:
   ClientSupport client;
   std::vector<std::string> folders; ///< paths of the workspace's folders
   Documents documents{PositionEncoding::Utf16};
+  std::map<std::string, std::string> languages; ///< by path, of documents when last opened
   Json initialOptions; ///< settings of the start; what the client says later goes before them
   Json givenOptions;   ///< what `settings` are read from
   Settings settings;
   ProblemBoard problems; ///< safe for several threads
   std::atomic<bool> wantsRefresh = false;
+  SetupNotices setupNotices{rpc}; ///< safe for several threads
   std::unique_ptr<Checks> checks;
-  std::unique_ptr<Worker> features;
+  std::unique_ptr<Worker> features;  ///< answers about one text
+  std::unique_ptr<Worker> workspace; ///< answers about all programs, which take long
 
 private:
   struct Kept {
@@ -113,6 +128,11 @@ private:
     std::shared_ptr<const SourceSet::Overlay> overlay;
     std::shared_ptr<Snapshot> snapshot;
   };
+  /// `ncvet/control`: the control that a document was checked for, and why.
+  void tellControl(const CheckResult &result);
+  /// Tells the client what is known of a file now, in the way in which it wants to be told.
+  void sendProblems(const std::string &path, std::optional<int64_t> version,
+                    llvm::StringRef diagnostics, bool own);
   /// Runs `answer`, which replies, on the thread of features; after a crash, replies that.
   void answerGuarded(Reply &reply, const std::string &path, llvm::function_ref<void()> answer);
   /// Of the thread of features: the snapshots that were used last.
@@ -121,7 +141,14 @@ private:
   std::atomic<uint64_t> prepared_ = 0; ///< documents that were to be looked at
   /// Of the thread of features, by path: the indexes of the snapshots. No program is followed here.
   std::map<std::string, CheckMemory> indexes_;
+  /// Whether all open documents get their setup; the user is told why not.
+  bool givesSetups(Session &session);
   std::map<std::string, std::shared_ptr<Session>> sessions_; ///< by dialect
+  /// By dialect those before, while it is not known whether the new ones work: a configuration that
+  /// is being edited is wrong now and then, and its last right version counts.
+  std::map<std::string, std::shared_ptr<Session>> former_;
+  std::optional<bool> registeredWorkspace_; ///< none: pull diagnostics are not registered
+  std::set<std::string> published_;         ///< closed files of which a client that pulls was told
 };
 
 } // namespace ncvet::lsp

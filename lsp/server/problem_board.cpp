@@ -75,6 +75,8 @@ void ProblemBoard::take(std::shared_ptr<const CheckResult> result) {
   };
   note(*result);
   auto &kept = results_[path];
+  if (kept == result)
+    return;
   if (kept)
     note(*kept);
   kept = std::move(result);

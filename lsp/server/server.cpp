@@ -50,11 +50,19 @@ ClientSupport readSupport(const Json &capabilities) {
       has({"textDocument", "publishDiagnostics", "codeDescriptionSupport"}) ||
       has({"textDocument", "diagnostic", "codeDescriptionSupport"});
   client.pullsDiagnostics = lookUp(capabilities, {"textDocument", "diagnostic"}).is_object();
+  client.takesRelatedDocuments = has({"textDocument", "diagnostic", "relatedDocumentSupport"});
+  client.registersDiagnostics = has({"textDocument", "diagnostic", "dynamicRegistration"});
+  for (const Json &name :
+       lookUp(capabilities, {"textDocument", "codeAction", "resolveSupport", "properties"}))
+    client.resolvesEdits |= name == "edit";
+  client.showsControl = has({"experimental", "ncvet", "control"});
   client.refreshesDiagnostics = has({"workspace", "diagnostics", "refreshSupport"});
   client.progress = has({"window", "workDoneProgress"});
   client.configuration = has({"workspace", "configuration"});
   client.watchesFiles = has({"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
   client.snippets = has({"textDocument", "completion", "completionItem", "snippetSupport"});
+  client.labelDetails =
+      has({"textDocument", "completion", "completionItem", "labelDetailsSupport"});
   for (const Json &name :
        lookUp(capabilities, {"textDocument", "completion", "completionList", "itemDefaults"}))
     client.sharesEditRange |= name == "editRange";
@@ -69,7 +77,8 @@ ClientSupport readSupport(const Json &capabilities) {
   return client;
 }
 
-Json capabilities(const ClientSupport &client) {
+Json capabilities(const Context &context) {
+  const ClientSupport &client = context.client;
   Json can = {
       {"positionEncoding", toString(client.encoding).str()},
       {"textDocumentSync",
@@ -97,13 +106,13 @@ Json capabilities(const ClientSupport &client) {
       {"semanticTokensProvider",
        {{"legend", tokensLegend()}, {"full", {{"delta", true}}}, {"range", true}}},
       {"codeActionProvider",
-       {{"codeActionKinds", {"quickfix", "source.fixAll.ncvet", "source.explain.ncvet"}}}},
+       {{"codeActionKinds", {"quickfix", "source.fixAll.ncvet", "source.explain.ncvet"}},
+        {"resolveProvider", true}}},
       {"executeCommandProvider", {{"commands", {"ncvet.explain"}}}},
       {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
   };
-  if (client.pullsDiagnostics)
-    can["diagnosticProvider"] = {
-        {"identifier", "ncvet"}, {"interFileDependencies", true}, {"workspaceDiagnostics", true}};
+  if (client.pullsDiagnostics && !client.registersDiagnostics)
+    can["diagnosticProvider"] = context.diagnosticOptions();
   return can;
 }
 
@@ -158,7 +167,10 @@ private:
     rpc.onRequest("initialize", [this](const Json &params, Reply reply) {
       initialize(params, std::move(reply));
     });
-    rpc.onNotification("initialized", [this](const Json &) { registerWatchers(); });
+    rpc.onNotification("initialized", [this](const Json &) {
+      registerWatchers();
+      context_.registerDiagnostics();
+    });
     rpc.onRequest("shutdown", [this](const Json &, Reply reply) {
       shutdown_ = true;
       context_.checks->stop();
@@ -183,7 +195,7 @@ private:
     context_.givenOptions = context_.initialOptions;
     context_.settings = readSettings(context_.givenOptions, wrong);
     initialized_ = true;
-    reply({{"capabilities", capabilities(context_.client)},
+    reply({{"capabilities", capabilities(context_)},
            {"serverInfo", {{"name", "ncvet"}, {"version", version_}}}});
     for (const std::string &why : wrong)
       context_.warn(why);

@@ -22,7 +22,7 @@ class LanguageClient:
             "hover": {"contentFormat": ["markdown"]},
         }
         if pulls:
-            document["diagnostic"] = {"relatedInformation": True}
+            document["diagnostic"] = {"relatedInformation": True, "relatedDocumentSupport": True}
         capabilities = {"general": {"positionEncodings": ["utf-32"]}, "textDocument": document}
         self.request(
             "initialize",

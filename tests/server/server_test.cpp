@@ -9,6 +9,7 @@ namespace {
 
 using namespace ncvet;
 using test::at;
+using test::codes;
 using test::documentOf;
 using test::Json;
 using test::LanguageClient;
@@ -18,14 +19,6 @@ using test::Shop;
 const char *const boring = "%\nO1 (BORE)\nT1 M06\nG90 G54 G00 X0. Y0. S1000 M03\n"
                            "G43 Z50. H01\nG83 X10. Y10. Z-10. R2. Q2. F100.\nG00 X30. Y0.\n"
                            "G80\nG49\nG91 G28 Z0.\nM30\n%\n";
-
-std::vector<std::string> codes(const Json &diagnostics) {
-  std::vector<std::string> all;
-  for (const Json &diagnostic : diagnostics)
-    all.push_back(std::to_string(diagnostic["range"]["start"]["line"].get<int>() + 1) + " " +
-                  diagnostic["code"].get<std::string>());
-  return all;
-}
 
 TEST(LanguageServer, EndsAsTheProtocolSays) {
   LanguageClient client;

@@ -22,6 +22,15 @@ using Json = nlohmann::json;
 /// Names a file to which clients add what the server sends, one message a line.
 inline constexpr const char *recordVariable = "NCVET_TEST_MESSAGES";
 
+/// Diagnostics as "LINE RULE", lines from 1.
+inline std::vector<std::string> codes(const Json &diagnostics) {
+  std::vector<std::string> all;
+  for (const Json &diagnostic : diagnostics)
+    all.push_back(std::to_string(diagnostic["range"]["start"]["line"].get<int>() + 1) + " " +
+                  diagnostic["code"].get<std::string>());
+  return all;
+}
+
 /// Starts `ncvet lsp` and talks to it. Answers and notifications are waited for with a limit; what
 /// does not come in time is a failure of the test and reads as null.
 class LanguageClient {

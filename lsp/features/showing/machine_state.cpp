@@ -33,6 +33,13 @@ std::string words(int32_t whole) {
   return whole == notSet ? "none" : whole == notKnown ? "?" : std::to_string(whole);
 }
 
+/// What such a code did is over when the next block comes.
+bool stopsOrReturns(Action action) {
+  return action == Action::ProgramStop || action == Action::OptionalStop ||
+         action == Action::ProgramEnd || action == Action::ProgramEndRewind ||
+         action == Action::CallProgram || action == Action::CallLocal || action == Action::Return;
+}
+
 std::string list(llvm::ArrayRef<std::string> parts, llvm::StringRef between) {
   return llvm::join(parts, between);
 }
@@ -66,7 +73,7 @@ private:
     const uint64_t may = state_.group(index);
     std::vector<std::string> names;
     for (size_t member = 0; member < group.members.size() && member < 63; ++member)
-      if (may >> member & 1)
+      if (may >> member & 1 && !stopsOrReturns(dialect_.codes[group.members[member]].action))
         names.push_back(dialect_.codes[group.members[member]].name);
     constexpr size_t readable = 4;
     if (names.size() > readable)
