@@ -72,7 +72,8 @@ private:
     // A number above the limit of the spindle is no speed in revolutions either.
     const bool aboveLimit =
         state.speedLimit->isConstant() && event.speed().value() > state.speedLimit->value();
-    if (event.speed().value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1) || aboveLimit)
+    if (event.speed().value() <= highestCuttingSpeed_ * (inch ? feetPerMetre : 1) || aboveLimit ||
+        isForAnotherSpindle(ctx))
       return;
     if (auto finding = ctx.report(event)) {
       const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
@@ -83,6 +84,20 @@ private:
           .note(state.originOf(ctx.dialect(), StandardGroup::SpeedMode),
                 "`" + mode->name + "` becomes active here");
     }
+  }
+
+  /// The S of a live tool has its M code beside it, which may be the builder's.
+  static bool isForAnotherSpindle(const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().words, [&](const Word &word) {
+      if (word.address != letterAddress('M'))
+        return false;
+      const CodeIndex code = ctx.dialect().find('M', word.codeNumber());
+      if (code == noCode)
+        return true;
+      const Action action = ctx.dialect().codes[code].action;
+      return action == Action::LiveToolCw || action == Action::LiveToolCcw ||
+             action == Action::MachineSpecific;
+    });
   }
 
   double highestCuttingSpeed_ = 1000; // m/min
