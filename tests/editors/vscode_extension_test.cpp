@@ -2,7 +2,8 @@
 #include "formats/dialect/loader.h"
 #include "lsp/features/showing/semantic_tokens.h"
 #include "lsp/server/settings.h"
-#include "tests/support/outer_program.h"
+#include "tests/support/packed_extension.h"
+#include "tests/support/process.h"
 #include "tests/support/run_program.h"
 
 #include "llvm/Support/Endian.h"
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path extension = fs::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vscode";
+const fs::path &extension = extensionFolder;
 
 const Json &manifest() {
   static const Json json = Json::parse(contentsOf(extension / "package.json"));
@@ -82,7 +83,7 @@ TEST(VscodeExtension, ItsLanguagesAreTheControls) {
 }
 
 /// An ending of the language of one control is in no table but this control's; all others are
-/// `gcode`, for which the control is found out.
+/// `gcode`, whose control is found out.
 TEST(VscodeExtension, ItsFileEndingsAreThoseOfTheTables) {
   std::map<std::string, std::set<std::string>> languages; // by ending
   for (const DialectSummary &dialect : listDialects())
@@ -114,7 +115,9 @@ TEST(VscodeExtension, HasAScopeForEveryKindOfToken) {
 }
 
 TEST(VscodeExtension, ItsCommandsAreMade) {
-  const std::string source = contentsOf(extension / "src" / "extension.ts");
+  std::string source;
+  for (const auto &file : fs::directory_iterator(extension / "src"))
+    source += contentsOf(file.path());
   for (const Json &command : contributed("commands"))
     EXPECT_THAT(source, testing::HasSubstr("registerCommand('" +
                                            command["command"].get<std::string>() + "'"));
@@ -122,6 +125,108 @@ TEST(VscodeExtension, ItsCommandsAreMade) {
 
 TEST(VscodeExtension, IsUnderTheLicenceOfTheProject) {
   EXPECT_EQ(contentsOf(extension / "LICENSE"), contentsOf(fs::path(NCVET_SOURCE_DIR) / "LICENSE"));
+}
+
+/// The text of a snippet as it is before anything is filled in, and where its rest goes.
+std::string plainBody(const Json &snippet, const std::string &rest) {
+  std::string body;
+  for (const std::string line : snippet["body"])
+    body += line + "\n";
+  std::map<std::string, std::string> values; // a stop is given its value where it is first
+  std::string plain;
+  for (size_t at = 0; at < body.size(); ++at) {
+    if (body[at] != '$') {
+      plain += body[at];
+    } else if (body[at + 1] == '0') {
+      plain += rest;
+      ++at;
+    } else {
+      const size_t colon = body.find(':', at), end = body.find('}', at);
+      plain += values
+                   .try_emplace(body.substr(at + 2, colon - at - 2),
+                                body.substr(colon + 1, end - colon - 1))
+                   .first->second;
+      at = end;
+    }
+  }
+  return plain;
+}
+
+/// Every snippet is a part of a program in which ncvet finds nothing, in the head of its control.
+TEST(VscodeExtension, ItsSnippetsAreGoodPrograms) {
+  const Shop shop;
+  std::map<std::string, std::string> controls; // and a name for a program
+  for (const DialectSummary &dialect : listDialects())
+    if (!dialect.abstract)
+      controls[dialect.id] =
+          "O1001." + (dialect.extensions.empty() ? "nc" : dialect.extensions.front());
+  for (const Json &contribution : contributed("snippets")) {
+    const std::string control =
+        llvm::StringRef(contribution["language"].get_ref<const std::string &>())
+            .drop_front(llvm::StringRef("ncvet-").size())
+            .str();
+    const std::string file = controls[control];
+    EXPECT_EQ(controls.erase(control), 1u) << control;
+    const Json snippets =
+        Json::parse(contentsOf(extension / contribution["path"].get<std::string>()));
+    for (const auto &[name, snippet] : snippets.items()) {
+      const bool head = name == "Program head";
+      const std::string program =
+          plainBody(snippets["Program head"], head ? "" : plainBody(snippet, ""));
+      const auto checked = shop.run(
+          {"check", "--dialect", control, "--fail-on", "style", "-", "--stdin-filename", file},
+          program);
+      EXPECT_EQ(checked.exitCode, 0) << control << ": " << name << "\n" << checked.out << program;
+    }
+  }
+  EXPECT_TRUE(controls.empty()) << controls.begin()->first << " has no snippets";
+}
+
+/// Texts that are no programs, though they are made of letters and numbers.
+constexpr const char *notPrograms[] = {
+    "Dear colleague,\nthe fixture of O0100 is ready.\nRun G54 with X10 first.\nThanks\n",
+    "#include <stdio.h>\n#define X10 1\nint G1(int X) { return X; }\n",
+    "%FSLAX46Y46*%\n%MOMM*%\nG04 Layer: copper*\nD10*\nX10Y20D02*\nX20Y20D01*\nM02*\n",
+    "M48\nMETRIC,TZ\nT1C0.8\n%\nG05\nT1\nX10Y20\nX20Y20\nT0\nM30\n",
+    "P2\n# a picture\n3 2\n255\n0 1 2\n3 4 5\n",
+    "0 BEGIN PGM PLATE MM\n1 TOOL CALL 1 Z S1200\n2 L X+0 Y+0 R0 FMAX M3\n3 END PGM PLATE MM\n",
+    "1\n00:00:01,000 --> 00:00:02,000\nHello\n\n2\n00:00:03,000 --> 00:00:04,000\nWorld\n",
+    "G1 G2 G3\n",
+    ""};
+
+/// Programs of the tests are recognised by their first lines, other texts are not.
+TEST(VscodeExtension, ItKnowsAProgramByItsFirstLines) {
+  const auto modules = nodeModules(extension);
+  if (!modules)
+    GTEST_SKIP() << "npm cannot fetch what the extension is built with";
+  const TemporaryFolder temporary;
+  std::vector<std::string> command = {"node", (temporary.path() / "ask.js").string()};
+  std::string due;
+  for (const auto &entry :
+       fs::recursive_directory_iterator(fs::path(NCVET_SOURCE_DIR) / "tests" / "programs"))
+    if (entry.path().extension() == ".nc") {
+      command.push_back(entry.path().string());
+      due += "true " + entry.path().string() + "\n";
+    }
+  for (const char *text : notPrograms) {
+    const fs::path file = temporary.path() / (std::to_string(command.size()) + ".txt");
+    std::ofstream(file) << text;
+    command.push_back(file.string());
+    due += "false " + file.string() + "\n";
+  }
+  const fs::path log = temporary.path() / "log";
+  ASSERT_EQ(runOuter({(*modules / ".bin" / "esbuild").string(),
+                      (extension / "src" / "program_text.ts").string(), "--format=cjs",
+                      "--outfile=" + (temporary.path() / "program_text.js").string()},
+                     log, 60),
+            0)
+      << contentsOf(log);
+  std::ofstream(command[1])
+      << "const { looksLikeProgram } = require('./program_text.js');\n"
+         "for (const file of process.argv.slice(2))\n"
+         "  console.log(looksLikeProgram(require('fs').readFileSync(file, 'utf8')), file);\n";
+  ASSERT_EQ(runOuter(command, log, 60), 0) << contentsOf(log);
+  EXPECT_EQ(contentsOf(log), due);
 }
 
 /// Names and sizes of the files in a zip archive, from its directory.
@@ -139,24 +244,23 @@ std::map<std::string, uint32_t> filesOfZip(const std::string &bytes) {
 }
 
 TEST(VscodeExtension, IsPackedWithItsClient) {
-  const auto modules = nodeModules(extension);
-  if (!modules)
+  if (!nodeModules(extension))
     GTEST_SKIP() << "npm cannot fetch what the extension is built with: it is not packed";
   const TemporaryFolder temporary;
-  const fs::path copy = temporary.path() / "vscode";
-  fs::copy(extension, copy, fs::copy_options::recursive);
-  fs::remove_all(copy / "dist");
-  fs::remove_all(copy / "node_modules");
-  fs::create_directory_symlink(*modules, copy / "node_modules");
   const fs::path log = temporary.path() / "log";
-  ASSERT_EQ(runOuter({"npm", "--prefix", copy.string(), "run", "package"}, log, 300), 0)
-      << contentsOf(log);
-  const std::string name = "ncvet-" + manifest()["version"].get<std::string>() + ".vsix";
-  const std::map<std::string, uint32_t> files = filesOfZip(contentsOf(copy / name));
-  EXPECT_EQ(files.count("extension/README.md"), 1u) << contentsOf(log);
+  const auto packed = packExtension(temporary.path() / "package", log);
+  ASSERT_TRUE(packed) << contentsOf(log);
+  // The address of the project is not known yet; the packer has nothing else to say.
+  const std::string said = contentsOf(log);
+  EXPECT_EQ(llvm::StringRef(said).count("WARNING"), 1u) << said;
+  EXPECT_THAT(said, testing::HasSubstr("A 'repository' field is missing"));
+  const std::map<std::string, uint32_t> files = filesOfZip(contentsOf(*packed));
   EXPECT_EQ(files.count("extension/LICENSE.txt"), 1u);
-  EXPECT_EQ(files.count("extension/package.json"), 1u);
-  EXPECT_EQ(files.count("extension/languages/parentheses.json"), 1u);
+  for (const char *file :
+       {"CHANGELOG.md", "README.md", "package.json", "controls.json", "images/icon.png",
+        "languages/parentheses.json", "schema/config.schema.json", "schema/machine.schema.json",
+        "snippets/haas-mill.json", "syntaxes/gcode.tmLanguage.json", "walkthrough/control.md"})
+    EXPECT_EQ(files.count(std::string("extension/") + file), 1u) << file;
   const auto client = files.find("extension/dist/extension.js");
   ASSERT_NE(client, files.end());
   EXPECT_GT(client->second, 100000u); // the protocol's client is in it
@@ -173,7 +277,10 @@ TEST(VscodeExtension, IsPackedWithItsClient) {
       "module._load = (name, ...rest) => name === 'vscode' ? any : old(name, ...rest);"
       "const client = require(process.argv[1]);"
       "process.exit(client.activate && client.deactivate ? 0 : 3);";
-  EXPECT_EQ(runOuter({"node", "-e", load, (copy / "dist" / "extension.js").string()}, log, 60), 0)
+  EXPECT_EQ(
+      runOuter({"node", "-e", load, (packed->parent_path() / "dist" / "extension.js").string()},
+               log, 60),
+      0)
       << contentsOf(log);
 }
 

@@ -18,7 +18,7 @@ def base(path):
 
 
 def read_sources(root):
-    files = (path for top in TOPS for path in (root / top).rglob("*") if path.suffix in (".h", ".cpp"))
+    files = (path for top in TOPS for path in (root / top).rglob("*") if path.suffix in (".h", ".cpp") and "node_modules" not in path.parts)
     return {str(path.relative_to(root)): path.read_text("utf-8", "replace") for path in sorted(files)}
 
 

@@ -14,4 +14,6 @@ return {
   root_markers = { '.ncvet.json', '.git' },
   init_options = settings,
   settings = { ncvet = settings },
+  -- The server checks an edit faster than one types: nothing is gained by waiting for the next one.
+  flags = { debounce_text_changes = 0 },
 }

@@ -67,6 +67,7 @@ vim.api.nvim_create_autocmd('FileType', {
         workspace_folders = { { uri = vim.uri_from_fname(root), name = root } },
         init_options = config.init_options,
         settings = config.settings,
+        flags = config.flags,
         on_exit = function() servers[root] = nil end,
       })
     end

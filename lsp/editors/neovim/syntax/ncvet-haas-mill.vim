@@ -1,0 +1,34 @@
+" Haas mill, next generation control: its words before the server answers. Made of the tables of the controls by ./dev editors.
+if exists('b:current_syntax') | finish | endif
+syn case ignore
+syn match ncvetOperator /\v[-+*\/=<>&%]/
+syn match ncvetNumber /\v%([0-9]+\.?[0-9]*|\.[0-9]+)/
+syn match ncvetNumber /\v[0-9)>\]]@<![-+]%([0-9]+\.?[0-9]*|\.[0-9]+)/
+syn match ncvetParameter /\v[DEFHIJKLOPQRSTUVW][-+0-9.#\[]@=/
+syn match ncvetAxis /\v[ABCXYZ][-+0-9.#\[]@=/
+syn match ncvetVariable /\v\#+%([0-9]+|\<[^<>]*\>|_?[A-Z][A-Z0-9_]*)?/
+syn match ncvetUnknown /\vM[0-9]+%(\.[0-9]+)?/
+syn match ncvetMiscellaneous /\vM0*%(0|1%(0[459]?|1[56789]?|2[012345678]?|3[0189]?|5[89]|6[0123]?|7|8[012345]?|9[89]?)?|2[123456789]?|3%(0[012]?|1|2|3|4|5|6|7|9)?|4[12689]?|5[0123456789]?|6[123456789]?|7[013456789]?|8[012345689]?|9[0156789]?)[0-9.]@!/
+syn match ncvetUnknown /\vG[0-9]+%(\.[0-9]+)?/
+syn match ncvetCode /\vG0*%(0|1%(0[01237]?|1[0123456789]|2%(\.1|0|1|2|3|4|5|6|7|8|9)?|3%(\.1|6)?|4[13]|5[03456]|6[12345679]|74?|8[47]?|9)?|2%(0|1|34|5[345]|6[689]|8|9)?|3[1567]?|4%(0|1|2|3%(\.[45])?|4|7|9)?|5%(\.1|0|1|2|3%(\.1)?|4%(\.1)?|5|6|7|8|9)|6%(0|1|4|5|6%(\.1)?|7|8%(\.2)?|9)|7[0123467]|8[0123456789]|9[0123456789]?)[0-9.]@!/
+syn match ncvetFunction /\v[A-Za-z]@<!%(A%(BS|COS|DP|SIN|TAN|X%(NUM)?)|B%(CD|IN)|COS|EXP|F%(IX|UP)|LN|P%(OW|RM)|R%(ND|OUND)|S%(IN|QRT?)|TAN)[A-Za-z]@!/
+syn match ncvetOperator /\v[A-Za-z]@<!%(AND|EQ|G[ET]|L[ET]|MOD|NE|OR|XOR)[A-Za-z]@!/
+syn match ncvetKeyword /\v[A-Za-z]@<!%(BPRNT|D%(O|PRNT)|END|GOTO|IF|P%(CLOS|OPEN)|SETVN|THEN|WHILE)[A-Za-z]@!/
+syn match ncvetNumberOfBlock /\v[A-Za-z0-9_$]@<!N[0-9]+%(\.[0-9]+)?/
+syn match ncvetTape /\v\%[0-9A-Za-z_]@!/
+syn match ncvetProgram /\v[A-Za-z#]@<!%(O[0-9]+|:[0-9]+|\%O?[0-9]+|\<[A-Z][A-Z0-9_+-]*\>)/
+syn match ncvetComment /\v\([^\)]*%(\)|$)/
+hi def link ncvetAxis Keyword
+hi def link ncvetCode Function
+hi def link ncvetComment Comment
+hi def link ncvetFunction Special
+hi def link ncvetKeyword Conditional
+hi def link ncvetMiscellaneous Macro
+hi def link ncvetNumber Number
+hi def link ncvetNumberOfBlock Label
+hi def link ncvetOperator Operator
+hi def link ncvetParameter PreProc
+hi def link ncvetProgram Title
+hi def link ncvetTape PreProc
+hi def link ncvetVariable Identifier
+let b:current_syntax = 'ncvet-haas-mill'

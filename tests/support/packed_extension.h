@@ -1,0 +1,35 @@
+// The extension of VS Code, packed as it would be published.
+#pragma once
+
+#include "tests/support/outer_program.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ncvet::test {
+
+inline const std::filesystem::path extensionFolder =
+    std::filesystem::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vscode";
+
+/// Packs a copy of the extension in `folder`, which is made; the path of the package. Nothing when
+/// npm cannot fetch what it is built with, or when it cannot be packed: `log` says which.
+inline std::optional<std::filesystem::path> packExtension(const std::filesystem::path &folder,
+                                                          const std::filesystem::path &log) {
+  namespace fs = std::filesystem;
+  const auto modules = nodeModules(extensionFolder);
+  if (!modules)
+    return std::nullopt;
+  // Where it is in the project: it takes the schemas from there.
+  const fs::path copy = folder / "lsp" / "editors" / "vscode";
+  fs::create_directories(copy.parent_path());
+  fs::create_directory_symlink(fs::path(NCVET_SOURCE_DIR) / "rulesets", folder / "rulesets");
+  fs::copy(extensionFolder, copy, fs::copy_options::recursive | fs::copy_options::skip_symlinks);
+  for (const char *made : {"bin", "dist", "node_modules", "schema"})
+    fs::remove_all(copy / made);
+  fs::create_directory_symlink(*modules, copy / "node_modules");
+  if (runOuter({"npm", "--prefix", copy.string(), "run", "package"}, log, 300) != 0)
+    return std::nullopt;
+  const auto manifest = nlohmann::json::parse(contentsOf(copy / "package.json"));
+  return copy / ("ncvet-" + manifest["version"].get<std::string>() + ".vsix");
+}
+
+} // namespace ncvet::test
