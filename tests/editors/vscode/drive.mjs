@@ -1,0 +1,50 @@
+// Drives VS Code through what a user does: `node drive.mjs PLAN.json`. The plan names `modules`, `ncvet`, `packed` (the
+// extension), `folder` (empty, for all that is written) and `pictures`, a folder for a picture of each step; `only` chooses
+// steps by their names. What went wrong is printed, a line each, and how long each step took; the last line is `done`.
+import fs from 'node:fs';
+import path from 'node:path';
+import { Editor } from './editor.mjs';
+import { prepare, steps } from './steps.mjs';
+
+const plan = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
+const editor = new Editor(plan.folder, plan.modules);
+fs.mkdirSync(plan.pictures, { recursive: true });
+
+// The messages to the server are kept: one step looks at what the editor has asked for.
+const messages = path.join(plan.folder, 'messages');
+const wrapper = path.join(plan.folder, 'ncvet-with-messages');
+fs.writeFileSync(wrapper, `#!/bin/sh\nexec tee -a '${messages}' | '${plan.ncvet}' "$@"\n`, { mode: 0o755 });
+fs.writeFileSync(messages, '');
+
+editor.settings({
+  'ncvet.path': wrapper, 'workbench.startupEditor': 'none', 'workbench.tips.enabled': false, 'telemetry.telemetryLevel': 'off',
+  'security.workspace.trust.enabled': false, 'extensions.ignoreRecommendations': true, 'window.commandCenter': false,
+  'files.autoSave': 'off', 'git.enabled': false, 'typescript.tsserver.enabled': false, 'editor.minimap.enabled': false,
+  'workbench.secondarySideBar.defaultVisibility': 'hidden', 'chat.commandCenter.enabled': false, 'editor.accessibilitySupport': 'off',
+});
+prepare(editor);
+
+const began = Date.now();
+try {
+  await editor.start(plan.packed, {});
+  console.log(`took ${Date.now() - began} ms: the start`);
+  for (const [name, run] of Object.entries(steps)) {
+    if (plan.only && !new RegExp(plan.only).test(name)) continue;
+    const start = Date.now();
+    try {
+      await run(editor, { ...plan, messages, wrapper });
+    } catch (error) {
+      console.log(`${name}: ${error.message}`);
+    }
+    await editor.shoot(path.join(plan.pictures, name.replace(/\W+/g, '-') + '.png')).catch(() => {});
+    console.log(`took ${Date.now() - start} ms: ${name}`);
+    await editor.page.keyboard.press('Escape');
+    await editor.dismiss().catch(() => {});
+    await editor.closeAll().catch(() => {});
+  }
+} catch (error) {
+  console.log(`VS Code: ${error.stack}`);
+} finally {
+  await editor.stop();
+}
+console.log('done');

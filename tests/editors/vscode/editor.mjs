@@ -1,0 +1,175 @@
+// VS Code for the test: code-server with the packed extension and the probe, and a browser that shows it.
+import { execFile, spawn } from 'node:child_process';
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+import net from 'node:net';
+import path from 'node:path';
+import { promisify } from 'node:util';
+
+const patience = 20000; // ms that anything may take
+const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
+
+/** Waits until `look` gives something true; `what` is said when it never does. */
+export async function until(what, look) {
+  const end = Date.now() + patience;
+  let last;
+  for (;;) {
+    try {
+      const found = await look();
+      if (found) return found;
+      last = undefined;
+    } catch (error) {
+      last = error;
+    }
+    if (Date.now() > end) throw new Error(`waited in vain for ${what}${last ? ': ' + last : ''}`);
+    await sleep(50);
+  }
+}
+
+const freePort = () =>
+  new Promise((resolve) => {
+    const server = net.createServer().listen(0, '127.0.0.1', () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
+  });
+
+export class Editor {
+  /** `folder`: where all of it is, given back by the one who calls. */
+  constructor(folder, modules) {
+    this.folder = folder;
+    this.workspace = path.join(folder, 'workspace');
+    this.modules = modules;
+    this.entry = path.join(modules, 'code-server', 'out', 'node', 'entry.js');
+  }
+
+  write(name, text) {
+    const file = path.join(this.workspace, name);
+    fs.mkdirSync(path.dirname(file), { recursive: true });
+    fs.writeFileSync(file, Array.isArray(text) ? text.join('\n') + '\n' : text);
+    return file;
+  }
+  read(name) {
+    return fs.readFileSync(path.join(this.workspace, name), 'utf8');
+  }
+
+  settings(settings) {
+    const file = path.join(this.folder, 'user', 'User', 'settings.json');
+    fs.mkdirSync(path.dirname(file), { recursive: true });
+    fs.writeFileSync(file, JSON.stringify(settings, null, 2));
+  }
+
+  get options() {
+    return ['--user-data-dir', path.join(this.folder, 'user'), '--extensions-dir', path.join(this.folder, 'extensions'),
+      '--config', path.join(this.folder, 'config.yaml')];
+  }
+
+  async start(packed, environment) {
+    fs.writeFileSync(path.join(this.folder, 'config.yaml'), 'auth: none\ncert: false\n');
+    const probe = path.join(this.folder, 'extensions', 'ncvet-test.probe-0.0.1');
+    fs.cpSync(path.join(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), 'probe'), probe, { recursive: true });
+    await promisify(execFile)('node', [this.entry, ...this.options, '--install-extension', packed], { timeout: 60000 });
+    const [port, probePort] = [await freePort(), await freePort()];
+    this.probe = `http://127.0.0.1:${probePort}/`;
+    const log = fs.openSync(path.join(this.folder, 'server.log'), 'w');
+    this.server = spawn('node', [this.entry, ...this.options, '--bind-addr', `127.0.0.1:${port}`, '--auth', 'none', '--disable-telemetry',
+      '--disable-update-check', '--disable-workspace-trust', '--disable-getting-started-override'], {
+      stdio: ['ignore', log, log], detached: true, env: { ...process.env, ...environment, NCVET_PROBE_PORT: String(probePort) },
+    });
+    const address = `http://127.0.0.1:${port}/`;
+    await until('code-server', async () => (await fetch(address, { redirect: 'manual' })).status < 400);
+    const puppeteer = createRequire(path.join(this.modules, 'nothing.js'))('puppeteer-core');
+    this.browser = await puppeteer.launch({
+      executablePath: process.env.NCVET_CHROMIUM ?? '/usr/bin/chromium', headless: true,
+      args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage'], defaultViewport: { width: 1280, height: 800 },
+      userDataDir: path.join(this.folder, 'browser'),
+    });
+    this.page = await this.browser.newPage();
+    await this.page.goto(`${address}?folder=${this.workspace}`);
+    await until('the probe', () => this.ask('return true'));
+  }
+
+  async stop() {
+    await this.browser?.close().catch(() => {});
+    if (this.server) {
+      try {
+        process.kill(-this.server.pid); // with the extension host and the language server
+      } catch {
+        // it has ended
+      }
+    }
+  }
+
+  /** Runs the body of a function in the extension host. */
+  async ask(body) {
+    const answer = await fetch(this.probe, { method: 'POST', body: String(body) });
+    const { result, error } = await answer.json();
+    if (error) throw new Error(error);
+    return result;
+  }
+
+  file(name) {
+    return `vscode.Uri.file(${JSON.stringify(path.join(this.workspace, name))})`;
+  }
+  async open(name) {
+    await this.ask(`await vscode.window.showTextDocument(${this.file(name)}, { preview: false })`);
+  }
+  async closeAll() {
+    await this.ask(`await vscode.commands.executeCommand('workbench.action.revertAndCloseActiveEditor');
+      await vscode.commands.executeCommand('workbench.action.closeAllEditors')`);
+  }
+  language() {
+    return this.ask('return vscode.window.activeTextEditor?.document.languageId');
+  }
+  /** Findings of a file, as `line rule`. */
+  findings(name, source = 'ncvet') {
+    return this.ask(`return vscode.languages.getDiagnostics(${this.file(name)}).filter((one) => one.source === ${JSON.stringify(source)})
+      .map((one) => (one.range.start.line + 1) + ' ' + (one.code?.value ?? one.code ?? one.message))`);
+  }
+  command(id, ...args) {
+    return this.ask(`return void vscode.commands.executeCommand(${[id, ...args].map((arg) => JSON.stringify(arg)).join(', ')})`);
+  }
+  /** The text of the first element that a selector finds; undefined when there is none. */
+  text(selector) {
+    return this.page.evaluate((what) => document.querySelector(what)?.textContent ?? undefined, selector);
+  }
+  texts(selector) {
+    return this.page.evaluate((what) => [...document.querySelectorAll(what)].map((one) => one.textContent), selector);
+  }
+  control() {
+    return this.text('.statusbar-item[id="ncvet.ncvet.ncvet.control"], .statusbar-item[id$="ncvet.control"]');
+  }
+  toasts() {
+    return this.texts('.notifications-toasts .notification-list-item-message');
+  }
+  async press(button) {
+    await until(`the button ${button}`, () =>
+      this.page.evaluate((name) => {
+        const found = [...document.querySelectorAll('.notifications-toasts .monaco-button')].find((one) => one.textContent === name);
+        found?.click();
+        return Boolean(found);
+      }, button),
+    );
+  }
+  async dismiss() {
+    await this.ask(`await vscode.commands.executeCommand('notifications.clearAll')`);
+  }
+  /** Types into the list or box that is open, and takes what it then has. */
+  async pick(text) {
+    await until('a list', () => this.page.evaluate(() => {
+      const box = document.querySelector('.quick-input-widget');
+      return box && getComputedStyle(box).display !== 'none';
+    }));
+    await sleep(100);
+    await this.page.keyboard.down('Control');
+    await this.page.keyboard.press('a');
+    await this.page.keyboard.up('Control');
+    await this.page.keyboard.type(text);
+    await sleep(200);
+    await this.page.keyboard.press('Enter');
+  }
+  async shoot(file) {
+    await this.page.screenshot({ path: file });
+  }
+}
+export { sleep };

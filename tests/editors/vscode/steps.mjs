@@ -1,0 +1,264 @@
+// The steps of the test: the name says what holds, the body does what a user does and looks at what the user sees.
+import fs from 'node:fs';
+import { sleep, until } from './editor.mjs';
+
+function same(is, due, what) {
+  if (JSON.stringify(is) !== JSON.stringify(due)) throw new Error(`${what}: ${JSON.stringify(is)}, not ${JSON.stringify(due)}`);
+}
+function holds(is, what) {
+  if (!is) throw new Error(what);
+}
+
+const drilling = ['%', 'O0100 (PLATE, FANUC 0I-MF)', 'N10 G17 G21 G40 G80 G90 G94', 'N20 T1 M06', 'N30 G54 G00 X0. Y0. S1200 M03', 'N40 G43 H1 Z50. M08',
+  'N50 G81 X10. Y10. Z-10. R2. F200.', 'N60 X30.', 'N70 T2 M06', 'N80 G80', 'N90 G91 G28 Z0. M09', 'N100 M30', '%'];
+
+/** Writes the program that most steps look at. */
+export function prepare(editor) {
+  editor.write('plate.nc', drilling);
+}
+
+export const steps = {
+  async 'a program has its findings, and its control is in the status bar'(editor) {
+    await editor.open('plate.nc');
+    const found = await until('findings', async () => (await editor.findings('plate.nc')).length > 0 && (await editor.findings('plate.nc')));
+    holds(found.includes('9 cycle-left-active'), `the cycle is left on at the tool change: ${found}`);
+    const control = await until('the control in the status bar', () => editor.control());
+    holds(/FANUC mill|Haas mill/.test(control) && control.includes('guessed'), `the control is shown as a guess: ${control}`);
+  },
+
+  async 'findings of called files are seen'(editor) {
+    editor.write('calls/O0100.nc', ['%', 'O0100 (MAIN, FANUC 0I-MF)', 'N10 G17 G21 G40 G80 G90 G94', 'N20 T1 M06', 'N30 G54 G00 X0. Y0. S1200 M03',
+      'N40 G43 H1 Z50. M08', 'N50 G81 X10. Y10. Z-10. R2. F200.', 'N60 M98 P0200', 'N70 G80 M09', 'N80 M30', '%']);
+    editor.write('calls/O0200.nc', ['%', 'O0200 (SUB)', 'N10 X20. Y20.', 'N20 T2 M06', 'N30 M99', '%']);
+    await editor.open('calls/O0100.nc');
+    await until('findings of the closed file', async () => (await editor.findings('calls/O0200.nc')).length > 0);
+  },
+
+  async 'the control is chosen for a file, and the findings follow'(editor) {
+    editor.write('lathe.nc', drilling);
+    await editor.open('lathe.nc');
+    await until('the control', () => editor.control());
+    await editor.command('ncvet.chooseControl');
+    await editor.pick('Haas lathe (classic)');
+    await editor.pick('This file');
+    await until('the language', async () => (await editor.language()) === 'ncvet-haas-lathe');
+    await until('the new control', async () => (await editor.control())?.includes('Haas lathe'));
+  },
+
+  async 'the list of controls has reasons from the text'(editor) {
+    await editor.open('plate.nc');
+    await until('the control', () => editor.control());
+    await editor.command('ncvet.chooseControl');
+    await until('the list', async () => (await editor.texts('.quick-input-list .quick-input-list-row')).length > 3);
+    const rows = await editor.texts('.quick-input-list .monaco-list-row');
+    holds(rows.some((row) => row.includes('In this text:')), `no reasons: ${rows.slice(0, 4)}`);
+  },
+
+  async 'the control is chosen for a folder, and its findings follow'(editor) {
+    editor.write('shop/plate.nc', drilling);
+    editor.write('shop/.ncvet.json', '{\n  // written by hand\n  "ignore": ["style"]\n}\n'.replace('  // written by hand\n', ''));
+    await editor.open('shop/plate.nc');
+    await until('the control', () => editor.control());
+    await editor.command('ncvet.chooseControl');
+    await editor.pick('din66025');
+    await editor.pick('This folder');
+    await until('.ncvet.json', () => JSON.parse(editor.read('shop/.ncvet.json')).dialect === 'din66025');
+    same(JSON.parse(editor.read('shop/.ncvet.json')).ignore, ['style'], 'what else is in the file');
+    const control = await until('the control of the configuration', async () => {
+      const shown = await editor.control();
+      return shown?.includes('DIN 66025') && shown;
+    });
+    holds(!control.includes('guessed'), control);
+  },
+
+  async 'a change of the configuration renews the findings'(editor) {
+    editor.write('fresh/.ncvet.json', '{ "dialect": "fanuc-mill" }\n');
+    editor.write('fresh/plate.nc', drilling);
+    await editor.open('fresh/plate.nc');
+    await until('findings', async () => (await editor.findings('fresh/plate.nc')).includes('9 cycle-left-active'));
+    editor.write('fresh/.ncvet.json', '{ "dialect": "fanuc-mill", "ignore": ["cycle"] }\n');
+    await until('findings without the rule', async () => !(await editor.findings('fresh/plate.nc')).includes('9 cycle-left-active'));
+  },
+
+  async 'a broken configuration is told, and the last good one counts'(editor) {
+    editor.write('broken/.ncvet.json', '{ "dialect": "fanuc-mill" }\n');
+    editor.write('broken/plate.nc', drilling);
+    await editor.open('broken/plate.nc');
+    await until('findings', async () => (await editor.findings('broken/plate.nc')).includes('9 cycle-left-active'));
+    editor.write('broken/.ncvet.json', '{ "dialect": "fanuc-mill" "ignore": [] }\n');
+    await until('a message', async () => (await editor.toasts()).some((text) => /ncvet\.json/.test(text)));
+    await sleep(300);
+    holds((await editor.findings('broken/plate.nc')).includes('9 cycle-left-active'), 'the findings have vanished');
+    await until('a diagnostic of the configuration', async () => (await editor.findings('broken/.ncvet.json')).length > 0);
+    editor.write('broken/.ncvet.json', '{ "dialect": "fanuc-mill" }\n');
+    await until('its end', async () => (await editor.findings('broken/.ncvet.json')).length === 0);
+  },
+
+  async 'the configuration and machine profiles are checked by their schemas'(editor) {
+    editor.write('schema/.ncvet.json', '{ "dialct": "fanuc-mill" }\n');
+    editor.write('schema/vf2.machine.json', '{ "dialect": "haas-mill", "spindle": { "maxSpeeed": 8100 } }\n');
+    const warned = (name) => editor.ask(`return vscode.languages.getDiagnostics(${editor.file(name)}).map((one) => one.message).join()`);
+    await editor.open('schema/vf2.machine.json');
+    await until('a warning of the profile', async () => /maxSpeeed/.test(await warned('schema/vf2.machine.json')));
+    await editor.open('schema/.ncvet.json');
+    await until('a warning of the configuration', async () => /dialct/.test(await warned('schema/.ncvet.json')));
+  },
+
+  async 'a text that looks like a program is offered as one'(editor) {
+    editor.write('offer/part.txt', drilling);
+    editor.write('offer/note.txt', ['Dear colleague,', 'the fixture of O0100 is ready.', 'Please run G54 with X10 first.', 'Thank you']);
+    await editor.open('offer/note.txt');
+    await sleep(300);
+    same(await editor.toasts(), [], 'a letter is not offered');
+    await editor.open('offer/part.txt');
+    await until('the offer', async () => (await editor.toasts()).some((text) => text.includes('looks like an NC program')));
+    await editor.press('Always for .txt');
+    await until('the language', async () => (await editor.language()) === 'gcode');
+    await until('findings', async () => (await editor.findings('offer/part.txt')).length > 0);
+    editor.write('.vscode/settings.json', '{}\n');
+  },
+
+  async 'a file without an ending is a program by its first line'(editor) {
+    editor.write('O0100', drilling);
+    await editor.open('O0100');
+    await until('the language', async () => (await editor.language()) === 'gcode');
+  },
+
+  async 'headers of C are left alone'(editor) {
+    editor.write('stdio.h', ['#ifndef STDIO_H', '#define STDIO_H', '#include <stddef.h>', 'int printf(const char *, ...);', '#endif']);
+    await editor.open('stdio.h');
+    await sleep(300);
+    same(await editor.toasts(), [], 'no offer');
+    same(await editor.language(), 'cpp', 'language');
+  },
+
+  async 'the page of a rule cannot be edited'(editor) {
+    await editor.open('plate.nc');
+    await until('findings', async () => (await editor.findings('plate.nc')).length > 0);
+    const target = await editor.ask(`return vscode.languages.getDiagnostics(${editor.file('plate.nc')}).find((one) => one.source === 'ncvet').code.target.toString()`);
+    holds(target.startsWith('ncvet-rule:'), `the link of a finding leads to ${target}`);
+    await editor.ask(`await vscode.commands.executeCommand('vscode.open', vscode.Uri.parse(${JSON.stringify(target)}))`);
+    const open = () => editor.ask(`return vscode.window.tabGroups.all.flatMap((group) => group.tabs).map((tab) => tab.input?.viewType ?? tab.input?.uri?.toString() ?? '')`);
+    await until('the page', async () => (await open()).some((tab) => tab.includes('markdown.preview') || tab.startsWith('ncvet-rule:')));
+    holds(!(await open()).some((tab) => tab.startsWith('file:') && tab.endsWith('.md')), `a file is open: ${await open()}`);
+  },
+
+  async 'explain shows the page of the rule at the cursor'(editor) {
+    await editor.open('plate.nc');
+    await until('findings', async () => (await editor.findings('plate.nc')).includes('9 cycle-left-active'));
+    await editor.ask(`const editor = vscode.window.activeTextEditor; editor.selection = new vscode.Selection(8, 5, 8, 5)`);
+    await editor.command('ncvet.explainRule');
+    await editor.pick('cycle-left-active'); // there is another finding at the place
+    await until('the page', () => editor.ask(`return vscode.window.tabGroups.all.flatMap((group) => group.tabs).some((tab) => /cycle-left-active/.test(tab.label))`));
+    await until('its text', () => editor.ask(`return vscode.workspace.textDocuments.some((one) =>
+      one.uri.scheme === 'ncvet-rule' && one.getText().includes('Why it matters at the machine'))`));
+  },
+
+  async 'all safe fixes are applied, and the others are counted'(editor) {
+    editor.write('fixes.nc', drilling.map((line) => line.replace('Y10.', 'Y10. Y10.')));
+    await editor.open('fixes.nc');
+    await until('findings', async () => (await editor.findings('fixes.nc')).length > 0);
+    await editor.command('ncvet.fixAll');
+    const said = await until('a word on it', async () => (await editor.toasts()).find((text) => text.includes('Done')));
+    holds(/1 safe fix.*more need/.test(said), said);
+    await until('the text', async () => (await editor.ask('return vscode.window.activeTextEditor.document.lineAt(6).text')) === drilling[6]);
+  },
+
+  async 'a block number is gone to'(editor) {
+    await editor.open('plate.nc');
+    await editor.command('ncvet.goToBlock');
+    await editor.pick('N70');
+    await until('the line', async () => (await editor.ask('return vscode.window.activeTextEditor.selection.active.line')) === 8);
+  },
+
+  async 'the views show operations, callers and findings'(editor) {
+    await editor.open('calls/O0100.nc');
+    await until('findings', async () => (await editor.findings('calls/O0200.nc')).length > 0);
+    await editor.ask(`await vscode.commands.executeCommand('workbench.view.extension.ncvet')`);
+    const rows = () => editor.texts('.pane-body .monaco-list-row');
+    await until('a tool', async () => (await rows()).some((row) => /T1/.test(row)));
+    await until('a rule', async () => (await rows()).some((row) => /cycle-/.test(row)));
+    await editor.ask(`await vscode.commands.executeCommand('vscode.open', ${editor.file('calls/O0200.nc')})`);
+    await until('a caller', async () => (await rows()).some((row) => /called by 1/.test(row)));
+  },
+
+  async 'a new block has its number'(editor) {
+    editor.write('typed.nc', drilling);
+    await editor.open('typed.nc');
+    await until('findings', async () => (await editor.findings('typed.nc')).length > 0);
+    await editor.page.click('.monaco-editor .view-lines');
+    await editor.ask(`const editor = vscode.window.activeTextEditor, end = editor.document.lineAt(5).range.end;
+      editor.selection = new vscode.Selection(end, end)`);
+    await sleep(300); // the page learns of it
+    await editor.page.keyboard.press('Enter');
+    await until('the number', async () => /^N4\d ?$/.test(await editor.ask('return vscode.window.activeTextEditor.document.lineAt(6).text')));
+  },
+
+  async 'snippets are those of the control'(editor) {
+    editor.write('new/.ncvet.json', '{ "dialect": "haas-mill" }\n');
+    editor.write('new/empty.nc', ['%', 'O1 (NEW)', '', '']);
+    await editor.open('new/empty.nc');
+    await until('the control', async () => (await editor.control())?.includes('Haas mill'));
+    const labels = await editor.ask(`const list = await vscode.commands.executeCommand('vscode.executeCompletionItemProvider',
+      ${editor.file('new/empty.nc')}, new vscode.Position(2, 0)); return list.items.map((item) => item.label.label ?? item.label)`);
+    for (const wanted of ['head', 'tool', 'cycle G83']) holds(labels.includes(wanted), `no snippet ${wanted}`);
+  },
+
+  async 'the editor does not ask for the whole workspace for ever'(editor, { messages }) {
+    await editor.open('plate.nc');
+    await until('findings', async () => (await editor.findings('plate.nc')).length > 0);
+    fs.truncateSync(messages);
+    await sleep(2500);
+    holds(!fs.readFileSync(messages, 'utf8').includes('"workspace/diagnostic"'), 'workspace/diagnostic is asked for though the setting is off');
+  },
+
+  async 'without the program ncvet there is one message, with what to do, and colours'(editor, { wrapper }) {
+    const set = (file) => editor.ask(`await vscode.workspace.getConfiguration('ncvet').update('path', ${JSON.stringify(file)}, vscode.ConfigurationTarget.Global)`);
+    await editor.open('plate.nc');
+    await set('/no/such/ncvet');
+    await until('the message', async () => (await editor.toasts()).length > 0);
+    await sleep(1000);
+    const toasts = await editor.toasts();
+    same(toasts.length, 1, `messages: ${toasts}`);
+    holds(toasts[0].includes('/no/such/ncvet'), toasts[0]);
+    const buttons = await editor.texts('.notifications-toasts .monaco-button');
+    for (const wanted of ['Choose Program…', 'Open Settings', 'How to Install']) holds(buttons.includes(wanted), `buttons: ${buttons}`);
+    const colours = await editor.page.evaluate(() => new Set([...document.querySelectorAll('.view-line span span')].map((one) => getComputedStyle(one).color)).size);
+    holds(colours >= 4, `${colours} colours without the server`);
+    await set(wrapper);
+    await until('the control again', async () => /guessed/.test((await editor.control()) ?? ''));
+  },
+
+  async 'a hover tells the state of the machine'(editor) {
+    await editor.open('plate.nc');
+    const text = await until('the hover', () => editor.ask(`const found = await vscode.commands.executeCommand('vscode.executeHoverProvider',
+      ${editor.file('plate.nc')}, new vscode.Position(7, 5)); return found.flatMap((one) => one.contents.map((part) => part.value)).join()`));
+    holds(/Before this block/.test(text) && /G81/.test(text), text);
+  },
+
+  async 'codes are completed in the order of their numbers'(editor) {
+    editor.write('codes.nc', [...drilling.slice(0, 6), 'N50 G', ...drilling.slice(6)]);
+    await editor.open('codes.nc');
+    await until('the control', () => editor.control());
+    const labels = await editor.ask(`const list = await vscode.commands.executeCommand('vscode.executeCompletionItemProvider',
+      ${editor.file('codes.nc')}, new vscode.Position(6, 5)); return list.items.map((item) => [item.sortText, item.label.label ?? item.label])`);
+    const codes = labels.sort(([a], [b]) => (a < b ? -1 : 1)).map(([, label]) => label).filter((label) => /^G0*[0-9.]+$/.test(label));
+    const numbers = codes.map((code) => Number(code.slice(1)));
+    holds(numbers.length > 10, `codes: ${codes}`);
+    same(numbers, [...numbers].sort((a, b) => a - b), 'order');
+  },
+
+  async 'the walk-through opens'(editor) {
+    await editor.ask(`await vscode.commands.executeCommand('workbench.action.openWalkthrough', 'ncvet.ncvet#ncvet.start', false)`);
+    await until('it', async () => (await editor.texts('.getting-started-step')).some((text) => text.includes('Look at the control')));
+  },
+
+  async 'the language of a file is kept when the editor starts again'(editor) {
+    await editor.page.reload();
+    await sleep(1000);
+    await until('the probe', () => editor.ask('return true'));
+    await editor.open('lathe.nc');
+    await until('the language', async () => (await editor.language()) === 'ncvet-haas-lathe');
+    await until('the control', async () => (await editor.control())?.includes('Haas lathe'));
+  },
+};
