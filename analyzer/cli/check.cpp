@@ -4,6 +4,7 @@
 #include "analyzer/check/baseline.h"
 #include "analyzer/check/fix.h"
 #include "analyzer/cli/progress.h"
+#include "analyzer/cli/views.h"
 #include "analyzer/rule/rule_table.h"
 #include "analyzer/setup/input_files.h"
 #include "formats/finding/fingerprint.h"
@@ -32,6 +33,7 @@ struct Job {
   const SourceFile *source = nullptr;
   FixedText fixed;
   FileOutcome outcome;
+  std::optional<ProgramView> view; ///< when a report shows programs
 };
 
 class Check {
@@ -50,6 +52,7 @@ private:
   void addFingerprints(std::vector<CheckedFinding> &findings);
   void addFindings();
   void applyBaseline();
+  bool showsPrograms() const;
   void buildReport();
   void writeTo(const ReportTarget &target);
   void writeReports();
@@ -98,7 +101,7 @@ void Check::collect() {
     files.push_back(input.path);
   session_.folders()->setChecked(files);
   for (Input &input : inputs.files) {
-    jobs_.push_back({std::move(input), nullptr, {}, {}});
+    jobs_.push_back({std::move(input), nullptr, {}, {}, {}});
     if (jobs_.back().input.path == "-")
       readStandardInput(jobs_.back());
   }
@@ -242,13 +245,26 @@ void Check::applyBaseline() {
       problem("", llvm::toString(std::move(wrong)));
 }
 
+/// Whether one of the reports shows programs whole.
+bool Check::showsPrograms() const {
+  const auto shows = [](llvm::StringRef name) {
+    return llvm::any_of(reportFormats(), [&](const ReportFormat &format) {
+      return format.name == name && format.showsPrograms;
+    });
+  };
+  return shows(request_.format) || llvm::any_of(request_.reports, [&](const ReportTarget &target) {
+           return shows(target.format);
+         });
+}
+
 void Check::buildReport() {
   for (const RuleEntry &entry : allRules())
     rules_.push_back(entry.info);
   report_.toolVersion = NCVET_VERSION;
   report_.rules = rules_;
   report_.sources = &sources_;
-  for (const Job &job : jobs_) {
+  report_.colourNames = colourNames();
+  for (Job &job : jobs_) {
     if (!job.outcome.error.empty()) {
       problem(job.input.display, job.outcome.error);
       continue;
@@ -256,6 +272,8 @@ void Check::buildReport() {
     report_.files.push_back({job.input.display, job.outcome.dialect, job.outcome.blocks,
                              job.outcome.complete, job.outcome.reason, job.outcome.guessed,
                              job.outcome.sure});
+    if (job.view)
+      report_.views.push_back(std::move(*job.view));
   }
   addFindings();
   sortReport(report_);
@@ -361,10 +379,14 @@ int Check::run() {
     });
     writeFixes();
   }
+  const bool views = showsPrograms();
   forEachJob("check", [&](Job &job) {
     openJob(job);
-    if (job.source)
-      job.outcome = checkFile(session_, sources_, *job.source);
+    if (!job.source)
+      return;
+    job.outcome = checkFile(session_, sources_, *job.source);
+    if (views && job.outcome.error.empty())
+      job.view = viewOf(session_, sources_, *job.source);
   });
   buildReport();
   writeReports();

@@ -50,7 +50,7 @@ CheckOptions::CheckOptions()
                 cl::desc("Report a rule as error, warning or style"), cl::sub(command),
                 cl::cat(category_)),
       format_("format", cl::value_desc("FMT"), cl::init("text"),
-              cl::desc("text (default), json, sarif, gcc, checkstyle"), cl::sub(command),
+              cl::desc("text (default), json, sarif, gcc, checkstyle, html"), cl::sub(command),
               cl::cat(category_)),
       report_("report", cl::value_desc("FMT:FILE"), cl::desc("Write a further report"),
               cl::sub(command), cl::cat(category_)),

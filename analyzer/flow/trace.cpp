@@ -20,7 +20,8 @@ public:
   Tracer(Project &project, FileUnit &unit, TraceSink &sink, TracedPath path)
       : project_(project), sink_(sink), corners_(project.dialect()), path_(project.dialect()),
         contour_(project.dialect()) {
-    if (path == TracedPath::ToolCentre && !project.dialect().isLathe())
+    if (path == TracedPath::EveryCentre ||
+        (path == TracedPath::ToolCentre && !project.dialect().isLathe()))
       compensated_.emplace(project.dialect(), habitsOf(project.dialect(), unit.machine));
   }
 
@@ -31,6 +32,7 @@ public:
     const Block &block = step.block;
     const MachineState &before = step.before, &after = step.live.state;
     const ExecutedBlock executed = step.executed();
+    mark_ = sink_.markOf(step);
     moves_.clear();
     appendMoves(executed, moves_);
     const uint64_t tag = uint64_t(unit.source.id()) << 32 | block.begin;
@@ -45,6 +47,7 @@ public:
     if (auto cycle = contourCycle(executed)) {
       cycle_ = std::move(cycle);
       cycleTag_ = tag;
+      cycleMark_ = mark_;
       contour_.begin(executed, *cycle_);
     }
     if (moves_.empty())
@@ -60,8 +63,10 @@ public:
         move.plane = plane;
       }
     }
-    for (const Move &move : moves_)
+    for (Move &move : moves_) {
+      move.mark = mark_;
       add(tag, move, corner, plane);
+    }
   }
 
   void pathLost(SourceRange where, llvm::StringRef why) override {
@@ -73,7 +78,11 @@ public:
   void contourEnded() override {
     if (!cycle_)
       return;
-    const auto write = [&](const Move &move) { add(cycleTag_, move, {}, {Axis::Z, Axis::X}); };
+    const auto write = [&](const Move &move) {
+      Move marked = move;
+      marked.mark = cycleMark_;
+      add(cycleTag_, marked, {}, {Axis::Z, Axis::X});
+    };
     const llvm::ArrayRef<Move> contour = contour_.end(*cycle_);
     if (cycle_->has(CycleTrait::Turned)) {
       turn(*cycle_, contour, write);
@@ -129,16 +138,17 @@ private:
   CycleContour contour_;
   std::optional<ContourCycle> cycle_; ///< whose contour is read, or run
   uint64_t cycleTag_ = 0;
-  Place last_; ///< where the last motion ends, without what corners change
+  uint32_t mark_ = 0, cycleMark_ = 0; ///< of the last block, and of that of the cycle
+  Place last_;                        ///< where the last motion ends, without what corners change
   llvm::SmallVector<Move, 16> moves_;
 };
 
 } // namespace
 
 void trace(Project &project, FileUnit &unit, const AnalysisLimits &limits, TraceSink &sink,
-           TracedPath path) {
+           TracedPath path, const std::atomic<bool> *cancel) {
   Tracer tracer(project, unit, sink, path);
-  Engine engine(project, unit, limits, nullptr);
+  Engine engine(project, unit, limits, cancel);
   engine.listen(tracer);
   engine.follow();
   tracer.finish();

@@ -35,6 +35,8 @@ constexpr Shape oneOf = name("value", namesOf<List>);
 constexpr Shape someText = text;
 
 constexpr Field optionFields[] = {
+    elsewhere("acceleration", numberFrom(0),
+              "of the axes, mm/s2: for the time that a report gives a program", "3000"),
     elsewhere("agap", oneOf<yesNo>, "the control's AGAP setting", "\"Y\""),
     elsewhere("arcCentres", oneOf<centres>, "meaning of I, J, K", "\"incremental\""),
     elsewhere("arcMacroPlanes", mapOf(someText), "planes of the arc macros, by name",
@@ -124,6 +126,8 @@ constexpr Field optionFields[] = {
     elsewhere("toolChangeByM6", boolean, "T alone only preselects", "true"),
     elsewhere("toolChangeMinZ", number, "lowest safe Z of a tool change in work coordinates",
               "100"),
+    elsewhere("toolChangeTime", numberFrom(0),
+              "seconds of a tool change: for the time that a report gives a program", "4.5"),
     elsewhere("toolMeasuring", oneOf<measurings>, "how tools are measured", "\"A\""),
     elsewhere("toolOffsetDigits", whole(1, 4),
               "digits of the offset at the end of a lathe's T (parameter 5028)", "2"),

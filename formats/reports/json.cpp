@@ -10,6 +10,30 @@ using Json = nlohmann::ordered_json; // keys in the order of insertion
 
 namespace {
 
+void addRegion(Json &object, const Report &report, const SourceRange &range) {
+  const Region region = regionOf(report, range);
+  object["path"] = fileOf(report, range).display();
+  object["line"] = region.begin.line;
+  object["column"] = region.begin.column;
+  object["endLine"] = region.end.line;
+  object["endColumn"] = region.end.column;
+}
+
+Json fixJson(const Report &report, const Fix &fix, const SourceRange &range) {
+  Json edits = Json::array();
+  for (const TextEdit &edit : fix.edits) {
+    Json object = Json::object();
+    addRegion(object, report, edit.range);
+    object["text"] = validText(report, edit.range, edit.text);
+    edits.push_back(std::move(object));
+  }
+  Json result = Json::object();
+  result["description"] = validText(report, range, fix.description);
+  result["safety"] = toString(fix.safety).str();
+  result["edits"] = std::move(edits);
+  return result;
+}
+
 class JsonWriter final : public ReportWriter {
 public:
   void write(const Report &report, llvm::raw_ostream &out) override {
@@ -47,60 +71,36 @@ private:
       return nullptr;
     return {{"sure", file.sure}, {"from", file.detail}};
   }
-
-  static void addRegion(Json &object, const Report &report, const SourceRange &range) {
-    const Region region = regionOf(report, range);
-    object["path"] = fileOf(report, range).display();
-    object["line"] = region.begin.line;
-    object["column"] = region.begin.column;
-    object["endLine"] = region.end.line;
-    object["endColumn"] = region.end.column;
-  }
-
-  static Json fixJson(const Report &report, const Fix &fix, const SourceRange &range) {
-    Json edits = Json::array();
-    for (const TextEdit &edit : fix.edits) {
-      Json object = Json::object();
-      addRegion(object, report, edit.range);
-      object["text"] = validText(report, edit.range, edit.text);
-      edits.push_back(std::move(object));
-    }
-    Json result = Json::object();
-    result["description"] = validText(report, range, fix.description);
-    result["safety"] = toString(fix.safety).str();
-    result["edits"] = std::move(edits);
-    return result;
-  }
-
-  static Json findingJson(const Report &report, const Finding &finding) {
-    Json result = Json::object();
-    result["rule"] = report.rules[finding.rule].id.str();
-    result["severity"] = toString(finding.severity).str();
-    result["certainty"] = toString(finding.certainty).str();
-    result["message"] = validText(report, finding.range, finding.message);
-    addRegion(result, report, finding.range);
-    Json related = Json::array();
-    for (const Note &note : finding.notes) {
-      const LineColumn position = positionOf(report, note.range);
-      related.push_back({{"path", fileOf(report, note.range).display()},
-                         {"line", position.line},
-                         {"column", position.column},
-                         {"message", validText(report, note.range, note.message)}});
-    }
-    result["related"] = std::move(related);
-    Json trace = Json::array();
-    for (const PathStep &step : finding.path)
-      trace.push_back({{"path", fileOf(report, step.range).display()},
-                       {"line", positionOf(report, step.range).line},
-                       {"message", validText(report, step.range, step.message)}});
-    result["trace"] = std::move(trace);
-    result["fix"] = finding.fix ? fixJson(report, *finding.fix, finding.range) : Json(nullptr);
-    result["fingerprint"] = fingerprintString(finding.fingerprint);
-    return result;
-  }
 };
 
 } // namespace
+
+Json findingJson(const Report &report, const Finding &finding) {
+  Json result = Json::object();
+  result["rule"] = report.rules[finding.rule].id.str();
+  result["severity"] = toString(finding.severity).str();
+  result["certainty"] = toString(finding.certainty).str();
+  result["message"] = validText(report, finding.range, finding.message);
+  addRegion(result, report, finding.range);
+  Json related = Json::array();
+  for (const Note &note : finding.notes) {
+    const LineColumn position = positionOf(report, note.range);
+    related.push_back({{"path", fileOf(report, note.range).display()},
+                       {"line", position.line},
+                       {"column", position.column},
+                       {"message", validText(report, note.range, note.message)}});
+  }
+  result["related"] = std::move(related);
+  Json trace = Json::array();
+  for (const PathStep &step : finding.path)
+    trace.push_back({{"path", fileOf(report, step.range).display()},
+                     {"line", positionOf(report, step.range).line},
+                     {"message", validText(report, step.range, step.message)}});
+  result["trace"] = std::move(trace);
+  result["fix"] = finding.fix ? fixJson(report, *finding.fix, finding.range) : Json(nullptr);
+  result["fingerprint"] = fingerprintString(finding.fingerprint);
+  return result;
+}
 
 std::unique_ptr<ReportWriter> makeJsonWriter() { return std::make_unique<JsonWriter>(); }
 

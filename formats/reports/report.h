@@ -2,6 +2,7 @@
 #pragma once
 
 #include "formats/finding/finding.h"
+#include "formats/reports/program_view.h"
 #include "formats/text/source_set.h"
 
 #include "llvm/Support/raw_ostream.h"
@@ -53,6 +54,9 @@ struct Report {
   std::vector<Notification> notifications;
   bool baselineUsed = false;
   std::vector<AbsentFinding> absent;
+  /// Of formats that show programs (`ReportFormat::showsPrograms`); in the order of `files`.
+  std::vector<ProgramView> views;
+  llvm::ArrayRef<llvm::StringLiteral> colourNames; ///< of `TextColour::name`
 };
 
 /// Brings everything into the order of output: findings by path, line, column and rule.

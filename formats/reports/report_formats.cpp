@@ -12,6 +12,7 @@ llvm::ArrayRef<ReportFormat> reportFormats() {
       {"sarif", "SARIF 2.1.0, for code scanning and viewers"},
       {"gcc", "one line a finding, for editors and build tools"},
       {"checkstyle", "XML, for continuous integration servers"},
+      {"html", "one page: programs, findings, and the path of the tool", true},
   };
   return formats;
 }
@@ -28,6 +29,8 @@ std::unique_ptr<ReportWriter> makeReportWriter(llvm::StringRef format,
     return makeGccWriter();
   if (format == "checkstyle")
     return makeCheckstyleWriter();
+  if (format == "html")
+    return makeHtmlWriter();
   return nullptr;
 }
 

@@ -9,7 +9,8 @@ namespace ncvet {
 
 struct ReportFormat {
   llvm::StringRef name;
-  llvm::StringRef summary; ///< a few words for a list of formats
+  llvm::StringRef summary;    ///< a few words for a list of formats
+  bool showsPrograms = false; ///< it wants `Report::views`
 };
 
 /// All formats, the default one first.

@@ -14,6 +14,7 @@ std::unique_ptr<ReportWriter> makeJsonWriter();
 std::unique_ptr<ReportWriter> makeSarifWriter();
 std::unique_ptr<ReportWriter> makeGccWriter();
 std::unique_ptr<ReportWriter> makeCheckstyleWriter();
+std::unique_ptr<ReportWriter> makeHtmlWriter();
 
 /// A range as reports give it: positions from 1 in code points, end exclusive, begin <= end.
 struct Region {
@@ -34,6 +35,9 @@ inline bool isHidden(const Finding &finding) { return finding.suppressed || find
 
 /// `text` (valid UTF-8) on one line, fit for a terminal: control characters as their pictures.
 std::string oneLine(llvm::StringRef text);
+
+/// All of a finding, as the JSON report has it.
+nlohmann::ordered_json findingJson(const Report &report, const Finding &finding);
 
 /// Writes `value` without blanks. Bytes that are not UTF-8 become U+FFFD.
 void dumpJson(const nlohmann::ordered_json &value, llvm::raw_ostream &out);

@@ -36,6 +36,7 @@ struct Move {
   Interval feed;                    ///< mm/min, mm per revolution or 1/min; of a thread its lead
   Interval value;                   ///< dwell in seconds, number of the tool, speed of the spindle
   uint8_t spindle = spindleOff;     ///< of Spindle: what it does
+  uint32_t mark = 0;                ///< of whoever follows the program: comes along unchanged
 };
 
 /// Where a motion ends, without the axes whose end is told in machine coordinates.

@@ -74,7 +74,7 @@ TEST(ReportTest, FindingsThatAreSuppressedOrKnownAppearInSarifOnly) {
   SampleReport sample;
   sample.report.findings[0].suppressed = true;
   sample.report.findings[2].baselined = true;
-  for (const char *format : {"text", "json", "gcc", "checkstyle"}) {
+  for (const char *format : {"text", "json", "gcc", "checkstyle", "html"}) {
     const std::string out = written(format, sample.report);
     EXPECT_THAT(out, Not(HasSubstr("drills again"))) << format;
     EXPECT_THAT(out, Not(HasSubstr("decimal point"))) << format;

@@ -26,7 +26,7 @@ _ncvet() {
     return
     ;;
   --format)
-    mapfile -t COMPREPLY < <(compgen -W "text json sarif gcc checkstyle" -- "$cur")
+    mapfile -t COMPREPLY < <(compgen -W "text json sarif gcc checkstyle html" -- "$cur")
     return
     ;;
   --fail-on)
@@ -46,7 +46,7 @@ _ncvet() {
     return
     ;;
   --report)
-    mapfile -t COMPREPLY < <(compgen -W "json: sarif: gcc: checkstyle: text:" -- "$cur")
+    mapfile -t COMPREPLY < <(compgen -W "json: sarif: gcc: checkstyle: html: text:" -- "$cur")
     compopt -o nospace
     return
     ;;

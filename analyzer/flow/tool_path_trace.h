@@ -1,0 +1,15 @@
+// The tool path of a program for reports that draw it: motions with the modes under which they are
+// made.
+#pragma once
+
+#include "analyzer/flow/analyze.h"
+#include "formats/finding/tool_path.h"
+
+namespace ncvet {
+
+/// Follows the first program of `unit` along the one path that `trace` follows, as far as
+/// `mostMoves`. The path beside compensated contours is added where a tool's radius is known.
+ToolPath traceToolPath(Project &project, FileUnit &unit, const AnalysisLimits &limits,
+                       size_t mostMoves);
+
+} // namespace ncvet

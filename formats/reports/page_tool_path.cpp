@@ -1,0 +1,172 @@
+// The path of a tool in a page: see docs/trace-format.md.
+#include "formats/reports/page_json.h"
+#include "formats/reports/page_parts.h"
+#include "formats/text/json_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ncvet {
+
+using Json = nlohmann::ordered_json; // keys in the order of insertion
+
+namespace {
+
+template <typename Number>
+Json numberOr(const std::optional<Number> &value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json numberOr(int value) { return value < 0 ? Json(nullptr) : Json(value); }
+
+/// One array of each list: `get` gives the number of an element.
+template <typename T, typename List, typename Get>
+std::string column(const List &list, Get get) {
+  NumberBytes bytes;
+  for (const auto &element : list)
+    bytes.add(T(get(element)));
+  return bytes.base64();
+}
+
+Json curveJson(const PathCurve &curve) {
+  Json json = Json::object();
+  json["count"] = curve.moves.size();
+  json["kind"] = column<uint8_t>(curve.moves, [](const PathMove &move) {
+    return uint8_t(move.motion) | (move.machine ? 0x80 : 0);
+  });
+  for (size_t i = 0; i < 3; ++i)
+    json[std::string(1, "xyz"[i])] =
+        column<float>(curve.moves, [i](const PathMove &move) { return move.to[i]; });
+  json["line"] = column<uint32_t>(curve.moves, [](const PathMove &move) { return move.line; });
+  NumberBytes at, file;
+  uint32_t number = 0;
+  const PathMove *last = nullptr;
+  for (const PathMove &move : curve.moves) {
+    if (!last || last->file != move.file) {
+      at.add(number);
+      file.add(move.file);
+    }
+    last = &move;
+    ++number;
+  }
+  json["files"] = {{"move", at.base64()}, {"file", file.base64()}};
+  Json arcs = Json::object();
+  arcs["move"] = column<uint32_t>(curve.arcs, [](const PathArc &arc) { return arc.move; });
+  arcs["axes"] =
+      column<uint8_t>(curve.arcs, [](const PathArc &arc) { return arc.first | arc.second << 4; });
+  arcs["first"] = column<float>(curve.arcs, [](const PathArc &arc) { return arc.centre[0]; });
+  arcs["second"] = column<float>(curve.arcs, [](const PathArc &arc) { return arc.centre[1]; });
+  arcs["turns"] = column<float>(curve.arcs, [](const PathArc &arc) { return arc.turns; });
+  json["arcs"] = std::move(arcs);
+  return json;
+}
+
+Json changesJson(const std::vector<PathChange> &changes) {
+  Json json = Json::object();
+  json["move"] = column<uint32_t>(changes, [](const PathChange &change) { return change.move; });
+  json["value"] = column<float>(changes, [](const PathChange &change) { return change.value; });
+  json["kind"] = column<uint8_t>(changes, [](const PathChange &change) { return change.kind; });
+  return json;
+}
+
+llvm::StringRef nameOf(PathSpindle spindle) {
+  static constexpr llvm::StringLiteral names[] = {"unknown", "off", "cw", "ccw", "oriented"};
+  return names[size_t(spindle)];
+}
+
+Json settingJson(const PathSetting &setting) {
+  return {{"tool", numberOr(setting.tool)},
+          {"lengthOffset", numberOr(setting.lengthOffset)},
+          {"radiusOffset", numberOr(setting.radiusOffset)},
+          {"workOffset", setting.workOffset},
+          {"cycle", setting.cycle},
+          {"side", setting.side > 0   ? "left"
+                   : setting.side < 0 ? "right"
+                                      : ""},
+          {"spindle", nameOf(setting.spindle).str()},
+          {"speed", numberOr(setting.speed)},
+          {"surfaceSpeed", setting.surfaceSpeed},
+          {"speedLimit", numberOr(setting.speedLimit)}};
+}
+
+Json sectionsJson(const std::vector<PathSection> &sections) {
+  Json json = Json::object();
+  json["move"] = column<uint32_t>(sections, [](const PathSection &at) { return at.move; });
+  json["setting"] = column<uint32_t>(sections, [](const PathSection &at) { return at.setting; });
+  json["operation"] =
+      column<uint32_t>(sections, [](const PathSection &at) { return at.operation; });
+  return json;
+}
+
+Json boxJson(const PathBox &box) {
+  Json least = Json::array(), greatest = Json::array();
+  for (size_t i = 0; i < 3; ++i) {
+    least.push_back(numberOr(box.min[i]));
+    greatest.push_back(numberOr(box.max[i]));
+  }
+  return {{"min", std::move(least)}, {"max", std::move(greatest)}};
+}
+
+Json machineJson(const PathMachine &machine) {
+  Json json = Json::object();
+  json["envelope"] = boxJson(machine.envelope);
+  json["rapid"] = numberOr(machine.rapid);
+  json["feedMax"] = numberOr(machine.feedMax);
+  json["spindleMax"] = numberOr(machine.spindleMax);
+  json["acceleration"] = numberOr(machine.acceleration);
+  json["toolChange"] = numberOr(machine.toolChange);
+  json["stock"] = machine.stock ? boxJson(*machine.stock) : Json(nullptr);
+  json["clamps"] = Json::array();
+  for (const PathBox &clamp : machine.clamps)
+    json["clamps"].push_back(boxJson(clamp));
+  json["offsets"] = Json::object();
+  for (const auto &[code, place] : machine.offsets) {
+    Json origin = Json::array();
+    for (const std::optional<double> &coordinate : place)
+      origin.push_back(numberOr(coordinate));
+    json["offsets"][code] = std::move(origin);
+  }
+  json["tools"] = Json::object();
+  for (const auto &[number, tool] : machine.tools)
+    json["tools"][std::to_string(number)] = {
+        {"kind", tool.kind}, {"radius", numberOr(tool.radius)}, {"length", numberOr(tool.length)}};
+  return json;
+}
+
+Json endJson(const PathEnd &end) {
+  static constexpr llvm::StringLiteral kinds[] = {"whole", "unknown", "cut"};
+  return {
+      {"kind", kinds[end.kind].str()}, {"file", end.file}, {"line", end.line}, {"why", end.why}};
+}
+
+} // namespace
+
+void writeToolPathJson(const Report &report, const ToolPath &path, llvm::raw_ostream &out) {
+  Json json = Json::object();
+  json["version"] = 1;
+  json["files"] = Json::array();
+  for (const FileId file : path.files)
+    json["files"].push_back(report.sources->get(file).display());
+  json["machineKind"] = path.lathe ? "lathe" : "mill";
+  json["diameter"] = path.diameter;
+  json["programmed"] = curveJson(path.programmed);
+  json["centre"] = path.centre.moves.empty() ? Json(nullptr) : curveJson(path.centre);
+  json["feeds"] = changesJson(path.feeds);
+  json["dwells"] = changesJson(path.dwells);
+  json["others"] = changesJson(path.others);
+  json["sections"] = sectionsJson(path.sections);
+  json["settings"] = Json::array();
+  for (const PathSetting &setting : path.settings)
+    json["settings"].push_back(settingJson(setting));
+  json["operations"] = Json::array();
+  for (const PathOperation &operation : path.operations)
+    json["operations"].push_back({{"comment", operation.comment},
+                                  {"cycle", operation.cycle},
+                                  {"tool", numberOr(operation.tool)},
+                                  {"file", operation.file},
+                                  {"line", operation.line}});
+  json["end"] = endJson(path.end);
+  json["machine"] = machineJson(path.machine);
+  writeJsonInPage(jsonText(json), out);
+}
+
+} // namespace ncvet

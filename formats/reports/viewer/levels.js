@@ -1,0 +1,145 @@
+// Coarser versions of a drawing, for far views and while it is moved; pieces that can be left out.
+
+/** Corners in one piece: so few that most of a close view is left out, so many that asking is cheap. */
+const pieceSize = 512;
+/** How far a coarse line leaves the fine one, as parts of the drawing's size. */
+const coarseParts = [1 / 6000, 1 / 1500, 1 / 400, 1 / 120];
+
+class Levels {
+  constructor(drawn) {
+    this.drawn = drawn;
+    this.findBounds();
+    this.levels = [{ away: 0, index: null }];
+  }
+
+  findBounds() {
+    const { places, count } = this.drawn,
+      pieces = Math.ceil(count / pieceSize);
+    const bounds = new Float32Array(pieces * 6),
+      all = newBox();
+    for (let piece = 0; piece < pieces; ++piece) {
+      const box = newBox();
+      // With the corner before it, where its first segment begins.
+      for (
+        let n = Math.max(0, piece * pieceSize - 1);
+        n < Math.min(count, (piece + 1) * pieceSize);
+        ++n
+      )
+        for (let axis = 0; axis < 3; ++axis) {
+          const x = places[n * 3 + axis];
+          if (x < box.min[axis]) box.min[axis] = x;
+          if (x > box.max[axis]) box.max[axis] = x;
+        }
+      for (let axis = 0; axis < 3; ++axis) {
+        bounds[piece * 6 + axis] = box.min[axis];
+        bounds[piece * 6 + 3 + axis] = box.max[axis];
+        if (box.min[axis] < all.min[axis]) all.min[axis] = box.min[axis];
+        if (box.max[axis] > all.max[axis]) all.max[axis] = box.max[axis];
+      }
+    }
+    this.pieces = pieces;
+    this.bounds = bounds;
+    this.box = all;
+    this.size =
+      Math.hypot(...all.max.map((x, axis) => (Number.isFinite(x) ? x - all.min[axis] : 0))) || 1;
+  }
+
+  /** Makes one more level; false: there are all. */
+  prepare() {
+    const next = this.levels.length - 1;
+    if (next >= coarseParts.length) return false;
+    this.levels.push(this.coarser(this.size * coarseParts[next]));
+    return true;
+  }
+
+  /** Leaves corners out that lie within `away` of the line from one that is kept. */
+  coarser(away) {
+    const { places, classes, count } = this.drawn;
+    const index = new Uint32Array(count),
+      begins = new Uint32Array(this.pieces + 1);
+    let n = 0,
+      anchor = 0,
+      dx = 0,
+      dy = 0,
+      dz = 0,
+      reach = 0,
+      hasDirection = false;
+    for (let i = 0; i < count; ++i) {
+      if (i % pieceSize === 0) begins[i / pieceSize] = n;
+      const next = i + 1;
+      // Where the class, tool or operation changes, at gaps, and at both ends of pieces.
+      let keep =
+        i % pieceSize === 0 ||
+        next % pieceSize === 0 ||
+        next >= count ||
+        (classes[i * 4] & 7) === hiddenClass ||
+        (classes[next * 4] & 7) !== (classes[i * 4] & 7) ||
+        classes[next * 4 + 2] !== classes[i * 4 + 2] ||
+        classes[next * 4 + 1] !== classes[i * 4 + 1];
+      if (!keep && hasDirection) {
+        // The next corner leaves the line, or goes back on it.
+        const x = places[next * 3] - places[anchor * 3],
+          y = places[next * 3 + 1] - places[anchor * 3 + 1],
+          z = places[next * 3 + 2] - places[anchor * 3 + 2];
+        const along = x * dx + y * dy + z * dz;
+        keep = along < reach || x * x + y * y + z * z - along * along > away * away;
+        reach = along;
+      }
+      if (keep) {
+        index[n++] = i;
+        anchor = i;
+        hasDirection = false;
+      }
+      if (!hasDirection && next < count) {
+        const x = places[next * 3] - places[anchor * 3],
+          y = places[next * 3 + 1] - places[anchor * 3 + 1],
+          z = places[next * 3 + 2] - places[anchor * 3 + 2];
+        reach = Math.hypot(x, y, z);
+        hasDirection = reach > away;
+        dx = x / reach;
+        dy = y / reach;
+        dz = z / reach;
+      }
+    }
+    begins[this.pieces] = n;
+    return { away, index: index.slice(0, n), begins };
+  }
+
+  /** The coarsest level that leaves the fine line by no more than `away` mm. */
+  choose(away) {
+    let best = 0;
+    this.levels.forEach((level, i) => {
+      if (level.away <= away) best = i;
+    });
+    return best;
+  }
+
+  /** Whether something of a piece can be within so many pixels of a place, which is seen by `rows`. */
+  isNear(piece, rows, place, pixels) {
+    const i = piece * 6,
+      b = this.bounds;
+    return place.every((at, row) => {
+      const [x, y, z, w] = rows[row];
+      const twice = x * (b[i] + b[i + 3]) + y * (b[i + 1] + b[i + 4]) + z * (b[i + 2] + b[i + 5]);
+      const span =
+        Math.abs(x) * (b[i + 3] - b[i]) +
+        Math.abs(y) * (b[i + 4] - b[i + 1]) +
+        Math.abs(z) * (b[i + 5] - b[i + 2]);
+      return Math.abs(at - w - twice / 2) <= span / 2 + pixels[row];
+    });
+  }
+
+  /** Runs [first, last) of pieces of which something can be inside the view; of each `sparse` one. */
+  visible(camera, width, height, sparse) {
+    const runs = [],
+      rows = camera.rows(),
+      half = [width / 2, height / 2];
+    for (let piece = 0; piece < this.pieces; piece += sparse) {
+      if (!this.isNear(piece, rows, [0, 0], half)) continue;
+      const last = runs[runs.length - 1];
+      if (last && last[1] === piece) last[1] = piece + 1;
+      else runs.push([piece, piece + 1]);
+    }
+    return runs;
+  }
+}
