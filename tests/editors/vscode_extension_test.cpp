@@ -258,8 +258,9 @@ TEST(VscodeExtension, IsPackedWithItsClient) {
   EXPECT_EQ(files.count("extension/LICENSE.txt"), 1u);
   for (const char *file :
        {"CHANGELOG.md", "README.md", "package.json", "controls.json", "images/icon.png",
-        "languages/parentheses.json", "schema/config.schema.json", "schema/machine.schema.json",
-        "snippets/haas-mill.json", "syntaxes/gcode.tmLanguage.json", "walkthrough/control.md"})
+        "images/findings.png", "languages/parentheses.json", "schema/config.schema.json",
+        "schema/machine.schema.json", "snippets/haas-mill.json", "syntaxes/gcode.tmLanguage.json",
+        "walkthrough/control.md"})
     EXPECT_EQ(files.count(std::string("extension/") + file), 1u) << file;
   const auto client = files.find("extension/dist/extension.js");
   ASSERT_NE(client, files.end());
