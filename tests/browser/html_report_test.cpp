@@ -69,8 +69,6 @@ constexpr const char *leftOverCycle = "%\nO1200 (FLANGE)\n"
                                       "X30. Y0. (TO CLAMP)\n"
                                       "M5\nG80\nM30\n%\n";
 
-} // namespace
-
 TEST_F(HtmlReportInChromium, ShowsProgramFindingAndToolPath) {
   shop_.file("bore.nc", leftOverCycle);
   const Json seen = resultsOf(
@@ -229,3 +227,5 @@ TEST_F(HtmlReportInChromium, AMillionMovesTurnFluidly) {
   EXPECT_LE(seen[3], 2.001);
   EXPECT_LT(fs::file_size(shop_.path() / "report.html"), program.size() + 50'000'000);
 }
+
+} // namespace
