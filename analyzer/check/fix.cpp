@@ -1,6 +1,8 @@
 // Fixes: choosing those that go together, checking the outcome, writing files.
 #include "analyzer/check/fix.h"
 
+#include "analyzer/check/motion_record.h"
+
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
 
@@ -11,15 +13,18 @@ namespace ncvet {
 
 namespace {
 
-constexpr unsigned maxRounds = 10;
-/// Rounds that led to new findings and were taken back, at most: one or two rules at fault.
-constexpr unsigned maxRefusals = 20;
+/// Each cause is mended in a round of its own; a program with more of them is mended by a second
+/// run, and that is said.
+constexpr unsigned maxRounds = 100;
+/// Rounds that were taken back, at most: a few rules at fault.
+constexpr unsigned maxRefusals = 40;
 
 /// One check of a text.
 struct Attempt {
   std::unique_ptr<SourceSet> sources;
   const SourceFile *file = nullptr;
   FileOutcome outcome;
+  MotionRecord motions;
 
   /// Findings by rule, those in other files too: a fix must not break a caller's program.
   std::map<RuleId, unsigned> counts() const {
@@ -40,26 +45,39 @@ public:
   FixedText run() {
     FixedText result;
     Attempt current = check(original_.text());
+    result.unsureControl = current.outcome.guessed && !current.outcome.sure;
     unsigned refusals = 0;
-    while (result.rounds < maxRounds && refusals < maxRefusals) {
+    // Nobody knows what a text means whose control is a guess.
+    while (!result.unsureControl && result.rounds < maxRounds && refusals < maxRefusals) {
       const std::vector<const Finding *> chosen = choose(current);
       if (chosen.empty()) {
-        if (!only_)
+        if (!only_ && !first_)
           break;
-        only_.reset();
+        tryAll();
         continue;
       }
-      Attempt next = check(apply(current, chosen));
-      if (isWorse(current, next)) {
+      if (!current.motions.isKnown())
+        current.motions = record(current);
+      const std::vector<TextEdit> edits = editsOf(chosen);
+      Attempt next = check(applyEdits(current.file->text(), edits));
+      next.motions = record(next);
+      if (isWorse(current, next) || !keepsItsPromise(current, next, chosen, edits)) {
         ++refusals;
         refuse(chosen);
         continue;
       }
-      only_.reset();
+      if (!first_)
+        only_.reset();
       ++result.rounds;
       result.applied += unsigned(chosen.size());
+      for (const Finding *finding : chosen)
+        ++result.byRule[finding->rule];
       current = std::move(next);
     }
+    result.refused = refused_.size();
+    tryAll();
+    result.stoppedEarly =
+        (result.rounds == maxRounds || refusals == maxRefusals) && !choose(current).empty();
     result.text = current.file->text().str();
     return result;
   }
@@ -73,15 +91,38 @@ private:
     return attempt;
   }
 
+  MotionRecord record(Attempt &attempt) {
+    return MotionRecord::of(session_, *attempt.sources, *attempt.file);
+  }
+
+  /// A safe fix changes nothing that the machine does. An unsafe one changes what its own block
+  /// does and the block of its finding; all others do the same as before or, when a cycle is ended,
+  /// less.
+  static bool keepsItsPromise(const Attempt &before, const Attempt &after,
+                              llvm::ArrayRef<const Finding *> chosen,
+                              llvm::ArrayRef<TextEdit> edits) {
+    if (before.motions.sameAs(after.motions))
+      return true;
+    const bool safe = llvm::all_of(
+        chosen, [](const Finding *finding) { return finding->fix->safety == FixSafety::Safe; });
+    if (safe)
+      return false;
+    std::vector<SourceRange> places;
+    for (const Finding *finding : chosen)
+      places.push_back(finding->range);
+    return before.motions.onlyChangesBlocks(after.motions, edits, places);
+  }
+
   bool isWanted(const Finding &finding, FileId file) const {
-    return finding.fix && !finding.suppressed && !refused_.count(finding.rule) &&
+    return finding.fix && !finding.suppressed && !isRefused(finding) &&
            (!only_ || *only_ == finding.rule) &&
            (unsafe_ || finding.fix->safety == FixSafety::Safe) && !finding.fix->edits.empty() &&
            llvm::all_of(finding.fix->edits,
                         [&](const TextEdit &edit) { return edit.range.file == file; });
   }
 
-  /// The first fixes by position that neither overlap nor share a line with another rule's.
+  /// The first fixes by position that neither overlap nor share a line with another rule's, and one
+  /// for each cause: when a cycle is ended once, it is ended for all findings that it has caused.
   std::vector<const Finding *> choose(const Attempt &attempt) const {
     std::vector<const Finding *> wanted;
     for (const CheckedFinding &checked : attempt.outcome.findings)
@@ -93,9 +134,20 @@ private:
     std::vector<const Finding *> chosen;
     std::map<uint32_t, RuleId> ruleOfLine;
     std::map<uint32_t, const TextEdit *> edits; // by begin
-    for (const Finding *finding : wanted)
-      if (fits(*finding, *attempt.file, ruleOfLine, edits))
-        chosen.push_back(finding);
+    std::set<std::tuple<FileId, uint32_t>> causes;
+    for (const Finding *finding : wanted) {
+      const bool isCaused = !finding->notes.empty();
+      const std::tuple<FileId, uint32_t> cause =
+          isCaused ? std::tuple(finding->notes[0].range.file, finding->notes[0].range.begin)
+                   : std::tuple<FileId, uint32_t>();
+      if ((isCaused && causes.count(cause)) || !fits(*finding, *attempt.file, ruleOfLine, edits))
+        continue;
+      if (isCaused)
+        causes.insert(cause);
+      chosen.push_back(finding);
+      if (first_)
+        break;
+    }
     return chosen;
   }
 
@@ -129,11 +181,14 @@ private:
     return overlaps(a, b) || a.range.begin == b.range.begin;
   }
 
-  static std::string apply(const Attempt &attempt, llvm::ArrayRef<const Finding *> chosen) {
+  /// In the order of the text.
+  static std::vector<TextEdit> editsOf(llvm::ArrayRef<const Finding *> chosen) {
     std::vector<TextEdit> edits;
     for (const Finding *finding : chosen)
       edits.insert(edits.end(), finding->fix->edits.begin(), finding->fix->edits.end());
-    return applyEdits(attempt.file->text(), edits);
+    llvm::stable_sort(
+        edits, [](const TextEdit &a, const TextEdit &b) { return a.range.begin < b.range.begin; });
+    return edits;
   }
 
   static bool isWorse(const Attempt &before, const Attempt &after) {
@@ -146,24 +201,38 @@ private:
     return false;
   }
 
-  /// Next time the first rule alone; a rule that was alone is left out for good.
+  void tryAll() {
+    only_.reset();
+    first_ = false;
+  }
+
+  /// Next time the first rule alone, then its first fix alone; a fix that was alone is left out for
+  /// good.
   void refuse(llvm::ArrayRef<const Finding *> chosen) {
-    const bool alone = llvm::all_of(
+    const bool oneRule = llvm::all_of(
         chosen, [&](const Finding *finding) { return finding->rule == chosen.front()->rule; });
-    if (alone) {
-      refused_.insert(chosen.front()->rule);
-      only_.reset();
+    if (chosen.size() == 1) {
+      refused_.insert(nameOf(*chosen.front()));
+    } else if (oneRule) {
+      first_ = true;
     } else {
       only_ = chosen.front()->rule;
     }
   }
 
+  /// A finding by its rule and what it says: its place changes from round to round.
+  static std::pair<RuleId, std::string> nameOf(const Finding &finding) {
+    return {finding.rule, finding.message};
+  }
+  bool isRefused(const Finding &finding) const { return refused_.count(nameOf(finding)) > 0; }
+
   Session &session_;
   const SourceFile &original_;
   const bool unsafe_;
   const std::shared_ptr<const SourceSet::Overlay> open_;
-  std::optional<RuleId> only_;
-  std::set<RuleId> refused_;
+  std::optional<RuleId> only_; ///< the rule whose fixes are tried alone
+  bool first_ = false;         ///< … and of these the first one alone
+  std::set<std::pair<RuleId, std::string>> refused_;
 };
 
 } // namespace

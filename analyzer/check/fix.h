@@ -9,13 +9,18 @@ struct FixedText {
   std::string text;     ///< equal to the source's when nothing was fixed
   unsigned applied = 0; ///< number of fixes
   unsigned rounds = 0;
+  std::map<RuleId, unsigned> byRule; ///< the fixes of each rule
+  bool unsureControl = false;        ///< nothing was fixed: the control is a guess
+  size_t refused = 0;                ///< fixes that would have done what they do not say
+  bool stoppedEarly = false; ///< the rounds were used up while there was still something to fix
 };
 
 /// Applies the safe fixes to the text of `file`, with `unsafe` the others too; suppressed findings
 /// are left alone. Fixes that touch each other, and fixes of several rules on one line, are applied
 /// one after the other, each on the text that the one before left. Fixes after which there are more
-/// findings of any rule than before are not applied. At most ten rounds. Called programs are those
-/// of `open` before those on disk.
+/// findings of any rule than before are not applied, and neither are those that change what the
+/// machine does otherwise than they say: see `keepsItsPromise`. A text whose control is a guess is
+/// left alone. At most a hundred rounds. Called programs are those of `open` before those on disk.
 FixedText fixText(Session &session, const SourceFile &file, bool unsafe,
                   const std::shared_ptr<const SourceSet::Overlay> &open = nullptr);
 

@@ -131,8 +131,9 @@ private:
                          : "`{1}` is in the block beside `{0}`: one of them is lost",
                     ctx.text(first), ctx.text(again));
     finding.note(ctx.range(first), "the first of the two");
-    finding.fix(same ? FixSafety::Safe : FixSafety::Unsafe, "delete the second word",
-                ctx.remove(again));
+    // Of two values only the programmer knows which one is meant.
+    if (same)
+      finding.fix(FixSafety::Safe, "delete the second word", ctx.remove(again));
   }
 };
 

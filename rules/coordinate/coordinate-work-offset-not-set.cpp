@@ -43,10 +43,15 @@ public:
     finding
         .message("`{0}` is driven before the program has selected a work offset", ctx.text(*word))
         .fix(FixSafety::Unsafe, "write `" + offset + "` before it",
-             ctx.insertBefore(word->offset, offset + " "));
+             ctx.insertBefore(word->offset, isAfterBlank(*word, ctx) ? offset + " " : offset));
   }
 
 private:
+  /// Programs without blanks between words get none.
+  static bool isAfterBlank(const Word &word, const RuleContext &ctx) {
+    return word.offset == 0 || llvm::isSpace(ctx.source().text()[word.offset - 1]);
+  }
+
   /// The code in force is the one that takes all offsets away.
   static bool isNone(const RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();

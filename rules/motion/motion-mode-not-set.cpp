@@ -50,11 +50,11 @@ private:
         ctx.before().profile != ProfileMode::Off)
       return;
     memory().reported = true;
+    const std::string &code = ctx.code(event).name;
     if (auto finding = ctx.report(*word))
-      finding
-          .message("`{0}` comes before any motion code: it runs as `{1}`", ctx.text(*word),
-                   ctx.code(event).name)
-          .fix(FixSafety::Unsafe, "write `G0` before it", ctx.insertBefore(word->offset, "G0 "));
+      finding.message("`{0}` comes before any motion code: it runs as `{1}`", ctx.text(*word), code)
+          .fix(FixSafety::Unsafe, "write `" + code + "` before it",
+               ctx.insertBefore(word->offset, code + " "));
   }
 
   bool implicit_ = false;

@@ -73,6 +73,81 @@ std::vector<PageProgram> programsOfOneFile() {
 INSTANTIATE_TEST_SUITE_P(Pages, FixLaws, ::testing::ValuesIn(programsOfOneFile()),
                          [](const auto &info) { return info.param.name(); });
 
+Session sessionOf(const char *dialect, std::vector<std::string> select) {
+  SessionOptions options;
+  options.dialect = dialect;
+  options.rules.select = std::move(select);
+  return Session(std::move(options));
+}
+
+size_t countOf(llvm::StringRef part, const std::string &text) {
+  return llvm::StringRef(text).count(part);
+}
+
+TEST(FixPromises, OfTwoValuesOfAnAddressNoneIsDeleted) {
+  Session session = sessionOf("fanuc-0m", {"block-duplicate-address"});
+  const std::string feeds = "O1\nG1 X1. F.00 F.0086\nM30\n",
+                    depths = "O1\nG0 Z-1.375 G01 Z-1.365 F50.\nM30\n";
+  EXPECT_EQ(feeds, fixed(session, feeds, /*unsafe=*/true));
+  EXPECT_EQ(depths, fixed(session, depths, /*unsafe=*/true));
+  EXPECT_EQ("O1\nG1 X1. F50.\nM30\n", fixed(session, "O1\nG1 X1. F50. F50.\nM30\n", false));
+}
+
+TEST(FixPromises, ACycleIsEndedOnceForAllThatItCauses) {
+  Session session = sessionOf("fanuc-0m", {"cycle"});
+  const std::string bore =
+      "O1200\nG21 G17 G40 G49 G80 G90 G94\nT3 M6\nG54 G0 X-20. Y-15. S1400 M3\n"
+      "G43 H3 Z50.\nG98 G83 X-20. Y-15. Z-22. R2. Q5. F120.\nX20. Y-15.\n"
+      "X30. Y0. (TO CLAMP)\nM9\nM5\nG49\nT5 M6\nG54 G0 X0. Y0. S900 M3\n"
+      "G43 H5 Z50.\nM30\n";
+  const std::string once = fixed(session, bore, /*unsafe=*/true);
+  EXPECT_EQ(2u, countOf("G80", once)) << once;
+  EXPECT_NE(std::string::npos, once.find("G80\nX30. Y0. (TO CLAMP)")) << once;
+}
+
+TEST(FixPromises, ACycleThatACallerGoesOnWithIsNotEnded) {
+  Session session = sessionOf("fanuc-0m", {"cycle"});
+  const std::string text = "O1\nG21 G17 G40 G49 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S500 M3\n"
+                           "G43 H1 Z50.\nM98 P2\nX30. Y0.\nX40. Y0.\nG80\nG0 Z100.\nM30\n"
+                           "O2\nG98 G83 X10. Y0. Z-10. R2. Q2. F100.\nX20. Y0.\nM99\n";
+  EXPECT_EQ(1u + 1u, countOf("G80", fixed(session, text, /*unsafe=*/true)));
+}
+
+TEST(FixPromises, ATextWhoseControlIsAGuessIsLeftAlone) {
+  Session session = sessionOf("auto", {"style-lower-case"});
+  SourceSet sources;
+  const FixedText result = fixText(session, sources.add("a.nc", "g0 x1\ng1 x2\n"), /*unsafe=*/true);
+  EXPECT_TRUE(result.unsureControl);
+  EXPECT_EQ("g0 x1\ng1 x2\n", result.text);
+}
+
+TEST(FixPromises, AMotionModeIsWrittenAsTheMessageSaysIt) {
+  size_t count = 0;
+  for (const PageProgram &program : allPagePrograms()) {
+    if (program.rule != "motion-mode-not-set" || !program.wrong || program.files.size() != 1)
+      continue;
+    Session session = sessionFor(program);
+    SourceSet sources;
+    for (const CheckedFinding &checked :
+         checkFile(session, sources, sources.add("a.nc", program.files[0].text)).findings) {
+      const Finding &finding = checked.finding;
+      const auto [before, after] = llvm::StringRef(finding.message).split("it runs as `");
+      if (after.empty() || !finding.fix)
+        continue;
+      EXPECT_EQ((after.split('`').first + " ").str(), finding.fix->edits[0].text);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 0u);
+}
+
+TEST(FixPromises, ProgramsWithoutBlanksGetNone) {
+  Session session = sessionOf("fanuc-0m", {"coordinate-work-offset-not-set"});
+  const std::string compact =
+      fixed(session, "O1\nG21G17G90\nT1M6\nG0X0.Y0.\nM30\n", /*unsafe=*/true);
+  EXPECT_NE(std::string::npos, compact.find("G0G54X0.Y0.")) << compact;
+}
+
 TEST(FixText, CalledProgramsAreThoseOfTheEditor) {
   TemporaryFolder folder;
   const std::string main = (folder.path() / "main.nc").string(),
