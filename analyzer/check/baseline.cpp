@@ -5,8 +5,8 @@
 #include "formats/finding/fingerprint.h"
 #include "formats/text/failure.h"
 #include "formats/text/json_text.h"
+#include "formats/text/read_file.h"
 
-#include "llvm/Support/MemoryBuffer.h"
 #include <nlohmann/json.hpp>
 
 namespace ncvet {
@@ -14,13 +14,15 @@ namespace ncvet {
 namespace {
 
 constexpr int version = 1;
+/// Of a million findings.
+constexpr uint64_t largestBaseline = 512u << 20;
 
 } // namespace
 
 llvm::Expected<Baseline> Baseline::load(llvm::StringRef file) {
-  auto buffer = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  auto buffer = readFile(file, largestBaseline);
   if (!buffer)
-    return failure("cannot read " + file + ": " + buffer.getError().message());
+    return buffer.takeError();
   const llvm::StringRef text = (*buffer)->getBuffer();
   auto json = parseJson(file, text);
   if (!json)
@@ -61,7 +63,7 @@ llvm::Expected<Baseline> Baseline::load(llvm::StringRef file) {
 void Baseline::apply(llvm::MutableArrayRef<Finding> findings) {
   for (Finding &finding : findings) {
     const auto known = known_.find(finding.fingerprint);
-    if (finding.suppressed || known == known_.end() || known->second.count == 0)
+    if (known == known_.end() || known->second.count == 0)
       continue;
     --known->second.count;
     finding.baselined = true;
@@ -76,16 +78,12 @@ std::vector<KnownFinding> Baseline::absent(const llvm::StringSet<> &files) const
   return list;
 }
 
-llvm::Error writeBaseline(llvm::ArrayRef<Finding> findings, llvm::ArrayRef<RuleInfo> rules,
-                          const SourceSet &sources, llvm::StringRef file) {
+void writeBaseline(llvm::ArrayRef<Finding> findings, llvm::ArrayRef<RuleInfo> rules,
+                   const SourceSet &sources, llvm::raw_ostream &out) {
   std::map<uint64_t, unsigned> counts;
   for (const Finding &finding : findings)
     if (!finding.suppressed)
       ++counts[finding.fingerprint];
-  std::error_code error;
-  llvm::raw_fd_ostream out(file, error);
-  if (error)
-    return failure("cannot write " + file + ": " + error.message());
   out << "{\"version\": " << version << ", \"findings\": [";
   llvm::StringRef separator = "\n";
   for (const Finding &finding : findings) {
@@ -105,13 +103,6 @@ llvm::Error writeBaseline(llvm::ArrayRef<Finding> findings, llvm::ArrayRef<RuleI
     counts.erase(count);
   }
   out << "\n]}\n";
-  out.close();
-  if (out.has_error()) {
-    error = out.error();
-    out.clear_error();
-    return failure("cannot write " + file + ": " + error.message());
-  }
-  return llvm::Error::success();
 }
 
 } // namespace ncvet

@@ -25,7 +25,7 @@ public:
   /// Reads `file`. An error names the file, and line where there is one.
   static llvm::Expected<Baseline> load(llvm::StringRef file);
 
-  /// Marks the findings that are known, in their order.
+  /// Marks the findings that are known, in their order; those that comments silence as well.
   void apply(llvm::MutableArrayRef<Finding> findings);
   /// After `apply`: what was known of these files and did not occur again.
   std::vector<KnownFinding> absent(const llvm::StringSet<> &files) const;
@@ -35,7 +35,7 @@ private:
 };
 
 /// Writes all findings that are not suppressed as a baseline, in their order.
-llvm::Error writeBaseline(llvm::ArrayRef<Finding> findings, llvm::ArrayRef<RuleInfo> rules,
-                          const SourceSet &sources, llvm::StringRef file);
+void writeBaseline(llvm::ArrayRef<Finding> findings, llvm::ArrayRef<RuleInfo> rules,
+                   const SourceSet &sources, llvm::raw_ostream &out);
 
 } // namespace ncvet

@@ -2,19 +2,23 @@
 #include "analyzer/cli/check.h"
 
 #include "analyzer/check/baseline.h"
-#include "analyzer/check/fix.h"
+#include "analyzer/cli/changes.h"
+#include "analyzer/cli/check_job.h"
+#include "analyzer/cli/output.h"
 #include "analyzer/cli/progress.h"
+#include "analyzer/cli/relative_paths.h"
 #include "analyzer/cli/views.h"
 #include "analyzer/rule/rule_table.h"
-#include "analyzer/setup/input_files.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report_formats.h"
 #include "formats/text/crash_guard.h"
 #include "formats/text/diff.h"
+#include "formats/text/plain_text.h"
+#include "formats/text/read_file.h"
 
 #include "llvm/ADT/StringSet.h"
 #include "llvm/Support/FileSystem.h"
-#include "llvm/Support/Format.h"
+#include "llvm/Support/Path.h"
 #include "llvm/Support/TimeProfiler.h"
 #include "llvm/Support/raw_ostream.h"
 
@@ -27,15 +31,6 @@ namespace ncvet::cli {
 
 namespace {
 
-/// One input with what became of it.
-struct Job {
-  Input input;
-  const SourceFile *source = nullptr;
-  FixedText fixed;
-  FileOutcome outcome;
-  std::optional<ProgramView> view; ///< when a report shows programs
-};
-
 class Check {
 public:
   explicit Check(CheckRequest request) : request_(std::move(request)), session_(request_.session) {}
@@ -43,28 +38,34 @@ public:
   int run();
 
 private:
-  void readStandardInput(Job &job);
+  llvm::Error loadComparisons();
+  void readInput(Job &job);
   void collect();
   void forEachJob(const char *what, llvm::function_ref<void(Job &)> work);
   void openJob(Job &job);
+  llvm::Error writeFix(const Job &job) const;
   void writeFixes();
   void dropUsedSuppressions(std::vector<CheckedFinding> &findings);
   void addFingerprints(std::vector<CheckedFinding> &findings);
   void addFindings();
   void applyBaseline();
   bool showsPrograms() const;
+  std::string folderFromRoot() const;
   void buildReport();
-  void writeTo(const ReportTarget &target);
+  void writeTo(const std::string &file, llvm::function_ref<void(llvm::raw_ostream &)> write);
+  void writeReport(const ReportTarget &target, llvm::raw_ostream &out) const;
   void writeReports();
-  void writeStats() const;
-  void writeGuess() const;
+  void writeLastLines() const;
   void problem(llvm::StringRef path, const std::string &message);
+  void warn(llvm::StringRef path, const std::string &message);
 
   CheckRequest request_;
   Session session_;
   SourceSet sources_;
   std::vector<Job> jobs_;
   std::vector<RuleInfo> rules_;
+  std::optional<Baseline> baseline_;
+  std::optional<ChangedLines> changes_;
   Report report_;
   llvm::StringSet<> said_; ///< problems that were told already
   bool failed_ = false;    ///< something could not be read: exit code 2
@@ -80,30 +81,47 @@ void Check::problem(llvm::StringRef path, const std::string &message) {
     fail(message);
 }
 
-void Check::readStandardInput(Job &job) {
-  auto text = llvm::MemoryBuffer::getSTDIN();
+/// Something that is probably not meant, but that is no reason to fail.
+void Check::warn(llvm::StringRef path, const std::string &message) {
+  report_.notifications.push_back({Severity::Warning, message, path.str()});
+  if (!request_.quiet)
+    llvm::errs() << "ncvet: warning: " << message << '\n';
+}
+
+void Check::readInput(Job &job) {
+  auto text = readStandardInput();
   if (!text) {
-    job.outcome.error = "cannot read standard input: " + text.getError().message();
+    job.outcome.error = llvm::toString(text.takeError());
     return;
   }
   // With a name, it is checked as if it was there: configuration and subprograms are found.
   if (!request_.stdinFilename.empty())
     job.input.display = request_.stdinFilename;
-  job.source = &sources_.add(job.input.display, (*text)->getBuffer(), request_.stdinFilename);
+  if (const std::string why = whyNoProgram((*text)->getBuffer()); !why.empty())
+    job.outcome.error = job.input.display + ": not checked: " + why;
+  else
+    job.source = &sources_.add(job.input.display, (*text)->getBuffer(), request_.stdinFilename);
 }
 
 void Check::collect() {
-  Inputs inputs = collectInputs(request_.paths, session_);
+  Inputs inputs = collectInputs(request_.paths, session_, request_.inputs);
   for (const std::string &error : inputs.errors)
     problem("", error);
+  for (const std::string &warning : inputs.warnings)
+    warn("", warning);
   std::vector<std::string> files;
   for (const Input &input : inputs.files)
     files.push_back(input.path);
   session_.folders()->setChecked(files);
-  for (Input &input : inputs.files) {
-    jobs_.push_back({std::move(input), nullptr, {}, {}, {}});
+  // Programs that are called are found among all files, whichever part of them is checked.
+  for (size_t index = 0; index < inputs.files.size(); ++index) {
+    Input &input = inputs.files[index];
+    if (index % request_.shards != request_.shard)
+      continue;
+    jobs_.emplace_back();
+    jobs_.back().input = std::move(input);
     if (jobs_.back().input.path == "-")
-      readStandardInput(jobs_.back());
+      readInput(jobs_.back());
   }
 }
 
@@ -111,10 +129,18 @@ void Check::openJob(Job &job) {
   if (job.source || !job.outcome.error.empty())
     return;
   auto source = sources_.open(job.input.path, job.input.display);
-  if (source)
-    job.source = *source;
-  else
+  if (!source) {
     job.outcome.error = llvm::toString(source.takeError());
+    return;
+  }
+  const std::string why = whyNoProgram((*source)->text());
+  if (why.empty()) {
+    job.source = *source;
+    return;
+  }
+  // A folder may hold anything under the ending of a program; who names a file means a program.
+  job.skipped = !job.input.named && isBinary((*source)->text());
+  job.outcome.error = job.input.display + ": not checked: " + why;
 }
 
 void Check::forEachJob(const char *what, llvm::function_ref<void(Job &)> work) {
@@ -143,6 +169,17 @@ void Check::forEachJob(const char *what, llvm::function_ref<void(Job &)> work) {
     thread.join();
 }
 
+/// Replaces the file of the job. That of standard input is standard output, written later.
+llvm::Error Check::writeFix(const Job &job) const {
+  if (job.input.path == "-")
+    return llvm::Error::success();
+  if (!request_.inputs.followLinks &&
+      leadsOut(job.input.path, llvm::sys::path::parent_path(job.input.path)))
+    return failure(job.input.display + " is not written: it is a link out of its folder; "
+                                       "--follow-links writes there");
+  return replaceFile(job.input.path, job.fixed.text);
+}
+
 /// Writes what was fixed, when all files have been looked at: no file is checked against programs
 /// of which some are new and some old.
 void Check::writeFixes() {
@@ -153,11 +190,10 @@ void Check::writeFixes() {
       writeUnifiedDiff(job.source->text(), job.fixed.text, job.input.display, llvm::outs());
       continue;
     }
-    if (job.input.path != "-") {
-      if (llvm::Error wrong = replaceFile(job.input.path, job.fixed.text)) {
-        problem(job.input.display, llvm::toString(std::move(wrong)));
-        continue;
-      }
+    if (llvm::Error wrong = writeFix(job)) {
+      problem(job.input.display, llvm::toString(std::move(wrong)));
+      job.fixed = {};
+      continue;
     }
     job.source = &sources_.add(job.input.display, job.fixed.text, job.source->path());
   }
@@ -170,6 +206,33 @@ void Check::addFingerprints(std::vector<CheckedFinding> &findings) {
     finding.fingerprint = byFile[sources_.get(finding.range.file).display()].next(
         rules_[finding.rule].id, checked.program, checked.blockText);
   }
+}
+
+/// What findings are compared with: nothing is checked when that cannot be read.
+llvm::Error Check::loadComparisons() {
+  if (!request_.baseline.empty()) {
+    auto baseline = Baseline::load(request_.baseline);
+    if (!baseline)
+      return baseline.takeError();
+    baseline_ = std::move(*baseline);
+  }
+  if (!request_.changedSince.empty()) {
+    auto changes = ChangedLines::since(request_.changedSince);
+    if (!changes)
+      return changes.takeError();
+    changes_ = std::move(*changes);
+  }
+  if (request_.changedLines.empty())
+    return llvm::Error::success();
+  auto patch = request_.changedLines == "-" ? readStandardInput() : readFile(request_.changedLines);
+  if (!patch)
+    return patch.takeError();
+  auto changes = ChangedLines::ofPatch((*patch)->getBuffer(), projectRoot());
+  if (!changes)
+    return failure("--changed-lines " + llvm::Twine(request_.changedLines) + ": " +
+                   llvm::toString(changes.takeError()));
+  changes_ = std::move(*changes);
+  return llvm::Error::success();
 }
 
 /// A suppression in a subprogram may be needed by one of its callers only.
@@ -211,6 +274,10 @@ void Check::addFindings() {
             all.end());
   dropUsedSuppressions(all);
   addFingerprints(all);
+  if (changes_)
+    llvm::erase_if(all, [&](const CheckedFinding &checked) {
+      return !changes_->concern(sources_, checked.finding);
+    });
   std::vector<FailOn> levels;
   for (CheckedFinding &checked : all) {
     report_.findings.push_back(std::move(checked.finding));
@@ -225,24 +292,42 @@ void Check::addFindings() {
 }
 
 void Check::applyBaseline() {
-  if (!request_.baseline.empty()) {
-    if (auto baseline = Baseline::load(request_.baseline)) {
-      baseline->apply(report_.findings);
-      report_.baselineUsed = true;
-      llvm::StringSet<> files;
-      for (const FileReport &file : report_.files)
-        files.insert(file.path);
-      for (KnownFinding &known : baseline->absent(files))
-        report_.absent.push_back({std::move(known.rule), std::move(known.path),
-                                  std::move(known.message), known.line, known.fingerprint});
-    } else {
-      problem("", llvm::toString(baseline.takeError()));
-    }
+  if (baseline_) {
+    baseline_->apply(report_.findings);
+    report_.baselineUsed = true;
+    llvm::StringSet<> files;
+    for (const FileReport &file : report_.files)
+      files.insert(file.path);
+    // Of a part of the findings nobody knows which of the others are gone.
+    for (KnownFinding &known : changes_ ? std::vector<KnownFinding>() : baseline_->absent(files))
+      report_.absent.push_back({std::move(known.rule), std::move(known.path),
+                                std::move(known.message), known.line, known.fingerprint});
   }
   if (!request_.writeBaseline.empty())
-    if (llvm::Error wrong =
-            writeBaseline(report_.findings, rules_, sources_, request_.writeBaseline))
-      problem("", llvm::toString(std::move(wrong)));
+    writeTo(request_.writeBaseline, [&](llvm::raw_ostream &out) {
+      writeBaseline(report_.findings, rules_, sources_, out);
+    });
+}
+
+/// The current folder as seen from the nearest folder above that holds all files of the report;
+/// empty when the current one does.
+std::string Check::folderFromRoot() const {
+  size_t above = 0;
+  for (const Job &job : jobs_) {
+    size_t count = 0;
+    for (llvm::StringRef rest = job.input.display; rest.consume_front("../");)
+      ++count;
+    above = std::max(above, count);
+  }
+  llvm::SmallString<128> at;
+  if (above == 0 || llvm::sys::fs::current_path(at))
+    return "";
+  std::string folder;
+  for (; above && llvm::sys::path::has_filename(at); --above) {
+    folder = (llvm::sys::path::filename(at) + (folder.empty() ? "" : "/") + folder).str();
+    llvm::sys::path::remove_filename(at);
+  }
+  return folder;
 }
 
 /// Whether one of the reports shows programs whole.
@@ -252,9 +337,8 @@ bool Check::showsPrograms() const {
       return format.name == name && format.showsPrograms;
     });
   };
-  return shows(request_.format) || llvm::any_of(request_.reports, [&](const ReportTarget &target) {
-           return shows(target.format);
-         });
+  return llvm::any_of(request_.reports,
+                      [&](const ReportTarget &target) { return shows(target.format); });
 }
 
 void Check::buildReport() {
@@ -264,9 +348,11 @@ void Check::buildReport() {
   report_.rules = rules_;
   report_.sources = &sources_;
   report_.colourNames = colourNames();
+  report_.folder = folderFromRoot();
   for (Job &job : jobs_) {
     if (!job.outcome.error.empty()) {
-      problem(job.input.display, job.outcome.error);
+      job.skipped ? warn(job.input.display, job.outcome.error)
+                  : problem(job.input.display, job.outcome.error);
       continue;
     }
     report_.files.push_back({job.input.display, job.outcome.dialect, job.outcome.blocks,
@@ -279,17 +365,17 @@ void Check::buildReport() {
   sortReport(report_);
 }
 
-void Check::writeTo(const ReportTarget &target) {
-  std::error_code error;
-  llvm::raw_fd_ostream out(target.file, error);
-  if (!error) {
-    makeReportWriter(target.format)->write(report_, out);
-    out.close();
-    error = out.error();
-    out.clear_error();
-  }
-  if (error)
-    problem("", "cannot write " + target.file + ": " + error.message());
+void Check::writeTo(const std::string &file, llvm::function_ref<void(llvm::raw_ostream &)> write) {
+  if (llvm::Error wrong = writeFile(file, write))
+    problem("", llvm::toString(std::move(wrong)));
+}
+
+void Check::writeReport(const ReportTarget &target, llvm::raw_ostream &out) const {
+  if (request_.statistics && target.format == "text")
+    return makeStatisticsWriter()->write(report_, out);
+  // Colours are for a terminal, which a file is not.
+  const ReportOptions options = {request_.color && target.file == "-", request_.showSource};
+  makeReportWriter(target.format, options)->write(report_, out);
 }
 
 void Check::writeReports() {
@@ -299,77 +385,31 @@ void Check::writeReports() {
     for (const Job &job : jobs_)
       if (job.input.path == "-" && job.source)
         llvm::outs() << job.source->text();
-  } else if (!request_.diff) {
-    makeReportWriter(request_.format, {request_.color})->write(report_, llvm::outs());
-  }
-  llvm::outs().flush();
-  if (llvm::outs().has_error()) {
-    const std::error_code error = llvm::outs().error();
-    llvm::outs().clear_error();
-    problem("", "cannot write to standard output: " + error.message());
   }
   for (const ReportTarget &target : request_.reports)
-    writeTo(target);
+    writeTo(target.file, [&](llvm::raw_ostream &out) { writeReport(target, out); });
+  llvm::outs().flush();
 }
 
-/// Says once which control was guessed, on standard error and to people only.
-void Check::writeGuess() const {
-  const Job *one = nullptr;
-  std::map<std::string, size_t> files; ///< by dialect
-  size_t guessed = 0;
-  for (const Job &job : jobs_)
-    if (job.outcome.guessed && job.outcome.error.empty()) {
-      one = &job;
-      ++files[job.outcome.dialect];
-      ++guessed;
-    }
-  if (!one || failed_) // what went wrong comes first, and alone
-    return;
-  llvm::raw_ostream &out = llvm::errs();
-  out << "control: ";
-  if (guessed == 1) {
-    out << one->outcome.dialect << ", guessed: " << one->outcome.reason;
-  } else {
-    out << "guessed for " << guessed << " files: ";
-    llvm::StringRef separator;
-    for (const auto &[dialect, count] : files) {
-      out << separator << dialect << " (" << count << ')';
-      separator = ", ";
-    }
-    out << "; --stats says why";
-  }
-  out << "; --dialect names it\n";
-}
-
-void Check::writeStats() const {
-  llvm::raw_ostream &out = llvm::errs();
-  uint64_t blocks = 0;
-  unsigned fixes = 0;
-  for (const Job &job : jobs_) {
-    if (!job.outcome.error.empty())
-      continue;
-    out << job.input.display << ": " << job.outcome.dialect << " (" << job.outcome.reason << "), "
-        << job.outcome.blocks << " blocks";
-    if (job.fixed.applied)
-      out << ", " << job.fixed.applied << " fixes in " << job.fixed.rounds << " rounds";
-    out << '\n';
-    for (const std::string &cut : job.outcome.cuts)
-      out << job.input.display << ": cut short: " << cut << '\n';
-    for (const std::string &contour : job.outcome.contours)
-      out << job.input.display << ':' << contour << '\n';
-    blocks += job.outcome.blocks;
-    fixes += job.fixed.applied;
-  }
+/// For people, on standard error: who reads a report by a program is left alone.
+void Check::writeLastLines() const {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  out << jobs_.size() << (jobs_.size() == 1 ? " file, " : " files, ") << blocks << " blocks, "
-      << report_.findings.size() << " findings, " << fixes << " fixes, "
-      << llvm::format("%.1f ms, %.0f blocks/s", seconds * 1e3, double(blocks) / seconds) << '\n';
+  const ReportTarget *shown = request_.shown();
+  const bool forPeople = !request_.quiet && (!shown || shown->format == "text");
+  if (request_.stats)
+    writeStats(jobs_, report_, seconds);
+  else if (forPeople && !failed_) // what went wrong comes first, and alone
+    writeGuess(jobs_);
+  if (forPeople)
+    writeSummary(request_, jobs_, report_);
 }
 
 int Check::run() {
   if (!request_.timeTrace.empty())
     llvm::timeTraceProfilerInitialize(0, "ncvet");
+  if (llvm::Error wrong = loadComparisons())
+    return fail(std::move(wrong));
   collect();
   if (request_.fix || request_.diff) {
     forEachJob("fix", [&](Job &job) {
@@ -390,25 +430,30 @@ int Check::run() {
   });
   buildReport();
   writeReports();
-  if (request_.stats)
-    writeStats();
-  else if (request_.format == "text")
-    writeGuess();
+  writeLastLines();
   if (!request_.timeTrace.empty()) {
     if (llvm::Error wrong = llvm::timeTraceProfilerWrite(request_.timeTrace, "ncvet"))
       problem("", "cannot write " + request_.timeTrace + ": " + llvm::toString(std::move(wrong)));
     llvm::timeTraceProfilerCleanup();
   }
-  return failed_ ? exitFailure : found_ ? exitFindings : exitClean;
+  const bool told = found_ && !request_.exitZero && request_.writeBaseline.empty();
+  return failed_ ? exitFailure : told ? exitFindings : exitClean;
 }
 
 } // namespace
 
+CheckCommand::CheckCommand() : Command("check", "find what is wrong in part programs") {
+  given_.declare(options);
+}
+
 int CheckCommand::run() {
   enableCrashGuard();
-  auto request = options_.request();
+  auto request = given_.request(options);
   if (!request)
-    return fail(llvm::toString(request.takeError()));
+    return fail(request.takeError());
+  if (!request->relativeTo.empty())
+    if (llvm::Error wrong = showRelativeTo(request->relativeTo, *request))
+      return fail(std::move(wrong));
   return Check(std::move(*request)).run();
 }
 

@@ -2,16 +2,17 @@
 #pragma once
 
 #include "analyzer/cli/check_options.h"
+#include "analyzer/cli/command.h"
 
 namespace ncvet::cli {
 
 class CheckCommand final : public Command {
 public:
-  llvm::cl::SubCommand &subcommand() override { return options_.command; }
+  CheckCommand();
   int run() override;
 
 private:
-  CheckOptions options_;
+  CheckOptions given_;
 };
 
 } // namespace ncvet::cli

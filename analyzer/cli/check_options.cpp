@@ -1,7 +1,6 @@
 // Options of `ncvet check`: their declaration, and what they may be.
 #include "analyzer/cli/check_options.h"
 
-#include "formats/dialect/json_reader.h"
 #include "formats/reports/report_formats.h"
 #include "formats/text/failure.h"
 
@@ -9,79 +8,164 @@
 
 namespace ncvet::cli {
 
-namespace cl = llvm::cl;
-
 namespace {
 
-llvm::Error unknownFormat(llvm::StringRef given) {
-  std::vector<llvm::StringRef> known;
+std::vector<llvm::StringRef> formatNames() {
+  std::vector<llvm::StringRef> names;
   for (const ReportFormat &format : reportFormats())
-    known.push_back(format.name);
-  return failure("unknown format \"" + given + "\"" + suggest(given, known));
+    names.push_back(format.name);
+  return names;
 }
 
-bool isFormat(llvm::StringRef name) {
-  return llvm::any_of(reportFormats(),
-                      [&](const ReportFormat &format) { return format.name == name; });
+/// The names of the formats, as long as the process runs.
+llvm::StringRef formatHelp() {
+  static const std::string help =
+      "text (default), " + llvm::join(llvm::makeArrayRef(formatNames()).drop_front(), ", ");
+  return help;
 }
 
 } // namespace
 
-CheckOptions::CheckOptions()
-    : command("check", "find what is wrong in part programs"), category_("Options of ncvet check"),
-      paths_(cl::Positional, cl::desc("[PATH...]"), cl::ZeroOrMore, cl::sub(command),
-             cl::cat(category_)),
-      dialect_("dialect", cl::value_desc("ID"), cl::init("auto"),
-               cl::desc("The control, or a table's file; auto: found out"), cl::sub(command),
-               cl::cat(category_)),
-      machine_("machine", cl::value_desc("FILE"), cl::desc("Profile of the machine"),
-               cl::sub(command), cl::cat(category_)),
-      config_("config", cl::value_desc("FILE"),
-              cl::desc("Configuration instead of the nearest .ncvet.json"), cl::sub(command),
-              cl::cat(category_)),
-      profile_("profile", cl::value_desc("NAME"),
-               cl::desc("Selection of rules: recommended (default), strict, all"), cl::sub(command),
-               cl::cat(category_)),
-      select_("select", cl::value_desc("R,.."), cl::CommaSeparated,
-              cl::desc("Only these rules or categories"), cl::sub(command), cl::cat(category_)),
-      ignore_("ignore", cl::value_desc("R,.."), cl::CommaSeparated,
-              cl::desc("Not these rules or categories"), cl::sub(command), cl::cat(category_)),
-      severity_("severity", cl::value_desc("R=LEVEL"), cl::CommaSeparated,
-                cl::desc("Report a rule as error, warning or style"), cl::sub(command),
-                cl::cat(category_)),
-      format_("format", cl::value_desc("FMT"), cl::init("text"),
-              cl::desc("text (default), json, sarif, gcc, checkstyle, html"), cl::sub(command),
-              cl::cat(category_)),
-      report_("report", cl::value_desc("FMT:FILE"), cl::desc("Write a further report"),
-              cl::sub(command), cl::cat(category_)),
-      failOn_("fail-on", cl::value_desc("LEVEL"),
-              cl::desc("Exit 1 from this level on: error (default), warning, style, never"),
-              cl::sub(command), cl::cat(category_)),
-      baseline_("baseline", cl::value_desc("FILE"), cl::desc("Findings that are known already"),
-                cl::sub(command), cl::cat(category_)),
-      writeBaseline_("write-baseline", cl::value_desc("FILE"),
-                     cl::desc("Write what is found now as a baseline"), cl::sub(command),
-                     cl::cat(category_)),
-      jobs_("jobs", cl::value_desc("N"), cl::init(0), cl::desc("Files at the same time"),
-            cl::sub(command), cl::cat(category_)),
-      stats_("stats",
-             cl::desc("Blocks, time, why each dialect was chosen, and the largest tool radius of "
-                      "each compensated contour"),
-             cl::sub(command), cl::cat(category_)),
-      fix_("fix", cl::value_desc("safe|all"), cl::ValueOptional, cl::init("none"),
-           cl::desc("Apply the safe fixes to the files, or all"), cl::sub(command),
-           cl::cat(category_)),
-      diff_("diff", cl::desc("Show what --fix would change"), cl::sub(command), cl::cat(category_)),
-      unsafeFixes_("unsafe-fixes", cl::desc("With --fix and --diff: fixes that need a look too"),
-                   cl::sub(command), cl::cat(category_)),
-      stdinFilename_("stdin-filename", cl::value_desc("NAME"),
-                     cl::desc("What standard input (-) is called"), cl::sub(command),
-                     cl::cat(category_)),
-      color_("color", cl::value_desc("WHEN"), cl::init("auto"), cl::desc("auto, always, never"),
-             cl::sub(command), cl::cat(category_)),
-      timeTrace_("time-trace", cl::value_desc("FILE"),
-                 cl::desc("Write where the time went, for chrome://tracing"), cl::sub(command),
-                 cl::cat(category_), cl::Hidden) {}
+const ReportTarget *CheckRequest::shown() const {
+  const auto target = llvm::find_if(reports, [](const auto &known) { return known.file == "-"; });
+  return target == reports.end() ? nullptr : &*target;
+}
+
+void CheckOptions::declare(OptionSet &options) {
+  setup_.declare(options);
+  options.section("Inputs");
+  options.add("--stdin-filename", &stdinFilename_, "what standard input (-) is called")
+      .valued("NAME");
+  options.add("--follow-links", &inputs_.followLinks,
+              "read, and with --fix write, what symbolic links outside of their folder lead to");
+  options.add("--exclude", &inputs_.exclude, "leave out what matches when folders are checked")
+      .valued("GLOB,..", "globs relative to the current folder")
+      .environment();
+  options
+      .add("--force-exclude", &inputs_.forceExclude,
+           "leave out what is excluded even where a path names it, as hooks do")
+      .environment();
+  options
+      .add("--changed-since", &changedSince_,
+           "only findings that what changed since a commit of git concerns")
+      .valued("COMMIT", "a commit");
+  options
+      .add("--changed-lines", &changedLines_,
+           "only findings that the lines of a patch concern; -: standard input")
+      .valued("PATCH", "the file of a unified diff");
+  options.add("--shard", &shard_, "check one part of the files: 2/8 is the second of eight")
+      .valued("I/N", "I/N, such as 2/8, with I from 1 to N");
+  options.section("Rules");
+  options.add("--profile", &profile_, "selection of rules: recommended (default), strict, all")
+      .valued("NAME")
+      .environment();
+  options.add("--select", &select_, "only these rules or categories")
+      .valued("R,..", "rules or categories")
+      .environment();
+  options.add("--ignore", &ignore_, "not these rules or categories")
+      .valued("R,..", "rules or categories")
+      .environment();
+  options.add("--severity", &severity_, "report a rule as error, warning or style")
+      .valued("R=LEVEL", "RULE=LEVEL");
+  declareReports(options);
+  options.section("Fixes");
+  options.add("--fix", &fix_, "apply the safe fixes to the files, or all")
+      .valued("safe|all")
+      .among({"safe", "all"})
+      .implies("safe");
+  options.add("--diff", &diff_, "show what --fix would change, and change nothing");
+  options.add("--unsafe-fixes", &unsafeFixes_, "with --fix and --diff: fixes that need a look too");
+  options.section("Run");
+  options.add("--jobs", &jobs_, "files at the same time; default: one for each processor")
+      .valued("N", "a number from 1")
+      .shortly('j')
+      .environment();
+  options.add("--time-trace", &timeTrace_, "where the time went, for chrome://tracing")
+      .valued("FILE")
+      .hide();
+  options.operands("PATH", paths_, 0, size_t(-1));
+}
+
+void CheckOptions::declareReports(OptionSet &options) {
+  options.section("Reports");
+  options.add("--format", &format_, formatHelp()).valued("FMT").among(formatNames()).environment();
+  options.add("--output", &output_, "write the report to a file instead of standard output")
+      .valued("FILE")
+      .shortly('o');
+  options.add("--report", &reports_, "write a further report; may be repeated; -: standard output")
+      .valued("FMT:FILE", "FMT:FILE")
+      .wholeValues();
+  options.add("--relative-to", &relativeTo_, "show paths as seen from this folder")
+      .valued("DIR", "a folder");
+  options.add("--show-source", &showSource_, "text: with the program's line (default)");
+  options.add("--no-show-source", &hideSource_, "text: without the program's line");
+  options.add("--statistics", &statistics_,
+              "text: how many findings of each rule, and no findings");
+  options.add("--quiet", &quiet_, "findings and errors only: no last line, no remarks")
+      .shortly('q')
+      .environment();
+  options.add("--stats", &stats_,
+              "blocks, time, why each dialect was chosen, and the largest tool radius of each "
+              "compensated contour");
+  options.add("--color", &color_, "auto (default), always, never")
+      .valued("WHEN")
+      .among({"auto", "always", "never"})
+      .environment();
+  options.section("Exit code and known findings");
+  options
+      .add("--fail-on", &failOn_,
+           "exit 1 from this level on: error (default), warning, style, never")
+      .valued("LEVEL")
+      .among({"error", "warning", "style", "never"})
+      .environment();
+  options.add("--exit-zero", &exitZero_, "exit 0 whatever is found");
+  options.add("--baseline", &baseline_, "findings that are known already")
+      .valued("FILE")
+      .environment();
+  options
+      .add("--write-baseline", &writeBaseline_,
+           "write what is found now as a baseline; -: standard output")
+      .valued("FILE");
+}
+
+llvm::Error CheckOptions::checkTogether(const OptionSet &options) const {
+  const bool fixes = options.isGiven("--fix") || diff_;
+  if (unsafeFixes_ && !fixes)
+    return failure("--unsafe-fixes needs --fix or --diff");
+  if (options.isGiven("--fix") && diff_)
+    return failure("--fix and --diff exclude each other: --diff shows what --fix would change");
+  const bool standardInput = llvm::is_contained(paths_, "-");
+  if (!stdinFilename_.empty() && !standardInput)
+    return failure("--stdin-filename needs - among the paths");
+  if (showSource_ && hideSource_)
+    return failure("--show-source and --no-show-source exclude each other");
+  if (exitZero_ && options.isGiven("--fail-on"))
+    return failure("--exit-zero and --fail-on exclude each other");
+  if (!changedSince_.empty() && !changedLines_.empty())
+    return failure("--changed-since and --changed-lines exclude each other");
+  if (changedLines_ == "-" && standardInput)
+    return failure("--changed-lines - and - among the paths: there is one standard input");
+  const bool narrowed = !changedSince_.empty() || !changedLines_.empty() || !shard_.empty();
+  if (narrowed && (fixes || !writeBaseline_.empty()))
+    return failure("--changed-since, --changed-lines and --shard go with neither --fix, --diff nor "
+                   "--write-baseline");
+  if (!writeBaseline_.empty() && fixes)
+    return failure("--write-baseline and " + llvm::Twine(diff_ ? "--diff" : "--fix") +
+                   " exclude each other");
+  return llvm::Error::success();
+}
+
+llvm::Error CheckOptions::readShard(CheckRequest &request) const {
+  if (shard_.empty())
+    return llvm::Error::success();
+  const auto [index, count] = llvm::StringRef(shard_).split('/');
+  if (index.getAsInteger(10, request.shard) || count.getAsInteger(10, request.shards) ||
+      request.shard == 0 || request.shard > request.shards)
+    return failure("--shard wants I/N, such as 2/8, with I from 1 to N, not \"" +
+                   llvm::Twine(shard_) + "\"");
+  --request.shard;
+  return llvm::Error::success();
+}
 
 llvm::Error CheckOptions::readRules(RuleSettings &rules) const {
   for (const auto &[given, target] :
@@ -95,8 +179,8 @@ llvm::Error CheckOptions::readRules(RuleSettings &rules) const {
     const auto [name, level] = llvm::StringRef(choice).split('=');
     const std::optional<Severity> severity = parseSeverity(level);
     if (!severity)
-      return failure("--severity " + llvm::Twine(choice) +
-                     ": RULE=LEVEL is expected, with a level of error, warning, style");
+      return failure("--severity wants RULE=LEVEL, with error, warning or style as level, not \"" +
+                     llvm::Twine(choice) + "\"");
     if (auto known = rulesNamed(name); !known)
       return known.takeError();
     rules.severity.emplace_back(name.str(), *severity);
@@ -104,64 +188,78 @@ llvm::Error CheckOptions::readRules(RuleSettings &rules) const {
   return llvm::Error::success();
 }
 
-llvm::Error CheckOptions::readReports(CheckRequest &request) const {
-  request.format = format_;
-  if (!isFormat(format_))
-    return unknownFormat(format_);
-  for (const std::string &target : report_) {
+llvm::Error CheckOptions::readReports(const OptionSet &options, CheckRequest &request) const {
+  for (const std::string &target : reports_) {
     const auto [format, file] = llvm::StringRef(target).split(':');
+    if (!llvm::is_contained(formatNames(), format))
+      return failure("--report wants FMT:FILE, with a format first, not \"" + llvm::Twine(target) +
+                     "\"" + nearest(format, formatNames()));
     if (file.empty())
-      return failure("--report " + llvm::Twine(target) + ": FMT:FILE is expected");
-    if (!isFormat(format))
-      return unknownFormat(format);
+      return failure("--report wants FMT:FILE, not \"" + llvm::Twine(target) + "\"");
+    if (file == "-" && request.shown())
+      return failure("--report: two reports to standard output");
     request.reports.push_back({format.str(), file.str()});
+  }
+  const bool baselineShown = writeBaseline_ == "-";
+  const bool isFilter = options.isGiven("--fix") && llvm::is_contained(paths_, "-");
+  if (!output_.empty() && output_ != "-") {
+    request.reports.push_back({format_, output_});
+  } else if (request.shown()) {
+    if (options.isGiven("--format") || baselineShown)
+      return failure("--report " + request.shown()->format + ":-: standard output has a " +
+                     (baselineShown ? "baseline" : "report") + " already");
+  } else if (baselineShown && options.isGiven("--format")) {
+    return failure("--write-baseline -: standard output has a report already");
+  } else if (!isFilter && !diff_ && (writeBaseline_.empty() || options.isGiven("--format"))) {
+    // What is being written down as known need not be told.
+    request.reports.push_back({format_, "-"});
   }
   return llvm::Error::success();
 }
 
-llvm::Expected<CheckRequest> CheckOptions::request() const {
+void CheckOptions::readFixes(const OptionSet &options, CheckRequest &request) const {
+  request.diff = diff_;
+  request.fix = options.isGiven("--fix");
+  request.unsafeFixes = unsafeFixes_ || fix_ == "all";
+}
+
+llvm::Expected<CheckRequest> CheckOptions::request(const OptionSet &options) const {
   CheckRequest request;
-  request.session.dialect = dialect_;
-  request.session.configFile = config_;
+  if (llvm::Error wrong = checkTogether(options))
+    return wrong;
   request.session.profile = profile_;
   if (llvm::Error wrong = readRules(request.session.rules))
     return wrong;
-  if (llvm::Error wrong = readReports(request))
+  if (llvm::Error wrong = readReports(options, request))
     return wrong;
   if (!profile_.empty())
     if (auto layers = loadProfile(profile_); !layers)
       return layers.takeError();
-  if (!machine_.empty()) {
-    auto machine = readMachine(machine_);
-    if (!machine)
-      return machine.takeError();
-    request.session.machine = std::move(*machine);
-  }
-  if (!failOn_.empty()) {
-    auto level = parseFailOn(failOn_);
-    if (!level)
-      return failure("--fail-on: " + llvm::toString(level.takeError()));
-    request.failOn = *level;
-  }
-  if (fix_ != "none" && fix_ != "" && fix_ != "safe" && fix_ != "all")
-    return failure("--fix=" + llvm::Twine(fix_) + ": safe or all is expected");
-  request.diff = diff_;
-  request.fix = fix_ != "none" && !diff_;
-  request.unsafeFixes = unsafeFixes_ || fix_ == "all";
-  if (color_ != "auto" && color_ != "always" && color_ != "never")
-    return failure("--color " + llvm::Twine(color_) + ": auto, always or never is expected");
+  if (llvm::Error wrong = setup_.apply(request.session))
+    return wrong;
+  if (!failOn_.empty())
+    request.failOn = llvm::cantFail(parseFailOn(failOn_));
+  readFixes(options, request);
   request.color =
       color_ == "always" || (color_ == "auto" && !llvm::sys::Process::GetEnv("NO_COLOR") &&
                              llvm::sys::Process::StandardOutHasColors());
-  request.paths.assign(paths_.begin(), paths_.end());
-  if (request.paths.empty())
-    request.paths = {"."};
+  request.paths = paths_.empty() ? std::vector<std::string>{"."} : paths_;
   request.baseline = baseline_;
   request.writeBaseline = writeBaseline_;
   request.stdinFilename = stdinFilename_;
   request.timeTrace = timeTrace_;
   request.jobs = jobs_;
+  request.quiet = quiet_;
+  request.exitZero = exitZero_;
+  request.statistics = statistics_;
+  request.showSource = !hideSource_;
+  request.changedSince = changedSince_;
+  request.changedLines = changedLines_;
+  if (llvm::Error wrong = readShard(request))
+    return wrong;
+  request.inputs = inputs_;
   request.stats = request.session.contours = stats_;
+  request.relativeTo = relativeTo_;
   return request;
 }
 

@@ -1,12 +1,12 @@
 // Options of `ncvet check`, as the user gave them.
 #pragma once
 
-#include "analyzer/cli/command.h"
-#include "analyzer/setup/session.h"
+#include "analyzer/cli/setup_options.h"
+#include "analyzer/setup/input_files.h"
 
 namespace ncvet::cli {
 
-/// A further report: `--report FMT:FILE`.
+/// A report and where it goes; `-` is standard output.
 struct ReportTarget {
   std::string format, file;
 };
@@ -15,44 +15,53 @@ struct ReportTarget {
 struct CheckRequest {
   SessionOptions session;
   std::vector<std::string> paths;
-  std::string format;
-  std::vector<ReportTarget> reports;
-  std::optional<FailOn> failOn; ///< none: as configured
+  std::vector<ReportTarget> reports; ///< at most one of them to standard output
+  std::optional<FailOn> failOn;      ///< none: as configured
   std::string baseline, writeBaseline;
   std::string stdinFilename;
   std::string timeTrace;
-  unsigned jobs = 0; ///< 0: as many as the machine has processors
-  bool stats = false, color = false;
+  std::string changedSince, changedLines; ///< commit; file of a patch
+  std::string relativeTo;       ///< folder that paths are shown from; empty: the current one
+  size_t shard = 0, shards = 1; ///< this one, from 0, of so many
+  unsigned jobs = 0;            ///< 0: as many as the machine has processors
+  bool stats = false, color = false, quiet = false, exitZero = false;
+  bool statistics = false, showSource = true;
+  InputChoice inputs;
   bool fix = false, diff = false, unsafeFixes = false;
+
+  /// The report on standard output; null when there is none.
+  const ReportTarget *shown() const;
 };
 
 class CheckOptions {
 public:
-  CheckOptions();
-  llvm::cl::SubCommand command;
+  void declare(OptionSet &options);
   /// The request; an error says in one line what is wrong with the options.
-  llvm::Expected<CheckRequest> request() const;
+  llvm::Expected<CheckRequest> request(const OptionSet &options) const;
 
 private:
+  void declareReports(OptionSet &options);
+  llvm::Error checkTogether(const OptionSet &options) const;
   llvm::Error readRules(RuleSettings &rules) const;
-  llvm::Error readReports(CheckRequest &request) const;
+  llvm::Error readReports(const OptionSet &options, CheckRequest &request) const;
+  llvm::Error readShard(CheckRequest &request) const;
+  void readFixes(const OptionSet &options, CheckRequest &request) const;
 
-  template <typename T>
-  using Option = llvm::cl::opt<T>;
-  llvm::cl::OptionCategory category_;
-  llvm::cl::list<std::string> paths_;
-  Option<std::string> dialect_, machine_, config_, profile_;
-  llvm::cl::list<std::string> select_, ignore_, severity_;
-  Option<std::string> format_;
-  llvm::cl::list<std::string> report_;
-  Option<std::string> failOn_, baseline_, writeBaseline_;
-  Option<unsigned> jobs_;
-  Option<bool> stats_;
-  Option<std::string> fix_;
-  Option<bool> diff_, unsafeFixes_;
-  Option<std::string> stdinFilename_, color_, timeTrace_;
-
-  friend class CommandLine;
+  SetupOptions setup_;
+  std::vector<std::string> paths_;
+  std::string profile_;
+  std::vector<std::string> select_, ignore_, severity_;
+  std::string format_ = "text", output_;
+  std::vector<std::string> reports_;
+  std::string failOn_, baseline_, writeBaseline_;
+  unsigned jobs_ = 0;
+  bool stats_ = false, quiet_ = false, exitZero_ = false;
+  bool statistics_ = false, showSource_ = false, hideSource_ = false;
+  InputChoice inputs_;
+  std::string fix_;
+  bool diff_ = false, unsafeFixes_ = false;
+  std::string changedSince_, changedLines_, shard_, relativeTo_;
+  std::string stdinFilename_, color_ = "auto", timeTrace_;
 };
 
 } // namespace ncvet::cli

@@ -1,11 +1,10 @@
-// What the subcommands share: exit codes, and one line on standard error for what went wrong.
+// What the subcommands share: options, exit codes, and one line on standard error for what went
+// wrong.
 #pragma once
 
-#include "llvm/ADT/StringRef.h"
-#include "llvm/ADT/Twine.h"
-#include "llvm/Support/CommandLine.h"
+#include "analyzer/cli/options.h"
 
-#include <string>
+#include "llvm/ADT/Twine.h"
 
 namespace ncvet::cli {
 
@@ -15,14 +14,19 @@ constexpr int exitFailure = 2; ///< wrong usage, or what cannot be read or writt
 
 /// `ncvet: error: MESSAGE` on standard error; returns `exitFailure`.
 int fail(const llvm::Twine &message);
+/// The same with the text of the error.
+int fail(llvm::Error error);
 
-/// A subcommand with its options. Objects are made before the command line is parsed and live until
-/// the end of the run.
+/// A subcommand with its options. Standard output is flushed, and looked at for errors, after it
+/// has run.
 class Command {
 public:
+  Command(llvm::StringRef name, llvm::StringRef summary) : options(name, summary) {}
   virtual ~Command() = default;
-  virtual llvm::cl::SubCommand &subcommand() = 0;
+  Command(const Command &) = delete;
   virtual int run() = 0;
+
+  OptionSet options;
 };
 
 } // namespace ncvet::cli

@@ -2,17 +2,17 @@
 #include "analyzer/cli/command_line.h"
 
 #include "analyzer/cli/check.h"
+#include "analyzer/cli/config_command.h"
 #include "analyzer/cli/explain.h"
 #include "analyzer/cli/lsp.h"
+#include "analyzer/cli/merge.h"
 #include "analyzer/cli/trace.h"
-#include "formats/dialect/json_reader.h"
 
-#include "llvm/ADT/StringExtras.h"
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/Support/FileSystem.h"
 #include "llvm/Support/raw_ostream.h"
 
 namespace ncvet::cli {
-
-namespace cl = llvm::cl;
 
 namespace {
 
@@ -24,34 +24,87 @@ constexpr llvm::StringLiteral usage =
     ncvet explain RULE        the page of a rule
     ncvet rules               all rules
     ncvet dialects            all controls
+    ncvet config [PATH]       which settings count for it, and who gave them
+    ncvet init [FOLDER]       write a .ncvet.json to begin with
+    ncvet merge FILE...       one report of those of the parts of a check
     ncvet lsp                 serve an editor on standard input and output
 
 `ncvet COMMAND --help` shows a command's options. Exit code: 0 nothing found, 1 findings,
-2 wrong usage or something that cannot be read.
+2 wrong usage or something that cannot be read or written.
 )";
 
-constexpr llvm::StringLiteral programName = "ncvet";
+/// All subcommands.
+struct Commands {
+  CheckCommand check;
+  TraceCommand trace;
+  ExplainCommand explain;
+  RulesCommand rules;
+  DialectsCommand dialects;
+  LspCommand lsp;
+  MergeCommand merge;
+  ConfigCommand config;
+  InitCommand init;
 
-/// cl's errors name the program and spread over lines: `ncvet: WHAT  Try: '…'`, `ncvet: Did you …`.
-std::string inOneLine(llvm::StringRef text) {
-  std::string message;
-  llvm::SmallVector<llvm::StringRef, 4> lines;
-  text.split(lines, '\n', -1, /*KeepEmpty=*/false);
-  for (llvm::StringRef line : lines) {
-    line.consume_front(programName);
-    line.consume_front(": ");
-    message += message.empty() ? "" : " ";
-    message += line.trim();
+  std::vector<Command *> all() {
+    return {&check, &trace, &explain, &rules, &dialects, &config, &init, &merge, &lsp};
   }
-  const size_t blank = message.find("  Try:");
-  if (blank != std::string::npos)
-    message.erase(blank, 1);
-  return message;
+
+  Command *find(llvm::StringRef name) {
+    for (Command *command : all())
+      if (command->options.command() == name)
+        return command;
+    return nullptr;
+  }
+};
+
+int unknownCommand(Commands &commands, llvm::StringRef given) {
+  if (given.startswith("-"))
+    return fail("unknown option \"" + given + "\": a command comes first; see `ncvet --help`");
+  std::vector<llvm::StringRef> names;
+  for (const Command *command : commands.all())
+    names.push_back(command->options.command());
+  const std::string near = nearest(given, names);
+  if (near.empty() && llvm::sys::fs::exists(given))
+    return fail("unknown command \"" + given + "\"; to check it: ncvet check " + given);
+  return fail("unknown command \"" + given + "\"" + (near.empty() ? "; see `ncvet --help`" : near));
 }
 
-int unknownCommand(llvm::StringRef given) {
-  return fail("unknown command \"" + given + "\"" +
-              suggest(given, {"check", "explain", "rules", "dialects", "trace", "lsp"}));
+int runCommand(Command &command, llvm::ArrayRef<const char *> arguments) {
+  auto parsed = command.options.parse(arguments);
+  if (!parsed)
+    return fail(parsed.takeError());
+  if (*parsed == Parsed::Run)
+    return command.run();
+  llvm::outs() << command.options.help();
+  return exitClean;
+}
+
+int dispatch(llvm::ArrayRef<const char *> arguments) {
+  const llvm::StringRef first = arguments.empty() ? "" : arguments[0];
+  if (first.empty()) {
+    llvm::errs() << usage;
+    return exitFailure;
+  }
+  Commands commands;
+  const bool help = first == "--help" || first == "-h" || first == "help";
+  if (first == "help" && arguments.size() > 1) {
+    if (const Command *command = commands.find(arguments[1])) {
+      llvm::outs() << command->options.help();
+      return exitClean;
+    }
+    return unknownCommand(commands, arguments[1]);
+  }
+  if (help) {
+    llvm::outs() << usage;
+    return exitClean;
+  }
+  if (first == "--version" || first == "-V") {
+    llvm::outs() << "ncvet " << NCVET_VERSION << '\n';
+    return exitClean;
+  }
+  if (Command *command = commands.find(first))
+    return runCommand(*command, arguments.drop_front());
+  return unknownCommand(commands, first);
 }
 
 } // namespace
@@ -62,42 +115,17 @@ int fail(const llvm::Twine &message) {
   return exitFailure;
 }
 
+int fail(llvm::Error error) { return fail(llvm::toString(std::move(error))); }
+
 int runCommandLine(int argc, const char *const *argv) {
-  const llvm::StringRef first = argc > 1 ? argv[1] : "";
-  if (first.empty()) {
-    llvm::errs() << usage;
-    return exitFailure;
-  }
-  if (first == "--help" || first == "-h" || first == "-help" || first == "help") {
-    llvm::outs() << usage;
-    llvm::outs().flush();
-    return exitClean;
-  }
-  if (first == "--version" || first == "-version" || first == "-V") {
-    llvm::outs() << "ncvet " << NCVET_VERSION << '\n';
-    llvm::outs().flush();
-    return exitClean;
-  }
-
-  CheckCommand check;
-  TraceCommand trace;
-  ExplainCommand explain;
-  RulesCommand rules;
-  DialectsCommand dialects;
-  LspCommand lsp;
-  Command *const commands[] = {&check, &trace, &explain, &rules, &dialects, &lsp};
-  Command *const *const wanted = llvm::find_if(
-      commands, [&](Command *command) { return command->subcommand().getName() == first; });
-  if (wanted == std::end(commands))
-    return unknownCommand(first);
-
-  std::vector<const char *> arguments(argv, argv + argc);
-  arguments[0] = programName.data(); // as help and errors name it, wherever it was started from
-  std::string errors;
-  llvm::raw_string_ostream stream(errors);
-  if (!cl::ParseCommandLineOptions(argc, arguments.data(), "", &stream))
-    return fail(inOneLine(stream.str()));
-  return (*wanted)->run();
+  // A program may be started without even its own name.
+  const int code = dispatch(llvm::makeArrayRef(argv, size_t(argc)).drop_front(argc > 0 ? 1 : 0));
+  llvm::outs().flush();
+  if (!llvm::outs().has_error())
+    return code;
+  const std::error_code error = llvm::outs().error();
+  llvm::outs().clear_error(); // else LLVM ends the process by itself
+  return fail("cannot write to standard output: " + error.message());
 }
 
 } // namespace ncvet::cli

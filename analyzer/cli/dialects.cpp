@@ -9,8 +9,6 @@
 
 namespace ncvet::cli {
 
-namespace cl = llvm::cl;
-
 namespace {
 
 /// Loads the table with all that it extends, and compiles its marks.
@@ -35,16 +33,15 @@ llvm::Error checkTable(llvm::StringRef file) {
 } // namespace
 
 DialectsCommand::DialectsCommand()
-    : command_("dialects", "list the controls, or check a table of your own"),
-      category_("Options of ncvet dialects"),
-      check_("check", cl::value_desc("FILE"), cl::desc("Say whether a table is well formed"),
-             cl::sub(command_), cl::cat(category_)) {}
+    : Command("dialects", "list the controls, or check a table of your own") {
+  options.section("Options");
+  options.add("--check", &check_, "say whether a table is well formed").valued("FILE");
+}
 
 int DialectsCommand::run() {
   if (!check_.empty()) {
     if (llvm::Error wrong = checkTable(check_))
-      return fail(llvm::toString(std::move(wrong)));
-    llvm::outs().flush();
+      return fail(std::move(wrong));
     return exitClean;
   }
   for (const DialectSummary &dialect : listDialects()) {
@@ -55,7 +52,6 @@ int DialectsCommand::run() {
       llvm::outs() << " (extends " << dialect.extends << ')';
     llvm::outs() << '\n';
   }
-  llvm::outs().flush();
   return exitClean;
 }
 

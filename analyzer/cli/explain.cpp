@@ -1,26 +1,28 @@
 // `ncvet explain RULE`: the page of a rule.
 #include "analyzer/cli/explain.h"
 
+#include "analyzer/cli/setup_options.h"
 #include "analyzer/rule/rule_page.h"
 #include "analyzer/rule/rule_settings.h"
 #include "analyzer/rule/rule_table.h"
 #include "analyzer/setup/config.h"
 #include "formats/dialect/loader.h"
+#include "formats/finding/page_text.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/raw_ostream.h"
 
 namespace ncvet::cli {
 
-namespace cl = llvm::cl;
-
-ExplainCommand::ExplainCommand()
-    : command_("explain", "show the page of a rule"), category_("Options of ncvet explain"),
-      rule_(cl::Positional, cl::desc("RULE"), cl::sub(command_), cl::cat(category_)),
-      dialect_(
-          "dialect", cl::value_desc("ID"),
-          cl::desc("Show the programs of this control only; the nearest .ncvet.json may name it"),
-          cl::sub(command_), cl::cat(category_)) {}
+ExplainCommand::ExplainCommand() : Command("explain", "show the page of a rule") {
+  options.section("Options");
+  options
+      .add("--dialect", &dialect_,
+           "show the programs of this control; the nearest .ncvet.json may name it")
+      .valued("ID", "the id of a control, which `ncvet dialects` lists");
+  options.add("--all", &all_, "show the programs of all controls");
+  options.operands("RULE", rule_, 1, 1);
+}
 
 namespace {
 
@@ -40,26 +42,64 @@ std::string configuredDialect() {
   return config->dialect;
 }
 
+/// The control with those whose tables it extends, the nearest first.
+std::vector<std::string> familyOf(llvm::StringRef dialect) {
+  const std::vector<DialectSummary> known = listDialects();
+  std::vector<std::string> family;
+  std::string id = dialect.str();
+  while (!id.empty() && !llvm::is_contained(family, id)) {
+    family.push_back(id);
+    const auto entry = llvm::find_if(known, [&](const auto &one) { return one.id == id; });
+    id = entry == known.end() ? "" : entry->extends;
+  }
+  return family;
+}
+
+/// The first of the family that is in `list`; empty: none.
+std::string firstOf(llvm::ArrayRef<std::string> family, llvm::ArrayRef<std::string> list) {
+  for (const std::string &id : family)
+    if (llvm::is_contained(list, id))
+      return id;
+  return "";
+}
+
+/// What is not shown of the page, and how to see it.
+void writeOthers(const std::string &rule, llvm::ArrayRef<std::string> controls,
+                 llvm::StringRef shown) {
+  std::string others;
+  for (const std::string &control : controls)
+    if (control != shown)
+      others += (others.empty() ? "" : ", ") + control;
+  if (!others.empty())
+    llvm::outs() << "\nThe programs above are for " << shown << ". `ncvet explain " << rule
+                 << " --dialect ID` shows those for " << others << "; --all shows all of them.\n";
+}
+
 } // namespace
 
 int ExplainCommand::run() {
-  if (rule_.empty())
-    return fail("explain wants the id of a rule; `ncvet rules` lists them");
+  const std::string &id = rule_.front();
   const auto entry = llvm::find_if(
-      allRules(), [&](const RuleEntry &candidate) { return candidate.info.id == rule_; });
+      allRules(), [&](const RuleEntry &candidate) { return candidate.info.id == id; });
   if (entry == allRules().end()) {
-    auto named = rulesNamed(rule_);
+    auto named = rulesNamed(id);
     if (!named)
-      return fail(llvm::toString(named.takeError()));
-    return fail("\"" + llvm::Twine(rule_) + "\" is a category; `ncvet rules` lists its rules");
+      return fail(named.takeError());
+    return fail("\"" + id + "\" is a category; `ncvet rules` lists its rules");
   }
-  const RuleInfo &info = entry->info;
+  if (!dialect_.empty())
+    if (llvm::Error wrong = checkDialect(dialect_))
+      return fail(std::move(wrong));
+  write(*entry);
+  return exitClean;
+}
+
+void ExplainCommand::write(const RuleEntry &entry) const {
+  const RuleInfo &info = entry.info;
   const RulePage page = readRulePage(info);
-  std::string dialect = dialect_;
-  if (dialect.empty())
-    dialect = configuredDialect();
-  else if (llvm::none_of(listDialects(), [&](const auto &known) { return known.id == dialect; }))
-    return fail("unknown dialect \"" + llvm::Twine(dialect) + "\"; `ncvet dialects` lists them");
+  const std::string dialect = dialect_.empty() ? configuredDialect() : dialect_;
+  const std::vector<std::string> family = familyOf(dialect);
+  const std::vector<std::string> controls = controlsOfPrograms(page.body);
   llvm::raw_ostream &out = llvm::outs();
   // The title first, then what the page's metadata say, then the page.
   llvm::StringRef title, rest;
@@ -69,12 +109,19 @@ int ExplainCommand::run() {
       << (info.enabledByDefault ? "on" : "off") << " by default · fix: " << info.fix;
   if (!page.dialects.empty())
     out << " · " << llvm::join(page.dialects, ", ");
-  const std::string text = dialect.empty() ? rest.str() : withProgramsOf(dialect, rest);
-  out << "\n" << text;
-  if (!llvm::StringRef(text).endswith("\n"))
-    out << '\n';
-  out.flush();
-  return exitClean;
+  out << '\n';
+  if (family.size() > 1 && !page.dialects.empty() && firstOf(family, page.dialects).empty())
+    out << "\nIt is no rule for " << dialect << ": its page is about other controls.\n";
+  // Without a control of the user's, one example says enough.
+  std::string shown = firstOf(family, controls);
+  if (shown.empty() && !controls.empty())
+    shown = controls.front();
+  std::string text = rest.str();
+  if (!all_ && !shown.empty())
+    text = withProgramsOf(std::vector<std::string>{shown}, rest);
+  out << llvm::StringRef(forReaders(text)).rtrim('\n') << '\n';
+  if (!all_)
+    writeOthers(info.id.str(), controls, shown);
 }
 
 } // namespace ncvet::cli

@@ -2,44 +2,39 @@
 #pragma once
 
 #include "analyzer/cli/command.h"
+#include "analyzer/rule/rule_table.h"
 
 namespace ncvet::cli {
 
 class ExplainCommand final : public Command {
 public:
   ExplainCommand();
-  llvm::cl::SubCommand &subcommand() override { return command_; }
   int run() override;
 
 private:
-  llvm::cl::SubCommand command_;
-  llvm::cl::OptionCategory category_;
-  llvm::cl::opt<std::string> rule_;
-  llvm::cl::opt<std::string> dialect_;
+  void write(const RuleEntry &entry) const;
+
+  std::vector<std::string> rule_;
+  std::string dialect_;
+  bool all_ = false;
 };
 
 class RulesCommand final : public Command {
 public:
   RulesCommand();
-  llvm::cl::SubCommand &subcommand() override { return command_; }
   int run() override;
 
 private:
-  llvm::cl::SubCommand command_;
-  llvm::cl::OptionCategory category_;
-  llvm::cl::opt<std::string> format_;
+  std::string format_ = "text";
 };
 
 class DialectsCommand final : public Command {
 public:
   DialectsCommand();
-  llvm::cl::SubCommand &subcommand() override { return command_; }
   int run() override;
 
 private:
-  llvm::cl::SubCommand command_;
-  llvm::cl::OptionCategory category_;
-  llvm::cl::opt<std::string> check_;
+  std::string check_;
 };
 
 } // namespace ncvet::cli

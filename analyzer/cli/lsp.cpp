@@ -9,13 +9,10 @@
 
 namespace ncvet::cli {
 
-namespace cl = llvm::cl;
-
-LspCommand::LspCommand()
-    : command_("lsp", "serve an editor on standard input and output"),
-      category_("Options of ncvet lsp"),
-      stdio_("stdio", cl::desc("Taken because editors give it; there is no other way"),
-             cl::sub(command_), cl::cat(category_)) {}
+LspCommand::LspCommand() : Command("lsp", "serve an editor on standard input and output") {
+  options.section("Options");
+  options.add("--stdio", &stdio_, "taken because editors give it; there is no other way");
+}
 
 int LspCommand::run() {
   enableCrashGuard();

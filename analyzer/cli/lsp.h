@@ -8,13 +8,10 @@ namespace ncvet::cli {
 class LspCommand final : public Command {
 public:
   LspCommand();
-  llvm::cl::SubCommand &subcommand() override { return command_; }
   int run() override;
 
 private:
-  llvm::cl::SubCommand command_;
-  llvm::cl::OptionCategory category_;
-  llvm::cl::opt<bool> stdio_;
+  bool stdio_ = false;
 };
 
 } // namespace ncvet::cli

@@ -11,8 +11,6 @@
 
 namespace ncvet::cli {
 
-namespace cl = llvm::cl;
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -78,21 +76,38 @@ void writeText(llvm::raw_ostream &out) {
   }
 }
 
+void writeMarkdown(llvm::raw_ostream &out) {
+  llvm::StringRef category;
+  for (const RuleEntry &entry : allRules()) {
+    const RuleInfo &info = entry.info;
+    if (info.category != category)
+      out << (category.empty() ? "" : "\n") << "## " << info.category
+          << "\n\n| rule | severity | default | fix | what it reports |\n|---|---|---|---|---|\n";
+    category = info.category;
+    out << "| `" << info.id << "` | " << toString(info.severity) << " | "
+        << (info.enabledByDefault ? "on" : "off") << " | " << info.fix << " | ";
+    for (const char byte : info.summary)
+      byte == '|' ? out << "\\|" : out << byte;
+    out << " |\n";
+  }
+}
+
 } // namespace
 
-RulesCommand::RulesCommand()
-    : command_("rules", "list the rules"), category_("Options of ncvet rules"),
-      format_("format", cl::value_desc("FMT"), cl::init("text"), cl::desc("text (default) or json"),
-              cl::sub(command_), cl::cat(category_)) {}
+RulesCommand::RulesCommand() : Command("rules", "list the rules") {
+  options.section("Options");
+  options.add("--format", &format_, "text (default), json, markdown")
+      .valued("FMT")
+      .among({"text", "json", "markdown"});
+}
 
 int RulesCommand::run() {
   if (format_ == "json")
     writeJson(llvm::outs());
-  else if (format_ == "text")
-    writeText(llvm::outs());
+  else if (format_ == "markdown")
+    writeMarkdown(llvm::outs());
   else
-    return fail("unknown format \"" + llvm::Twine(format_) + "\"; one of text, json");
-  llvm::outs().flush();
+    writeText(llvm::outs());
   return exitClean;
 }
 

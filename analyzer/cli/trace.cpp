@@ -4,6 +4,7 @@
 #include "analyzer/flow/trace.h"
 #include "analyzer/setup/session.h"
 #include "formats/text/json_text.h"
+#include "formats/text/plain_text.h"
 
 #include "llvm/Support/raw_ostream.h"
 #include <nlohmann/json.hpp>
@@ -11,8 +12,6 @@
 #include <cmath>
 
 namespace ncvet::cli {
-
-namespace cl = llvm::cl;
 
 namespace {
 
@@ -153,43 +152,50 @@ private:
 
 } // namespace
 
-TraceCommand::TraceCommand()
-    : command_("trace", "write the motions that a program makes"),
-      category_("Options of ncvet trace"),
-      file_(cl::Positional, cl::desc("FILE"), cl::Required, cl::sub(command_), cl::cat(category_)),
-      dialect_("dialect", cl::value_desc("ID"), cl::init("auto"),
-               cl::desc("The control, or a table's file; auto: found out"), cl::sub(command_),
-               cl::cat(category_)),
-      machine_("machine", cl::value_desc("FILE"), cl::desc("Profile of the machine"),
-               cl::sub(command_), cl::cat(category_)),
-      config_("config", cl::value_desc("FILE"),
-              cl::desc("Configuration instead of the nearest .ncvet.json"), cl::sub(command_),
-              cl::cat(category_)) {}
+TraceCommand::TraceCommand() : Command("trace", "write the motions that a program makes") {
+  setup_.declare(options);
+  options.section("Input");
+  options.add("--stdin-filename", &stdinFilename_, "what standard input (-) is called")
+      .valued("NAME");
+  options.operands("FILE", file_, 1, 1);
+}
+
+llvm::Expected<const SourceFile *> TraceCommand::open(SourceSet &sources) const {
+  const std::string &name = file_.front();
+  if (name != "-") {
+    auto file = sources.open(name, name);
+    if (!file)
+      return file.takeError();
+    if (const std::string wrong = whyNoProgram((*file)->text()); !wrong.empty())
+      return failure(name + ": " + wrong);
+    return *file;
+  }
+  auto text = readStandardInput();
+  if (!text)
+    return text.takeError();
+  return &sources.add(stdinFilename_.empty() ? "<stdin>" : stdinFilename_, (*text)->getBuffer(),
+                      stdinFilename_);
+}
 
 int TraceCommand::run() {
-  SessionOptions options;
-  options.dialect = dialect_;
-  options.configFile = config_;
-  if (!machine_.empty()) {
-    auto machine = readMachine(machine_);
-    if (!machine)
-      return fail(llvm::toString(machine.takeError()));
-    options.machine = std::move(*machine);
-  }
-  Session session(std::move(options));
+  if (!stdinFilename_.empty() && file_.front() != "-")
+    return fail("--stdin-filename needs - as FILE");
+  SessionOptions given;
+  if (llvm::Error wrong = setup_.apply(given))
+    return fail(std::move(wrong));
+  Session session(std::move(given));
   SourceSet sources;
-  auto source = sources.open(file_, file_);
+  auto source = open(sources);
   if (!source)
-    return fail(llvm::toString(source.takeError()));
+    return fail(source.takeError());
   const SourceFile &file = **source;
   auto setup = session.setup(file.path().empty() ? file.display() : file.path(), file.text());
   if (!setup)
-    return fail(llvm::toString(setup.takeError()));
+    return fail(setup.takeError());
   Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                   setup->folders);
   TraceWriter writer(llvm::outs(), *setup->dialect);
   trace(project, project.unit(file), setup->limits, writer);
-  llvm::outs().flush();
   return writer.hasLost() ? exitFindings : exitClean;
 }
 

@@ -2,20 +2,21 @@
 #pragma once
 
 #include "analyzer/cli/command.h"
+#include "analyzer/cli/setup_options.h"
 
 namespace ncvet::cli {
 
 class TraceCommand final : public Command {
 public:
   TraceCommand();
-  llvm::cl::SubCommand &subcommand() override { return command_; }
   int run() override;
 
 private:
-  llvm::cl::SubCommand command_;
-  llvm::cl::OptionCategory category_;
-  llvm::cl::opt<std::string> file_;
-  llvm::cl::opt<std::string> dialect_, machine_, config_;
+  llvm::Expected<const SourceFile *> open(SourceSet &sources) const;
+
+  std::vector<std::string> file_;
+  SetupOptions setup_;
+  std::string stdinFilename_;
 };
 
 } // namespace ncvet::cli

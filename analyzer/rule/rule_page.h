@@ -45,8 +45,4 @@ RulePage readRulePage(const RuleInfo &info);
 /// The same, read once for the whole run. For several threads.
 const RulePage &rulePage(RuleId rule);
 
-/// The page's text with the programs of one control only, without the paragraphs that introduce
-/// others alone; unchanged when it has none of them.
-std::string withProgramsOf(llvm::StringRef dialect, llvm::StringRef body);
-
 } // namespace ncvet

@@ -5,10 +5,11 @@
 #include "formats/dialect/json_reader.h"
 #include "formats/dialect/ruleset_files.h"
 #include "formats/text/failure.h"
+#include "formats/text/json_text.h"
+#include "formats/text/read_file.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/GlobPattern.h"
-#include "llvm/Support/MemoryBuffer.h"
 #include "llvm/Support/Path.h"
 #include <nlohmann/json.hpp>
 
@@ -82,9 +83,9 @@ std::string joined(llvm::StringRef folder, llvm::StringRef name) {
 }
 
 llvm::Expected<std::string> readText(llvm::StringRef file) {
-  auto buffer = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  auto buffer = readFile(file);
   if (!buffer)
-    return failure("cannot read " + file + ": " + buffer.getError().message());
+    return buffer.takeError();
   return (*buffer)->getBuffer().str();
 }
 
@@ -186,6 +187,8 @@ llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
   auto json = parseJson(file, *text);
   if (!json)
     return json.takeError();
+  if (llvm::Error wrong = refuseRepeatedKeys(file, *text))
+    return wrong;
   const JsonLayer layer{file.str(), *text};
   JsonReader in(layer, *json);
   ConfigFile given;
@@ -195,9 +198,17 @@ llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
   const std::string folder = path::parent_path(file).str();
   if (llvm::Error wrong = readExtended(in, *json, given, folder, depth))
     return wrong;
+  for (auto entry = json->begin(); entry != json->end(); ++entry) {
+    config_.setBy[entry.key()] = file.str();
+    config_.given[entry.key()] = jsonText(*entry);
+  }
   takeRuleSettings(in, *json, std::move(given.rules), config_.rules);
-  if (const auto &name = given.dialect)
+  if (const auto &name = given.dialect) {
     config_.dialect = llvm::StringRef(*name).endswith(".json") ? joined(folder, *name) : *name;
+    const auto place = findJsonPlace(*text, JsonPath{{"dialect", 0, false}});
+    config_.dialectPlace =
+        (file + ":" + llvm::Twine(lineAt(*text, place.value_or(0))) + ": dialect").str();
+  }
   takePaths(given.dialects, folder, config_.dialectFiles);
   takePaths(given.searchFolders, folder, config_.searchFolders);
   readMachine(in, *json, file, *text, folder);
@@ -289,10 +300,10 @@ std::vector<std::string> profileNames() {
 }
 
 llvm::Expected<MachineSource> readMachine(const std::string &file) {
-  auto text = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  auto text = readText(file);
   if (!text)
-    return failure("cannot read " + llvm::Twine(file) + ": " + text.getError().message());
-  return MachineSource{file, (*text)->getBuffer().str()};
+    return text.takeError();
+  return MachineSource{file, std::move(*text)};
 }
 
 } // namespace ncvet

@@ -27,12 +27,15 @@ struct Config {
   std::string profile = "recommended";
   RuleSettings rules;
   std::string dialect;                   ///< id, or path of a table; empty: find out
+  std::string dialectPlace;              ///< where it is said, for messages
   std::vector<std::string> dialectFiles; ///< tables of one's own
   std::optional<MachineSource> machine;
   std::vector<std::string> searchFolders; ///< for programs that are called
   std::vector<std::string> files;         ///< globs: further programs in folders
   std::vector<std::string> exclude;       ///< globs: not these, when folders are checked
   std::optional<FailOn> failOn;
+  std::map<std::string, std::string> setBy; ///< which file gave a key
+  std::map<std::string, std::string> given; ///< value of a key as JSON text, as far as it is told
 };
 
 /// Reads the configuration `file`, with those that it extends. An error names file and line, and

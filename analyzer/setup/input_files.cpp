@@ -20,16 +20,44 @@ constexpr size_t lookedAt = 4096;
 
 class Walker {
 public:
-  Walker(Session &session, Inputs &inputs) : session_(session), inputs_(inputs) {}
+  Walker(Session &session, const InputChoice &choice, Inputs &inputs)
+      : session_(session), choice_(choice), excluded_(choice.exclude), inputs_(inputs) {}
 
-  void addFile(llvm::StringRef file) {
-    llvm::StringRef display = file;
-    while (display.consume_front("./"))
-      display = display.ltrim('/');
-    inputs_.files.push_back({file.str(), path::convert_to_slash(display)});
+  void addNamed(llvm::StringRef file) {
+    if (!choice_.forceExclude || !isExcluded(path::parent_path(file), file))
+      addFile(file, /*named=*/true);
   }
 
   void addFolder(llvm::StringRef folder) {
+    if (choice_.forceExclude && isExcluded(path::parent_path(folder), (folder + "/").str()))
+      return;
+    fs::UniqueID id;
+    const bool again = !fs::getUniqueID(folder, id) && walked_.count(id);
+    const size_t before = inputs_.files.size() + inputs_.errors.size();
+    root_ = folder;
+    leadingOut_ = 0;
+    walkFrom(folder);
+    if (leadingOut_)
+      inputs_.warnings.push_back(
+          (llvm::Twine(leadingOut_) + (leadingOut_ == 1 ? " link leads" : " links lead") +
+           " out of " + folder + " and " + (leadingOut_ == 1 ? "is" : "are") +
+           " left out; --follow-links follows " + (leadingOut_ == 1 ? "it" : "them"))
+              .str());
+    if (!again && before == inputs_.files.size() + inputs_.errors.size())
+      inputs_.warnings.push_back(("no programs in " + folder + "; \"files\" in " + configFileName +
+                                  " adds patterns of names")
+                                     .str());
+  }
+
+private:
+  void addFile(llvm::StringRef file, bool named) {
+    llvm::StringRef display = file;
+    while (display.consume_front("./"))
+      display = display.ltrim('/');
+    inputs_.files.push_back({file.str(), path::convert_to_slash(display), named});
+  }
+
+  void walkFrom(llvm::StringRef folder) {
     if (!endings_) {
       auto endings = Detector::builtinEndings();
       if (!endings) {
@@ -41,7 +69,6 @@ public:
     walk(folder);
   }
 
-private:
   void walk(llvm::StringRef folder) {
     // A folder that is linked into itself is walked once.
     fs::UniqueID id;
@@ -53,6 +80,10 @@ private:
       const std::string file = entry->path();
       if (path::filename(file).startswith("."))
         continue;
+      if (!choice_.followLinks && leadsOut(file, root_)) {
+        ++leadingOut_;
+        continue;
+      }
       fs::file_status status;
       if (fs::status(file, status))
         continue; // a link to nothing
@@ -60,7 +91,7 @@ private:
         if (!isExcluded(folder, file + "/"))
           walk(file);
       } else if (fs::is_regular_file(status) && isProgram(folder, file)) {
-        addFile(file);
+        addFile(file, /*named=*/false);
       }
     }
     if (error)
@@ -68,20 +99,18 @@ private:
   }
 
   bool isExcluded(llvm::StringRef folder, llvm::StringRef file) {
+    if (!choice_.exclude.empty() && excluded_.match(relativeTo(".", file)))
+      return true;
     const Config *config = configOf(folder);
     return config && globsOf(*config).exclude.match(relative(*config, file));
   }
 
   bool isProgram(llvm::StringRef folder, llvm::StringRef file) {
+    if (isExcluded(folder, file))
+      return false;
     const Config *config = configOf(folder);
-    if (config) {
-      const std::string name = relative(*config, file);
-      const ConfigGlobs &globs = globsOf(*config);
-      if (globs.exclude.match(name))
-        return false;
-      if (globs.files.match(name))
-        return true;
-    }
+    if (config && globsOf(*config).files.match(relative(*config, file)))
+      return true;
     std::string ending = path::extension(file).lower();
     ending.erase(0, std::min<size_t>(1, ending.size()));
     if (llvm::is_contained(endings_->sure, ending))
@@ -116,20 +145,30 @@ private:
 
   /// `file` as seen from the configuration's folder.
   static std::string relative(const Config &config, llvm::StringRef file) {
-    llvm::SmallString<256> from(config.folder), to(file);
+    return relativeTo(config.folder, file);
+  }
+
+  static std::string relativeTo(llvm::StringRef folder, llvm::StringRef file) {
+    llvm::SmallString<256> from(folder), to(file);
     const bool isFolder = file.endswith("/");
     if (fs::make_absolute(from) || fs::make_absolute(to))
       return file.str();
     path::remove_dots(from, true);
     path::remove_dots(to, true);
     llvm::StringRef name = to;
-    if (name.consume_front(from))
+    if (name.consume_front(from) && name.startswith("/"))
       name = name.ltrim('/');
+    else
+      name = to;
     return isFolder ? (name + "/").str() : name.str();
   }
 
   Session &session_;
+  const InputChoice &choice_;
+  const Globs excluded_;
   Inputs &inputs_;
+  llvm::StringRef root_;  ///< the folder that was named
+  size_t leadingOut_ = 0; ///< links below it
   std::optional<ProgramEndings> endings_;
   std::map<const Config *, ConfigGlobs> globs_;
   std::set<fs::UniqueID> walked_;
@@ -137,12 +176,53 @@ private:
 
 } // namespace
 
-Inputs collectInputs(llvm::ArrayRef<std::string> paths, Session &session) {
+namespace {
+
+std::string realPath(llvm::StringRef file) {
+  llvm::SmallString<256> real;
+  return fs::real_path(file, real) ? file.str() : std::string(real);
+}
+
+/// Of several paths to one file the shortest is kept, and one that is no link before one that is.
+void dropRepeated(std::vector<Input> &files) {
+  using Rank = std::tuple<bool, size_t, llvm::StringRef>;
+  const auto rank = [](const Input &input) {
+    return Rank(fs::is_symlink_file(input.path), input.display.size(), input.display);
+  };
+  std::map<std::string, const Input *> kept;
+  for (const Input &input : files) {
+    const Input *&best = kept[input.path == "-" ? input.path : realPath(input.path)];
+    if (!best || rank(input) < rank(*best))
+      best = &input;
+  }
+  std::set<const Input *> wanted;
+  for (const auto &[real, input] : kept)
+    wanted.insert(input);
+  std::vector<Input> once;
+  for (const Input &input : files)
+    if (wanted.count(&input))
+      once.push_back(input);
+  files = std::move(once);
+}
+
+} // namespace
+
+bool leadsOut(llvm::StringRef file, llvm::StringRef folder) {
+  if (!fs::is_symlink_file(file))
+    return false;
+  const std::string inside = realPath(folder.empty() ? "." : folder), target = realPath(file);
+  llvm::StringRef below = target;
+  return !below.consume_front(inside) ||
+         !(below.empty() || path::is_separator(below.front()) || inside == "/");
+}
+
+Inputs collectInputs(llvm::ArrayRef<std::string> paths, Session &session,
+                     const InputChoice &choice) {
   Inputs inputs;
-  Walker walker(session, inputs);
+  Walker walker(session, choice, inputs);
   for (const std::string &name : paths) {
     if (name == "-") {
-      inputs.files.push_back({"-", "<stdin>"});
+      inputs.files.push_back({"-", "<stdin>", true});
       continue;
     }
     fs::file_status status;
@@ -151,14 +231,11 @@ Inputs collectInputs(llvm::ArrayRef<std::string> paths, Session &session) {
     else if (fs::is_directory(status))
       walker.addFolder(name);
     else
-      walker.addFile(name);
+      walker.addNamed(name);
   }
+  dropRepeated(inputs.files);
   llvm::stable_sort(inputs.files,
                     [](const Input &a, const Input &b) { return a.display < b.display; });
-  inputs.files.erase(
-      std::unique(inputs.files.begin(), inputs.files.end(),
-                  [](const Input &a, const Input &b) { return a.display == b.display; }),
-      inputs.files.end());
   return inputs;
 }
 

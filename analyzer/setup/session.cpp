@@ -6,6 +6,7 @@
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/text/failure.h"
+#include "formats/text/read_file.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/FormatVariadic.h"
@@ -70,9 +71,11 @@ llvm::Expected<std::shared_ptr<const Detector>> shippedDetector() {
 } // namespace
 
 llvm::Expected<std::string> OwnDialects::add(llvm::StringRef file) {
-  auto text = llvm::MemoryBuffer::getFile(file, /*IsText=*/false);
+  auto text = readFile(file);
   if (!text)
-    return failure("cannot read " + file + ": " + text.getError().message());
+    return text.takeError();
+  if (llvm::Error wrong = refuseRepeatedKeys(file, (*text)->getBuffer()))
+    return wrong;
   auto summary = summarize(file, (*text)->getBuffer());
   if (!summary)
     return summary.takeError();
@@ -94,9 +97,11 @@ std::optional<std::pair<std::string, llvm::StringRef>> OwnDialects::find(llvm::S
   for (size_t i = 0; i < tables_.size(); ++i) {
     llvm::SmallString<256> beside = path::parent_path(tables_[i].file);
     path::append(beside, id + ".json");
-    auto text = llvm::MemoryBuffer::getFile(beside, /*IsText=*/false);
-    if (!text)
+    auto text = readFile(beside);
+    if (!text) {
+      llvm::consumeError(text.takeError());
       continue;
+    }
     tables_.push_back({id.str(), std::string(beside), std::move(*text)});
     return std::pair(tables_.back().file, tables_.back().text->getBuffer());
   }
@@ -230,6 +235,8 @@ llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, con
       auto parsed = parseMachineProfile(machine->name, machine->text);
       if (!parsed)
         return parsed.takeError();
+      if (llvm::Error wrong = refuseRepeatedKeys(machine->name, machine->text))
+        return wrong;
       *profile = std::move(*parsed);
       table = overlay(*table, machine->name, machine->text);
       if (!table)
@@ -335,6 +342,22 @@ llvm::Expected<std::string> Session::namedDialect(FileSetup &setup,
   return dialect;
 }
 
+namespace {
+
+/// The error with the place where the control is named, which a table that cannot be found has not.
+llvm::Error withPlace(llvm::Error error, const FileSetup &setup, const MachineSource *machine) {
+  const std::string message = llvm::toString(std::move(error));
+  if (setup.detected || !llvm::StringRef(message).startswith("unknown dialect"))
+    return failure(message);
+  if (!setup.config->dialectPlace.empty() && setup.reason == setup.config->file)
+    return failure(setup.config->dialectPlace + ": " + message);
+  if (machine && llvm::StringRef(setup.reason).startswith("machine profile"))
+    return failure(machine->name + ": dialect: " + message);
+  return failure(message);
+}
+
+} // namespace
+
 llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringRef text) {
   auto config = this->config(path::parent_path(fileName));
   if (!config)
@@ -374,7 +397,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
   }
   auto known = language(dialect, *setup.config, machine);
   if (!known)
-    return known.takeError();
+    return withPlace(known.takeError(), setup, machine);
   if (known->dialect->facts->program.remapsInIni) {
     const llvm::StringRef folder = path::parent_path(fileName);
     known = withRemaps(std::move(*known), folder.empty() ? "." : folder);

@@ -4,12 +4,23 @@
 #include "llvm/ADT/Twine.h"
 
 #include <algorithm>
+#include <set>
 
 namespace ncvet {
 
 namespace {
 
 constexpr unsigned maxDepth = 64; ///< tables of today need nine
+
+/// Where the comment that begins at `at` ends; `at` when none begins there.
+size_t endOfComment(llvm::StringRef text, size_t at) {
+  const llvm::StringRef rest = text.drop_front(at);
+  if (!rest.startswith("//") && !rest.startswith("/*"))
+    return at;
+  const bool line = rest.startswith("//");
+  const size_t end = line ? text.find('\n', at) : text.find("*/", at + 2);
+  return end == llvm::StringRef::npos ? text.size() : end + (line ? 1 : 2);
+}
 
 class JsonCursor {
 public:
@@ -59,15 +70,48 @@ public:
 
 private:
   static bool isBracketOrMark(char c) { return llvm::StringRef("{}[]:,").contains(c); }
-  static bool isEnd(char c) { return llvm::StringRef("{}[]:,\" \t\r\n").contains(c); }
+  static bool isEnd(char c) { return llvm::StringRef("{}[]:,\"/ \t\r\n").contains(c); }
   void skipBlanks() {
-    while (at_ < text_.size() && llvm::StringRef(" \t\r\n").contains(text_[at_]))
-      ++at_;
+    while (at_ < text_.size()) {
+      if (llvm::StringRef(" \t\r\n").contains(text_[at_]))
+        ++at_;
+      else if (const size_t end = endOfComment(text_, at_); end != at_)
+        at_ = end;
+      else
+        break;
+    }
   }
 
   llvm::StringRef text_;
   size_t at_ = 0;
 };
+
+/// Walks a value with all that is in it.
+std::optional<size_t> repeatedKeyIn(JsonCursor &scanner, unsigned depth) {
+  const char open = scanner.peek();
+  if ((open != '{' && open != '[') || depth == maxDepth) {
+    scanner.skipValue();
+    return std::nullopt;
+  }
+  scanner.take(open);
+  std::set<llvm::StringRef> keys;
+  for (char next = scanner.peek(); next != '\0' && next != '}' && next != ']';
+       next = scanner.peek()) {
+    const size_t place = scanner.at();
+    if (open == '{') {
+      if (!keys.insert(scanner.takeString()).second)
+        return place;
+      scanner.take(':');
+    }
+    if (const auto found = repeatedKeyIn(scanner, depth + 1))
+      return found;
+    scanner.take(',');
+    if (scanner.at() == place) // not JSON: no progress
+      return std::nullopt;
+  }
+  scanner.take(open == '{' ? '}' : ']');
+  return std::nullopt;
+}
 
 /// Moves to the value of one step and gives the place of its key or of the element.
 std::optional<size_t> enter(JsonCursor &scanner, const JsonStep &step) {
@@ -130,6 +174,11 @@ std::optional<llvm::StringRef> findJsonMember(llvm::StringRef text, llvm::String
   return text.slice(start, scanner.at());
 }
 
+std::optional<size_t> findRepeatedKey(llvm::StringRef text) {
+  JsonCursor scanner(text);
+  return repeatedKeyIn(scanner, 0);
+}
+
 unsigned lineAt(llvm::StringRef text, size_t offset) {
   return unsigned(text.take_front(offset).count('\n')) + 1;
 }
@@ -138,6 +187,10 @@ bool nestsTooDeep(llvm::StringRef text) {
   unsigned depth = 0;
   for (size_t at = 0; at < text.size(); ++at) {
     switch (text[at]) {
+    case '/': // to the last byte of a comment; a lone one is no JSON, which is said later
+      if (const size_t end = endOfComment(text, at); end != at)
+        at = end - 1;
+      break;
     case '"': // to the closing quote: one after an odd number of backslashes is part of the text
       for (at = text.find('"', at + 1); at != llvm::StringRef::npos; at = text.find('"', at + 1)) {
         size_t slashes = at;

@@ -28,6 +28,10 @@ std::optional<size_t> findJsonPlace(llvm::StringRef text, llvm::ArrayRef<JsonSte
 /// The text of the value of a top-level key; none when there is no such key.
 std::optional<llvm::StringRef> findJsonMember(llvm::StringRef text, llvm::StringRef key);
 
+/// Byte offset of a key that its object has already; none when no object has a key twice. As
+/// `findJsonPlace` on anything but JSON.
+std::optional<size_t> findRepeatedKey(llvm::StringRef text);
+
 /// Line number, from 1.
 unsigned lineAt(llvm::StringRef text, size_t offset);
 

@@ -99,13 +99,24 @@ llvm::Expected<Json> parseJson(llvm::StringRef name, llvm::StringRef text) {
   if (nestsTooDeep(text))
     return llvm::createStringError(std::errc::invalid_argument, "%s: brackets nest too deep",
                                    name.str().c_str());
-  Json json = Json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);
+  Json json = Json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false,
+                          /*ignore_comments=*/true);
   if (!json.is_discarded())
     return json;
   SyntaxErrorCatcher catcher;
-  Json::sax_parse(text.begin(), text.end(), &catcher);
+  Json::sax_parse(text.begin(), text.end(), &catcher, Json::input_format_t::json, /*strict=*/true,
+                  /*ignore_comments=*/true);
   return llvm::createStringError(std::errc::invalid_argument, "%s:%u: %s", name.str().c_str(),
                                  lineAt(text, catcher.position()), catcher.reason().c_str());
+}
+
+llvm::Error refuseRepeatedKeys(llvm::StringRef name, llvm::StringRef text) {
+  const std::optional<size_t> offset = findRepeatedKey(text);
+  if (!offset)
+    return llvm::Error::success();
+  const llvm::StringRef key = text.drop_front(*offset + 1).split('"').first;
+  return llvm::createStringError(std::errc::invalid_argument, "%s:%u: %s: the key is here twice",
+                                 name.str().c_str(), lineAt(text, *offset), key.str().c_str());
 }
 
 void layOver(Json &base, Json &&over) {

@@ -17,8 +17,11 @@ struct JsonLayer {
   llvm::StringRef text;
 };
 
-/// Parses one file; a syntax error names its line.
+/// Parses one file; a syntax error names its line. Comments, as C++ has them, count as blanks.
 llvm::Expected<Json> parseJson(llvm::StringRef name, llvm::StringRef text);
+
+/// An error that names the line when an object has a key twice: only one of them would count.
+llvm::Error refuseRepeatedKeys(llvm::StringRef name, llvm::StringRef text);
 
 /// `over` laid over `base`: objects merge key by key, null removes, everything else replaces.
 void layOver(Json &base, Json &&over);

@@ -1,34 +1,10 @@
 // Report as Checkstyle's XML, which continuous integration servers read.
 #include "formats/reports/writers.h"
+#include "formats/reports/xml_text.h"
 
 namespace ncvet {
 
 namespace {
-
-/// `text` (valid UTF-8) as the value of an XML attribute. XML 1.0 has no place for control
-/// characters, not even as references.
-std::string attribute(llvm::StringRef text) {
-  std::string out;
-  for (const char byte : oneLine(text)) {
-    switch (byte) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out.push_back(byte);
-    }
-  }
-  return out;
-}
 
 class CheckstyleWriter final : public ReportWriter {
 public:
@@ -40,8 +16,7 @@ public:
         continue;
       const std::string &path = fileOf(report, finding.range).display();
       if (!open || *open != path) {
-        out << (open ? "  </file>\n" : "") << "  <file name=\"" << attribute(validPath(path))
-            << "\">\n";
+        out << (open ? "  </file>\n" : "") << "  <file name=\"" << xmlPath(path) << "\">\n";
         open = &path;
       }
       writeFinding(report, finding, out);
@@ -50,20 +25,14 @@ public:
   }
 
 private:
-  static std::string validPath(llvm::StringRef path) {
-    std::string out;
-    appendDecoded(out, path, Encoding::Utf8);
-    return out;
-  }
-
   static void writeFinding(const Report &report, const Finding &finding, llvm::raw_ostream &out) {
     const LineColumn position = positionOf(report, finding.range);
     const llvm::StringRef severity =
         finding.severity == Severity::Style ? "info" : toString(finding.severity);
     out << "    <error line=\"" << position.line << "\" column=\"" << position.column
         << "\" severity=\"" << severity << "\" message=\""
-        << attribute(validText(report, finding.range, finding.message)) << "\" source=\""
-        << report.toolName << '.' << attribute(report.rules[finding.rule].id) << "\"/>\n";
+        << xmlText(validText(report, finding.range, finding.message)) << "\" source=\""
+        << report.toolName << '.' << xmlText(report.rules[finding.rule].id) << "\"/>\n";
   }
 };
 

@@ -1,4 +1,5 @@
 // Report as JSON, version 1: all that is known of the findings, one finding a line.
+#include "formats/finding/finding_counts.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/writers.h"
 
@@ -61,10 +62,47 @@ public:
       dumpJson(findingJson(report, finding), out);
       separator = ",\n";
     }
-    out << "\n]}\n";
+    out << "\n],\n\"absent\":[";
+    separator = "\n";
+    for (const AbsentFinding &finding : report.absent) {
+      out << separator;
+      dumpJson({{"rule", finding.rule},
+                {"path", finding.path},
+                {"line", finding.line},
+                {"message", finding.message},
+                {"fingerprint", fingerprintString(finding.fingerprint)}},
+               out);
+      separator = ",\n";
+    }
+    out << "\n],\n\"problems\":[";
+    separator = "\n";
+    for (const Notification &notification : report.notifications) {
+      out << separator;
+      dumpJson({{"severity", toString(notification.severity).str()},
+                {"path", notification.path.empty() ? Json(nullptr) : Json(notification.path)},
+                {"message", notification.message}},
+               out);
+      separator = ",\n";
+    }
+    out << "\n],\n\"summary\":";
+    dumpJson(summaryJson(report), out);
+    out << "}\n";
   }
 
 private:
+  static Json summaryJson(const Report &report) {
+    const FindingCounts counts = countFindings(report.findings);
+    return {{"files", report.files.size()},
+            {"findings", counts.shown},
+            {"errors", counts.of(Severity::Error)},
+            {"warnings", counts.of(Severity::Warning)},
+            {"style", counts.of(Severity::Style)},
+            {"suppressed", counts.silenced},
+            {"known", counts.known},
+            {"absent", report.absent.size()},
+            {"fixes", {{"safe", counts.safe}, {"unsafe", counts.unsafe}}}};
+  }
+
   /// How the dialect was found out; null where somebody named it.
   static Json guessJson(const FileReport &file) {
     if (!file.guessed)

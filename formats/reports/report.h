@@ -47,6 +47,9 @@ struct Report {
   std::string toolName = "ncvet";
   std::string toolVersion;
   std::string toolUri; ///< absolute URI of the tool's page; empty when there is none
+  /// The folder that paths are relative to, as seen from the root of the project; empty: it is the
+  /// root.
+  std::string folder;
   llvm::ArrayRef<RuleInfo> rules;
   const SourceSet *sources = nullptr;
   std::vector<Finding> findings;
@@ -75,6 +78,7 @@ public:
 
 struct ReportOptions {
   bool color = false; ///< of the formats only `text` has colours
+  bool source = true; ///< `text` shows the program's line
 };
 
 } // namespace ncvet

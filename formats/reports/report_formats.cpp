@@ -13,24 +13,43 @@ llvm::ArrayRef<ReportFormat> reportFormats() {
       {"gcc", "one line a finding, for editors and build tools"},
       {"checkstyle", "XML, for continuous integration servers"},
       {"html", "one page: programs, findings, and the path of the tool", true},
+      {"github", "annotations of GitHub Actions, without an upload"},
+      {"gitlab", "GitLab's code quality artifact"},
+      {"junit", "XML of test results: a failed test for each finding"},
+      {"rdjsonl", "for reviewdog, with fixes as suggestions"},
+      {"sonarqube", "SonarQube's generic format of external issues"},
+      {"azure", "logging commands of Azure Pipelines"},
+      {"teamcity", "service messages of TeamCity"},
+      {"jsonl", "a finding a line, as the JSON report has it"},
+      {"markdown", "a summary for a pull request or a job's page"},
   };
   return formats;
 }
 
 std::unique_ptr<ReportWriter> makeReportWriter(llvm::StringRef format,
                                                const ReportOptions &options) {
+  using Maker = std::unique_ptr<ReportWriter> (*)();
+  static constexpr std::pair<llvm::StringLiteral, Maker> makers[] = {
+      {"json", makeJsonWriter},
+      {"sarif", makeSarifWriter},
+      {"gcc", makeGccWriter},
+      {"checkstyle", makeCheckstyleWriter},
+      {"github", makeGithubWriter},
+      {"gitlab", makeGitlabWriter},
+      {"junit", makeJunitWriter},
+      {"rdjsonl", makeRdjsonlWriter},
+      {"sonarqube", makeSonarqubeWriter},
+      {"azure", makeAzureWriter},
+      {"teamcity", makeTeamcityWriter},
+      {"jsonl", makeJsonlWriter},
+      {"markdown", makeMarkdownWriter},
+      {"html", makeHtmlWriter},
+  };
   if (format == "text")
     return makeTextWriter(options);
-  if (format == "json")
-    return makeJsonWriter();
-  if (format == "sarif")
-    return makeSarifWriter();
-  if (format == "gcc")
-    return makeGccWriter();
-  if (format == "checkstyle")
-    return makeCheckstyleWriter();
-  if (format == "html")
-    return makeHtmlWriter();
+  for (const auto &[name, make] : makers)
+    if (name == format)
+      return make();
   return nullptr;
 }
 

@@ -20,4 +20,7 @@ llvm::ArrayRef<ReportFormat> reportFormats();
 std::unique_ptr<ReportWriter> makeReportWriter(llvm::StringRef format,
                                                const ReportOptions &options = {});
 
+/// Findings counted by rule, in place of `text`.
+std::unique_ptr<ReportWriter> makeStatisticsWriter();
+
 } // namespace ncvet

@@ -1,5 +1,6 @@
 // Report as SARIF 2.1.0, written one result at a time, as a large program may have many.
 #include "formats/finding/fingerprint.h"
+#include "formats/finding/page_text.h"
 #include "formats/reports/writers.h"
 #include "formats/text/percent.h"
 
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <map>
+#include <set>
 
 namespace ncvet {
 
@@ -18,13 +20,13 @@ using Json = nlohmann::ordered_json; // keys in the order of insertion
 
 constexpr const char *schemaUri =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
-/// What relative paths are relative to: the folder that the tool was started in. Its own path
-/// stays out of the report, which is to be the same on every machine.
 /// Where to learn about the tool when it has no page of its own: the URI is the information.
 constexpr const char *ownInformation =
     "data:text/plain,ncvet%20vets%20NC%20part%20programs.%20See%20%60ncvet%20--help%60%20and%20"
     "%60ncvet%20explain%20RULE%60.";
-constexpr const char *rootId = "SRCROOT";
+/// What relative paths are relative to, by the name that code hosts know: the root of the project.
+/// Its own path stays out of the report, which is to be the same on every machine.
+constexpr const char *rootId = "%SRCROOT%";
 /// Snippets longer than this many bytes help nobody.
 constexpr uint32_t longestSnippet = 400;
 
@@ -87,6 +89,7 @@ public:
     collectArtifacts();
     for (const Finding &finding : report_.findings)
       suppressionsUsed_ |= finding.suppressed;
+    collectRules();
   }
 
   void write() {
@@ -97,10 +100,7 @@ public:
     out_ << "],\n\"columnKind\":\"unicodeCodePoints\"";
     if (usesRoot_) {
       out_ << ",\n\"originalUriBaseIds\":";
-      dumpJson(
-          {{rootId,
-            {{"description", message("The folder that " + report_.toolName + " was started in")}}}},
-          out_);
+      dumpJson({{rootId, {{"description", message("The root of the project")}}}}, out_);
     }
     writeArtifacts();
     writeResults();
@@ -139,16 +139,54 @@ private:
     }
   }
 
+  /// The rules that results name: the pages of all the others would be most of the report.
+  void collectRules() {
+    std::set<RuleId> used;
+    for (const Finding &finding : report_.findings)
+      used.insert(finding.rule);
+    for (const AbsentFinding &finding : report_.absent)
+      for (size_t rule = 0; report_.baselineUsed && rule < report_.rules.size(); ++rule)
+        if (report_.rules[rule].id == finding.rule)
+          used.insert(RuleId(rule));
+    for (const RuleId rule : used)
+      ruleIndex_.try_emplace(rule, ruleIndex_.size());
+    for (const FileReport &file : report_.files)
+      if (!llvm::is_contained(controls_, file.dialect))
+        controls_.push_back(file.dialect);
+  }
+
   Json artifactLocation(llvm::StringRef path) const {
     Json result = Json::object();
-    result["uri"] = uriOf(path);
+    result["uri"] = uriOf(pathFromRoot(report_, path));
     if (!llvm::sys::path::is_absolute(path))
       result["uriBaseId"] = rootId;
     result["index"] = artifactIndex_.lookup(path);
     return result;
   }
 
-  static Json ruleJson(const RuleInfo &rule) {
+  /// The rule's page for readers, with the programs of the controls that were checked; where it has
+  /// none of them, with those of one control.
+  std::string helpOf(const RuleInfo &rule) const {
+    const llvm::StringRef body = splitPage(rule.help).second;
+    if (body.empty())
+      return rule.summary.str();
+    const std::vector<std::string> known = controlsOfPrograms(body);
+    std::vector<std::string> wanted;
+    for (const std::string &control : known)
+      if (llvm::is_contained(controls_, control))
+        wanted.push_back(control);
+    if (wanted.empty() && !known.empty())
+      wanted.push_back(known.front());
+    return forReaders(withProgramsOf(wanted, body));
+  }
+
+  std::string helpUriOf(const RuleInfo &rule) const {
+    return isAbsoluteUri(report_.toolUri)
+               ? report_.toolUri + "/rules/" + rule.id.str() + ".html"
+               : "data:text/plain,See%20%60ncvet%20explain%20" + rule.id.str() + "%60.";
+  }
+
+  Json ruleJson(const RuleInfo &rule) const {
     Json result = Json::object();
     result["id"] = rule.id.str();
     result["name"] = pascalCase(rule.id);
@@ -156,8 +194,9 @@ private:
     result["fullDescription"] = message(rule.summary);
     // The messages are made where the rule sees the program, so that the form is all of it.
     result["messageStrings"] = {{"default", {{"text", "{0}."}}}};
-    const std::string help = rule.help.empty() ? rule.summary.str() : rule.help.str();
+    const std::string help = helpOf(rule);
     result["help"] = {{"text", help}, {"markdown", help}};
+    result["helpUri"] = helpUriOf(rule);
     result["defaultConfiguration"] = {{"enabled", rule.enabledByDefault},
                                       {"level", levelOf(rule.severity).str()}};
     result["properties"] = {{"tags", Json::array({rule.category.str()})}};
@@ -171,8 +210,8 @@ private:
     driver["semanticVersion"] = report_.toolVersion;
     driver["informationUri"] = isAbsoluteUri(report_.toolUri) ? report_.toolUri : ownInformation;
     Json rules = Json::array();
-    for (const RuleInfo &rule : report_.rules)
-      rules.push_back(ruleJson(rule));
+    for (const auto &[rule, index] : ruleIndex_)
+      rules.push_back(ruleJson(report_.rules[rule]));
     driver["rules"] = std::move(rules);
     Json result = Json::object();
     result["driver"] = std::move(driver);
@@ -280,12 +319,19 @@ private:
     return result;
   }
 
+  /// GitHub looks for `primaryLocationLineHash`, and would otherwise make one of the line's text,
+  /// which a new block number changes.
+  static Json fingerprints(uint64_t fingerprint) {
+    const std::string text = fingerprintString(fingerprint);
+    return {{"primaryLocationLineHash", text + ":1"}, {"ncvet/v1", text}};
+  }
+
   Json resultJson(const Finding &finding) const {
     const RuleInfo &rule = report_.rules[finding.rule];
     const std::string text = validText(report_, finding.range, finding.message);
     Json result = Json::object();
     result["ruleId"] = rule.id.str();
-    result["ruleIndex"] = finding.rule;
+    result["ruleIndex"] = ruleIndex_.at(finding.rule);
     result["level"] = levelOf(finding.severity).str();
     result["message"] = resultMessage(text);
     result["locations"] = Json::array({location(finding.range, /*withSnippet=*/true)});
@@ -299,7 +345,7 @@ private:
       result["codeFlows"] = Json::array({codeFlow(finding)});
     if (finding.fix && !finding.fix->edits.empty())
       result["fixes"] = Json::array({fixJson(*finding.fix, finding.range)});
-    result["partialFingerprints"] = {{"ncvet/v1", fingerprintString(finding.fingerprint)}};
+    result["partialFingerprints"] = fingerprints(finding.fingerprint);
     // Where one result tells of suppressions, all have to.
     if (suppressionsUsed_)
       result["suppressions"] = finding.suppressed
@@ -315,16 +361,15 @@ private:
     Json result = Json::object();
     result["ruleId"] = finding.rule;
     result["message"] = message(finding.message);
-    for (size_t rule = 0; rule < report_.rules.size(); ++rule) {
+    for (const auto &[rule, index] : ruleIndex_)
       if (report_.rules[rule].id == finding.rule) {
-        result["ruleIndex"] = rule;
+        result["ruleIndex"] = index;
         result["message"] = resultMessage(finding.message);
       }
-    }
     result["locations"] = Json::array({{{"physicalLocation",
                                          {{"artifactLocation", artifactLocation(finding.path)},
                                           {"region", {{"startLine", finding.line}}}}}}});
-    result["partialFingerprints"] = {{"ncvet/v1", fingerprintString(finding.fingerprint)}};
+    result["partialFingerprints"] = fingerprints(finding.fingerprint);
     if (suppressionsUsed_)
       result["suppressions"] = Json::array();
     result["baselineState"] = "absent";
@@ -351,6 +396,8 @@ private:
   llvm::raw_ostream &out_;
   std::vector<Artifact> artifacts_;       ///< in the order of their paths
   llvm::StringMap<size_t> artifactIndex_; ///< by path
+  std::map<RuleId, size_t> ruleIndex_;    ///< of the rules that results name
+  std::vector<std::string> controls_;     ///< ids of the dialects of the files
   bool usesRoot_ = false;
   bool suppressionsUsed_ = false;
 };

@@ -126,12 +126,13 @@ private:
       out.resetColor();
   }
 
-  static void writeFinding(const Report &report, const Finding &finding, llvm::raw_ostream &out) {
+  void writeFinding(const Report &report, const Finding &finding, llvm::raw_ostream &out) const {
     writeHead(report, finding.range, toString(finding.severity), colorOf(finding.severity),
               finding.message, /*bold=*/true, out);
     out << " [" << report.rules[finding.rule].id
         << (finding.certainty == Certainty::Possible ? ", possible]\n" : "]\n");
-    writeExcerpt(report, finding.range, out);
+    if (options_.source)
+      writeExcerpt(report, finding.range, out);
     const auto writeNote = [&](const SourceRange &range, llvm::StringRef message) {
       writeHead(report, range, "note", Color::CYAN, message, /*bold=*/false, out);
       out << '\n';

@@ -3,6 +3,7 @@
 
 #include "formats/text/json_text.h"
 
+#include "llvm/Support/Path.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -21,6 +22,15 @@ Region regionOf(const Report &report, const SourceRange &range) {
   const SourceFile &file = fileOf(report, range);
   const LineColumn begin = file.position(range.begin);
   return {begin, file.position(std::max(range.begin, range.end))};
+}
+
+std::string pathFromRoot(const Report &report, llvm::StringRef display) {
+  if (report.folder.empty() || llvm::sys::path::is_absolute(display))
+    return display.str();
+  llvm::SmallString<128> path = llvm::StringRef(report.folder);
+  llvm::sys::path::append(path, display);
+  llvm::sys::path::remove_dots(path, /*remove_dot_dot=*/true);
+  return llvm::sys::path::convert_to_slash(path);
 }
 
 std::string validText(const Report &report, const SourceRange &range, llvm::StringRef text) {

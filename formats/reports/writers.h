@@ -15,6 +15,15 @@ std::unique_ptr<ReportWriter> makeSarifWriter();
 std::unique_ptr<ReportWriter> makeGccWriter();
 std::unique_ptr<ReportWriter> makeCheckstyleWriter();
 std::unique_ptr<ReportWriter> makeHtmlWriter();
+std::unique_ptr<ReportWriter> makeGithubWriter();
+std::unique_ptr<ReportWriter> makeGitlabWriter();
+std::unique_ptr<ReportWriter> makeJunitWriter();
+std::unique_ptr<ReportWriter> makeRdjsonlWriter();
+std::unique_ptr<ReportWriter> makeSonarqubeWriter();
+std::unique_ptr<ReportWriter> makeAzureWriter();
+std::unique_ptr<ReportWriter> makeTeamcityWriter();
+std::unique_ptr<ReportWriter> makeJsonlWriter();
+std::unique_ptr<ReportWriter> makeMarkdownWriter();
 
 /// A range as reports give it: positions from 1 in code points, end exclusive, begin <= end.
 struct Region {
@@ -29,6 +38,10 @@ LineColumn positionOf(const Report &report, const SourceRange &range);
 /// `text` as valid UTF-8. Messages and fixes quote programs: what is not UTF-8 in them is in the
 /// encoding of the file that `range` lies in.
 std::string validText(const Report &report, const SourceRange &range, llvm::StringRef text);
+
+/// `display` as seen from the root of the project, which tools of code hosts want: without `..` as
+/// long as the root is known.
+std::string pathFromRoot(const Report &report, llvm::StringRef display);
 
 /// True for findings that only SARIF shows.
 inline bool isHidden(const Finding &finding) { return finding.suppressed || finding.baselined; }

@@ -1,6 +1,7 @@
 // Findings as diagnostics of the protocol: severity, further places, tags, the rule's page.
 #include "lsp/protocol/diagnostic.h"
 
+#include "formats/finding/page_text.h"
 #include "lsp/protocol/uri.h"
 
 #include "llvm/Support/FileSystem.h"
@@ -80,7 +81,8 @@ std::string rulePageUri(const RuleInfo &rule) {
   if (llvm::sys::fs::create_directories(llvm::sys::path::parent_path(file)))
     return {};
   // Several servers may write the same page: a name of its own, then renamed.
-  if (llvm::Error error = llvm::writeFileAtomically((file + ".%%%%%%").str(), file, rule.help)) {
+  if (llvm::Error error = llvm::writeFileAtomically((file + ".%%%%%%").str(), file,
+                                                    forReaders(splitPage(rule.help).second))) {
     llvm::consumeError(std::move(error));
     return {};
   }

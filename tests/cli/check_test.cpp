@@ -37,7 +37,8 @@ TEST(CheckCommand, ExitsWithZeroWhenNothingIsFound) {
   shop.file("a.nc", goodProgram());
   const ProcessResult result = shop.run(check({"a.nc"}));
   EXPECT_EQ(0, result.exitCode) << result.err;
-  EXPECT_EQ("", result.err);
+  EXPECT_EQ("", result.out);
+  EXPECT_EQ("no findings in 1 file, 5 blocks\n", result.err);
 }
 
 TEST(CheckCommand, SaysInOneLineWhichControlWasGuessed) {
@@ -48,11 +49,13 @@ TEST(CheckCommand, SaysInOneLineWhichControlWasGuessed) {
   EXPECT_THAT(one.err, StartsWith("control: "));
   EXPECT_THAT(one.err, HasSubstr(", guessed: "));
   EXPECT_THAT(one.err, HasSubstr("; --dialect names it\n"));
-  EXPECT_EQ(1, std::count(one.err.begin(), one.err.end(), '\n')) << one.err;
+  EXPECT_EQ(2, std::count(one.err.begin(), one.err.end(), '\n')) << one.err;
   const ProcessResult two = shop.run({"check", "a.nc", "b.mpf"});
   EXPECT_THAT(two.err, StartsWith("control: guessed for 2 files: "));
-  EXPECT_EQ(1, std::count(two.err.begin(), two.err.end(), '\n')) << two.err;
-  EXPECT_EQ("", shop.run({"check", "--dialect", "haas-lathe", "a.nc"}).err);
+  EXPECT_EQ(2, std::count(two.err.begin(), two.err.end(), '\n')) << two.err;
+  EXPECT_THAT(shop.run({"check", "--dialect", "haas-lathe", "a.nc"}).err,
+              Not(HasSubstr("control: ")));
+  EXPECT_EQ("", shop.run({"check", "--quiet", "a.nc"}).err);
 }
 
 TEST(CheckCommand, AGuessIsAFieldOfTheJsonReport) {
@@ -94,7 +97,9 @@ TEST(CheckCommand, UnreadableFileIsSaidInOneLineAndTheOthersAreChecked) {
   shop.file("a.nc", programWithoutFeed());
   const ProcessResult result = shop.run(check({"missing.nc", "a.nc"}));
   EXPECT_EQ(2, result.exitCode);
-  EXPECT_EQ("ncvet: error: cannot read missing.nc: No such file or directory\n", result.err);
+  EXPECT_EQ("ncvet: error: cannot read missing.nc: No such file or directory\n"
+            "1 finding in 1 of 1 file: 1 error\n",
+            result.err);
   EXPECT_THAT(result.out, HasSubstr("a.nc:4:"));
 }
 
@@ -107,7 +112,7 @@ TEST(CheckCommand, WrongUsageIsSaidInOneLine) {
       {{"check", "--formt", "json"}, "--format"},
       {{"check", "--format", "jsn"}, "did you mean \"json\""},
       {{"check", "--fail-on", "sometimes"}, "one of error, warning, style, never"},
-      {{"check", "--severity", "feed-missing=loud"}, "error, warning, style"},
+      {{"check", "--severity", "feed-missing=loud"}, "error, warning or style"},
       {{"check", "--severity", "feed-missing"}, "RULE=LEVEL"},
       {{"check", "--select", "feed-mising"}, "did you mean \"feed-missing\""},
       {{"check", "--profile", "strikt"}, "did you mean \"strict\""},
@@ -116,10 +121,10 @@ TEST(CheckCommand, WrongUsageIsSaidInOneLine) {
       {{"check", "--config", "none.json", "a.nc"}, "none.json"},
       {{"check", "--machine", "none.json", "a.nc"}, "none.json"},
       {{"check", "--baseline", "none.json", "a.nc"}, "none.json"},
-      {{"check", "--color", "red", "a.nc"}, "auto, always or never"},
+      {{"check", "--color", "red", "a.nc"}, "one of auto, always, never"},
       {{"explain", "feed-mising"}, "did you mean \"feed-missing\""},
       {{"trace", "none.nc"}, "none.nc"},
-      {{"trace"}, "Not enough positional"},
+      {{"trace"}, "ncvet trace wants a FILE; see `ncvet trace --help`"},
   };
   Shop shop;
   shop.file("a.nc", goodProgram());
@@ -297,7 +302,10 @@ TEST(CheckSuppression, CommentInASubprogramMayBeNeededByItsCaller) {
 TEST(CheckBaseline, KnownFindingsAreNotToldAgainAndNewOnesAre) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());
-  EXPECT_EQ(1, shop.run(check({"--write-baseline", "known.json", "a.nc"})).exitCode);
+  const ProcessResult writing = shop.run(check({"--write-baseline", "known.json", "a.nc"}));
+  EXPECT_EQ(0, writing.exitCode);
+  EXPECT_EQ("", writing.out);
+  EXPECT_EQ("wrote 1 finding to known.json\n", writing.err);
   const ProcessResult known = shop.run(check({"--baseline", "known.json", "a.nc"}));
   EXPECT_EQ(0, known.exitCode);
   EXPECT_EQ("", known.out);
@@ -315,7 +323,7 @@ TEST(CheckBaseline, TheSameBlockOnceMoreIsANewFinding) {
       "--fail-on", "style"};
   const std::string comment = "M08 (ncvet: allow nothing-known)\n";
   shop.file("a.nc", "O0001\n" + comment + "M30\n");
-  EXPECT_EQ(1, shop.run(with(arguments, {"--write-baseline", "known.json", "a.nc"})).exitCode);
+  EXPECT_EQ(0, shop.run(with(arguments, {"--write-baseline", "known.json", "a.nc"})).exitCode);
   EXPECT_EQ(0, shop.run(with(arguments, {"--baseline", "known.json", "a.nc"})).exitCode);
   shop.file("a.nc", "O0001\n" + comment + "M09\n" + comment + "M30\n");
   const ProcessResult more = shop.run(with(arguments, {"--baseline", "known.json", "a.nc"}));

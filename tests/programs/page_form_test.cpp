@@ -1,6 +1,7 @@
 // Every rule's page has the same sections in the same order, and lists the options that it has;
 // pages and sources are written in plain words.
 #include "analyzer/rule/rule_page.h"
+#include "formats/finding/page_text.h"
 #include "tests/support/outer_program.h"
 #include "tests/support/plain_words.h"
 #include "tests/support/rule_pages.h"
@@ -114,13 +115,23 @@ TEST(PlainWords, AreLookedForInsideOfNames) {
 TEST(PageOfOneControl, LeavesOutTheProgramsOfOthersAndWhatIntroducesOnlyThem) {
   const std::string other = "```nc haas-mill wrong\nM30\n```\n\n",
                     own = "```nc ecs wrong\nM30\n\n# no heading\n```\n\n";
-  EXPECT_EQ(withProgramsOf("ecs", "# rule\n\nA paragraph.\n\n## Wrong\n\n" + other + own +
-                                      "Of another:\n\n" + other + "Of two:\n\n" + other + own +
-                                      "Of its own\nin two lines:\n\n" + own +
-                                      "## Limits\n\nThe end.\n"),
-            "# rule\n\nA paragraph.\n\n## Wrong\n\n" + own + "Of two:\n\n" + own +
+  const std::vector<std::string> ecs = {"ecs"}, mefi = {"mefi"};
+  EXPECT_EQ(withProgramsOf(ecs, "# rule\n\nA paragraph.\n\n## Wrong\n\n" + other + own +
+                                    "Of another:\n\n" + other + "Of two.\n\n" + other + own +
+                                    "Of its own\nin two lines:\n\n" + own + "### More\n\n" + other +
+                                    "## Limits\n\nThe end.\n"),
+            "# rule\n\nA paragraph.\n\n## Wrong\n\n" + own + "Of two.\n\n" + own +
                 "Of its own\nin two lines:\n\n" + own + "## Limits\n\nThe end.\n");
-  EXPECT_EQ(withProgramsOf("mefi", "Of another:\n\n" + other), "Of another:\n\n" + other);
+  // A sentence that ends in a colon introduces the next program only.
+  EXPECT_EQ(withProgramsOf(ecs, "All of them stop. This one does not:\n\n" + other + own),
+            "All of them stop.\n\n" + own);
+  EXPECT_EQ(withProgramsOf(mefi, "Of another:\n\n" + other), "Of another:\n\n" + other);
+}
+
+TEST(PageForReaders, HasNoMarksOfTestsAndNoPlacesOfManuals) {
+  EXPECT_EQ(forReaders("## Wrong\n\n```nc ecs wrong\nG1 X1\n' ^^ expect: definite\nM30\n```\n\n"
+                       "Source: ECS manual, lines 2009-2014.\n"),
+            "## Wrong\n\n```nc ecs wrong\nG1 X1\nM30\n```\n\n");
 }
 
 } // namespace

@@ -34,22 +34,37 @@ public:
   /// Another binary than ncvet itself.
   void binary(std::string binary) { binary_ = std::move(binary); }
 
+  /// A variable of the environment for all runs: `NAME=VALUE`.
+  Shop &environment(std::string assignment) {
+    environment_.push_back(std::move(assignment));
+    return *this;
+  }
+
   /// `ncvet ARGUMENTS` with the folder as the present one. Not bounded by more than a minute.
   ProcessResult run(const std::vector<std::string> &arguments,
                     const std::string &standardInput = {}) const {
-    const std::string in = (logs_.path() / "in").string(), out = (logs_.path() / "out").string(),
-                      err = (logs_.path() / "err").string();
+    const std::string out = (logs_.path() / "out").string();
+    std::filesystem::remove(out); // it is opened without being cut
+    return runInto(out, arguments, standardInput);
+  }
+
+  /// The same with standard output in a file of the caller's, `/dev/full` for one.
+  ProcessResult runInto(const std::string &out, const std::vector<std::string> &arguments,
+                        const std::string &standardInput = {}) const {
+    const std::string in = (logs_.path() / "in").string(), err = (logs_.path() / "err").string();
     std::ofstream(in, std::ios::binary) << standardInput;
-    for (const std::string &log : {out, err}) // they are opened without being cut
-      std::filesystem::remove(log);
-    std::vector<llvm::StringRef> words = {"env", "-C", folderName_, binary_};
+    std::filesystem::remove(err);
+    std::vector<llvm::StringRef> words = {"env", "-C", folderName_};
+    words.insert(words.end(), environment_.begin(), environment_.end());
+    words.push_back(binary_);
     words.insert(words.end(), arguments.begin(), arguments.end());
     const llvm::Optional<llvm::StringRef> streams[] = {llvm::StringRef(in), llvm::StringRef(out),
                                                        llvm::StringRef(err)};
     ProcessResult result;
     result.exitCode = llvm::sys::ExecuteAndWait(*llvm::sys::findProgramByName("env"), words,
                                                 llvm::None, streams, 60);
-    result.out = contents(out);
+    if (out.rfind("/dev/", 0) != 0)
+      result.out = contents(out);
     result.err = contents(err);
     return result;
   }
@@ -78,6 +93,7 @@ private:
   TemporaryFolder folder_, logs_;
   std::string folderName_ = folder_.path().string();
   std::string binary_ = NCVET_BINARY;
+  std::vector<std::string> environment_;
 };
 
 /// Cuts without a feed in line 4, and nothing else that any dialect minds.

@@ -70,6 +70,7 @@ TEST(SarifReportTest, ResultsNameRulePlaceAndFingerprint) {
   EXPECT_EQ(first["level"], "warning");
   EXPECT_EQ(first["message"]["text"], "X30. Y0. drills again: G83 of line 3 is still active.");
   EXPECT_EQ(first["partialFingerprints"]["ncvet/v1"], "0123456789abcdef");
+  EXPECT_EQ(first["partialFingerprints"]["primaryLocationLineHash"], "0123456789abcdef:1");
   EXPECT_EQ(first["locations"][0]["physicalLocation"]["region"],
             Json({{"startLine", 5},
                   {"startColumn", 1},
@@ -81,6 +82,32 @@ TEST(SarifReportTest, ResultsNameRulePlaceAndFingerprint) {
   EXPECT_FALSE(first.contains("suppressions"));
   EXPECT_FALSE(first.contains("baselineState"));
   EXPECT_EQ(run["results"][2]["level"], "note");
+}
+
+TEST(SarifReportTest, HoldsTheRulesThatResultsNameAndNoOther) {
+  SampleReport sample;
+  sample.report.findings.erase(sample.report.findings.begin() + 1);
+  const Json run = runOf(sample.report);
+  ASSERT_EQ(run["tool"]["driver"]["rules"].size(), 2u);
+  for (const Json &result : run["results"])
+    EXPECT_EQ(run["tool"]["driver"]["rules"][result["ruleIndex"].get<size_t>()]["id"],
+              result["ruleId"]);
+}
+
+TEST(SarifReportTest, HelpIsForReadersAndShowsTheControlsThatWereChecked) {
+  SampleReport sample;
+  const std::string page = "```json\n{\"summary\": \"x\"}\n```\n\n# rule\n\n## Wrong\n\n"
+                           "```nc ecs wrong\nG1\n' ^^ expect: definite\n```\n\n"
+                           "```nc haas-mill wrong\nG1 X1\n(^^ expect: definite)\n```\n\n"
+                           "Source: manual L12.\n";
+  std::vector<RuleInfo> rules = SampleReport::rules().vec();
+  rules[0].help = page;
+  sample.report.rules = rules;
+  const Json rule = runOf(sample.report)["tool"]["driver"]["rules"][0];
+  EXPECT_EQ(rule["help"]["markdown"],
+            "# rule\n\n## Wrong\n\n```nc haas-mill wrong\nG1 X1\n```\n\n");
+  EXPECT_EQ(rule["helpUri"],
+            "data:text/plain,See%20%60ncvet%20explain%20cycle-unintended-execution%60.");
 }
 
 TEST(SarifReportTest, TheCodeFlowIsThePathAndEndsAtTheFinding) {

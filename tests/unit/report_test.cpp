@@ -74,11 +74,14 @@ TEST(ReportTest, FindingsThatAreSuppressedOrKnownAppearInSarifOnly) {
   SampleReport sample;
   sample.report.findings[0].suppressed = true;
   sample.report.findings[2].baselined = true;
-  for (const char *format : {"text", "json", "gcc", "checkstyle", "html"}) {
+  for (const ReportFormat &known : reportFormats()) {
+    const llvm::StringRef format = known.name;
+    if (format == "sarif")
+      continue;
     const std::string out = written(format, sample.report);
-    EXPECT_THAT(out, Not(HasSubstr("drills again"))) << format;
-    EXPECT_THAT(out, Not(HasSubstr("decimal point"))) << format;
-    EXPECT_THAT(out, HasSubstr("G1 without a feed")) << format;
+    EXPECT_THAT(out, Not(HasSubstr("drills again"))) << format.str();
+    EXPECT_THAT(out, Not(HasSubstr("decimal point"))) << format.str();
+    EXPECT_THAT(out, HasSubstr("G1 without a feed")) << format.str();
   }
   const std::string sarif = written("sarif", sample.report);
   EXPECT_THAT(sarif, HasSubstr("drills again"));
@@ -94,7 +97,9 @@ TEST(ReportTest, ARunWithoutFindingsIsAWellFormedReport) {
   EXPECT_EQ(written("gcc", report), "");
   EXPECT_EQ(written("json", report),
             "{\"version\":1,\"tool\":{\"name\":\"ncvet\",\"version\":\"0.1.0\"},\n"
-            "\"files\":[\n],\n\"findings\":[\n]}\n");
+            "\"files\":[\n],\n\"findings\":[\n],\n\"absent\":[\n],\n\"problems\":[\n],\n"
+            "\"summary\":{\"files\":0,\"findings\":0,\"errors\":0,\"warnings\":0,\"style\":0,"
+            "\"suppressed\":0,\"known\":0,\"absent\":0,\"fixes\":{\"safe\":0,\"unsafe\":0}}}\n");
   EXPECT_EQ(parsed(written("sarif", report))["runs"][0]["results"], Json::array());
   EXPECT_EQ(written("checkstyle", report), "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                                            "<checkstyle version=\"4.3\">\n</checkstyle>\n");
@@ -233,7 +238,11 @@ TEST(JsonReportTest, IsVersionOneWithItsKeysInOrder) {
       "\"endLine\":2,\"endColumn\":8,\"related\":[],\"trace\":[],\"fix\":{\"description\":"
       "\"write X100.\",\"safety\":\"unsafe\",\"edits\":[{\"path\":\"programs/sub.nc\",\"line\":2,"
       "\"column\":8,\"endLine\":2,\"endColumn\":8,\"text\":\".\"}]},\"fingerprint\":"
-      "\"0000000000000003\"}\n]}\n");
+      "\"0000000000000003\"}\n],\n\"absent\":[\n],\n\"problems\":[\n"
+      "{\"severity\":\"error\",\"path\":\"gone.nc\",\"message\":\"cannot read gone.nc: No such "
+      "file or directory\"}\n],\n\"summary\":{\"files\":2,\"findings\":3,\"errors\":1,"
+      "\"warnings\":1,\"style\":1,\"suppressed\":0,\"known\":0,\"absent\":0,\"fixes\":{"
+      "\"safe\":1,\"unsafe\":1}}}\n");
 }
 
 TEST(JsonReportTest, QuotedBytesOfAnEightBitProgramBecomeLetters) {

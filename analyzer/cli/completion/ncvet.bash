@@ -1,16 +1,14 @@
-# Completion of ncvet's command line for bash.
+# Completion of ncvet's command line for bash. Options come from the help of each command.
 _ncvet() {
   local cur prev words cword split
   _init_completion -s || return
-  local commands="check trace explain rules dialects lsp"
+  local commands="check trace explain rules dialects config init merge lsp help"
   local command= i
   for ((i = 1; i < cword; i++)); do
-    case ${words[i]} in
-    check | trace | explain | rules | dialects | lsp)
+    if [[ " $commands " == *" ${words[i]} "* ]]; then
       command=${words[i]}
       break
-      ;;
-    esac
+    fi
   done
   case $prev in
   --dialect)
@@ -21,17 +19,34 @@ _ncvet() {
     _filedir json
     return
     ;;
+  --output | -o | --changed-lines | --check)
+    _filedir
+    return
+    ;;
+  --relative-to)
+    _filedir -d
+    return
+    ;;
   --profile)
     mapfile -t COMPREPLY < <(compgen -W "recommended strict all" -- "$cur")
     return
     ;;
   --format)
-    mapfile -t COMPREPLY < <(compgen -W "text json sarif gcc checkstyle html" -- "$cur")
+    local formats
+    formats=$(_ncvet_formats "$command")
+    mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$cur")
     return
     ;;
   --fail-on)
     mapfile -t COMPREPLY < <(compgen -W "error warning style never" -- "$cur")
     return
+    ;;
+  --color)
+    mapfile -t COMPREPLY < <(compgen -W "auto always never" -- "$cur")
+    return
+    ;;
+  --fix)
+    $split && mapfile -t COMPREPLY < <(compgen -W "safe all" -- "$cur")
     ;;
   --select | --ignore)
     # The last of a list that is separated by commas.
@@ -46,28 +61,34 @@ _ncvet() {
     return
     ;;
   --report)
-    mapfile -t COMPREPLY < <(compgen -W "json: sarif: gcc: checkstyle: html: text:" -- "$cur")
+    mapfile -t COMPREPLY < <(compgen -S : -W "$(_ncvet_formats check)" -- "$cur")
     compopt -o nospace
     return
     ;;
-  --jobs | --stdin-filename) return ;;
+  --jobs | -j | --stdin-filename | --exclude | --shard | --changed-since) return ;;
   esac
   $split && return
-  case $command in
-  "") mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$cur") ;;
-  explain) mapfile -t COMPREPLY < <(compgen -W "$(_ncvet_rules)" -- "$cur") ;;
-  rules) mapfile -t COMPREPLY < <(compgen -W "--format" -- "$cur") ;;
-  check | trace)
-    if [[ $cur == -* ]]; then
-      local options="--dialect --machine --config --help"
-      [[ $command == check ]] && options+=" --profile --select --ignore --severity --format --report
-        --fail-on --baseline --write-baseline --jobs --stats --fix --diff --unsafe-fixes --color --stdin-filename"
-      mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
-    else
-      _filedir
-    fi
-    ;;
-  esac
+  if [[ -z $command ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$cur")
+  elif [[ $cur == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "--help $(_ncvet_options "$command")" -- "$cur")
+  elif [[ $command == explain ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$(_ncvet_rules)" -- "$cur")
+  elif [[ $command == help ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$cur")
+  elif [[ $command == init ]]; then
+    _filedir -d
+  elif [[ $command == check || $command == trace || $command == config || $command == merge ]]; then
+    _filedir
+  fi
+}
+_ncvet_options() {
+  ncvet "$1" --help 2>/dev/null | sed -n -E 's/^  (-[a-z], )?(--[a-z-]+).*/\2/p'
+}
+# What --help says of --format: names, separated by commas.
+_ncvet_formats() {
+  ncvet "$1" --help 2>/dev/null | tr '\n' ' ' |
+    sed -n -E 's/.* --format FMT +(([a-z]+( \(default\))?, +)*[a-z]+).*/\1/p' | sed 's/(default)//; s/,//g'
 }
 # The first word of every line that is an id.
 _ncvet_dialects() { ncvet dialects 2>/dev/null | sed -n 's/^\([a-z][a-z0-9-]*\).*/\1/p'; }

@@ -1,4 +1,4 @@
-# Completion of ncvet's command line for fish.
+# Completion of ncvet's command line for fish. Options come from the help of each command.
 function __ncvet_dialects
     echo auto
     ncvet dialects 2>/dev/null | string match -r '^[a-z][a-z0-9-]*'
@@ -16,38 +16,56 @@ function __ncvet_rule_list
     end
 end
 
+# What --help says of --format: names, separated by commas.
+function __ncvet_formats
+    ncvet $argv[1] --help 2>/dev/null | string join ' ' \
+        | string replace -rf '.* --format FMT +((?:[a-z]+(?: \(default\))?, +)*[a-z]+).*' '$1' \
+        | string replace '(default)' '' | string split , | string trim
+end
+
+function __ncvet_command
+    set -l words (commandline -opc)
+    test (count $words) -gt 1; and echo $words[2]
+end
+
+# The options of the command, for words that begin with a dash.
+function __ncvet_options
+    string match -q -- '-*' (commandline -ct); or return
+    echo --help
+    ncvet (__ncvet_command) --help 2>/dev/null \
+        | string replace -rf '^  (?:-[a-z], )?(--[a-z-]+).*' '$1'
+end
+
+# Whether the word before is one of these options.
+function __ncvet_after
+    contains -- (commandline -opc)[-1] $argv
+end
+
+set -l commands check trace explain rules dialects config init merge lsp help
+set -l values --dialect --profile --format --report --fail-on --color --select --ignore --severity \
+    --jobs -j --stdin-filename --exclude --shard --changed-since
+set -l first "not __fish_seen_subcommand_from $commands"
 complete -c ncvet -f
-set -l commands check trace explain rules dialects lsp
-complete -c ncvet -n "not __fish_seen_subcommand_from $commands" -a check -d 'Lint files or folders'
-complete -c ncvet -n "not __fish_seen_subcommand_from $commands" -a trace -d 'Print the motions of a program'
-complete -c ncvet -n "not __fish_seen_subcommand_from $commands" -a explain -d 'Show the page of a rule'
-complete -c ncvet -n "not __fish_seen_subcommand_from $commands" -a rules -d 'List the rules'
-complete -c ncvet -n "not __fish_seen_subcommand_from $commands" -a dialects -d 'List the controls'
-complete -c ncvet -n "not __fish_seen_subcommand_from $commands" -a lsp -d 'Run the language server'
+complete -c ncvet -n $first -a check -d 'Find what is wrong in files and folders'
+complete -c ncvet -n $first -a trace -d 'The motions that the control would make'
+complete -c ncvet -n $first -a explain -d 'The page of a rule'
+complete -c ncvet -n $first -a rules -d 'All rules'
+complete -c ncvet -n $first -a dialects -d 'All controls'
+complete -c ncvet -n $first -a config -d 'Which settings count, and who gave them'
+complete -c ncvet -n $first -a init -d 'Write a .ncvet.json to begin with'
+complete -c ncvet -n $first -a merge -d 'One report of those of the parts of a check'
+complete -c ncvet -n $first -a lsp -d 'Serve an editor'
+complete -c ncvet -n $first -a help -d 'The options of a command'
 
-complete -c ncvet -n '__fish_seen_subcommand_from explain' -a '(__ncvet_rules)'
-complete -c ncvet -n '__fish_seen_subcommand_from rules' -l format -x -a 'text json' -d 'Format of the list'
-
-set -l both '__fish_seen_subcommand_from check trace'
-complete -c ncvet -n $both -F
-complete -c ncvet -n $both -l dialect -x -a '(__ncvet_dialects)' -d Control
-complete -c ncvet -n $both -l machine -r -d 'Machine profile'
-complete -c ncvet -n $both -l config -r -d Configuration
-
-set -l check '__fish_seen_subcommand_from check'
-complete -c ncvet -n $check -l profile -x -a 'recommended strict all' -d 'Selection of rules'
-complete -c ncvet -n $check -l select -x -a '(__ncvet_rule_list)' -d 'Only these rules'
-complete -c ncvet -n $check -l ignore -x -a '(__ncvet_rule_list)' -d 'All but these rules'
-complete -c ncvet -n $check -l severity -x -a '(__ncvet_rules)=' -d 'RULE=LEVEL'
-complete -c ncvet -n $check -l format -x -a 'text json sarif gcc checkstyle html' -d 'Format of the report'
-complete -c ncvet -n $check -l report -x -a 'text: json: sarif: gcc: checkstyle: html:' -d 'FMT:FILE, a further report'
-complete -c ncvet -n $check -l fail-on -x -a 'error warning style never' -d 'Least severity that fails'
-complete -c ncvet -n $check -l baseline -r -d 'Known findings'
-complete -c ncvet -n $check -l write-baseline -r -d 'Write the current findings'
-complete -c ncvet -n $check -l jobs -x -d 'Files at the same time'
-complete -c ncvet -n $check -l stats -d 'Blocks, time, dialects'
-complete -c ncvet -n $check -l fix -d 'Apply safe fixes'
-complete -c ncvet -n $check -l diff -d 'Show safe fixes'
-complete -c ncvet -n $check -l unsafe-fixes -d 'With --fix and --diff: also fixes that need a check'
-complete -c ncvet -n $check -l color -x -a 'auto always never' -d 'Colours'
-complete -c ncvet -n $check -l stdin-filename -x -d 'Name of standard input'
+set -l inside "__fish_seen_subcommand_from $commands"
+complete -c ncvet -n $inside -a '(__ncvet_options)'
+complete -c ncvet -n "__fish_seen_subcommand_from check trace config init merge; and not __ncvet_after $values" -F
+complete -c ncvet -n "__fish_seen_subcommand_from explain; and not __ncvet_after --dialect" -a '(__ncvet_rules)'
+complete -c ncvet -n '__ncvet_after --dialect' -a '(__ncvet_dialects)'
+complete -c ncvet -n '__ncvet_after --profile' -a 'recommended strict all'
+complete -c ncvet -n '__ncvet_after --format' -a '(__ncvet_formats (__ncvet_command))'
+complete -c ncvet -n '__ncvet_after --report' -a '(__ncvet_formats check):'
+complete -c ncvet -n '__ncvet_after --fail-on' -a 'error warning style never'
+complete -c ncvet -n '__ncvet_after --color' -a 'auto always never'
+complete -c ncvet -n '__ncvet_after --select --ignore' -a '(__ncvet_rule_list)'
+complete -c ncvet -n '__ncvet_after --severity' -a '(__ncvet_rules)='
