@@ -442,19 +442,23 @@ int Check::run() {
 
 } // namespace
 
+int runCheck(CheckRequest request) {
+  enableCrashGuard();
+  return Check(std::move(request)).run();
+}
+
 CheckCommand::CheckCommand() : Command("check", "find what is wrong in part programs") {
   given_.declare(options);
 }
 
 int CheckCommand::run() {
-  enableCrashGuard();
   auto request = given_.request(options);
   if (!request)
     return fail(request.takeError());
   if (!request->relativeTo.empty())
     if (llvm::Error wrong = showRelativeTo(request->relativeTo, *request))
       return fail(std::move(wrong));
-  return Check(std::move(*request)).run();
+  return runCheck(std::move(*request));
 }
 
 } // namespace ncvet::cli

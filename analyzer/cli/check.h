@@ -6,6 +6,9 @@
 
 namespace ncvet::cli {
 
+/// Checks what is asked for and writes the reports; the exit code.
+int runCheck(CheckRequest request);
+
 class CheckCommand final : public Command {
 public:
   CheckCommand();

@@ -7,6 +7,7 @@
 #include "analyzer/cli/lsp.h"
 #include "analyzer/cli/merge.h"
 #include "analyzer/cli/trace.h"
+#include "analyzer/cli/view.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/FileSystem.h"
@@ -20,6 +21,7 @@ constexpr llvm::StringLiteral usage =
     R"(ncvet checks NC part programs before they run.
 
     ncvet check [PATH...]     find what is wrong in files and folders
+    ncvet view PATH...        programs, findings and tool paths as a page in the browser
     ncvet trace FILE          the motions that the control would make
     ncvet explain RULE        the page of a rule
     ncvet rules               all rules
@@ -36,6 +38,7 @@ constexpr llvm::StringLiteral usage =
 /// All subcommands.
 struct Commands {
   CheckCommand check;
+  ViewCommand view;
   TraceCommand trace;
   ExplainCommand explain;
   RulesCommand rules;
@@ -46,7 +49,7 @@ struct Commands {
   InitCommand init;
 
   std::vector<Command *> all() {
-    return {&check, &trace, &explain, &rules, &dialects, &config, &init, &merge, &lsp};
+    return {&check, &view, &trace, &explain, &rules, &dialects, &config, &init, &merge, &lsp};
   }
 
   Command *find(llvm::StringRef name) {

@@ -2,7 +2,7 @@
 _ncvet() {
   local cur prev words cword split
   _init_completion -s || return
-  local commands="check trace explain rules dialects config init merge lsp help"
+  local commands="check view trace explain rules dialects config init merge lsp help"
   local command= i
   for ((i = 1; i < cword; i++)); do
     if [[ " $commands " == *" ${words[i]} "* ]]; then
@@ -78,7 +78,7 @@ _ncvet() {
     mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$cur")
   elif [[ $command == init ]]; then
     _filedir -d
-  elif [[ $command == check || $command == trace || $command == config || $command == merge ]]; then
+  elif [[ $command == check || $command == view || $command == trace || $command == config || $command == merge ]]; then
     _filedir
   fi
 }

@@ -41,12 +41,13 @@ function __ncvet_after
     contains -- (commandline -opc)[-1] $argv
 end
 
-set -l commands check trace explain rules dialects config init merge lsp help
+set -l commands check view trace explain rules dialects config init merge lsp help
 set -l values --dialect --profile --format --report --fail-on --color --select --ignore --severity \
     --jobs -j --stdin-filename --exclude --shard --changed-since
 set -l first "not __fish_seen_subcommand_from $commands"
 complete -c ncvet -f
 complete -c ncvet -n $first -a check -d 'Find what is wrong in files and folders'
+complete -c ncvet -n $first -a view -d 'Programs, findings and tool paths as a page'
 complete -c ncvet -n $first -a trace -d 'The motions that the control would make'
 complete -c ncvet -n $first -a explain -d 'The page of a rule'
 complete -c ncvet -n $first -a rules -d 'All rules'
@@ -59,7 +60,7 @@ complete -c ncvet -n $first -a help -d 'The options of a command'
 
 set -l inside "__fish_seen_subcommand_from $commands"
 complete -c ncvet -n $inside -a '(__ncvet_options)'
-complete -c ncvet -n "__fish_seen_subcommand_from check trace config init merge; and not __ncvet_after $values" -F
+complete -c ncvet -n "__fish_seen_subcommand_from check view trace config init merge; and not __ncvet_after $values" -F
 complete -c ncvet -n "__fish_seen_subcommand_from explain; and not __ncvet_after --dialect" -a '(__ncvet_rules)'
 complete -c ncvet -n '__ncvet_after --dialect' -a '(__ncvet_dialects)'
 complete -c ncvet -n '__ncvet_after --profile' -a 'recommended strict all'
