@@ -83,8 +83,7 @@ ExecutedBlock executedBlock(const RuleContext &ctx) {
 
 PathAhead::PathAhead(const RuleContext &ctx)
     : dialect_(&ctx.dialect()), machine_(&ctx.machine()), ahead_(ctx),
-      executor_(ctx.dialect(), ctx.machine(), ctx.source().id()), after_(ctx.after()),
-      ended_(!goesOn(ctx.outcome())) {}
+      executor_(ctx.unit().executor()), after_(ctx.after()), ended_(!goesOn(ctx.outcome())) {}
 
 bool PathAhead::next() {
   constexpr uint32_t ends = bitOf(EventKind::UnknownCode) | bitOf(EventKind::ToolChange) |

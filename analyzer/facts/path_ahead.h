@@ -29,7 +29,7 @@ private:
   const Dialect *dialect_;
   const MachineProfile *machine_;
   BlocksAhead ahead_;
-  Executor executor_;
+  const Executor &executor_;
   Block block_;
   Outcome outcome_;
   MachineState before_, after_;

@@ -230,7 +230,7 @@ private:
   const RuleContext &ctx_;
   const Skippable way_;
   SkippedBlocks &skipped_;
-  const Executor executor_{ctx_.dialect(), ctx_.machine(), ctx_.source().id()};
+  const Executor &executor_ = ctx_.unit().executor();
   Outcome outcome_;
   Profile profile_;
   std::optional<double> startX_; ///< where the cycle begins

@@ -58,6 +58,8 @@ struct Step {
   const MachineState &before;
   const Block &block;
   Outcome &outcome;
+  /// Blocks of the same number only go on, each as the one before.
+  uint64_t stretch;
 
   const Region &region() const { return activation.region; }
   FileUnit &unit() const { return activation.region.unit; }

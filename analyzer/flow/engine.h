@@ -20,6 +20,7 @@ public:
   Engine(Project &programs, FileUnit &entry, const AnalysisLimits &bounds,
          const std::atomic<bool> *cancel);
 
+  using FlowRun::inFull;
   using FlowRun::visits;
   void listen(FlowListener &listener) { listeners.add(listener); }
   /// Takes over what earlier runs of the file have followed under the same rules, and adds to it.

@@ -42,6 +42,12 @@ public:
   virtual FlowInterest interest() const = 0;
   /// The block was executed for one state. `continues`: it only goes on as the one before.
   virtual void executed(const Step &step, bool continues) = 0;
+  /// As `executed`, for a block that does what the one before did, numbers aside, but that names
+  /// codes: whether nobody but those who are told of every move need be told of a further one.
+  virtual bool executedAgain(const Step &step) {
+    executed(step, false);
+    return true;
+  }
   virtual void problem(const Step & /*step*/, const FlowProblem & /*problem*/) {}
   /// The state comes back from what the block calls.
   virtual void callReturned(const Step & /*step*/, const MachineState & /*after*/) {}

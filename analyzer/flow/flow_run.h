@@ -85,6 +85,7 @@ struct FlowRun {
   Coverage covered;
   std::vector<RunningRegion> callStack;
   uint64_t steps = 0;         ///< blocks executed
+  uint64_t stretch = 0;       ///< number of the stretch of blocks that only go on
   unsigned stops = 0;         ///< programmed stops so far: at each one the operator decides
   unsigned forks = 0;         ///< times that a path went on in more than one direction
   uint64_t repeated = 0;      ///< blocks executed again, by what they cost
@@ -92,6 +93,7 @@ struct FlowRun {
   bool abstract = false;      ///< the budget is spent: loops are no longer run for real
   bool callerUnknown = false; ///< subprograms that nothing in the file calls are being run
   bool stopped = false;
+  bool inFull = false; ///< every block is read, executed and told in full: see docs/fast-path.md
   bool complete = true;
   std::vector<std::string> cuts;
 

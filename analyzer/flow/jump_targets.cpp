@@ -96,7 +96,8 @@ std::optional<uint32_t> JumpTargets::resolveNumber(const Step &step, FileUnit &u
              {step.unit().source.id(), target.begin, target.end});
   if (number.isVacant() || &unit != &step.unit())
     return std::nullopt;
-  const Step there{step.activation, step.live, from, step.before, block, step.outcome};
+  const Step there{step.activation, step.live,    from,        step.before,
+                   block,           step.outcome, step.stretch};
   if (target.expression < block.expressions.size() && block.expressions[target.expression].bad)
     anyLabel(there, target, kind);
   else

@@ -32,7 +32,8 @@ bool Jumps::leaveOut(Step &step, bool looksOn) {
     run_.fork(step.activation, step.flowRange());
     straight.path = run_.lengthen(straight.path, PathNode::Kind::NoJump, step.flowRange());
   }
-  Step other{step.activation, straight, step.at, step.before, step.block, step.outcome};
+  Step other{step.activation, straight,     step.at,     step.before,
+             step.block,      step.outcome, step.stretch};
   if (looksOn)
     notTaken(other);
   else

@@ -38,6 +38,16 @@ public:
       if (!lost || !entry.interest.onePath)
         entry.listener->executed(step, continues);
   }
+  /// The same of a block that does what the one before did, see `FlowListener::executedAgain`.
+  bool executedAgain(const Step &step, bool lost) const {
+    if (!(step.outcome.kinds & kinds_ || everyBlock_))
+      return true;
+    bool settled = true;
+    for (const Entry &entry : all_)
+      if (!lost || !entry.interest.onePath)
+        settled &= entry.listener->executedAgain(step);
+    return settled;
+  }
   template <typename Tell>
   void tell(Tell &&tell) const {
     for (const Entry &entry : all_)

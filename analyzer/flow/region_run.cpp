@@ -4,6 +4,8 @@
 #include "formats/text/crash_guard.h"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace ncvet {
 
@@ -41,13 +43,15 @@ bool onlyDefines(const Block &block) {
 RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry,
                      KnownRuns known, const std::atomic<bool> *cancel)
     : run_(run), flow_(flow), region_(region), unit_(region.unit), cancel_(cancel),
-      activation_(region), recorder_(known.recorder), replay_(known.replay),
-      lives_(std::move(entry)), at_(region.start) {}
+      quick_(dynamic_cast<const QuickReader *>(unit_.reader.get())), activation_(region),
+      recorder_(known.recorder), replay_(known.replay), lives_(std::move(entry)),
+      at_(region.start) {}
 
 Exits RegionRun::execute() {
   const CrashPlace place(unit_.source, at_);
   while (!run_.stopped && arrive()) {
-    if (isAtEnd() || takeOver() || !read() || passOver() || !spend())
+    if (isAtEnd() || goOnInStretch() || takeOver() || passEmptyLines() || !read() || passOver() ||
+        !spend())
       continue;
     if (block_.skip >= 0)
       decideSkip();
@@ -115,8 +119,9 @@ void RegionRun::runOut() {
 
 /// Goes over a run of blocks of which an earlier analysis knows what it does.
 bool RegionRun::takeOver() {
-  if (!recorder_ && !replay_)
+  if ((!recorder_ && !replay_) || at_ == refused_)
     return false;
+  refused_ = at_;
   if (lives_.size() != 1 || !activation_.pending.isEmpty() || at_ < activation_.high) {
     interruptRecord();
     return false;
@@ -129,10 +134,12 @@ bool RegionRun::takeOver() {
   if (!known)
     return false;
   follow(*known);
+  endStretch();
   before_ = lives_[0].state;
   synced_ = &lives_[0].state;
   plainRun_ = present;
   at_ = known->end;
+  refused_ = ~0u;
   return true;
 }
 
@@ -168,23 +175,61 @@ void RegionRun::follow(const RunPlace &known) {
 /// Reads the next block; false: the analysis was cancelled.
 bool RegionRun::read() {
   unit_.reader->read(at_, block_);
-  if ((++run_.steps & (cancelInterval - 1)) == 0) {
-    if (isCancelled()) {
-      run_.stopped = true;
-      run_.cut(blockRange(), "cancelled");
-      return false;
-    }
-    if (&unit_ == &run_.unit)
-      unit_.source.forget(at_ > (1u << 16) ? at_ - (1u << 16) : 0);
-  }
+  isPattern_ = true;
+  return noteRead();
+}
+
+/// Goes over lines that are nothing but blanks and comments; false: there is none here.
+bool RegionRun::passEmptyLines() {
+  if (!quick_ || run_.inFull)
+    return false;
+  uint32_t limit = std::min(region_.program.end, activation_.pending.next());
+  for (const uint32_t mark : {region_.stopAt, region_.lastBlock})
+    if (mark >= at_)
+      limit = std::min(limit, mark);
+  const EmptyLines empty = limit > at_ ? quick_->emptyLines(at_, limit) : EmptyLines();
+  if (!empty.count)
+    return false;
+  noteText(empty.end);
+  at_ = empty.end;
+  countSteps(empty.count);
+  return true;
+}
+
+/// The text from here to `end` is passed over, or executed.
+void RegionRun::noteText(uint32_t end) {
+  refused_ = ~0u;
   if (at_ != activation_.runEnd) {
     run_.cover(unit_, activation_.runBegin, activation_.runEnd);
     activation_.runBegin = at_;
   }
-  activation_.runEnd = block_.next;
+  activation_.runEnd = end;
   firstTime_ = at_ >= activation_.high;
   if (firstTime_)
-    activation_.high = block_.next;
+    activation_.high = end;
+}
+
+/// What is to be noted of every block that was read; false: the analysis was cancelled.
+bool RegionRun::noteRead() {
+  if (!countSteps(1))
+    return false;
+  noteText(block_.next);
+  return true;
+}
+
+/// So many blocks were read; false: the analysis was cancelled.
+bool RegionRun::countSteps(uint64_t blocks) {
+  const uint64_t before = run_.steps;
+  run_.steps += blocks;
+  if (before / cancelInterval == run_.steps / cancelInterval)
+    return true;
+  if (isCancelled()) {
+    run_.stopped = true;
+    run_.cut(blockRange(), "cancelled");
+    return false;
+  }
+  if (&unit_ == &run_.unit)
+    unit_.source.forget(at_ > (1u << 16) ? at_ - (1u << 16) : 0);
   return true;
 }
 
@@ -295,9 +340,19 @@ void RegionRun::executeBlock() {
   synced_ = nullptr;
 }
 
+/// Makes `before_` the state, from which it only differs by what the block before did, a plain
+/// move.
+void RegionRun::keepBefore(const MachineState &state) {
+  static_cast<MotionState &>(before_) = state;
+  for (const CodeUse &use : outcome_.codes) { // which it has named though they were in force
+    const GroupIndex group = unit_.dialect->codes[use.code].group;
+    before_.origin.all()[group] = state.origin.all()[group];
+  }
+}
+
 void RegionRun::executeFor(Live &live) {
   if (synced_ == &live.state) {
-    static_cast<MotionState &>(before_) = live.state;
+    keepBefore(live.state);
     if (!outcome_.plainMove) // what the block before did
       static_cast<ModeState &>(before_) = live.state;
   } else {
@@ -307,7 +362,10 @@ void RegionRun::executeFor(Live &live) {
   synced_ = nullptr;
   const bool guardHolds =
       block_.items.empty() || unit_.executor().guard(block_, live.state) != Truth::No;
+  const StateUse used = std::exchange(stateUse, StateUse());
   unit_.executor().execute(block_, before_, live.state, outcome_, guardHolds);
+  blockUse_ = stateUse;
+  stateUse |= used;
   if (!activation_.heads.empty() || !run_.callStack.empty())
     run_.stops += asksOperator(outcome_, *unit_.dialect);
   // A cycle among the blocks of a contour reads none of its own.
@@ -319,10 +377,77 @@ void RegionRun::tell(Live &live) {
   run_.visits.visit(live.path);
   if (block_.number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
     runsInto(live);
-  goesOn_ = plainRun_.goesOn(block_, outcome_, before_);
+  const bool same = plainRun_.goesOn(block_, outcome_, before_);
+  if (!same)
+    endStretch();
+  goesOn_ = same && (outcome_.codes.empty() || (plainRun_.settled && !run_.inFull));
   if (recorder_ && !goesOn_)
     recorder_->goesOnNoMore(before_);
-  run_.listeners.executed(stepOf(live), goesOn_, run_.stopped);
+  // Whether it is enough to tell some of it is asked of the first, second, fourth, … such block.
+  if (same && !goesOn_ && std::has_single_bit(++repeats_))
+    plainRun_.settled = run_.listeners.executedAgain(stepOf(live), run_.stopped);
+  else
+    run_.listeners.executed(stepOf(live), goesOn_, run_.stopped);
+}
+
+/// The next block is the first of its stretch.
+void RegionRun::endStretch() {
+  ++run_.stretch;
+  goesOn_ = false;
+  repeats_ = 0;
+}
+
+/// Blocks that only go on as the one before and are spelled as it: they are read and made without
+/// finding out again what they are. False: there is none, at least not here.
+bool RegionRun::goOnInStretch() {
+  if (!quick_ || !goesOn_ || !isPattern_ || run_.inFull || !mayGoOn())
+    return false;
+  Live &live = lives_[0];
+  if (moveStretch_ != run_.stretch) {
+    moveStretch_ = run_.stretch;
+    if (!masks_)
+      masks_.emplace(*unit_.dialect, unit_.machine);
+    move_ = makePlainMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), block_,
+                          live.state, outcome_);
+  }
+  if (!move_)
+    return false;
+  const uint32_t first = at_;
+  while (!run_.stopped && mayGoOn() && !takeOver()) {
+    if (passEmptyLines())
+      continue;
+    if (!quick_->readAlike(at_, unit_.dialect->axisWords, block_)) {
+      isPattern_ = false;
+      break;
+    }
+    if (noteRead() && spend())
+      goOnOnce(live);
+  }
+  return at_ != first;
+}
+
+/// Whether the block at `at_` follows straight on, for one state that has the facts of the last
+/// one.
+bool RegionRun::mayGoOn() const {
+  return lives_.size() == 1 && synced_ == &lives_[0].state && activation_.pending.next() > at_ &&
+         at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end &&
+         plainRun_.repeats(lives_[0].state);
+}
+
+/// As `executeBlock`, of a block of the stretch.
+void RegionRun::goOnOnce(Live &live) {
+  run_.visits.begin();
+  keepBefore(live.state);
+  move_->make(block_, unit_.source.id(), before_, live.state);
+  stateUse |= blockUse_;
+  run_.visits.visit(live.path);
+  if (block_.number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
+    runsInto(live);
+  run_.listeners.executed(stepOf(live), true, run_.stopped);
+  run_.endStop();
+  at_ = next_;
+  if (recorder_)
+    recorder_->executed(block_, true);
 }
 
 /// Plain flow comes to a numbered block: a local subprogram, or a profile along which a cycle

@@ -4,6 +4,8 @@
 #include "analyzer/flow/block_flow.h"
 #include "analyzer/reuse/run_recorder.h"
 #include "analyzer/reuse/run_replay.h"
+#include "formats/readers/quick_reader.h"
+#include "interp/execute/make_plain_move.h"
 
 #include <atomic>
 
@@ -33,16 +35,25 @@ private:
   bool isAtEnd();
   void runOut();
   bool takeOver();
+  bool goOnInStretch();
+  bool mayGoOn() const;
+  void goOnOnce(Live &live);
+  void endStretch();
   bool mayTakeOver(const RunPlace &known) const;
   void follow(const RunPlace &known);
   bool isCancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
   bool read();
+  bool noteRead();
+  bool countSteps(uint64_t blocks);
+  void noteText(uint32_t end);
   bool passOver();
+  bool passEmptyLines();
   bool spend();
   void decideSkip();
   void forkAtGuards();
   void executeBlock();
   void executeFor(Live &live);
+  void keepBefore(const MachineState &state);
   void tell(Live &live);
   void interruptRecord() {
     if (recorder_)
@@ -52,7 +63,9 @@ private:
   }
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
-  Step stepOf(Live &live) { return {activation_, live, at_, before_, block_, outcome_}; }
+  Step stepOf(Live &live) {
+    return {activation_, live, at_, before_, block_, outcome_, run_.stretch};
+  }
   SourceRange blockRange() const { return {unit_.source.id(), block_.begin, block_.end}; }
 
   FlowRun &run_;
@@ -60,19 +73,27 @@ private:
   const Region &region_;
   FileUnit &unit_;
   const std::atomic<bool> *cancel_;
+  const QuickReader *const quick_; ///< the file's reader, where it knows short ways
   Activation activation_;
   RunRecorder *const recorder_;
   RunReplay *const replay_;
   Lives lives_;            ///< that come to the block at `at_`
   uint32_t at_;            ///< the block that is executed next
   uint32_t next_ = 0;      ///< and the one after it in the text
+  uint32_t refused_ = ~0u; ///< the block from which on no run is known to be taken over
   bool firstTime_ = false; ///< the block was not executed before
   bool goesOn_ = false;    ///< the block only goes on as the one before
+  bool isPattern_ = false; ///< `block_` is the block that was executed last, whole
   Block block_;
   Outcome outcome_;
   MachineState before_;                  ///< before the block
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
   PlainRun plainRun_;
+  unsigned repeats_ = 0; ///< blocks of the stretch that were told to all although they went on
+  StateUse blockUse_;    ///< what executing the block has looked at
+  std::optional<ModeMasks> masks_; ///< made when they are first asked for
+  std::optional<PlainMove> move_;  ///< of the stretch; nothing: its blocks are executed in full
+  uint64_t moveStretch_ = ~uint64_t(0); ///< for which stretch `move_` was made out
 };
 
 } // namespace ncvet

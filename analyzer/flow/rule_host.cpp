@@ -8,7 +8,8 @@ namespace ncvet {
 RuleHost::RuleHost(FileUnit &unit, const RuleSelection &rules, const AnalysisLimits &limits,
                    Visits &visits)
     : unit_(unit), collector_(rules, *unit.dialect, limits, visits),
-      dispatcher_(*unit.dialect, unit.machine, rules, collector_) {}
+      dispatcher_(*unit.dialect, unit.machine, rules, collector_), before_(unit.source.id()),
+      after_(unit.source.id()) {}
 
 FlowInterest RuleHost::interest() const {
   return {dispatcher_.kinds(), dispatcher_.wantsEveryMove()};
@@ -18,10 +19,22 @@ void RuleHost::executed(const Step &step, bool continues) {
   const CallSite *const caller = step.region().caller;
   if (continues)
     dispatcher_.dispatchMove(step.unit(), step.block, step.outcome, step.before, step.live.state,
-                             caller);
+                             caller, step.stretch);
   else
     dispatcher_.dispatch(step.unit(), step.block, step.outcome, step.before, step.live.state,
                          caller);
+}
+
+/// A rule says of a block what it said of one that differs in numbers only, unless it is told of
+/// every move: when it has said nothing, and remembers what it did, it will say nothing again.
+bool RuleHost::executedAgain(const Step &step) {
+  before_.clear();
+  dispatcher_.rememberChanges(before_);
+  const uint64_t reports = collector_.reports();
+  executed(step, false);
+  after_.clear();
+  dispatcher_.rememberChanges(after_);
+  return reports == collector_.reports() && before_.isSame(after_, true);
 }
 
 void RuleHost::problem(const Step &step, const FlowProblem &problem) {

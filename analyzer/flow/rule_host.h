@@ -20,6 +20,7 @@ public:
 
   FlowInterest interest() const override;
   void executed(const Step &step, bool continues) override;
+  bool executedAgain(const Step &step) override;
   void problem(const Step &step, const FlowProblem &problem) override;
   void callReturned(const Step &step, const MachineState &after) override;
   void entered(EntryState entry) override;
@@ -32,6 +33,7 @@ private:
   FileUnit &unit_;
   Collector collector_;
   Dispatcher dispatcher_;
+  RuleMemory before_, after_; ///< of a block that was told again; kept for their storage
 };
 
 } // namespace ncvet

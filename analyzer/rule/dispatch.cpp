@@ -1,10 +1,22 @@
 // Hands the events of a block to the rules that listen for them.
 #include "analyzer/rule/dispatch.h"
 
+#include "analyzer/rule/sleep_in_stretch.h"
+
 #include "llvm/ADT/StringMap.h"
 #include "llvm/Support/MathExtras.h"
 
+#include <utility>
+
 namespace ncvet {
+
+namespace {
+
+/// Kinds of events of blocks that only go on.
+constexpr uint32_t movesAndBlocks =
+    bitOf(EventKind::Block) | bitOf(EventKind::Motion) | bitOf(EventKind::Code);
+
+} // namespace
 
 Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
                        const RuleSelection &selection, Collector &collector)
@@ -38,8 +50,11 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
       gatherers_.push_back(listener.rule);
     RuleMemory first(FileId(0));
     listener.rule->remember(first);
-    if (!first.isLeftOut())
+    const bool remembers = !first.isLeftOut();
+    if (remembers)
       rememberers_.push_back(listener.rule);
+    if (remembers && !(subscriptions.everyBlock() & movesAndBlocks))
+      changeRememberers_.push_back(listener.rule);
     listenToKinds(listener, subscriptions);
     // Facts of the table are reported for every rule; some do so themselves.
     if (const auto codes = noticed.find(table[i].info.id); codes != noticed.end())
@@ -52,7 +67,11 @@ void Dispatcher::listenToKinds(const Listener &listener, const Subscriptions &su
   kinds_ |= subscriptions.kinds();
   for (uint32_t left = subscriptions.kinds(); left; left &= left - 1)
     byKind_[llvm::countTrailingZeros(left)].push_back(listener);
-  for (const EventKind kind : {EventKind::Block, EventKind::Motion})
+  if (subscriptions.kinds() & bitOf(EventKind::Motion))
+    for (size_t move = 0; move < byMove_.size(); ++move)
+      if (listener.moves & bitOf(MotionKind(move)))
+        byMove_[move].push_back(listener);
+  for (const EventKind kind : {EventKind::Block, EventKind::Code, EventKind::Motion})
     if (subscriptions.everyBlock() & bitOf(kind))
       everyBlock_.emplace_back(kind, listener);
 }
@@ -107,12 +126,10 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
   for (const Event &event : outcome.events) {
     if (!(bitOf(event.kind) & kinds_))
       continue;
-    for (const Listener &listener : byKind_[size_t(event.kind)]) {
-      if (!listener.wants(event))
-        continue;
-      context_.rule_ = listener.id;
-      listener.rule->on(event, context_);
-    }
+    if (event.kind == EventKind::Motion)
+      tell(event, byMove_[size_t(event.motion)]);
+    else
+      tell(event, byKind_[size_t(event.kind)]);
     if (event.kind == EventKind::CycleRun)
       reportChanged(event);
     if (event.kind == EventKind::Code)
@@ -123,6 +140,13 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
         else
           context_.reportNotices(allRules()[listener.id].info.id, event);
       }
+  }
+}
+
+void Dispatcher::tell(const Event &event, llvm::ArrayRef<Listener> listeners) {
+  for (const Listener &listener : listeners) {
+    context_.rule_ = listener.id;
+    listener.rule->on(event, context_);
   }
 }
 
@@ -141,14 +165,40 @@ void Dispatcher::reportChanged(const Event &event) {
 
 void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
                               const MachineState &before, const MachineState &after,
-                              const CallSite *caller) {
+                              const CallSite *caller, uint64_t stretch) {
+  if (stretch != stretch_) {
+    stretch_ = stretch;
+    wake(outcome);
+  }
+  // Where that is another, they would be awake.
+  stateUse |= asleepUse_;
+  if (awake_.empty())
+    return;
   prepare(unit, block, outcome, before, after, caller);
-  for (const Event &event : outcome.events)
+  ruleSleeps = false;
+  for (size_t i = 0; i < awake_.size();) {
+    const auto &[event, listener] = awake_[i];
+    context_.rule_ = listener.id;
+    const StateUse used = std::exchange(stateUse, StateUse());
+    listener.rule->on(outcome.events[event], context_);
+    if (std::exchange(ruleSleeps, false)) {
+      asleepUse_ |= stateUse;
+      awake_.erase(awake_.begin() + ptrdiff_t(i));
+    } else {
+      ++i;
+    }
+    stateUse |= used;
+  }
+}
+
+/// All who want to know of every move are told of the events of this one.
+void Dispatcher::wake(const Outcome &outcome) {
+  awake_.clear();
+  asleepUse_ = {};
+  for (uint32_t i = 0; i < outcome.events.size(); ++i)
     for (const auto &[kind, listener] : everyBlock_)
-      if (kind == event.kind && listener.wants(event)) {
-        context_.rule_ = listener.id;
-        listener.rule->on(event, context_);
-      }
+      if (kind == outcome.events[i].kind && listener.wants(outcome.events[i]))
+        awake_.push_back({i, listener});
 }
 
 void Dispatcher::flowIssue(FlowIssue issue, FileUnit &unit, const Block &block,

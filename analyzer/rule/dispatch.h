@@ -20,9 +20,10 @@ public:
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after, const CallSite *caller);
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
-  /// to know of every move.
+  /// to know of every move, as long as they do. Blocks of one `stretch` differ in numbers only.
   void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
-                    const MachineState &before, const MachineState &after, const CallSite *caller);
+                    const MachineState &before, const MachineState &after, const CallSite *caller,
+                    uint64_t stretch);
   /// A `FlowIssue` event of its own, outside of what the block itself emitted.
   void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
                  const MachineState &before, const MachineState &after, const CallSite *caller,
@@ -40,6 +41,11 @@ public:
   void rememberMoves(RuleMemory &memory) const {
     for (const auto &[kind, listener] : everyBlock_)
       listener.rule->remember(memory);
+  }
+  /// The same of those that are told of changes only.
+  void rememberChanges(RuleMemory &memory) const {
+    for (const Rule *rule : changeRememberers_)
+      rule->remember(memory);
   }
   void startGathering() const {
     for (Rule *rule : gatherers_)
@@ -64,7 +70,6 @@ private:
     Rule *rule;
     RuleId id;
     uint8_t moves = 0xFF; ///< bit per kind of move of which `Motion` events are wanted
-
     bool wants(const Event &event) const {
       return event.kind != EventKind::Motion || (moves & bitOf(event.motion));
     }
@@ -76,6 +81,8 @@ private:
                        bool report);
   void listenToCodes(const Listener &listener, const Subscriptions &subscriptions);
   void reportChanged(const Event &event);
+  void wake(const Outcome &outcome);
+  void tell(const Event &event, llvm::ArrayRef<Listener> listeners);
   void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
                const MachineState &before, const MachineState &after, const CallSite *caller);
 
@@ -83,10 +90,20 @@ private:
   std::vector<Listener> all_;
   std::vector<Rule *> gatherers_;
   std::vector<const Rule *> rememberers_;
+  std::vector<const Rule *> changeRememberers_; ///< those that are not told of every move
   std::array<std::vector<Listener>, size_t(EventKind::Count)> byKind_;
+  std::array<std::vector<Listener>, size_t(MotionKind::Reference) + 1> byMove_; ///< of `Motion`
   std::vector<std::vector<Listener>> byCode_;
   std::vector<std::vector<RuleId>> noticesOf_; ///< by code: rules for which the table has some
-  std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of `Block` and `Motion`
+  std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of every move, by kind of event
+  /// Who is told of the moves of the stretch, and of which event of theirs.
+  struct Awake {
+    uint32_t event;
+    Listener listener;
+  };
+  std::vector<Awake> awake_;
+  StateUse asleepUse_; ///< what the others looked at to find that they may sleep
+  uint64_t stretch_ = ~uint64_t(0);
   uint32_t kinds_ = 0;
   RuleContext context_;
 };

@@ -63,6 +63,8 @@ bool cutterOfBlock(const Dialect &dialect) {
 
 const ToolData *compensatingTool(const Dialect &dialect, const MachineProfile &machine,
                                  const MachineState &state) {
+  if (machine.tools.empty())
+    return nullptr;
   int32_t number = radiusOffsetNumber(dialect, state);
   if (cutterOfBlock(dialect)) {
     number = number == notSet ? state.tool.get() : number;

@@ -32,9 +32,10 @@ bool calculatesOnly(const Block &block) {
 } // namespace
 
 /// The motion code of a block of axis words and perhaps F under G00 or G01, with no cycle, polar
-/// input or modal macro about, and compensation off or built up; `noCode` for other blocks.
+/// input or modal macro about, and compensation off or built up; `noCode` for other blocks. G codes
+/// are for `restatesCodes` to judge.
 inline CodeIndex Execution::plainMoveCode() const {
-  if ((block_.addresses & ~(dialect_.axisWords | maskOf('F'))) ||
+  if ((block_.addresses & ~(dialect_.axisWords | maskOf('F') | maskOf('G'))) ||
       !(block_.addresses & dialect_.axisWords) ||
       (state_.compensation != phaseOff && state_.compensation != phaseOn) || state_.modalCalls ||
       state_.pendingCycle != noCode || masks_.motion == noGroup || polarMayBeOn() ||
@@ -53,6 +54,81 @@ inline CodeIndex Execution::plainMoveCode() const {
   return straight && code.places[0].empty() ? index : noCode;
 }
 
+namespace {
+/// Whether a condition asks for no number of the block.
+bool asksNoNumber(const Condition &condition) {
+  return condition.broken.empty() && condition.formula.empty();
+}
+
+/// Whether a modal code that is in force already does nothing when it is named again, whatever the
+/// numbers of the block.
+bool isBare(const Dialect &dialect, const CodeInfo &code) {
+  switch (code.action) {
+  case Action::Rapid:
+  case Action::Linear:
+  case Action::PlaneXY:
+  case Action::PlaneZX:
+  case Action::PlaneYZ:
+  case Action::Absolute:
+  case Action::Incremental:
+  case Action::Inch:
+  case Action::Metric:
+    break;
+  default:
+    return false;
+  }
+  const GroupInfo &group = dialect.groups[code.group];
+  return !group.oneShot && !group.forgetsFeed &&
+         llvm::all_of(code.variants,
+                      [](const Variant &variant) { return asksNoNumber(variant.when); }) &&
+         llvm::all_of(code.notices,
+                      [](const Notice &notice) { return asksNoNumber(notice.when); }) &&
+         code.stores.empty() && code.effect.index == 0xFF && code.places[0].empty() &&
+         !code.ownMove && !code.returns && !code.leavesNoSpeed && !code.traits;
+}
+} // namespace
+
+/// Whether all codes of the block are in force already and do nothing more: then they are told, and
+/// noted as set here.
+bool Execution::restatesCodes() {
+  if (!block_.expressions.empty() || !block_.issues.empty())
+    return false;
+  for (const Word &word : block_.words) {
+    if (word.address != letterAddress('G'))
+      continue;
+    const CodeIndex index = word.isNumber() ? dialect_.find('G', word.codeNumber()) : noCode;
+    const CodeInfo *code = index == noCode ? nullptr : &dialect_.codes[index];
+    if (!code || code->group == noGroup || !isBare(dialect_, *code) ||
+        state_.groups[code->group] != uint64_t(1) << code->bit || !state_.isStated(code->group)) {
+      outcome_.codes.clear();
+      return false;
+    }
+    outcome_.codes.push_back({index, &word});
+  }
+  context_.codes = outcome_.codes;
+  for (const CodeUse &use : outcome_.codes)
+    if (llvm::any_of(info(use).variants, [&](const Variant &variant) {
+          return holds(variant.when, &info(use), context_);
+        })) {
+      outcome_.codes.clear();
+      return false;
+    }
+  emitCodes();
+  for (const CodeUse &use : outcome_.codes)
+    state_.origin.setGroup(info(use).group, originOf(*use.word));
+  return true;
+}
+
+PlainTarget Execution::plainTarget(const AddressInfo &address, Truth relative) const {
+  PlainTarget target;
+  target.axis = address.axis;
+  target.isLength = address.unit == AddressUnit::Length;
+  target.isHalved = target.isLength && address.axis == Axis::X && diameterMayBeOn();
+  target.isIncrement = relative == Truth::Yes || address.kind == AddressKind::Increment;
+  target.inIncrements = masks_.pointlessIsIncrement;
+  return target;
+}
+
 /// By far the most blocks of a long program, see `plainMoveCode`. Does what `moveAxes` would do,
 /// with everything that such a block cannot do left out.
 bool Execution::runPlainMove() {
@@ -65,11 +141,12 @@ bool Execution::runPlainMove() {
     return false;
   bool plain = outcome_.kinds == bitOf(EventKind::Block) &&
                !(masks_.timeOfBlock && !(state_.group(masks_.feedMode) & ~masks_.timeOfBlock));
+  if ((block_.addresses & maskOf('G')) && !restatesCodes())
+    return false;
   if (block_.addresses & maskOf('F')) {
     technologyWords();
     plain = false;
   }
-  const bool halvesX = diameterMayBeOn();
   uint16_t axes = 0;
   for (const Word &word : block_.words) {
     const AddressInfo &address = dialect_.addresses[word.address];
@@ -79,22 +156,8 @@ bool Execution::runPlainMove() {
     if (word.flags & (wordExpression | wordNoValue | wordIncremental)) {
       storeTarget(word, false);
       plain = false;
-      continue;
-    }
-    double target = word.value() + 0.0;
-    if (!(word.flags & wordPoint) && masks_.pointlessIsIncrement)
-      target *= leastIncrement;
-    if (factor.lo != 1 && address.unit == AddressUnit::Length)
-      target *= factor.lo;
-    if (halvesX && address.axis == Axis::X && address.unit == AddressUnit::Length)
-      target *= 0.5;
-    Interval &position = state_.at(address.axis);
-    if (relative == Truth::Yes || address.kind == AddressKind::Increment) {
-      position.lo += target;
-      position.hi += target;
     } else {
-      position.lo = position.hi = target;
-      state_.machineAxes &= ~uint32_t(axisBit(address.axis));
+      plainTarget(address, relative).move(word, factor.lo, state_);
     }
   }
   const bool idles = state_.compensation == phaseOn && countIdle(axes);
@@ -109,6 +172,31 @@ bool Execution::runPlainMove() {
     contourFacts(event.motion, axes);
   afterMove(rapid, axes);
   return true;
+}
+
+std::optional<PlainMove> Execution::asPlainMove() const {
+  constexpr size_t most = 200; // words: the index of one is a byte
+  if (!outcome_.plainMove || outcome_.events.empty() || block_.words.size() > most)
+    return std::nullopt;
+  const Event &motion = outcome_.events.back();
+  constexpr uint64_t contour = bitOf(Fact::CompensatedCut) | bitOf(Fact::ContourCompensated);
+  if (motion.kind != EventKind::Motion ||
+      (state_.compensation == phaseOn &&
+       ((state_.factsMust & contour) != contour || state_.idleBlocks ||
+        !(motion.axes & planeAxes(dialect_, state_)))))
+    return std::nullopt;
+  PlainMove move;
+  const Truth relative = incremental();
+  move.unit = lengthFactor().lo;
+  move.isRapid = motion.motion == MotionKind::Rapid;
+  move.tracksDepth = !dialect_.isLathe();
+  for (uint8_t i = 0; i < block_.words.size(); ++i)
+    if (const AddressInfo &address = dialect_.addresses[block_.words[i].address];
+        address.kind == AddressKind::Axis || address.kind == AddressKind::Increment)
+      move.steps.push_back({i, plainTarget(address, relative)});
+  for (const CodeUse &use : outcome_.codes)
+    move.restated.push_back({uint8_t(use.word - block_.words.begin()), info(use).group});
+  return move;
 }
 
 /// Under compensation: counts the blocks without a move in the plane; false when there is nothing
@@ -268,6 +356,10 @@ void Execution::resolveCodes() {
       outcome_.codes.push_back({code, &word});
   }
   resolveVariants();
+  emitCodes();
+}
+
+void Execution::emitCodes() {
   for (const CodeUse &use : outcome_.codes) {
     Event &event = outcome_.emit(EventKind::Code);
     event.code = use.code;

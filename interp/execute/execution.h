@@ -4,6 +4,7 @@
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/expression.h"
 #include "interp/execute/mode_masks.h"
+#include "interp/execute/plain_move.h"
 #include "interp/geometry/plane_place.h"
 #include "interp/state/event.h"
 #include "interp/state/modes.h"
@@ -32,11 +33,17 @@ public:
         outcome_(outcome), context_{dialect, machine, block, {}, before} {}
 
   void run(bool guardHolds);
+  /// The block, which has just been executed, as a plain move that may follow itself; nothing when
+  /// its numbers decide more than where it leads.
+  std::optional<PlainMove> asPlainMove() const;
 
 private:
   // execution.cpp: the order of things
   bool inForeignLanguage() const;
   CodeIndex plainMoveCode() const;
+  bool restatesCodes();
+  void emitCodes();
+  PlainTarget plainTarget(const AddressInfo &address, Truth relative) const;
   bool runPlainMove();
   bool countIdle(uint16_t axes);
   void wordIssues();
@@ -162,7 +169,6 @@ private:
   void arriveOnMachine();
   Event &emitMotion(MotionKind kind, uint16_t axes, CodeIndex code);
   void storePolarEnd(const CodeInfo &code);
-  void trackDepth(bool rapid);
   void compensationStep(MotionKind kind, uint16_t axes);
 
   // coordinate_codes.cpp: axis words that are no plain move

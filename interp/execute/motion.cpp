@@ -321,7 +321,7 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
       axes & bit(planeOrder(dialect_, state_)[0]) && polarMayBeOn())
     state_.set(Fact::PolarRadiusSet);
   if (!dialect_.isLathe())
-    trackDepth(rapid);
+    trackDepth(before_, state_, rapid);
   if (rapid) {
     state_.clear(Fact::PlungedUncompensated);
     return;
@@ -331,21 +331,6 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
     state_.set(Fact::PlungedUncompensated);
   else if (axes & ~tool)
     state_.clear(Fact::PlungedUncompensated);
-}
-
-/// Keeps the level from which a mill's tool was fed in, and the area in which it has cut. The tool
-/// is along Z whatever the plane: arcs in G18 and G19 lead in and out.
-void Execution::trackDepth(bool rapid) {
-  constexpr Axis tool = Axis::Z;
-  const Interval &from = before_.at(tool), &to = state_.at(tool);
-  if (before_.inMachineCoordinates(tool) == state_.inMachineCoordinates(tool))
-    state_.fedFrom.move(from, to, rapid);
-  else
-    state_.fedFrom.forget();
-  if (rapid)
-    return;
-  for (unsigned i = 0; i < 2; ++i)
-    state_.cutArea.add(i, state_.position[i]);
 }
 
 namespace {

@@ -162,6 +162,19 @@ const CodeInfo *MachineState::activeCode(const Dialect &dialect, StandardGroup w
               .codes[dialect.groups[dialect.group(which)].members[size_t(std::countr_zero(set))]];
 }
 
+namespace {
+/// Calls `visit` with the codes of a group that are among `set`.
+template <typename Visit>
+void eachMember(const Dialect &dialect, StandardGroup which, uint64_t set, const Visit &visit) {
+  set &= ~groupUnset;
+  if (!set)
+    return;
+  const auto &members = dialect.groups[dialect.group(which)].members;
+  for (; set; set &= set - 1)
+    visit(dialect.codes[members[size_t(std::countr_zero(set))]]);
+}
+} // namespace
+
 llvm::SmallVector<const CodeInfo *, 4> MachineState::candidates(const Dialect &dialect,
                                                                 StandardGroup which) const {
   llvm::SmallVector<const CodeInfo *, 4> result;
@@ -178,10 +191,10 @@ Truth MachineState::isActive(const Dialect &dialect, StandardGroup which,
                              std::initializer_list<Action> actions) const {
   const uint64_t set = active(dialect, which);
   bool yes = false, no = set & groupUnset;
-  for (const CodeInfo *code : candidates(dialect, which)) {
-    const bool match = std::find(actions.begin(), actions.end(), code->action) != actions.end();
+  eachMember(dialect, which, set, [&](const CodeInfo &code) {
+    const bool match = std::find(actions.begin(), actions.end(), code.action) != actions.end();
     (match ? yes : no) = true;
-  }
+  });
   return yes ? (no ? Truth::Unknown : Truth::Yes) : (set & groupUnset ? Truth::Unknown : Truth::No);
 }
 
@@ -190,8 +203,8 @@ Truth MachineState::cycleActive(const Dialect &dialect) const {
   for (const StandardGroup which : {StandardGroup::Cycle, StandardGroup::Motion}) {
     const uint64_t set = active(dialect, which);
     bool here = false, other = set & groupUnset;
-    for (const CodeInfo *code : candidates(dialect, which))
-      (code->action == Action::Cycle ? here : other) = true;
+    eachMember(dialect, which, set,
+               [&](const CodeInfo &code) { (code.action == Action::Cycle ? here : other) = true; });
     if (here && !other)
       return Truth::Yes;
     yes |= here;

@@ -27,6 +27,8 @@ public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
     sameTwice_ = to.dialect().facts->program.sameCodeTwiceStops;
+    for (const CodeInfo &code : to.dialect().codes)
+      setsOneMode_.push_back(setsOneMode(code));
     to.onCode([&](const CodeInfo &code) {
       return code.group != noGroup || code.exclusive || leadsElsewhere(code.action) ||
              code.opposite != noCode || isArc(code.action) || takesBack(to.dialect(), code) ||
@@ -43,6 +45,8 @@ public:
       if (use.word->offset >= event.word->offset) // the later one of a pair reports
         return;
       const CodeInfo &other = ctx.code(use);
+      if (setsOneMode_[event.code] && setsOneMode_[use.code] && code.group != other.group)
+        continue;
       // `G00 G81`: the cycle comes last, and drills.
       if (ctx.dialect().facts->cycles.lastCodeCounts && isMotion(other.action) &&
           isModalCycle(ctx.dialect(), code))
@@ -62,6 +66,16 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-modal-group-conflict"};
+
+  /// Whether the code does nothing but become the active one of its group: then it excludes only
+  /// other codes of the group.
+  static bool setsOneMode(const CodeInfo &code) {
+    return code.letter == 'G' && code.group != noGroup && !code.exclusive &&
+           !leadsElsewhere(code.action) && !isMotion(code.action) && !isArc(code.action) &&
+           code.action != Action::Cycle && code.action != Action::CoolantOn &&
+           code.action != Action::CoolantOff && code.action != Action::SpindleStop &&
+           !code.stopsSpindle && code.effect.index == 0xFF;
+  }
 
   /// Message of the conflict, or null.
   static const char *conflict(const Dialect &dialect, const CodeInfo &a, const CodeInfo &b,
@@ -129,7 +143,8 @@ private:
            code.group == dialect.group(StandardGroup::Cycle);
   }
 
-  bool sameTwice_ = false; ///< the control also rejects a code that is there twice
+  std::vector<bool> setsOneMode_; ///< by code
+  bool sameTwice_ = false;        ///< the control also rejects a code that is there twice
 };
 
 } // namespace

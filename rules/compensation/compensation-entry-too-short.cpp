@@ -1,6 +1,7 @@
 // The move that builds up or removes compensation is shorter than the radius.
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 
@@ -71,8 +72,10 @@ private:
   /// axes.
   static void besidePlane(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (state.compensation != phaseStarting || event.code == noCode || !event.axes ||
-        event.motion == MotionKind::Reference || event.motion == MotionKind::Skip)
+    if (state.compensation != phaseStarting)
+      return sleepInStretch();
+    if (event.code == noCode || !event.axes || event.motion == MotionKind::Reference ||
+        event.motion == MotionKind::Skip)
       return;
     const auto radius = compensationRadius(ctx.dialect(), ctx.machine(), state);
     if (!radius || *radius == 0)

@@ -2,6 +2,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -29,6 +30,8 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion) {
+      if (ctx.before().compensation != phaseOn)
+        return sleepInStretch();
       zeroMove(event, ctx);
       if (inSpace_)
         inSpace(event, ctx);

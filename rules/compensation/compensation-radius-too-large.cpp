@@ -1,5 +1,6 @@
 // A place of the contour into which the compensated tool does not fit.
 #include "analyzer/facts/contour_trail.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <cmath>
@@ -29,7 +30,7 @@ public:
     const MachineState &before = ctx.before(), &after = ctx.after();
     if ((before.compensation | after.compensation) == phaseOff ||
         before.profile == ProfileMode::Recorded)
-      return;
+      return sleepInStretch();
     memory().trail->take(
         ctx, event.certain && !after.may(Fact::UnknownCode),
         [&](const ContourTrail::Element &element, const Neighbours &neighbours,

@@ -4,6 +4,7 @@
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/facts/turning_profile.h"
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/tool_data.h"
 
 #include <algorithm>
@@ -33,10 +34,14 @@ public:
     if (ctx.dialect().isLathe()) {
       onLathe(event, ctx);
       besideNose(event, ctx);
-    } else if (event.kind == EventKind::CompensationMove)
+      if (ctx.before().compensation != phaseOn)
+        sleepInStretch();
+    } else if (event.kind == EventKind::CompensationMove) {
       enters(event, ctx);
-    else
+    } else {
       firstElement(event, ctx);
+      sleepInStretch(); // the next elements are no first ones
+    }
   }
 
 private:

@@ -1,6 +1,7 @@
 // The contour of a pocket or island that does not end where it begins, and a compensated contour
 // that ends just beside it.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/tool_data.h"
 #include "interp/geometry/direction.h"
@@ -119,6 +120,8 @@ public:
         memory().start = ctx.after().position;
         memory().begin = ctx.blockRange();
       }
+      if ((ctx.before().compensation | ctx.after().compensation) == phaseOff)
+        sleepInStretch();
       return;
     }
     if (ctx.code(event).action != Action::CompensationOff) {

@@ -1,5 +1,6 @@
 // Codes that a contour program may not hold.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -24,7 +25,7 @@ public:
     if (records_ && ctx.before().profile == ProfileMode::Recorded)
       return recorded(event, ctx);
     if (!ctx.before().must(Fact::InContour))
-      return;
+      return sleepInStretch();
     switch (event.kind) {
     case EventKind::Code:
       return atCode(event, ctx);

@@ -1,6 +1,7 @@
 // A move leads into a forbidden zone.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <array>
 #include <bit>
@@ -84,7 +85,7 @@ public:
     const MachineState &state = ctx.after();
     const auto zone = zoneInForce(groups_, state, ctx);
     if (!zone || !comparable(*zone, state, ctx))
-      return;
+      return sleepInStretch();
     if (event.kind == EventKind::CycleRun)
       return holes(event, *zone, ctx);
     bool inside = true;

@@ -1,6 +1,8 @@
 // Reader of word-address programs (ISO 6983, DIN 66025): FANUC, Haas, NCT and their kin.
 #include "formats/readers/iso/iso_reader.h"
 
+#include "formats/readers/alike_block.h"
+#include "formats/readers/empty_lines.h"
 #include "formats/readers/iso/iso_scanner.h"
 
 #include <array>
@@ -203,7 +205,7 @@ void IsoScanner::scanStray() {
 }
 
 IsoReader::IsoReader(const Dialect &dialect, llvm::StringRef text)
-    : Reader(text), lexical_(dialect.lexical), symbols_(dialect) {}
+    : QuickReader(text), lexical_(dialect.lexical), symbols_(dialect) {}
 
 std::string IsoReader::labelKey(llvm::StringRef label) const { return isoFlowLabel(label); }
 
@@ -252,6 +254,27 @@ void IsoReader::read(uint32_t offset, Block &block) const {
   IsoScanner(lexical_, symbols_, text_, offset, block).scan();
   if (!block.issues.empty())
     collapseProse(block);
+}
+
+bool IsoReader::readAlike(uint32_t offset, AddressMask free, Block &block) const {
+  constexpr AlikeGrammar grammar{true, true, true};
+  return isAlikePattern(block) &&
+         ncvet::readAlike<isLineBlank, grammar>(text_, offset, free, block);
+}
+
+EmptyLines IsoReader::emptyLines(uint32_t offset, uint32_t limit) const {
+  if (!lexical_.abortMark.empty()) // comments that do something
+    return {offset, 0};
+  const char *const base = text_.begin(), *const end = base + limit;
+  return passEmptyLines<isLineBlank>(base, offset, limit, [&](const char *at) {
+    if (*at == ';')
+      return findAny(at, end, '\n', '\r', '\n', '\r');
+    if (*at != '(')
+      return at;
+    // A comment that is closed, and holds no other.
+    const char *const mark = findAny(at + 1, end, '(', ')', '\n', '\r');
+    return mark < end && *mark == ')' ? mark + 1 : at;
+  });
 }
 
 } // namespace ncvet

@@ -2,6 +2,8 @@
 #include "formats/readers/sinumerik/sinumerik_reader.h"
 
 #include "formats/dialect/control_facts.h"
+#include "formats/readers/alike_block.h"
+#include "formats/readers/empty_lines.h"
 #include "formats/readers/sinumerik/sinumerik_scanner.h"
 
 #include "llvm/ADT/STLExtras.h"
@@ -255,7 +257,7 @@ void SinumerikScanner::scanOther() {
 }
 
 SinumerikReader::SinumerikReader(const Dialect &dialect, llvm::StringRef text)
-    : Reader(text), dialect_(dialect) {
+    : QuickReader(text), dialect_(dialect) {
   for (size_t i = 0; i < dialect.addressNames.size(); ++i)
     addresses_[llvm::StringRef(dialect.addressNames[i]).upper()] = AddressId(firstNamed + i);
   // The editors write the head, and mark their blocks as read-only.
@@ -279,6 +281,20 @@ void SinumerikReader::read(uint32_t offset, Block &block) const {
   SinumerikScanner(*this, dialect_, addresses_, offset, block).scan();
   if (steps_)
     markSteps(block);
+}
+
+bool SinumerikReader::readAlike(uint32_t offset, AddressMask free, Block &block) const {
+  // `X10EX5` is a number with an exponent, `X1 =5` an address of two characters.
+  constexpr AlikeGrammar grammar{false, false, false};
+  return isAlikePattern(block) &&
+         ncvet::readAlike<isSinumerikBlank, grammar>(text_, offset, free, block);
+}
+
+EmptyLines SinumerikReader::emptyLines(uint32_t offset, uint32_t limit) const {
+  const char *const base = text_.begin(), *const end = base + limit;
+  return passEmptyLines<isSinumerikBlank>(base, offset, limit, [&](const char *at) {
+    return *at == ';' ? findAny(at, end, '\n', '\r', '\n', '\r') : at;
+  });
 }
 
 } // namespace ncvet

@@ -1,14 +1,16 @@
 // Reader of Sinumerik programs: word addresses, words with `=`, statements, calls by name.
 #pragma once
 
-#include "formats/readers/reader.h"
+#include "formats/readers/quick_reader.h"
 
 namespace ncvet {
 
-class SinumerikReader final : public Reader {
+class SinumerikReader final : public QuickReader {
 public:
   SinumerikReader(const Dialect &dialect, llvm::StringRef text);
   void read(uint32_t offset, Block &block) const override;
+  bool readAlike(uint32_t offset, AddressMask free, Block &block) const override;
+  EmptyLines emptyLines(uint32_t offset, uint32_t limit) const override;
 
 private:
   void markSteps(Block &block) const;

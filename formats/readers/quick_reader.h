@@ -1,0 +1,30 @@
+// Readers that know short ways over blocks that are empty, or spelled as the one before.
+#pragma once
+
+#include "formats/readers/reader.h"
+
+namespace ncvet {
+
+/// Lines in which there is nothing but blanks and comments.
+struct EmptyLines {
+  uint32_t end = 0;   ///< where the first other line begins
+  uint32_t count = 0; ///< how many they are
+};
+
+class QuickReader : public Reader {
+public:
+  /// Reads the block at `offset` over the one that `block` holds, a block of this text, when it is
+  /// spelled as that one save for its numbers: plain numbers, of the addresses `free` any, of the
+  /// others the same. What it then gives is what `read` gives. False, with nothing of use in
+  /// `block`: it is not, or only `read` can tell.
+  virtual bool readAlike(uint32_t offset, AddressMask free, Block &block) const = 0;
+  /// Goes from `offset`, where a block begins, over blocks in which there is nothing but blanks and
+  /// comments with which nothing is wrong, at most to `limit`, a block's beginning or the end of
+  /// the text. It may end before the last of them.
+  virtual EmptyLines emptyLines(uint32_t offset, uint32_t limit) const = 0;
+
+protected:
+  using Reader::Reader;
+};
+
+} // namespace ncvet

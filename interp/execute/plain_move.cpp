@@ -1,0 +1,30 @@
+// A block of plain axis words: where its numbers lead in the modes in force.
+#include "interp/execute/plain_move.h"
+
+namespace ncvet {
+
+void PlainMove::make(const Block &block, FileId file, const MachineState &before,
+                     MachineState &state) const {
+  for (const Restated &code : restated) {
+    const Word &word = block.words[code.word];
+    state.origin.setGroup(code.group, {file, word.offset, block.endOf(word)});
+  }
+  for (const Step &step : steps)
+    step.target.move(block.words[step.word], unit, state);
+  if (tracksDepth)
+    trackDepth(before, state, isRapid);
+}
+
+void trackDepth(const MachineState &before, MachineState &state, bool isRapid) {
+  constexpr Axis tool = Axis::Z;
+  if (before.inMachineCoordinates(tool) == state.inMachineCoordinates(tool))
+    state.fedFrom.move(before.at(tool), state.at(tool), isRapid);
+  else
+    state.fedFrom.forget();
+  if (isRapid)
+    return;
+  for (unsigned i = 0; i < 2; ++i)
+    state.cutArea.add(i, state.position[i]);
+}
+
+} // namespace ncvet

@@ -1,0 +1,62 @@
+// A block of plain axis words: where its numbers lead in the modes in force.
+#pragma once
+
+#include "interp/state/event.h"
+#include "interp/value/units.h"
+
+namespace ncvet {
+
+/// What a number of an axis word does to the position.
+struct PlainTarget {
+  Axis axis = Axis::X;
+  bool isLength = false;     ///< in the unit of the program, not in degrees
+  bool isHalved = false;     ///< a diameter
+  bool isIncrement = false;  ///< counts from where the axis is
+  bool inIncrements = false; ///< without a point the number counts least increments
+
+  /// Moves the axis. `unit`: millimetres per programmed unit of length.
+  void move(const Word &word, double unit, MachineState &state) const {
+    double target = word.value() + 0.0;
+    if (inIncrements && !(word.flags & wordPoint))
+      target *= leastIncrement;
+    if (unit != 1 && isLength)
+      target *= unit;
+    if (isHalved)
+      target *= 0.5;
+    Interval &position = state.at(axis);
+    if (isIncrement) {
+      position.lo += target;
+      position.hi += target;
+    } else {
+      position.lo = position.hi = target;
+      state.machineAxes &= ~(uint32_t(1) << unsigned(axis));
+    }
+  }
+};
+
+/// A plain move that may be made again and again: all that its numbers do not decide.
+struct PlainMove {
+  struct Step {
+    uint8_t word; ///< index in `Block::words`
+    PlainTarget target;
+  };
+  struct Restated {
+    uint8_t word;
+    GroupIndex group; ///< of the code that the word states again
+  };
+  llvm::SmallVector<Step, 6> steps;
+  llvm::SmallVector<Restated, 4> restated;
+  double unit = 1;
+  bool isRapid = false;
+  bool tracksDepth = false; ///< of a mill
+
+  /// Does what executing the block does, after a block that only differs in its numbers and that
+  /// has left the same facts.
+  void make(const Block &block, FileId file, const MachineState &before, MachineState &state) const;
+};
+
+/// Keeps the level from which a mill's tool was fed in, and the area in which it has cut. The tool
+/// is along Z whatever the plane: arcs in G18 and G19 lead in and out.
+void trackDepth(const MachineState &before, MachineState &state, bool isRapid);
+
+} // namespace ncvet

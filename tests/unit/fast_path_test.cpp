@@ -1,0 +1,362 @@
+// The short ways of reading, executing and telling blocks do what the long ones do.
+#include "analyzer/flow/engine.h"
+#include "formats/readers/quick_reader.h"
+#include "formats/readers/select/make_reader.h"
+#include "formats/text/byte_search.h"
+#include "lsp/features/same_block.h"
+#include "tests/support/rule_pages.h"
+
+#include <random>
+
+namespace ncvet::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Sample {
+  std::string dialect, name, text, machine;
+};
+
+std::string contentOf(const fs::path &path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The control that a program of the corpus beside the project is taken for.
+std::string dialectOf(const fs::path &path) {
+  const std::string kind = path.extension().string(), folder = path.string();
+  for (const char *family : {"/ecs/", "/mefi/", "/haas-lathe/", "/sinumerik/"})
+    if (folder.find(family) != std::string::npos)
+      return std::string(family).substr(1, std::string(family).size() - 2);
+  if (kind == ".mpf" || kind == ".MPF" || kind == ".spf" || kind == ".SPF")
+    return "sinumerik";
+  return kind == ".ngc" ? "linuxcnc" : "fanuc-mill";
+}
+
+/// Not what is written about programs.
+bool isProgram(const fs::path &path) {
+  const std::string kind = path.extension().string();
+  return kind != ".md" && kind != ".tsv" && kind != ".ini";
+}
+
+/// The golden programs, and those of the corpus beside the project when it is there: of that every
+/// `step`th which is no longer than an editor's usual program.
+std::vector<Sample> writtenPrograms(unsigned step) {
+  std::vector<Sample> all;
+  const fs::path own = NCVET_SOURCE_DIR "/tests/programs";
+  for (const auto &file : fs::recursive_directory_iterator(own))
+    if (file.is_regular_file() && file.path().extension() == ".nc") {
+      const std::string folder = file.path().lexically_relative(own).begin()->string();
+      all.push_back({folder == "examples" ? "haas-mill" : folder, file.path().string(),
+                     contentOf(file.path()), ""});
+    }
+  constexpr uintmax_t longest = 30'000;
+  const fs::path corpus = NCVET_SOURCE_DIR "/../shared/corpus";
+  std::vector<fs::path> others;
+  if (fs::is_directory(corpus))
+    for (const auto &file : fs::recursive_directory_iterator(corpus))
+      if (file.is_regular_file() && file.file_size() <= longest && isProgram(file.path()))
+        others.push_back(file.path());
+  std::sort(others.begin(), others.end());
+  for (size_t i = 0; i < others.size(); i += step)
+    all.push_back({dialectOf(others[i]), others[i].string(), contentOf(others[i]), ""});
+  return all;
+}
+
+/// Blocks of a few spellings, again and again, with what may change their meaning between them.
+std::string randomMilling(unsigned seed) {
+  std::mt19937 dice(seed);
+  const auto one = [&](std::initializer_list<const char *> list) {
+    return std::string(list.begin()[dice() % list.size()]);
+  };
+  const auto number = [&] {
+    const std::string whole = std::to_string(int(dice() % 200) - 100);
+    return one({"", "", "", "0"}).empty() ? whole + "." + std::to_string(dice() % 1000) : whole;
+  };
+  std::string text = "%\nO1000\nG21 G17 G90 G94 G40 G49 G80\nT1 M6\nG54 S1000 M3\nG0 X0. Y0. Z5.\n"
+                     "G1 Z-1. F200.\n";
+  unsigned block = 10;
+  for (unsigned piece = 0; piece < 40; ++piece) {
+    const std::string code = one({"", "", "G1 ", "G01", "G0 ", "G90 G1 ", "G91 G1 ", "G1 G90 "});
+    const bool numbered = dice() % 2, z = dice() % 3 == 0;
+    const unsigned count = dice() % 8 + 1;
+    for (unsigned i = 0; i < count; ++i) {
+      if (dice() % 9 == 0)
+        text +=
+            one({"\n", "(NOTE)\n", "  ; NOTE\n", "( A ( B ) )\n", "(OPEN\n", " \t(A) (B) \r\n"});
+      text += numbered ? "N" + std::to_string(block += 10) + one({" ", " ", ""}) : "";
+      text += code + "X" + number() + one({" Y", "Y"}) + number() + (z ? " Z" + number() : "");
+      text +=
+          one({"", "", "", "", "", " F300.", " (C)", " S900", " M8"}) + one({"\n", "\n", " \n"});
+    }
+    text += one({"",
+                 "",
+                 "G0 Z5.\n",
+                 "M5\n",
+                 "S2000 M3\n",
+                 "G41 D1 X1. Y1.\n",
+                 "G40 X0.\n",
+                 "G20\n",
+                 "G21\n",
+                 "G18\n",
+                 "G17\n",
+                 "T2 M6\n",
+                 "G91\n",
+                 "G90\n",
+                 "G81 X1. Z-2. R1.\n",
+                 "G80\n",
+                 "/ X5.\n",
+                 "G2 X1. Y1. R5.\n",
+                 "G53 G0 Z0.\n",
+                 "M98 P2000\n",
+                 "F0\n",
+                 "G95\n",
+                 "G68 X0. Y0. R10.\n",
+                 "G69\n",
+                 "#1=3\n",
+                 "X#1 Y2.\n",
+                 "G52 X1.\n"});
+  }
+  text += "M30\nO2000\n";
+  for (unsigned i = 0; i < 6; ++i)
+    text += "G1 X" + number() + "\n";
+  return text + "M99\n%\n";
+}
+
+std::vector<Sample> randomPrograms() {
+  std::vector<Sample> all;
+  for (unsigned seed = 0; seed < 120; ++seed)
+    for (const char *dialect : {"fanuc-0m", "haas-mill", "nct-104m", "linuxcnc", "fanuc-mill"})
+      if (seed % 5 == 0 || std::string(dialect) == "haas-mill")
+        all.push_back({dialect, "random " + std::to_string(seed), randomMilling(seed), ""});
+  return all;
+}
+
+bool isSame(const Block &a, const Block &b, llvm::StringRef text) {
+  if (!lsp::sameBlock(a, text, b, text) || a.begin != b.begin || a.end != b.end ||
+      a.next != b.next || a.addresses != b.addresses || a.repeated != b.repeated ||
+      a.pointed != b.pointed || a.pointless != b.pointless || a.numberBegin != b.numberBegin ||
+      a.numberEnd != b.numberEnd)
+    return false;
+  for (size_t i = 0; i < a.words.size(); ++i)
+    if (a.words[i].offset != b.words[i].offset || a.words[i].length != b.words[i].length)
+      return false;
+  return true;
+}
+
+/// Every block is read over the one before it; how often that went.
+unsigned readTwice(const Sample &sample) {
+  const auto dialect = dialectNamed(sample.dialect);
+  const auto made = makeReader(*dialect, sample.text);
+  const auto *const reader = dynamic_cast<const QuickReader *>(made.get());
+  if (!reader)
+    return 0;
+  Block block, pattern;
+  unsigned alike = 0;
+  uint32_t empty = 0; // up to here there is nothing
+  for (uint32_t at = reader->first(); at < sample.text.size(); at = block.next) {
+    const AddressMask free = at % 2 ? dialect->axisWords : ~AddressMask(0);
+    const bool read = reader->readAlike(at, free, pattern);
+    reader->read(at, block);
+    alike += read;
+    if (read && !isSame(pattern, block, sample.text))
+      ADD_FAILURE() << sample.name << " at " << at;
+    const bool isEmpty = block.kind == BlockKind::Empty && block.issues.empty();
+    if (at < empty && !isEmpty)
+      ADD_FAILURE() << sample.name << ": passed over at " << at;
+    if (at >= empty)
+      empty = reader->emptyLines(at, uint32_t(sample.text.size())).end;
+    pattern = block;
+  }
+  return alike;
+}
+
+TEST(FastPath, ABlockReadOverTheOneBeforeItIsTheBlockThatTheReaderGives) {
+  unsigned alike = 0;
+  for (const Sample &sample : writtenPrograms(3))
+    alike += readTwice(sample);
+  for (const Sample &sample : randomPrograms())
+    alike += readTwice(sample);
+  EXPECT_GT(alike, 1000u);
+}
+
+TEST(FastPath, BytesAreFoundWhereALookAtEachOfThemFindsThem) {
+  std::mt19937 dice(7);
+  std::string text(300, ' ');
+  for (unsigned turn = 0; turn < 2000; ++turn) {
+    for (char &c : text)
+      c = dice() % 40 == 0 ? "()\n\r"[dice() % 4] : char('A' + dice() % 26);
+    const char *const begin = text.data() + dice() % 40, *const end = begin + dice() % 200;
+    EXPECT_EQ(findAny(begin, end, '(', ')', '\n', '\r'),
+              findAnyBytewise(begin, end, '(', ')', '\n', '\r'));
+  }
+}
+
+/// What happens in a run, as one text.
+class Diary final : public FlowListener {
+public:
+  FlowInterest interest() const override { return {~0u, true, true, false}; }
+  void executed(const Step &step, bool) override {
+    text += std::to_string(step.at) + ":" + std::to_string(step.block.number);
+    for (const Event &event : step.outcome.events)
+      text += " " + std::to_string(unsigned(event.kind)) + "," +
+              std::to_string(unsigned(event.motion)) + "," + std::to_string(event.axes) + "," +
+              std::to_string(event.code) + "," +
+              std::to_string(event.word ? event.word->offset : 0);
+    for (const MachineState *state :
+         {&step.before, static_cast<const MachineState *>(&step.live.state)})
+      text += " " + std::to_string(hash(*state));
+    uint64_t places = 0;
+    for (const Origin &origin : step.live.state.origin.all())
+      places = places * 31 + origin.begin * 7 + origin.end;
+    text += " " + std::to_string(places) + "\n";
+  }
+  bool executedAgain(const Step &step) override {
+    executed(step, false);
+    return true;
+  }
+
+  std::string text;
+};
+
+std::string diaryOf(Project &project, FileUnit &unit, bool inFull) {
+  AnalysisLimits limits;
+  limits.repeatedBlocks = 10'000; // loops without an end are no use here
+  Engine engine(project, unit, limits, nullptr);
+  engine.inFull = inFull;
+  Diary diary;
+  engine.listen(diary);
+  engine.run();
+  return diary.text + std::to_string(engine.blockCount()) + " " +
+         std::to_string(engine.isComplete());
+}
+
+std::string findingsOf(Project &project, FileUnit &unit, bool inFull) {
+  AnalysisLimits limits;
+  limits.repeatedBlocks = 10'000; // loops without an end are no use here
+  RuleSelection all = RuleSelection::defaults(*unit.dialect);
+  std::fill(all.enabled.begin(), all.enabled.end(), true);
+  Engine engine(project, unit, limits, nullptr);
+  engine.inFull = inFull;
+  RuleHost host(unit, all, limits, engine.visits);
+  engine.listen(host);
+  engine.run();
+  std::string text;
+  for (const Finding &finding : host.take(project.sources())) {
+    text += std::to_string(finding.range.begin) + "-" + std::to_string(finding.range.end) + " " +
+            allRules()[finding.rule].info.id.str() + " " + finding.message;
+    for (const Note &note : finding.notes)
+      text += " | " + std::to_string(note.range.begin) + " " + note.message;
+    text += "\n";
+  }
+  return text;
+}
+
+/// The first line that differs.
+std::string difference(const std::string &a, const std::string &b) {
+  size_t line = 0;
+  for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    if (a[i] != b[i])
+      break;
+    line = a[i] == '\n' ? i + 1 : line;
+  }
+  return a.substr(line, a.find('\n', line) - line) + "\n" +
+         b.substr(line, b.find('\n', line) - line);
+}
+
+void compare(const Sample &sample) {
+  withProgram(sample.dialect, {{"part.nc", sample.text}}, sample.machine,
+              [&](Project &project, FileUnit &unit) {
+                const std::string whole = diaryOf(project, unit, true);
+                const std::string brief = diaryOf(project, unit, false);
+                EXPECT_TRUE(whole == brief) << sample.dialect << " " << sample.name << "\n"
+                                            << difference(whole, brief);
+                const std::string all = findingsOf(project, unit, true);
+                const std::string found = findingsOf(project, unit, false);
+                EXPECT_TRUE(all == found) << sample.dialect << " " << sample.name << "\n"
+                                          << difference(all, found);
+              });
+}
+
+TEST(FastPath, ListenersAreToldTheSameAndTheSameIsFoundInRandomPrograms) {
+  for (const Sample &sample : randomPrograms())
+    compare(sample);
+}
+
+TEST(FastPath, ListenersAreToldTheSameAndTheSameIsFoundInWrittenPrograms) {
+  for (const Sample &sample : writtenPrograms(9))
+    compare(sample);
+}
+
+TEST(FastPath, ListenersAreToldTheSameAndTheSameIsFoundInThePagesOfTheRules) {
+  unsigned count = 0;
+  for (const RuleEntry &rule : allRules())
+    for (const PageProgram &program : programsOf(rule.info))
+      if (program.files.size() == 1 && program.problem.empty() && ++count % 7 == 0)
+        compare({program.dialect, program.name(), program.files[0].text, program.machine});
+}
+
+/// The block with a statement that does nothing: it goes through all of the work.
+Block inFull(const Block &block) {
+  Block full = block;
+  if (!full.items.empty())
+    return full;
+  Item item;
+  item.kind = ItemKind::Output;
+  item.begin = item.end = block.end;
+  full.items.push_back(item);
+  return full;
+}
+
+/// An event in which only what others see counts.
+std::string described(const Event &event) {
+  return std::to_string(unsigned(event.kind)) + "," + std::to_string(event.code) + "," +
+         std::to_string(unsigned(event.motion)) + "," + std::to_string(event.axes) + "," +
+         std::to_string(event.certain) + "," + std::to_string(event.word ? event.word->offset : 0);
+}
+
+std::string described(const Outcome &outcome) {
+  std::string text;
+  for (const Event &event : outcome.events)
+    if (event.kind != EventKind::Statement)
+      text += described(event) + " ";
+  return text;
+}
+
+/// Executes the blocks of numbers from the begin of the text to its end, whatever its flow, with
+/// and without short ways.
+void executeTwice(const Sample &sample) {
+  withProgram(sample.dialect, {{"part.nc", sample.text}}, sample.machine,
+              [&](Project &, FileUnit &unit) {
+                MachineState a = initialState(*unit.dialect), b = a;
+                Outcome brief, whole;
+                Block block;
+                const auto size = uint32_t(unit.source.text().size());
+                for (uint32_t at = unit.reader->first(); at < size; at = block.next) {
+                  unit.reader->read(at, block);
+                  if (!block.items.empty() || !block.expressions.empty() || !block.issues.empty() ||
+                      block.isEmpty())
+                    continue;
+                  const Block full = inFull(block);
+                  const MachineState beforeA = a, beforeB = b;
+                  unit.executor().execute(block, beforeA, a, brief);
+                  unit.executor().execute(full, beforeB, b, whole);
+                  ASSERT_TRUE(equal(a, b) && a.origin.all() == b.origin.all())
+                      << sample.dialect << " " << sample.name << "\n"
+                      << unit.source.text().slice(at, block.end).str();
+                  ASSERT_EQ(described(brief), described(whole))
+                      << sample.dialect << " " << sample.name << "\n"
+                      << unit.source.text().slice(at, block.end).str();
+                }
+              });
+}
+
+TEST(FastPath, APlainMoveDoesWhatExecutingItInFullDoes) {
+  for (const Sample &sample : randomPrograms())
+    executeTwice(sample);
+  for (const Sample &sample : writtenPrograms(3))
+    executeTwice(sample);
+}
+
+} // namespace
+} // namespace ncvet::test
