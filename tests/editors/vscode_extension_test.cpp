@@ -194,6 +194,17 @@ constexpr const char *notPrograms[] = {
     "G1 G2 G3\n",
     ""};
 
+/// Makes `NAME.js` in a folder of a source of the extension that needs no editor.
+void compile(const fs::path &modules, const std::string &name, const fs::path &folder) {
+  const fs::path log = folder / "log";
+  ASSERT_EQ(runOuter({(modules / ".bin" / "esbuild").string(),
+                      (extension / "src" / (name + ".ts")).string(), "--format=cjs",
+                      "--outfile=" + (folder / (name + ".js")).string()},
+                     log, 60),
+            0)
+      << contentsOf(log);
+}
+
 /// Programs of the tests are recognised by their first lines, other texts are not.
 TEST(VscodeExtension, ItKnowsAProgramByItsFirstLines) {
   const auto modules = nodeModules(extension);
@@ -215,18 +226,49 @@ TEST(VscodeExtension, ItKnowsAProgramByItsFirstLines) {
     due += "false " + file.string() + "\n";
   }
   const fs::path log = temporary.path() / "log";
-  ASSERT_EQ(runOuter({(*modules / ".bin" / "esbuild").string(),
-                      (extension / "src" / "program_text.ts").string(), "--format=cjs",
-                      "--outfile=" + (temporary.path() / "program_text.js").string()},
-                     log, 60),
-            0)
-      << contentsOf(log);
+  ASSERT_NO_FATAL_FAILURE(compile(*modules, "program_text", temporary.path()));
   std::ofstream(command[1])
       << "const { looksLikeProgram } = require('./program_text.js');\n"
          "for (const file of process.argv.slice(2))\n"
          "  console.log(looksLikeProgram(require('fs').readFileSync(file, 'utf8')), file);\n";
   ASSERT_EQ(runOuter(command, log, 60), 0) << contentsOf(log);
   EXPECT_EQ(contentsOf(log), due);
+}
+
+/// The program is the one that the setting names, else the one in the extension, else that of PATH.
+TEST(VscodeExtension, ItFindsItsServer) {
+  const auto modules = nodeModules(extension);
+  if (!modules)
+    GTEST_SKIP() << "npm cannot fetch what the extension is built with";
+  const TemporaryFolder temporary;
+  const fs::path &root = temporary.path();
+  ASSERT_NO_FATAL_FAILURE(compile(*modules, "server_path", root));
+  for (const char *folder : {"chosen", "full/bin", "path", "empty"}) {
+    fs::create_directories(root / folder);
+    const fs::path program = root / folder / "ncvet";
+    std::ofstream(program) << "#!/bin/sh\n";
+    if (folder != llvm::StringRef("empty")) // there it is no program
+      fs::permissions(program, fs::perms::owner_exec, fs::perm_options::add);
+  }
+  std::ofstream(root / "ask.js")
+      << "const { findServer } = require('./server_path.js');\n"
+         "process.chdir(__dirname);\n"
+         "const ask = (setting, extension, path) => {\n"
+         "  process.env.PATH = path;\n"
+         "  const { file, lookedFor } = findServer(setting, extension);\n"
+         "  console.log(file ?? lookedFor);\n"
+         "};\n"
+         "ask('./chosen/ncvet', 'full', 'path');\n"
+         "ask('', 'full', 'path');\n"
+         "ask('', 'empty', 'empty:path');\n"
+         "ask('ncvet', 'full', 'path');\n"
+         "ask('./empty/ncvet', 'full', 'path');\n"
+         "ask('', 'empty', 'empty');\n";
+  const fs::path log = root / "log";
+  ASSERT_EQ(runOuter({"node", (root / "ask.js").string()}, log, 60), 0) << contentsOf(log);
+  EXPECT_EQ(contentsOf(log), "./chosen/ncvet\nfull/bin/ncvet\npath/ncvet\npath/ncvet\n"
+                             "The setting ncvet.path names ./empty/ncvet, which is no program.\n"
+                             "It is neither in the extension nor in PATH.\n");
 }
 
 /// Names and sizes of the files in a zip archive, from its directory.

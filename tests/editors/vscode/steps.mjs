@@ -71,6 +71,20 @@ export const steps = {
     holds(!control.includes('guessed'), control);
   },
 
+  async 'the control is chosen for the workspace'(editor) {
+    await editor.open('plate.nc');
+    await until('the control', () => editor.control());
+    await editor.command('ncvet.chooseControl');
+    await editor.pick('nct-104m');
+    await editor.pick('This workspace');
+    await until('the setting', () => JSON.parse(editor.read('.vscode/settings.json'))['ncvet.dialect'] === 'nct-104m');
+    await until('the new control', async () => (await editor.control())?.includes('NCT-104M'));
+    await editor.command('ncvet.chooseControl');
+    await editor.pick('Automatic');
+    await editor.pick('This workspace');
+    await until('a guess again', async () => (await editor.control())?.includes('guessed'));
+  },
+
   async 'a change of the configuration renews the findings'(editor) {
     editor.write('fresh/.ncvet.json', '{ "dialect": "fanuc-mill" }\n');
     editor.write('fresh/plate.nc', drilling);
