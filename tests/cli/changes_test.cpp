@@ -12,14 +12,14 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-std::vector<std::string> feedOnly(std::vector<std::string> more) {
+std::vector<std::string> feedsAnd(std::vector<std::string> more) {
   std::vector<std::string> arguments = {"--dialect", "haas-lathe", "--select", "feed-missing"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
 
 std::vector<std::string> checked(std::vector<std::string> more) {
-  std::vector<std::string> arguments = feedOnly(std::move(more));
+  std::vector<std::string> arguments = feedsAnd(std::move(more));
   arguments.insert(arguments.begin(), "check");
   return arguments;
 }
@@ -29,12 +29,12 @@ TEST(ChangedLines, OfAPatchDecideWhatIsTold) {
   shop.file("a.nc", programWithoutFeed()).file("b.nc", programWithoutFeed());
   const std::string cut = "--- a/a.nc\n+++ b/a.nc\n@@ -4 +4 @@\n-G01 X10. Z-5.\n+G01 X20. Z-5.\n";
   shop.file("cut.patch", cut);
-  EXPECT_THAT(shop.findings(feedOnly({"--changed-lines", "cut.patch"})),
+  EXPECT_THAT(shop.findings(feedsAnd({"--changed-lines", "cut.patch"})),
               ElementsAre("a.nc:4 feed-missing"));
   // A line of the text that looks like the head of a file is none.
   shop.file("other.patch", "--- a/b.nc\n+++ b/b.nc\n@@ -1,2 +1,3 @@\n O0001 (SHAFT)\n"
                            "+++ b/a.nc\n T101\n@@ -6 +7 @@\n-M02\n+M30\n");
-  EXPECT_THAT(shop.findings(feedOnly({"--changed-lines", "other.patch"})), IsEmpty());
+  EXPECT_THAT(shop.findings(feedsAnd({"--changed-lines", "other.patch"})), IsEmpty());
   EXPECT_EQ(0, shop.run(checked({"--changed-lines", "other.patch"})).exitCode);
   EXPECT_THAT(shop.run(checked({"--changed-lines", "-"}), cut).out, HasSubstr("a.nc:4:"));
 }
@@ -44,7 +44,7 @@ TEST(ChangedLines, TellWhatAChangedCallBreaksElsewhere) {
   shop.file("main.nc", "O0001\nT101\nG97 S800 M03\nM98 P1000\nM30\n");
   shop.file("O1000.nc", "O1000\nG01 X10. Z-5.\nM99\n");
   shop.file("call.patch", "--- a/main.nc\n+++ b/main.nc\n@@ -3,0 +4 @@\n+M98 P1000\n");
-  EXPECT_THAT(shop.findings(feedOnly({"--changed-lines", "call.patch", "main.nc"})),
+  EXPECT_THAT(shop.findings(feedsAnd({"--changed-lines", "call.patch", "main.nc"})),
               ElementsAre("O1000.nc:2 feed-missing"));
 }
 
@@ -89,11 +89,11 @@ TEST_F(ChangedSince, ACommitTellsOfWhatIsNewOnly) {
   shop.file("sub/a.nc", programWithoutFeed()).file("sub/\xC3\xB6 b.nc", programWithoutFeed());
   git({"add", "."});
   git({"commit", "-q", "-m", "programs"});
-  EXPECT_THAT(shop.findings(feedOnly({"--changed-since", "HEAD"})), IsEmpty());
+  EXPECT_THAT(shop.findings(feedsAnd({"--changed-since", "HEAD"})), IsEmpty());
   std::string cut = programWithoutFeed();
   cut.replace(cut.find("X20."), 4, "X30.");
   shop.file("sub/\xC3\xB6 b.nc", cut).file("sub/new.nc", programWithoutFeed());
-  EXPECT_THAT(shop.findings(feedOnly({"--changed-since", "HEAD"})),
+  EXPECT_THAT(shop.findings(feedsAnd({"--changed-since", "HEAD"})),
               ElementsAre("sub/new.nc:4 feed-missing", "sub/\xC3\xB6 b.nc:4 feed-missing"));
   const ProcessResult unknown = shop.run(checked({"--changed-since", "no-such-commit"}));
   EXPECT_EQ(2, unknown.exitCode);

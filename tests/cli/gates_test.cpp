@@ -45,8 +45,9 @@ TEST(ManualPage, NamesEveryOptionAndEveryFormat) {
   for (const char *command :
        {"check", "trace", "explain", "config", "init", "merge", "rules", "dialects"})
     for (const std::string &option : optionsOf(shop, command))
-      if (option != "--check") // of tables: for those who write them
+      if (option != "--check") { // of tables: for those who write them
         EXPECT_THAT(page, HasSubstr(option)) << command;
+      }
   EXPECT_GE(optionsOf(shop, "check").size(), 30u);
   const std::string help = shop.run({"check", "--help"}).out;
   for (const char *format : {"github", "gitlab", "sonarqube", "markdown"}) {

@@ -11,10 +11,11 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-const std::vector<std::string> feedOnly = {"--dialect", "haas-lathe", "--select", "feed-missing"};
+const std::vector<std::string> missingFeeds = {"--dialect", "haas-lathe", "--select",
+                                               "feed-missing"};
 
-std::vector<std::string> with(std::vector<std::string> arguments,
-                              const std::vector<std::string> &more) {
+std::vector<std::string> joined(std::vector<std::string> arguments,
+                                const std::vector<std::string> &more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
@@ -25,10 +26,11 @@ TEST(Links, ThatLeadOutOfTheFolderAreNotFollowed) {
   std::filesystem::create_symlink("../outside/a.nc", shop.path() / "jobs/a.nc");
   std::filesystem::create_directory_symlink("../outside", shop.path() / "jobs/more");
   std::filesystem::create_symlink("b.nc", shop.path() / "jobs/c.nc");
-  EXPECT_THAT(shop.findings(with(feedOnly, {"jobs"})), ElementsAre("jobs/b.nc:4 feed-missing"));
-  EXPECT_THAT(shop.run(with({"check", "jobs"}, feedOnly)).err,
+  EXPECT_THAT(shop.findings(joined(missingFeeds, {"jobs"})),
+              ElementsAre("jobs/b.nc:4 feed-missing"));
+  EXPECT_THAT(shop.run(joined({"check", "jobs"}, missingFeeds)).err,
               HasSubstr("2 links lead out of jobs and are left out; --follow-links follows them"));
-  EXPECT_THAT(shop.findings(with(feedOnly, {"--follow-links", "jobs"})),
+  EXPECT_THAT(shop.findings(joined(missingFeeds, {"--follow-links", "jobs"})),
               ElementsAre("jobs/b.nc:4 feed-missing", "jobs/more/a.nc:4 feed-missing"));
 }
 
@@ -39,11 +41,11 @@ TEST(Links, AreWrittenThroughOnlyWhenAsked) {
   std::filesystem::create_symlink("../outside/a.nc", shop.path() / "jobs/a.nc");
   const std::vector<std::string> fix = {"check",    "--dialect",        "haas-lathe",
                                         "--select", "style-lower-case", "--fix"};
-  const ProcessResult refused = shop.run(with(fix, {"jobs/a.nc"}));
+  const ProcessResult refused = shop.run(joined(fix, {"jobs/a.nc"}));
   EXPECT_EQ(2, refused.exitCode);
   EXPECT_THAT(refused.err, HasSubstr("jobs/a.nc is not written: it is a link out of its folder"));
   EXPECT_EQ(lower, shop.text("outside/a.nc"));
-  EXPECT_EQ(0, shop.run(with(fix, {"--follow-links", "jobs/a.nc"})).exitCode);
+  EXPECT_EQ(0, shop.run(joined(fix, {"--follow-links", "jobs/a.nc"})).exitCode);
   EXPECT_EQ("O0001\nG00 X10.\nM30\n", shop.text("outside/a.nc"));
   EXPECT_TRUE(std::filesystem::is_symlink(shop.path() / "jobs/a.nc"));
 }
@@ -51,8 +53,8 @@ TEST(Links, AreWrittenThroughOnlyWhenAsked) {
 TEST(Inputs, AFileThatIsNamedInThreeWaysIsCheckedOnce) {
   Shop shop;
   shop.file("sub/a.nc", programWithoutFeed());
-  EXPECT_THAT(shop.findings(with(feedOnly, {"./sub/a.nc", "sub/../sub/a.nc", "sub/a.nc",
-                                            (shop.path() / "sub/a.nc").string(), "sub"})),
+  EXPECT_THAT(shop.findings(joined(missingFeeds, {"./sub/a.nc", "sub/../sub/a.nc", "sub/a.nc",
+                                                  (shop.path() / "sub/a.nc").string(), "sub"})),
               ElementsAre("sub/a.nc:4 feed-missing"));
 }
 
@@ -91,7 +93,7 @@ TEST(Inputs, ABinaryFileIsNoProgramWhateverItsName) {
   shop.file("jobs/a.nc", binary).file("jobs/b.nc", programWithoutFeed());
   EXPECT_EQ(2, shop.run({"check", "jobs/a.nc"}).exitCode);
   // In a folder it is left out, and that is said.
-  const ProcessResult folder = shop.run(with({"check", "jobs"}, feedOnly));
+  const ProcessResult folder = shop.run(joined({"check", "jobs"}, missingFeeds));
   EXPECT_EQ(1, folder.exitCode);
   EXPECT_THAT(folder.err,
               HasSubstr("ncvet: warning: jobs/a.nc: not checked: it is a binary file, no program"));
@@ -101,20 +103,21 @@ TEST(Inputs, APunchedTapeIsText) {
   Shop shop;
   const std::string leader(200, '\0');
   shop.file("tape.nc", leader + "%\r\n" + programWithoutFeed() + "%\r\n\x13" + leader);
-  EXPECT_NE(2, shop.run(with({"check", "tape.nc"}, feedOnly)).exitCode);
+  EXPECT_NE(2, shop.run(joined({"check", "tape.nc"}, missingFeeds)).exitCode);
 }
 
 TEST(Inputs, WhatIsExcludedIsLeftOutOfFoldersAndWithForceEverywhere) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed()).file("old/b.nc", programWithoutFeed());
-  EXPECT_THAT(shop.findings(with(feedOnly, {"--exclude", "old/, *.bak"})),
+  EXPECT_THAT(shop.findings(joined(missingFeeds, {"--exclude", "old/, *.bak"})),
               ElementsAre("a.nc:4 feed-missing"));
-  EXPECT_THAT(shop.findings(with(feedOnly, {"--exclude", "old/", "old/b.nc"})),
+  EXPECT_THAT(shop.findings(joined(missingFeeds, {"--exclude", "old/", "old/b.nc"})),
               ElementsAre("old/b.nc:4 feed-missing"));
-  EXPECT_THAT(shop.findings(with(feedOnly, {"--exclude", "old/", "--force-exclude", "old/b.nc"})),
-              IsEmpty());
+  EXPECT_THAT(
+      shop.findings(joined(missingFeeds, {"--exclude", "old/", "--force-exclude", "old/b.nc"})),
+      IsEmpty());
   shop.file(".ncvet.json", R"({"exclude": ["a.nc"]})");
-  EXPECT_THAT(shop.findings(with(feedOnly, {"--force-exclude", "a.nc", "old/b.nc"})),
+  EXPECT_THAT(shop.findings(joined(missingFeeds, {"--force-exclude", "a.nc", "old/b.nc"})),
               ElementsAre("old/b.nc:4 feed-missing"));
 }
 
@@ -153,7 +156,8 @@ TEST(ConfigurationFiles, ADeviceIsNone) {
 TEST(Baselines, OnStandardOutputAreAllOfIt) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());
-  const ProcessResult result = shop.run(with({"check", "--write-baseline", "-", "a.nc"}, feedOnly));
+  const ProcessResult result =
+      shop.run(joined({"check", "--write-baseline", "-", "a.nc"}, missingFeeds));
   EXPECT_EQ(0, result.exitCode);
   const auto json = nlohmann::json::parse(result.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << result.out;
@@ -165,12 +169,12 @@ TEST(Reports, GoToTheFileThatIsNamedOrToStandardOutput) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());
   const ProcessResult file =
-      shop.run(with({"check", "--format", "json", "-o", "out.json", "a.nc"}, feedOnly));
+      shop.run(joined({"check", "--format", "json", "-o", "out.json", "a.nc"}, missingFeeds));
   EXPECT_EQ(1, file.exitCode);
   EXPECT_EQ("", file.out);
   EXPECT_THAT(shop.text("out.json"), HasSubstr("\"version\":1"));
-  const ProcessResult standard =
-      shop.run(with({"check", "--report", "gcc:-", "--report", "json:b.json", "a.nc"}, feedOnly));
+  const ProcessResult standard = shop.run(
+      joined({"check", "--report", "gcc:-", "--report", "json:b.json", "a.nc"}, missingFeeds));
   EXPECT_THAT(standard.out, HasSubstr("a.nc:4:"));
   EXPECT_THAT(standard.out, Not(HasSubstr("| ")));
   EXPECT_EQ(shop.text("out.json"), shop.text("b.json"));
@@ -179,8 +183,8 @@ TEST(Reports, GoToTheFileThatIsNamedOrToStandardOutput) {
 TEST(ExitZero, IsTheCodeWhateverIsFound) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());
-  EXPECT_EQ(0, shop.run(with({"check", "--exit-zero", "a.nc"}, feedOnly)).exitCode);
-  EXPECT_EQ(2, shop.run(with({"check", "--exit-zero", "none.nc"}, feedOnly)).exitCode);
+  EXPECT_EQ(0, shop.run(joined({"check", "--exit-zero", "a.nc"}, missingFeeds)).exitCode);
+  EXPECT_EQ(2, shop.run(joined({"check", "--exit-zero", "none.nc"}, missingFeeds)).exitCode);
 }
 
 } // namespace
