@@ -61,7 +61,8 @@ public:
       const std::vector<TextEdit> edits = editsOf(chosen);
       Attempt next = check(applyEdits(current.file->text(), edits));
       next.motions = record(next);
-      if (isWorse(current, next) || !keepsItsPromise(current, next, chosen, edits)) {
+      if (isWorse(current, next) || !mends(next, chosen, edits) ||
+          !keepsItsPromise(current, next, chosen, edits)) {
         ++refusals;
         refuse(chosen);
         continue;
@@ -111,6 +112,19 @@ private:
     for (const Finding *finding : chosen)
       places.push_back(finding->range);
     return before.motions.onlyChangesBlocks(after.motions, edits, places);
+  }
+
+  /// Whether none of the findings is still at its place: what does not help is not done again and
+  /// again.
+  static bool mends(const Attempt &after, llvm::ArrayRef<const Finding *> chosen,
+                    llvm::ArrayRef<TextEdit> edits) {
+    std::set<std::pair<RuleId, uint32_t>> places;
+    for (const CheckedFinding &checked : after.outcome.findings)
+      if (checked.finding.range.file == after.file->id() && !checked.finding.suppressed)
+        places.emplace(checked.finding.rule, checked.finding.range.begin);
+    return llvm::none_of(chosen, [&](const Finding *finding) {
+      return places.count({finding->rule, movedOffset(finding->range.begin, edits)}) > 0;
+    });
   }
 
   bool isWanted(const Finding &finding, FileId file) const {

@@ -85,10 +85,6 @@ bool MotionRecord::sameAs(const MotionRecord &other) const {
                     });
 }
 
-namespace {
-
-/// Where an offset of the text before the edits is in the text after them; what an edit inserts at
-/// the very place comes before it.
 uint32_t movedOffset(uint32_t offset, llvm::ArrayRef<TextEdit> edits) {
   int64_t shift = 0;
   for (const TextEdit &edit : edits)
@@ -96,8 +92,6 @@ uint32_t movedOffset(uint32_t offset, llvm::ArrayRef<TextEdit> edits) {
       shift += int64_t(edit.text.size()) - int64_t(edit.range.end - edit.range.begin);
   return uint32_t(int64_t(offset) + shift);
 }
-
-} // namespace
 
 namespace {
 

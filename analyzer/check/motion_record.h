@@ -6,6 +6,10 @@
 
 namespace ncvet {
 
+/// Where an offset of the text before the edits is in the text after them; what an edit inserts at
+/// the very place comes before it.
+uint32_t movedOffset(uint32_t offset, llvm::ArrayRef<TextEdit> edits);
+
 /// The motions of a program in the order in which they happen, as `trace` gives them: where the
 /// tool goes as programmed, tools, spindle and dwells.
 class MotionRecord {

@@ -113,6 +113,12 @@ TEST(FixPromises, ACycleThatACallerGoesOnWithIsNotEnded) {
   EXPECT_EQ(1u + 1u, countOf("G80", fixed(session, text, /*unsafe=*/true)));
 }
 
+TEST(FixPromises, WhatDoesNotMendItsFindingIsNotDoneAgainAndAgain) {
+  Session session = sessionOf("linuxcnc", {"modal-coolant-left-on"});
+  const std::string text = "G21 G90 G54\nS500 M3\nM7\nG0 X1\nM9\nM5\nM2\n";
+  EXPECT_EQ(text, fixed(session, text, /*unsafe=*/true));
+}
+
 TEST(FixPromises, ATextWhoseControlIsAGuessIsLeftAlone) {
   Session session = sessionOf("auto", {"style-lower-case"});
   SourceSet sources;
