@@ -80,7 +80,7 @@ Session sessionOf(const char *dialect, std::vector<std::string> select) {
   return Session(std::move(options));
 }
 
-size_t countOf(llvm::StringRef part, const std::string &text) {
+size_t timesIn(llvm::StringRef part, const std::string &text) {
   return llvm::StringRef(text).count(part);
 }
 
@@ -101,7 +101,7 @@ TEST(FixPromises, ACycleIsEndedOnceForAllThatItCauses) {
       "X30. Y0. (TO CLAMP)\nM9\nM5\nG49\nT5 M6\nG54 G0 X0. Y0. S900 M3\n"
       "G43 H5 Z50.\nM30\n";
   const std::string once = fixed(session, bore, /*unsafe=*/true);
-  EXPECT_EQ(2u, countOf("G80", once)) << once;
+  EXPECT_EQ(2u, timesIn("G80", once)) << once;
   EXPECT_NE(std::string::npos, once.find("G80\nX30. Y0. (TO CLAMP)")) << once;
 }
 
@@ -110,7 +110,7 @@ TEST(FixPromises, ACycleThatACallerGoesOnWithIsNotEnded) {
   const std::string text = "O1\nG21 G17 G40 G49 G80 G90 G94\nT1 M6\nG54 G0 X0. Y0. S500 M3\n"
                            "G43 H1 Z50.\nM98 P2\nX30. Y0.\nX40. Y0.\nG80\nG0 Z100.\nM30\n"
                            "O2\nG98 G83 X10. Y0. Z-10. R2. Q2. F100.\nX20. Y0.\nM99\n";
-  EXPECT_EQ(1u + 1u, countOf("G80", fixed(session, text, /*unsafe=*/true)));
+  EXPECT_EQ(1u + 1u, timesIn("G80", fixed(session, text, /*unsafe=*/true)));
 }
 
 TEST(FixPromises, WhatDoesNotMendItsFindingIsNotDoneAgainAndAgain) {

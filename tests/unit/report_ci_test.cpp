@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::vector<std::string> linesOf(const std::string &text) {
+std::vector<std::string> ciLines(const std::string &text) {
   std::vector<std::string> lines;
   for (llvm::StringRef rest = text; !rest.empty();) {
     const auto [line, after] = rest.split('\n');
@@ -28,14 +28,14 @@ std::vector<std::string> linesOf(const std::string &text) {
   return lines;
 }
 
-Json parsed(const std::string &text) {
+Json ciJson(const std::string &text) {
   Json value = Json::parse(text, nullptr, /*allow_exceptions=*/false);
   EXPECT_FALSE(value.is_discarded()) << text;
   return value;
 }
 
 /// The keys of an object, which must be no others.
-std::set<std::string> keysOf(const Json &object) {
+std::set<std::string> ciKeys(const Json &object) {
   std::set<std::string> keys;
   for (const auto &[key, value] : object.items())
     keys.insert(key);
@@ -59,7 +59,7 @@ struct Awkward : SampleReport {
 
 TEST(GithubReport, IsACommandForEachFinding) {
   EXPECT_THAT(
-      linesOf(written("github", SampleReport().report)),
+      ciLines(written("github", SampleReport().report)),
       ElementsAre("::error file=gone.nc::cannot read gone.nc: No such file or directory",
                   "::warning title=ncvet%3A cycle-unintended-execution,file=programs/bore "
                   "\xC3\xB6.nc,line=5,endLine=5,col=1,endColumn=9::X30. Y0. drills again: G83 of "
@@ -77,7 +77,7 @@ TEST(GithubReport, EscapesWhatTheRunnerWouldReadAndGivesNoColumnsOfSeveralLines)
 }
 
 TEST(AzureReport, IsACommandForEachFinding) {
-  EXPECT_THAT(linesOf(written("azure", SampleReport().report)),
+  EXPECT_THAT(ciLines(written("azure", SampleReport().report)),
               testing::Contains("##vso[task.logissue type=error;sourcepath=programs/sub.nc;"
                                 "linenumber=2;columnnumber=1;code=missing-feed]G1 without a feed"));
   EXPECT_EQ(written("azure", Awkward().report),
@@ -86,7 +86,7 @@ TEST(AzureReport, IsACommandForEachFinding) {
 }
 
 TEST(TeamcityReport, DeclaresEachRuleOnceAndEscapesValues) {
-  const std::vector<std::string> lines = linesOf(written("teamcity", SampleReport().report));
+  const std::vector<std::string> lines = ciLines(written("teamcity", SampleReport().report));
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
                           [](const std::string &line) {
                             return line.rfind("##teamcity[inspectionType ", 0) == 0;
@@ -105,11 +105,11 @@ TEST(GitlabReport, HasTheKeysThatGitlabReadsAndFingerprintsThatAreUnique) {
   SampleReport sample;
   // The same block in two files has one fingerprint within each of them.
   sample.report.findings[1].fingerprint = sample.report.findings[0].fingerprint;
-  const Json issues = parsed(written("gitlab", sample.report));
+  const Json issues = ciJson(written("gitlab", sample.report));
   ASSERT_EQ(issues.size(), 3u);
   std::set<std::string> fingerprints;
   for (const Json &issue : issues) {
-    EXPECT_EQ(keysOf(issue), (std::set<std::string>{"check_name", "description", "fingerprint",
+    EXPECT_EQ(ciKeys(issue), (std::set<std::string>{"check_name", "description", "fingerprint",
                                                     "location", "severity"}));
     EXPECT_THAT(issue["severity"].get<std::string>(), testing::AnyOf("minor", "major", "critical"));
     EXPECT_THAT(issue["description"].get<std::string>(),
@@ -118,7 +118,7 @@ TEST(GitlabReport, HasTheKeysThatGitlabReadsAndFingerprintsThatAreUnique) {
     EXPECT_TRUE(fingerprints.insert(issue["fingerprint"].get<std::string>()).second);
   }
   EXPECT_EQ(issues[0]["location"]["path"], "programs/bore \xC3\xB6.nc");
-  EXPECT_EQ(parsed(written("gitlab", Report())), Json::array());
+  EXPECT_EQ(ciJson(written("gitlab", Report())), Json::array());
 }
 
 TEST(RdjsonlReport, CountsColumnsInBytesAndSuggestsFixes) {
@@ -127,7 +127,7 @@ TEST(RdjsonlReport, CountsColumnsInBytesAndSuggestsFixes) {
   sample.report.findings[2].range = rangeOf(file, "X100");
   sample.report.findings[2].fix->edits = {{rangeOf(file, "X100"), "X100."}};
   sample.report.findings = {sample.report.findings[2]};
-  const Json diagnostic = parsed(written("rdjsonl", sample.report));
+  const Json diagnostic = ciJson(written("rdjsonl", sample.report));
   EXPECT_EQ(diagnostic["severity"], "INFO");
   EXPECT_EQ(diagnostic["code"]["value"], "decimal-point");
   EXPECT_EQ(diagnostic["source"]["name"], "ncvet");
@@ -144,16 +144,16 @@ TEST(RdjsonlReport, CountsColumnsInBytesAndSuggestsFixes) {
 TEST(RdjsonlReport, LeavesOutFixesOfSeveralEditsOfWhichOneAloneWouldBeWrong) {
   SampleReport sample;
   sample.report.findings[0].fix->edits.push_back({rangeOf(sample.bore, "M30"), "M2"});
-  const Json first = parsed(linesOf(written("rdjsonl", sample.report))[0]);
+  const Json first = ciJson(ciLines(written("rdjsonl", sample.report))[0]);
   EXPECT_FALSE(first.contains("suggestions"));
   EXPECT_EQ(first["relatedLocations"][0]["message"], "G83 becomes active here");
 }
 
 TEST(SonarqubeReport, NamesEveryRuleOfItsIssuesAndCountsColumnsFromZero) {
-  const Json report = parsed(written("sonarqube", SampleReport().report));
+  const Json report = ciJson(written("sonarqube", SampleReport().report));
   std::set<std::string> rules;
   for (const Json &rule : report["rules"]) {
-    EXPECT_EQ(keysOf(rule), (std::set<std::string>{"cleanCodeAttribute", "description", "engineId",
+    EXPECT_EQ(ciKeys(rule), (std::set<std::string>{"cleanCodeAttribute", "description", "engineId",
                                                    "id", "impacts", "name", "severity", "type"}));
     EXPECT_EQ(rule["engineId"], "ncvet");
     EXPECT_THAT(rule["impacts"][0]["softwareQuality"].get<std::string>(),
@@ -187,11 +187,11 @@ TEST(JunitReport, HasASuiteForEachProgramAndCountsThatAreRight) {
 
 TEST(JsonLinesReport, HasTheFindingsOfTheJsonReport) {
   const SampleReport sample;
-  const std::vector<std::string> lines = linesOf(written("jsonl", sample.report));
-  const Json findings = parsed(written("json", sample.report))["findings"];
+  const std::vector<std::string> lines = ciLines(written("jsonl", sample.report));
+  const Json findings = ciJson(written("json", sample.report))["findings"];
   ASSERT_EQ(lines.size(), findings.size());
   for (size_t i = 0; i < lines.size(); ++i)
-    EXPECT_EQ(parsed(lines[i]), findings[i]);
+    EXPECT_EQ(ciJson(lines[i]), findings[i]);
 }
 
 TEST(MarkdownReport, CountsFindingsAndLeavesNothingOfAMessageToMarkdown) {
