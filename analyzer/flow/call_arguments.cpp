@@ -21,13 +21,14 @@ std::optional<Block> parametersOf(const Callee &callee) {
   return std::nullopt;
 }
 
-/// Whether an argument is a variable, so that a value can come back in it.
+/// Whether an argument is a variable, so that a value can come back in it. An element of an array
+/// with several indices is one whose value is not followed.
 bool isVariable(const Block &block, uint16_t expression) {
   const Expression &e = block.expressions[expression];
   if (e.bad || e.count == 0)
     return e.bad;
   const Op last = block.operations[e.first + e.count - 1].op;
-  return last == Op::Variable || last == Op::ElementAt || (last == Op::Opaque && e.count == 1);
+  return last == Op::Variable || last == Op::ElementAt || last == Op::Opaque;
 }
 
 /// What is wrong with the arguments of a call, when something is.

@@ -25,11 +25,15 @@ public:
   }
 
 private:
-  /// What comes before the tape's first mark and a program is a leader, which the control skips.
+  /// What comes before the tape's first mark and a program is a leader, which the control skips. A
+  /// file of data holds no program at all.
   static uint32_t begin(const FileUnit &unit) {
     const llvm::ArrayRef<uint32_t> marks = unit.index.tapeMarks();
-    const bool leader = unit.dialect->lexical.tapeLeader && !marks.empty() &&
-                        marks.front() < unit.index.programs().front().begin;
+    const uint32_t first = unit.index.programs().front().begin;
+    if (first == unit.source.text().size())
+      return first;
+    const bool leader =
+        unit.dialect->lexical.tapeLeader && !marks.empty() && marks.front() <= first;
     return leader ? marks.front() : unit.reader->first();
   }
 

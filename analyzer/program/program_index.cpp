@@ -2,6 +2,7 @@
 #include "analyzer/program/program_index.h"
 
 #include "analyzer/program/block_reading.h"
+#include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -20,6 +21,20 @@ ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const D
     sign = path.contains('.') ? path.rsplit('.').second : llvm::StringRef();
   }
   return kindOfEnding(sign, dialect);
+}
+
+/// The whole file is data of the control, by the ending of its name.
+bool isDataFile(const SourceFile &source, const Dialect &dialect) {
+  const llvm::StringRef ending = llvm::StringRef(source.display()).rsplit('.').second;
+  return llvm::any_of(dialect.facts->program.dataKinds,
+                      [&](llvm::StringRef one) { return ending.equals_insensitive(one); }) &&
+         kindOfEnding(ending, dialect) == ProgramKind::Unknown;
+}
+
+/// The text before the first mark of the tape is one comment: the sender's, for people.
+bool isLeaderComment(llvm::StringRef text) {
+  text = text.trim();
+  return text.startswith("(") && !text.contains('\n') && !text.contains('\r');
 }
 
 bool isHeaderMark(char c, const Dialect &dialect) {
@@ -85,6 +100,13 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
         programs_.clear();
     }
     programs_.push_back(program);
+  }
+  if (programs_.size() == 1 && !programs_[0].hasHeader()) {
+    if (isDataFile(source, dialect))
+      programs_[0].begin = programs_[0].body = uint32_t(text.size());
+    else if (dialect.lexical.tapeLeader && !tapeMarks_.empty() &&
+             isLeaderComment(text.take_front(tapeMarks_.front())))
+      programs_[0].begin = programs_[0].body = tapeMarks_.front();
   }
   for (ProgramInfo &program : programs_)
     program.kind = kindOf(source, program, dialect);

@@ -16,6 +16,14 @@ namespace {
 constexpr uint32_t movesAndBlocks =
     bitOf(EventKind::Block) | bitOf(EventKind::Motion) | bitOf(EventKind::Code);
 
+/// A rule that a control's table tells under another name is selected by that name and by its own.
+bool runs(RuleId rule, RuleId told, const RuleSelection &selection) {
+  if (told >= selection.enabled.size()) // nothing was selected
+    return true;
+  return !selection.ignored[rule] &&
+         (selection.enabled[told] || (selection.enabled[rule] && selection.asked[rule]));
+}
+
 } // namespace
 
 Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
@@ -34,7 +42,7 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     if (ofDialect != dialect.rules.end())
       options = ofDialect->second;
     const RuleId told = options.toldAs.empty() ? RuleId(i) : findRule(options.toldAs).value_or(i);
-    if (told < selection.enabled.size() && !selection.enabled[told])
+    if (!runs(RuleId(i), told, selection))
       continue;
     const auto ofUser = selection.options.find(table[i].info.id);
     if (ofUser != selection.options.end())

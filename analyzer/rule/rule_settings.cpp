@@ -107,9 +107,15 @@ void applySettings(RuleSelection &selection, const RuleSettings &settings) {
     selection.enabled.assign(selection.enabled.size(), false);
   for (const std::vector<std::string> *names : {&settings.select, &settings.extendSelect})
     for (const std::string &name : *names)
-      each(name, [&](RuleId rule) { selection.enabled[rule] = selection.asked[rule] = true; });
+      each(name, [&](RuleId rule) {
+        selection.enabled[rule] = selection.asked[rule] = true;
+        selection.ignored[rule] = false;
+      });
   for (const std::string &name : settings.ignore)
-    each(name, [&](RuleId rule) { selection.enabled[rule] = false; });
+    each(name, [&](RuleId rule) {
+      selection.enabled[rule] = false;
+      selection.ignored[rule] = true;
+    });
   for (const auto &choice : settings.severity)
     each(choice.first, [&](RuleId rule) { selection.severity[rule] = choice.second; });
   for (const RuleSettings::Option &option : settings.options)

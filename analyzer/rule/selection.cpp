@@ -15,6 +15,7 @@ RuleSelection RuleSelection::defaults(const Dialect &dialect) {
     selection.enabled.push_back(on);
   }
   selection.asked.resize(selection.enabled.size());
+  selection.ignored.resize(selection.enabled.size());
   selection.severity.resize(selection.enabled.size());
   return selection;
 }
@@ -23,6 +24,7 @@ RuleSelection RuleSelection::everything() {
   RuleSelection selection;
   selection.enabled.assign(allRules().size(), true);
   selection.asked = selection.enabled;
+  selection.ignored.resize(selection.enabled.size());
   selection.severity.resize(selection.enabled.size());
   return selection;
 }

@@ -16,6 +16,8 @@ struct RuleSelection {
   std::vector<bool> enabled;
   /// Rules that the user selected, by name, category or `all`: their advice is wanted too.
   std::vector<bool> asked;
+  /// Rules that the user switched off, whatever the name under which a control's table tells them.
+  std::vector<bool> ignored;
   /// Severity that the user set; none: the table's or the rule's own.
   std::vector<std::optional<Severity>> severity;
   /// Options that the user set, over those of the dialect.

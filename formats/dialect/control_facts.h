@@ -223,6 +223,8 @@ struct ProgramFacts {
   bool remapsInIni = false;
   /// Calls with which a program of steps begins that only the control's own editor knows.
   std::vector<std::string> stepHeads;
+  /// What the names of files and of units of an archive end in that hold data and no program.
+  std::vector<std::string> dataKinds;
   /// Folders in which the control keeps programs, in the order in which it looks for a called one:
   /// `SPF` is also `SPF.DIR`, `.WPD` is the ending of such folders. Empty: it has no folders.
   std::vector<std::string> folders;

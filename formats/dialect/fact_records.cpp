@@ -274,6 +274,10 @@ constexpr Field programFields[] = {
                                     "calls with which a program of steps begins that only the "
                                     "control's own editor knows",
                                     R"(["E_HEAD", "F_HEAD"])"),
+    field<&ProgramFacts::dataKinds>("dataKinds", texts,
+                                    "what the names of files and of units of an archive end in "
+                                    "that hold data and no program",
+                                    R"(["INI", "COM"])"),
     flag<&ProgramFacts::remapsInIni>(
         "remapsInIni", "the machine's INI file, near the program, makes codes (`REMAP=`)"),
     field<&ProgramFacts::folders>("folders", texts,

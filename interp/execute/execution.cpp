@@ -11,6 +11,15 @@ namespace ncvet {
 namespace {
 constexpr uint16_t axisBit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
 
+/// The block only says which one runs next: nothing of it reaches the axes.
+bool branchesOnly(const Block &block) {
+  return block.words.empty() && !block.items.empty() &&
+         llvm::all_of(block.items, [](const Item &item) {
+           return item.kind == ItemKind::Structure || item.kind == ItemKind::Jump ||
+                  item.kind == ItemKind::If;
+         });
+}
+
 /// Whether the block holds statements alone: a control that keeps them apart from words works them
 /// out beforehand, and they are no block of the path.
 bool calculatesOnly(const Block &block) {
@@ -442,7 +451,8 @@ void Execution::finish() {
       place = Interval::unknown();
   if (!(state_.compensation & phaseOn)) {
     state_.idleBlocks = 0;
-  } else if (!dialect_.facts->text.statementsAlone || !calculatesOnly(block_)) {
+  } else if (!branchesOnly(block_) &&
+             (!dialect_.facts->text.statementsAlone || !calculatesOnly(block_))) {
     uint16_t moved = 0;
     for (const Event &event : outcome_.events)
       moved |= event.kind == EventKind::Motion ? event.axes : 0;

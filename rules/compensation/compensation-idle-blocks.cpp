@@ -161,9 +161,11 @@ private:
     return false;
   }
 
-  static void zeroMove(const Event &event, RuleContext &ctx) {
-    if (ctx.before().compensation != phaseOn || ctx.after().compensation != phaseOn ||
-        outlivesTool(ctx.after()) || !ctx.block().issues.empty())
+  void zeroMove(const Event &event, RuleContext &ctx) const {
+    // A control that looks past blocks without a move looks past this one as well.
+    if (allowed_ > 1 || ctx.before().compensation != phaseOn ||
+        ctx.after().compensation != phaseOn || outlivesTool(ctx.after()) ||
+        !ctx.block().issues.empty())
       return;
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
     if (!(event.axes & plane) || event.inMachineCoordinates() || event.code == noCode ||

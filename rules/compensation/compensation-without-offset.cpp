@@ -151,6 +151,18 @@ private:
     return false;
   }
 
+  /// The program names tools and has no code that changes one in: T itself does it on its machine.
+  static bool changesByT(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    bool named = false;
+    for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
+      if (findCode(ctx.dialect(), block, {Action::ToolChange}))
+        return false;
+      named |= block.has(letterAddress('T')) && block.begin < ctx.block().begin;
+    }
+    return named;
+  }
+
   /// The radius comes with the tool, without a number of its own.
   static void ofTool(const CodeInfo &code, SourceRange where, const Event &event,
                      RuleContext &ctx) {
@@ -164,8 +176,8 @@ private:
         return;
     }
     const bool empty = state.tool == 0;
-    const bool none =
-        state.tool == notSet && !state.may(Fact::ToolCalled) && !state.may(Fact::UnknownCode);
+    const bool none = state.tool == notSet && !state.may(Fact::ToolCalled) &&
+                      !state.may(Fact::UnknownCode) && !changesByT(ctx);
     // A list of tools is complete, and says the radius of those that have one.
     const ToolData *listed =
         ctx.asked() ? compensatingTool(ctx.dialect(), ctx.machine(), state) : nullptr;

@@ -186,7 +186,10 @@ private:
       arrivesByArc(cycle, *motion, ctx);
       return;
     }
-    if (!motion || motion->action != Action::Linear || !axesOf(ctx.dialect(), ctx.block()) ||
+    // What holds after power-on the machine's settings decide.
+    const GroupIndex group = ctx.dialect().group(StandardGroup::Motion);
+    if (!motion || motion->action != Action::Linear || !ctx.after().mayBeStated(group) ||
+        !axesOf(ctx.dialect(), ctx.block()) ||
         !memory().once.speaks(ctx.before().origin.of(StatePart::Cycle), ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange()))

@@ -26,6 +26,7 @@ public:
     if (event.code == noCode || (isSet && !turns_) ||
         ctx.block().hasAny(ctx.dialect().blockFeedWords) || // a feed of its own block
         ctx.before().must(Fact::InContour) ||               // it has feeds of its own
+        ctx.before().profile == ProfileMode::Recorded ||    // so has the cycle that reads it
         ctx.after().may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);

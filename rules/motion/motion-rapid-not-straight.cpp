@@ -43,12 +43,27 @@ private:
       return;
     // On the centre line beyond the face the tool can only be a drill; else the tool list tells.
     const llvm::StringRef kind = toolKind(ctx);
-    if (!worksInside(kind) && !(kind.empty() && before.at(Axis::X).value() == 0))
+    if (!worksInside(kind) &&
+        !(kind.empty() && before.at(Axis::X).value() == 0 && !isCutToCentre(ctx)))
       return;
     if (auto finding = ctx.report(event))
       finding.message(
           "the axes do not arrive together: the path out of the bore is bent and crosses "
           "its wall");
+  }
+
+  /// The last move led to the centre line: a tool that faces or parts off is there, not a drill.
+  static bool isCutToCentre(const RuleContext &ctx) {
+    constexpr unsigned furthest = 10; // blocks
+    const Dialect &dialect = ctx.dialect();
+    const AddressMask axes = dialect.axisWords | dialect.incrementWords;
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block))
+      if (block.hasAny(axes))
+        return (axesOf(dialect, block) >> unsigned(Axis::X) & 1) &&
+               !findCode(dialect, block, {Action::Cycle, Action::Rapid});
+    return false;
   }
 
   void intoBore(const Event &event, RuleContext &ctx) const {

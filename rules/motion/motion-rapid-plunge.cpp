@@ -46,7 +46,7 @@ public:
     const double top = top_.value_or(0);
     if (to.value() >= top || from.value() < top || besideStock(ctx))
       return;
-    if (!top_ && !cutsAcross(ctx))
+    if (!top_ && (!cutsAcross(ctx) || isFedOnDown(ctx)))
       return;
     if (auto finding = ctx.report(event, top_.has_value()))
       finding.message("this rapid move ends {0} mm below {1}: the tool goes into the work at full "

@@ -217,9 +217,6 @@ private:
 
   /// `%_N_PART_MPF` begins each unit of an archive: letters, digits and `_`, and what kind it is.
   static void unitHeads(const FileSummary &file, RuleContext &ctx) {
-    constexpr llvm::StringLiteral kinds[] = {"MPF", "SPF", "INI", "TEA", "DEF", "COM", "CPF",
-                                             "UFR", "TOA", "RPA", "SYF", "CYC", "WPD", "DIR",
-                                             "JOB", "GUD", "TMA", "EEC", "QEC", "PRO"};
     const llvm::StringRef text = file.source.text();
     for (size_t at = text.find("%_N_"); at != llvm::StringRef::npos;
          at = text.find("%_N_", at + 1)) {
@@ -233,7 +230,9 @@ private:
           name, [](char c) { return llvm::isAlnum(c) || c == '_' || c == ' ' || c == '\t'; });
       const llvm::StringRef kind = name.rsplit('_').second;
       const bool known =
-          llvm::any_of(kinds, [&](llvm::StringRef one) { return kind.equals_insensitive(one); });
+          kindOfEnding(kind, ctx.dialect()) != ProgramKind::Unknown ||
+          llvm::any_of(ctx.dialect().facts->program.dataKinds,
+                       [&](llvm::StringRef one) { return kind.equals_insensitive(one); });
       if (readable && known)
         continue;
       const SourceRange range{file.source.id(), uint32_t(at), uint32_t(at + head.size())};

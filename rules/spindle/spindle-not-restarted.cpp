@@ -1,6 +1,7 @@
 // A cut after rigid tapping, a tool change or an oriented stop, which have stopped the spindle.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
 #include "formats/dialect/control_facts.h"
 
@@ -11,6 +12,7 @@ struct SpindleNotRestartedMemory {
   SourceRange tap{};   ///< block of the last tapped hole
   bool itself = false; ///< its cycle starts the spindle
   OncePerCause once;
+  OncePerCause onceOfChange;
 };
 
 class SpindleNotRestarted final : public StatefulRule<SpindleNotRestartedMemory> {
@@ -23,6 +25,7 @@ public:
     });
     afterTap_ = to.dialect().facts->cycles.tapLeavesDirection;
     wanted_ = to.dialect().facts->spindle.stoppedByCodes;
+    habit_ = to.flag("habit");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -31,6 +34,8 @@ public:
     if (afterTap_)
       directionAfterTap(event, ctx);
     stopped(event, ctx);
+    if (habit_)
+      againstHabit(event, ctx);
     if (event.code == noCode || !ctx.before().may(Fact::SpindleStoppedByTap) ||
         !ctx.after().may(Fact::SpindleStoppedByTap) ||
         ctx.before().profile == ProfileMode::Recorded)
@@ -149,6 +154,52 @@ private:
           .note(place.other, place.note("the cut", "it stops here"));
   }
 
+  /// The machine's builder decides whether a tool change stops the spindle, and the program knows:
+  /// it starts the spindle after all other changes, and after this one it gives a speed alone.
+  void againstHabit(const Event &event, RuleContext &ctx) const {
+    const MachineState &state = ctx.after();
+    const Origin &start = state.origin.of(StatePart::Spindle);
+    const Origin &change = state.origin.of(StatePart::Tool);
+    const FileId file = ctx.source().id();
+    if (event.kind != EventKind::Motion || event.code == noCode || ctx.callDepth() > 0 ||
+        event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
+        event.motion == MotionKind::Skip || event.inMachineCoordinates() ||
+        (state.spindle != spindleCw && state.spindle != spindleCcw) ||
+        state.may(Fact::UnknownCode) || !start.known() || !change.known() || start.file != file ||
+        change.file != file || start.begin >= change.begin || ctx.block().begin < change.begin ||
+        !memory().onceOfChange.speaks(change, ctx) || !startsAfterOthers(change.begin, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), false))
+      finding
+          .message("`{0}` cuts after a tool change that only gives a new speed: after every other "
+                   "one the program starts the spindle again",
+                   ctx.code(event).name)
+          .note(change, "the tool is changed here");
+  }
+
+  /// After every tool change of the program, and there are others than that of the block which
+  /// holds `change`, the spindle is started; after this one a speed is given.
+  static bool startsAfterOthers(uint32_t change, const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(change);
+    unsigned others = 0;
+    bool open = false, isOwn = false, hasSpeed = false;
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      if (findCode(ctx.dialect(), block, {Action::ToolChange})) {
+        if (open && !isOwn)
+          return false;
+        open = true;
+        isOwn = block.begin <= change && change < block.next;
+        others += !isOwn;
+      }
+      if (findCode(ctx.dialect(), block, {Action::SpindleCw, Action::SpindleCcw}))
+        open = false;
+      if (isOwn && open && block.has(letterAddress('S')))
+        hasSpeed = true;
+    }
+    return others > 0 && hasSpeed && !(open && !isOwn);
+  }
+
+  bool habit_ = false;  ///< a tool change that differs from all others is reported
   bool wanted_ = false; ///< other codes than tapping stop it as well
   bool afterTap_ = false;
 };

@@ -38,6 +38,8 @@ public:
         nearCut(event, ctx);
       return;
     }
+    if (isFedClear(ctx))
+      return;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding.message(
           "the tool is changed where the last cut ended: the next one may hit part, chuck "
@@ -45,6 +47,24 @@ public:
   }
 
 private:
+  /// On a lathe the last move was one in Z alone, out of the part and clear of its face: G01 was
+  /// still in force, and nothing was cut.
+  static bool isFedClear(const RuleContext &ctx) {
+    constexpr double clear = 20;      // mm before the zero point
+    constexpr unsigned furthest = 10; // blocks
+    const Interval &z = ctx.before().at(Axis::Z);
+    if (!ctx.dialect().isLathe() || !z.isConstant() || z.value() < clear)
+      return false;
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block))
+      if (block.hasAny(ctx.dialect().axisWords | ctx.dialect().incrementWords))
+        return isPlain(block) && block.has(letterAddress('Z')) &&
+               !block.hasAny((ctx.dialect().axisWords | ctx.dialect().incrementWords) &
+                             ~maskOf('Z'));
+    return false;
+  }
+
   /// On a lathe a drilling cycle ends at its R, before the face: nothing has moved since then.
   static void afterHole(const Event &event, RuleContext &ctx) {
     if (!ctx.dialect().isLathe() || ctx.before().may(Fact::AtMachinePosition) ||

@@ -81,7 +81,8 @@ private:
   void forgotten(const Event &event, RuleContext &ctx) const {
     const int64_t next = numberOf(event);
     if (!memory().named.end || memory().number <= 0 || next <= 0 || next == memory().number ||
-        ctx.before().preselected != memory().number || ctx.before().may(Fact::UnknownCode))
+        ctx.before().preselected != memory().number || ctx.before().may(Fact::UnknownCode) ||
+        (mayChangeByT_ && !changesTools(ctx)))
       return;
     if (auto finding = ctx.report(memory().named))
       finding

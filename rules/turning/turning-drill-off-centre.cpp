@@ -17,6 +17,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || !makesHole(ctx.code(event).cycle))
       return;
+    if (ctx.block().has(letterAddress('C'))) // the C axis holds the part
+      return;
     const MachineState &state = ctx.after(), &before = ctx.before();
     const Interval &x = state.at(Axis::X);
     if (toolAxis(ctx.dialect(), state) != Axis::Z || !x.isConstant() ||

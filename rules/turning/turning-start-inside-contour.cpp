@@ -86,7 +86,7 @@ private:
     else if (profile.side == Side::Unknown && start < greatest - startTolerance &&
              start > least + startTolerance)
       over = std::min(greatest - start, start - least);
-    if (over <= 0)
+    if (over <= 0 || leavesOnly(profile, start))
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding
@@ -98,6 +98,31 @@ private:
           .severity(over <= overshoot + startTolerance ? std::optional(Severity::Warning)
                                                        : std::nullopt)
           .note(profile.blocks.front().range, "the profile begins here");
+  }
+
+  /// Only the last blocks, in X alone, pass the start: out of the part by a little, or into the
+  /// room inside a bore. The way back from there is free.
+  static bool leavesOnly(const Profile &profile, double start) {
+    constexpr auto x = uint16_t(1u << unsigned(Axis::X));
+    size_t end = profile.lastCut;
+    while (end > 1 && profile.blocks[end - 1].axes == x)
+      --end;
+    if (end == profile.lastCut || profile.side == Side::Unknown)
+      return false;
+    Interval walls = emptyInterval;
+    for (size_t i = 0; i < end; ++i)
+      if (const Interval &to = profile.blocks[i].toX; profile.blocks[i].moves) {
+        if (!to.isConstant())
+          return false;
+        walls.lo = std::min(walls.lo, to.value());
+        walls.hi = std::max(walls.hi, to.value());
+      }
+    if (walls.lo > walls.hi)
+      return false;
+    const bool outside = profile.side == Side::Outside;
+    const bool free =
+        outside ? start >= walls.hi - startTolerance : start <= walls.lo + startTolerance;
+    return free && (!outside || profile.reachesX.hi - start <= overshoot + startTolerance);
   }
 
   /// A contour that is cut towards the chuck, from a start inside the part. True when that is said.

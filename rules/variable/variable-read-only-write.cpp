@@ -22,18 +22,21 @@ public:
           (llvm::StringRef(readOnly).endswith("_") && name.startswith_insensitive(readOnly)))
         if (auto finding = ctx.report(range))
           finding.message("`{0}` can only be read: the control refuses the block", name);
-    if (const auto number = numberOf(ctx.block(), item); isReadOnly(number, ctx.dialect()))
+    if (const auto number = numberOf(ctx.block(), item);
+        number && isReadOnly(*number, ctx.dialect()))
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
-            .message("`#{0}` can only be read: the control writes it itself", number);
+            .message("`#{0}` can only be read: the control writes it itself", *number);
   }
 
 private:
-  /// The variable that is written, where its number is in the text; 0: it is not.
-  static int64_t numberOf(const Block &block, const Item &item) {
+  /// The variable that is written, where its number is in the text.
+  static std::optional<int64_t> numberOf(const Block &block, const Item &item) {
     const Expression &target = block.expressions[item.target];
     const bool plain = target.count == 1 && block.operations[target.first].op == Op::Number;
-    return plain ? int64_t(block.operations[target.first].value) : 0;
+    if (!plain)
+      return std::nullopt;
+    return int64_t(block.operations[target.first].value);
   }
 
   static bool isReadOnly(int64_t number, const Dialect &dialect) {

@@ -109,10 +109,36 @@ void SinumerikScanner::scanHeader() {
     block_.nameEnd = offset(name.end());
   } else {
     block_.kind = BlockKind::Tape;
+    if (const char *const after = afterBlanks(at_);
+        (after == end_ || isLineEnd(*after) || *after == ';') && isData(name))
+      return skipUnit();
   }
   rest();
   if (!atLineEnd())
     scanComment();
+}
+
+/// `INITIAL_INI`: a unit of an archive that holds data of the control, masks of its screen, or
+/// what only the control itself can read.
+bool SinumerikScanner::isData(llvm::StringRef name) const {
+  const llvm::StringRef kind = name.rsplit('_').second;
+  return llvm::any_of(dialect_.facts->program.dataKinds,
+                      [&](llvm::StringRef one) { return kind.equals_insensitive(one); });
+}
+
+/// The whole unit is one block, which holds nothing: it ends with the line before the next head.
+void SinumerikScanner::skipUnit() {
+  const llvm::StringRef rest(at_, size_t(end_ - at_));
+  size_t next = rest.find("%_N_");
+  while (next != llvm::StringRef::npos && (next == 0 || !isLineEnd(rest[next - 1])))
+    next = rest.find("%_N_", next + 1);
+  if (next == llvm::StringRef::npos) {
+    at_ = end_;
+    return;
+  }
+  --next; // the end of the line before it
+  next -= rest[next] == '\n' && next > 0 && rest[next - 1] == '\r';
+  at_ = rest.data() + next;
 }
 
 /// `NAME:` before everything but the number.
@@ -192,8 +218,9 @@ void SinumerikScanner::skipValue() {
     at_ = value;
     skipNumberCharacters();
   }
-  issue(*begin == '[' ? SyntaxIssueKind::UnbalancedBracket : SyntaxIssueKind::InvalidCharacter,
-        begin, at_);
+  const bool isOpen = *begin == '[' && !llvm::StringRef(begin, size_t(at_ - begin)).contains(']');
+  issue(isOpen ? SyntaxIssueKind::UnbalancedBracket : SyntaxIssueKind::InvalidCharacter, begin,
+        at_);
 }
 
 void SinumerikScanner::scanOther() {

@@ -67,6 +67,8 @@ private:
   void scanItem();
   void scanComment();
   void scanHeader();
+  bool isData(llvm::StringRef name) const;
+  void skipUnit();
   bool scanLabel();
   bool scanBadName();
   void scanNumberOfBlock(const char *begin);
