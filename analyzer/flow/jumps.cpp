@@ -45,8 +45,15 @@ bool Jumps::leaveOut(Step &step, bool looksOn) {
 void Jumps::byWord(Step &step) {
   const Flow &flow = step.outcome.flow;
   const SourceRange where = step.flowRange();
-  if (leaveOut(step, false))
+  if (leaveOut(step, false)) {
+    const bool named =
+        flow.item < 0 || step.block.items[size_t(flow.item)].jump != JumpKind::ToStart;
+    if (named && flow.target.isConstant() &&
+        !resolveBlock(step.unit().index, step.region().program,
+                      Reference::toBlock(int64_t(flow.target.number.value())), step.at))
+      run_.issue(FlowIssue::UnknownBlock, step, where);
     return;
+  }
   const bool certain = flow.condition == Truth::Yes;
   step.live.path = run_.lengthen(step.live.path, PathNode::Kind::Jump, where);
   if (flow.item >= 0 && step.block.items[size_t(flow.item)].jump == JumpKind::ToStart)
@@ -138,7 +145,7 @@ void Jumps::byItem(Step &step, const Item &item) {
   const Region &region = step.region();
   const SourceRange where = step.flowRange();
   if (leaveOut(step, true))
-    return;
+    return untaken(step, item);
   FileUnit *unit = &region.unit;
   const ProgramInfo *program = &region.program;
   if (item.nameEnd > item.nameBegin) {
@@ -177,6 +184,16 @@ void Jumps::byItem(Step &step, const Item &item) {
     else
       goOnIn(step, std::move(one), *unit, *program, target);
   }
+}
+
+/// The condition does not hold with the values of this program: with others the jump is taken, and
+/// the blocks that it names have to be there.
+void Jumps::untaken(Step &step, const Item &item) {
+  if (item.nameEnd > item.nameBegin)
+    return;
+  for (const Argument *argument : targetsOf(step, item).arguments)
+    targets_.resolve(step, step.unit(), step.region().program, *argument, step.at,
+                     searchKind(item, *argument));
 }
 
 /// Goes on in the middle of another program; nothing comes back to after the jump.

@@ -27,6 +27,7 @@ private:
   static Targets targetsOf(const Step &step, const Item &item);
   void byWord(Step &step);
   void byItem(Step &step, const Item &item);
+  void untaken(Step &step, const Item &item);
   bool leaveOut(Step &step, bool looksOn);
   void notTaken(Step step);
   void goOnIn(const Step &step, Live live, FileUnit &unit, const ProgramInfo &program,

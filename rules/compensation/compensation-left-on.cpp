@@ -54,7 +54,7 @@ public:
       memory().retracted |= isRetract(ctx);
       return;
     case EventKind::ToolChange:
-      if (ctx.after().profile == ProfileMode::Off)
+      if (ctx.after().profile == ProfileMode::Off && !staysOrBegins(ctx))
         leftOn(event, "the tool is changed", Severity::Error, ctx);
       return;
     case EventKind::OffsetWord:
@@ -79,6 +79,14 @@ public:
   }
 
 private:
+  /// The tool is the one that is in use, with another offset; or compensation is for the new tool.
+  static bool staysOrBegins(const RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    return (before.tool != notSet && before.tool == ctx.after().tool) ||
+           (before.compensationActive(ctx.dialect()) == Truth::No &&
+            ctx.find({Action::CompensationLeft, Action::CompensationRight}));
+  }
+
   static std::string nameOf(RuleContext &ctx) {
     const CodeInfo *code = ctx.after().activeCode(ctx.dialect(), StandardGroup::Compensation);
     return code ? "`" + code->name + "`" : "radius compensation";

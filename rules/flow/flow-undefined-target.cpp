@@ -18,6 +18,15 @@ public:
     // The block is one of the caller's, and who calls the program is not known here.
     if (ctx.outcome().flow.kind == FlowKind::Return && ctx.callDepth() == 0 && onlyReturns(ctx))
       return;
+    // What decides may be another value the next time: a parameter at the head of the program.
+    if (ctx.outcome().flow.condition == Truth::No) {
+      if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+        finding.severity(Severity::Warning)
+            .message("`{0}` leads to a block that is not there: where its condition holds the "
+                     "control stops with an alarm",
+                     ctx.text(ctx.flowRange()));
+      return;
+    }
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("`{0}` leads to a block that is not there: the control stops with an alarm",
                       ctx.text(ctx.flowRange()));

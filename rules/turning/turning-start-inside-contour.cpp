@@ -101,7 +101,7 @@ private:
   }
 
   /// Only the last blocks, in X alone, pass the start: out of the part by a little, or into the
-  /// room inside a bore. The way back from there is free.
+  /// room inside a bore. The path back from there is free.
   static bool leavesOnly(const Profile &profile, double start) {
     constexpr auto x = uint16_t(1u << unsigned(Axis::X));
     size_t end = profile.lastCut;

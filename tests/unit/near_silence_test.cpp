@@ -8,6 +8,7 @@
 namespace ncvet {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -154,6 +155,22 @@ TEST(NearSilence, AToolThatPartsOffIsInNoBore) {
               IsEmpty());
 }
 
+TEST(NearSilence, TheOffsetOfTheToolInUseMayComeWithItsCompensation) {
+  EXPECT_THAT(loud("fanuc-lathe", "O4968\nG20 G40\nG50 S2000\nT0300\nG96 S854 M03\n"
+                                  "G41 G00 X1.1 Z1.1 T0303 M08\nG01 Z1.0 F.05\nX-0.016\n"
+                                  "G00 Z1.1\nG40 X4. Z4. M09\nG28 U0 W0\nM30\n"),
+              IsEmpty());
+}
+
+TEST(StillReported, AJumpThatIsNotTakenNeedsItsTargetToo) {
+  EXPECT_THAT(
+      loud("fanuc-mill", "O0001\n#1=6\nIF[#1LE0]GOTO90\nIF[#1GT9]GOTO91\nM30\nN91#3000=1\n"),
+      Contains("3 flow-undefined-target"));
+  EXPECT_THAT(
+      loud("sinumerik", "R1=6\nIF R1<=0 GOTOF NOWHERE\nIF R1>9 GOTOF LATE\nR2=R1\nLATE:\nM30\n"),
+      Contains("2 flow-undefined-target"));
+}
+
 TEST(NearSilence, BlocksThatOnlyBranchAreNoneOfThePath) {
   EXPECT_THAT(loud("sinumerik", "T1 D1\nM6\nG54 G0 X0 Y0 Z10 S5000 M3\nR1=10 R5=0 R2=0.1\n"
                                 "G1 Z=R5 F3000\nWHILE (R5>=-2)\nG1 G41 Y=R1 F1500\n"
@@ -175,6 +192,12 @@ TEST(NearSilence, AVariableWhoseNumberIsComputedIsNotTheVacantOne) {
 TEST(NearSilence, FunctionsThatLookLikeOthersAreTheirOwn) {
   EXPECT_THAT(loud("sinumerik", "R1=BOUND(0,10,R2)\nR2=ROUND(R1)\nM30\n"), IsEmpty());
   EXPECT_THAT(loud("sinumerik", "R1=SQTR(R2)\nM30\n"), ElementsAre("1 syntax-unknown-name"));
+}
+
+TEST(NearSilence, TheLeadOfATapMayBelongToAnAxisThatAVariableNames) {
+  EXPECT_THAT(loud("sinumerik", "DEF AXIS ALONG=Z\nT1 D1\nM6\nSPOS=0\nG0 X0 Y0 Z5\n"
+                                "G331 AX[ALONG]=-10 IP[ALONG]=1.25 S=300\nG332 Z5 K1.25\nM30\n"),
+              IsEmpty());
 }
 
 TEST(NearSilence, AMoveOfNoLengthIsOneOfTheBlocksThatAControlLooksPast) {

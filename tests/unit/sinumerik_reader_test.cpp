@@ -260,7 +260,7 @@ TEST_F(SinumerikReading, AStrayValueIsOneIssue) {
   const Block block = blockOf("G0 = 10 X5\n");
   EXPECT_EQ(issuesOf(block), std::vector{SyntaxIssueKind::InvalidCharacter});
   EXPECT_EQ(block.find('X')->value(), 5);
-  EXPECT_EQ(issuesOf(blockOf("G0[10] = 10 X5\n")), std::vector{SyntaxIssueKind::UnbalancedBracket});
+  EXPECT_EQ(issuesOf(blockOf("G0[10] = 10 X5\n")), std::vector{SyntaxIssueKind::InvalidCharacter});
 }
 
 TEST_F(SinumerikReading, ALineOfProseIsOneIssue) {
