@@ -9,6 +9,8 @@ namespace {
 constexpr size_t memosPerProgram = 64;
 /// What a called body costs besides its blocks, in plain moves: states are copied and compared.
 constexpr uint64_t workOfCall = 16;
+/// What it costs to find and to copy what a body did before.
+constexpr uint64_t workOfRecall = 4;
 
 } // namespace
 
@@ -17,6 +19,7 @@ std::optional<Exits> CalledBodies::recall(const std::vector<Memo> &memos, uint64
                                           unsigned sections, const Live &live) {
   if (run_.listeners.followOnePath())
     return std::nullopt;
+  run_.repeated += workOfRecall;
   for (const Memo &memo : memos)
     if (memo.hash == print && sections <= memo.sections && equal(memo.entry, live.state)) {
       Exits exits = memo.exits;
@@ -38,7 +41,7 @@ Exits CalledBodies::run(const Region &region, Live live) {
     return std::move(*known);
   run_.repeated += workOfCall;
   run_.callStack.push_back(keyOf(region));
-  const MachineState entry = live.state;
+  MachineState entry = live.state;
   const PathNode *path = live.path;
   const unsigned stops = run_.stops, forks = run_.forks;
   Lives lives;
@@ -55,7 +58,8 @@ Exits CalledBodies::run(const Region &region, Live live) {
     for (Live &exit : group)
       exits.push_back({std::move(exit), target});
   if (!run_.stopped && !run_.listeners.followOnePath() && memos.size() < memosPerProgram)
-    memos.push_back({print, entry, exits, sections, run_.stops != stops, run_.forks != forks});
+    memos.push_back(
+        {print, std::move(entry), exits, sections, run_.stops != stops, run_.forks != forks});
   return exits;
 }
 

@@ -128,13 +128,14 @@ void Calls::callModally(Step &step) {
   flow.kind = FlowKind::CallModal;
   flow.begin = step.block.begin;
   flow.end = step.block.end;
-  Block made;
+  Block own;
+  const Block *made = &own;
   const Item *item = nullptr;
   std::optional<Callee> callee;
   if (step.outcome.callsModally == Truth::Yes && call && call->known) {
     const SourceFile &maker = run_.project.sources().get(call->file);
-    run_.project.unit(maker).reader->read(call->at, made);
-    callee = callees_.findModal(step.unit(), *call, made, item);
+    made = &run_.readBlocks.at(run_.project.unit(maker), call->at, own);
+    callee = callees_.findModal(step.unit(), *call, *made, item);
   }
   if (!callee || !mayEnter(step, *callee)) {
     forget(state, *step.unit().dialect);
@@ -154,7 +155,7 @@ void Calls::callModally(Step &step) {
   if (item) {
     const MachineState caller = state;
     state.locals = Variables();
-    bindArguments(*callee, givenModally(*call, made, *item), caller, state, passes);
+    bindArguments(*callee, givenModally(*call, *made, *item), caller, state, passes);
   } else {
     state.locals = call->arguments;
   }

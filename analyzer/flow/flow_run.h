@@ -2,9 +2,11 @@
 #pragma once
 
 #include "analyzer/flow/listeners.h"
+#include "analyzer/flow/read_blocks.h"
 #include "analyzer/program/flow_shape.h"
 #include "analyzer/rule/analysis_limits.h"
 #include "analyzer/rule/visits.h"
+#include "interp/value/work_meter.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/Support/Allocator.h"
@@ -44,7 +46,9 @@ private:
 /// One analysis of a file: what it works on, what it has spent and found out so far.
 struct FlowRun {
   FlowRun(Project &programs, FileUnit &entry, const AnalysisLimits &bounds)
-      : project(programs), unit(entry), limits(bounds) {}
+      : project(programs), unit(entry), limits(bounds) {
+    workDone = 0;
+  }
   FlowRun(const FlowRun &) = delete;
   virtual ~FlowRun() = default;
 
@@ -83,6 +87,7 @@ struct FlowRun {
   Visits visits;
   UsedTargets used;
   Coverage covered;
+  ReadBlocks readBlocks;
   std::vector<RunningRegion> callStack;
   uint64_t steps = 0;         ///< blocks executed
   uint64_t stretch = 0;       ///< number of the stretch of blocks that only go on

@@ -27,7 +27,7 @@ bool Jumps::leaveOut(Step &step, bool looksOn) {
   if (flow.condition == Truth::Yes)
     return false;
   const bool never = flow.condition == Truth::No;
-  Live straight = step.live;
+  Live straight = never ? std::move(step.live) : step.live;
   if (flow.condition == Truth::Unknown) {
     run_.fork(step.activation, step.flowRange());
     straight.path = run_.lengthen(straight.path, PathNode::Kind::NoJump, step.flowRange());
@@ -172,14 +172,17 @@ void Jumps::byItem(Step &step, const Item &item) {
     else if (kind == JumpKind::IfFound)
       offsets.push_back(step.block.next);
   }
-  for (const uint32_t target : offsets) {
+  for (size_t i = 0; i < offsets.size(); ++i) {
+    const uint32_t target = offsets[i];
     if (here && structures_.isEntered(region, step.at, target))
       run_.issue(FlowIssue::IntoStructure, step, where, {unit->source.id(), target, target + 1});
-    Live one = step.live;
-    one.path = run_.lengthen(one.path, PathNode::Kind::Jump, where);
-    if (here && certain && item.arguments == 1 && loops_.isNeverLeft(step, *unit, target))
+    if (here && certain && item.arguments == 1 && loops_.isNeverLeft(step, *unit, target)) {
       run_.issue(FlowIssue::EndlessLoop, step, where);
-    else if (here)
+      continue;
+    }
+    Live one = i + 1 == offsets.size() ? std::move(step.live) : step.live;
+    one.path = run_.lengthen(one.path, PathNode::Kind::Jump, where);
+    if (here)
       loops_.goTo(step, target, std::move(one), certain);
     else
       goOnIn(step, std::move(one), *unit, *program, target);

@@ -2,6 +2,7 @@
 #include "analyzer/flow/loops.h"
 
 #include "analyzer/flow/endings.h"
+#include "interp/value/work_meter.h"
 
 namespace ncvet {
 
@@ -17,6 +18,9 @@ constexpr uint64_t maxForkedSteps = 1000; ///< blocks, those of called programs 
 
 /// After so many passes without a choice it is asked whether a loop ends at all.
 constexpr unsigned visitsBeforeDoubt = 100;
+
+/// What it costs to see whether joined states bring anything new, in plain moves.
+constexpr uint64_t workOfRound = 12;
 
 /// States that may be on the path at one block, at most.
 constexpr uint64_t mostStates = 8;
@@ -114,6 +118,7 @@ void Loops::backTo(const Step &step, uint32_t target, Live live, bool certain) {
   ++head.visits;
   if (certain && runsForReal(activation, head))
     return runPass(step, target, head, std::move(live));
+  workDone += workOfRound;
   if (head.hasSeen) {
     if (covers(head.seen, live.state)) {
       if (!runsOnceMore(step, target, head, live))
@@ -149,7 +154,7 @@ void Loops::loop(Step &step) {
   Activation &activation = step.activation;
   const Flow &flow = step.outcome.flow;
   const FlowShape &shape = run_.shape(step.unit(), step.region().program);
-  if (llvm::is_contained(shape.mismatched, step.at))
+  if (shape.isMismatched(step.at))
     run_.issue(FlowIssue::StructureMismatch, step, step.flowRange());
   if (flow.kind == FlowKind::LoopEnd) {
     const auto head = shape.back.find(step.at);

@@ -73,18 +73,22 @@ void PassRunner::jumpBack(const Step &step, const Passes &passes, Returned exit)
   loops_.goTo(step, *offset, std::move(exit.live), true);
 }
 
-/// One pass for each of `entries`; `changed`: one of them leaves in another state.
+/// One pass for each of `entries`; `changed`: one of them leaves in another state. It is not asked
+/// where no further pass depends on it.
 Lives PassRunner::runOnce(const Step &step, const Region &body, const Passes &passes,
                           Lives &entries, bool &changed) {
   Lives left;
+  const bool asks = passes.count > 1 || body.kind == RegionKind::Section;
+  std::optional<MachineState> entry;
   for (Live &one : entries) {
-    const MachineState entry = one.state;
+    if (asks)
+      entry = one.state;
     for (Returned &exit : bodies_.run(body, std::move(one))) {
       if (exit.target != notSet) {
         jumpBack(step, passes, std::move(exit));
         continue;
       }
-      changed |= !equal(entry, exit.live.state);
+      changed |= asks && !equal(*entry, exit.live.state);
       mergeInto(left, std::move(exit.live));
     }
   }

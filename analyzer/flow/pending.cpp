@@ -1,12 +1,17 @@
 // Where states wait for each other, and how they are joined.
 #include "analyzer/flow/pending.h"
 
+#include "interp/value/work_meter.h"
+
 namespace ncvet {
 
 namespace {
 
 /// States kept apart at one place; beyond that the two closest are joined.
 constexpr size_t maxLives = 4;
+
+/// What it costs to copy or compare a state, and to join two, in plain moves.
+constexpr uint64_t workOfLook = 1, workOfJoin = 6;
 
 /// Levels of block skip that two paths have decided differently are not decided.
 void joinSkip(Live &to, const Live &from) {
@@ -18,6 +23,7 @@ void joinSkip(Live &to, const Live &from) {
 } // namespace
 
 void mergeInto(Lives &lives, Live live) {
+  workDone += workOfLook * (1 + lives.size());
   for (Live &other : lives)
     if (equal(other.state, live.state)) {
       joinSkip(other, live);
@@ -31,6 +37,7 @@ void mergeInto(Lives &lives, Live live) {
     const unsigned differences = modeDifferences(other.state, live.state);
     if (differences == 0 && other.skip == live.skip) {
       other.state = join(other.state, live.state);
+      workDone += workOfJoin;
       return;
     }
     if (differences < fewest) {
@@ -43,6 +50,7 @@ void mergeInto(Lives &lives, Live live) {
     return;
   }
   closest->state = join(closest->state, live.state);
+  workDone += workOfJoin;
   joinSkip(*closest, live);
 }
 
@@ -64,6 +72,7 @@ bool Pending::bringsNothing(uint32_t offset, MachineState &state, uint32_t execu
     meeting.seen = std::make_unique<MachineState>(state);
     return false;
   }
+  workDone += 2 * workOfJoin;
   if (covers(*meeting.seen, state))
     return true;
   *meeting.seen = meeting.rounds <= roundsBeforeWidening ? join(*meeting.seen, state)

@@ -2,6 +2,7 @@
 #include "analyzer/flow/region_run.h"
 
 #include "formats/text/crash_guard.h"
+#include "interp/value/work_meter.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,6 +25,11 @@ uint64_t workOf(const Block &block) {
   };
   return block.items.empty() ? 1 : llvm::any_of(block.items, turns) ? turn : statement;
 }
+
+/// What a block that is executed for the first time may cost besides without being counted, in
+/// plain moves: a text of blocks that all take as long is still checked in some seconds for each
+/// megabyte.
+constexpr uint64_t usualWork = 1024;
 
 bool asksOperator(const Outcome &outcome, const Dialect &dialect) {
   return llvm::any_of(outcome.codes, [&](const CodeUse &use) {
@@ -53,11 +59,11 @@ Exits RegionRun::execute() {
     if (isAtEnd() || goOnInStretch() || takeOver() || passEmptyLines() || !read() || passOver() ||
         !spend())
       continue;
-    if (block_.skip >= 0)
+    if (block_->skip >= 0)
       decideSkip();
     if (lives_.empty())
       continue;
-    if (!block_.items.empty())
+    if (!block_->items.empty())
       forkAtGuards();
     executeBlock();
   }
@@ -174,8 +180,14 @@ void RegionRun::follow(const RunPlace &known) {
 
 /// Reads the next block; false: the analysis was cancelled.
 bool RegionRun::read() {
-  unit_.reader->read(at_, block_);
-  isPattern_ = true;
+  // What is executed again, and what is called, may be executed often.
+  if (at_ < activation_.high || !run_.callStack.empty()) {
+    block_ = &run_.readBlocks.at(unit_, at_, own_);
+  } else {
+    unit_.reader->read(at_, own_);
+    block_ = &own_;
+  }
+  isPattern_ = block_ == &own_;
   return noteRead();
 }
 
@@ -213,7 +225,7 @@ void RegionRun::noteText(uint32_t end) {
 bool RegionRun::noteRead() {
   if (!countSteps(1))
     return false;
-  noteText(block_.next);
+  noteText(block_->next);
   return true;
 }
 
@@ -235,23 +247,28 @@ bool RegionRun::countSteps(uint64_t blocks) {
 
 /// Whether there is nothing to execute in the block.
 bool RegionRun::passOver() {
-  const bool isHead = block_.kind == BlockKind::Tape || block_.kind == BlockKind::ProgramHeader;
-  if (block_.kind != BlockKind::Empty && !(isHead && block_.isEmpty() && block_.issues.empty()))
+  const bool isHead = block_->kind == BlockKind::Tape || block_->kind == BlockKind::ProgramHeader;
+  if (block_->kind != BlockKind::Empty && !(isHead && block_->isEmpty() && block_->issues.empty()))
     return false;
-  if (block_.kind != BlockKind::Empty || !block_.issues.empty())
+  if (block_->kind != BlockKind::Empty || !block_->issues.empty())
     interruptRecord();
   // The closing mark of the tape: what follows it is no program.
-  const bool closes = block_.kind == BlockKind::Tape && activation_.executedAny;
-  at_ = closes ? region_.program.end : block_.next;
+  const bool closes = block_->kind == BlockKind::Tape && activation_.executedAny;
+  at_ = closes ? region_.program.end : block_->next;
   return true;
 }
 
-/// Counts the block; false: there have been too many.
+/// Counts the block, and what the one before it has cost besides; false: there has been too much.
 bool RegionRun::spend() {
   const uint64_t budget = run_.limits.repeatedBlocks;
+  const uint64_t besides = std::exchange(workDone, 0);
+  uint64_t work = besides + workOf(*block_) * lives_.size();
   if (firstTime_ && region_.depth() == 0 && region_.kind == RegionKind::Main) {
     ++run_.blocks;
-  } else if ((run_.repeated += workOf(block_) * lives_.size()) > budget) {
+    work = besides > usualWork ? besides : 0;
+  }
+  run_.repeated += work;
+  if (work && run_.repeated > budget) {
     if (!run_.abstract)
       run_.cut(blockRange(), "loops and calls were too long to be run to the end");
     run_.abstract = true;
@@ -260,10 +277,10 @@ bool RegionRun::spend() {
       return false;
     }
   }
-  activation_.executedAny |= !onlyDefines(block_);
-  activation_.lastBegin = block_.begin;
-  activation_.lastEnd = block_.end;
-  next_ = block_.tapeInside ? region_.program.end : block_.next;
+  activation_.executedAny |= !onlyDefines(*block_);
+  activation_.lastBegin = block_->begin;
+  activation_.lastEnd = block_->end;
+  next_ = block_->tapeInside ? region_.program.end : block_->next;
   return true;
 }
 
@@ -271,7 +288,7 @@ bool RegionRun::spend() {
 void RegionRun::decideSkip() {
   // A level that no control has shares the last switch.
   constexpr size_t last = std::tuple_size_v<decltype(Live::skip)> - 1;
-  const auto level = std::min(size_t(block_.skip <= 1 ? 0 : block_.skip), last);
+  const auto level = std::min(size_t(block_->skip <= 1 ? 0 : block_->skip), last);
   Lives executing;
   for (Live &live : lives_) {
     if (live.skip[level] != SkipSwitch::Off) {
@@ -299,11 +316,11 @@ void RegionRun::decideSkip() {
 void RegionRun::forkAtGuards() {
   Lives forked;
   for (Live &live : lives_)
-    if (unit_.executor().guard(block_, live.state) == Truth::Unknown) {
+    if (unit_.executor().guard(*block_, live.state) == Truth::Unknown) {
       run_.fork(activation_, blockRange());
       Live &other = forked.emplace_back(live);
       other.path = run_.lengthen(live.path, PathNode::Kind::NoJump,
-                                 {unit_.source.id(), block_.items[0].begin, block_.items[0].end});
+                                 {unit_.source.id(), block_->items[0].begin, block_->items[0].end});
     }
   for (Live &live : forked)
     activation_.add(next_, std::move(live));
@@ -332,7 +349,7 @@ void RegionRun::executeBlock() {
   at_ = next_;
   if (stays) {
     if (recorder_)
-      recorder_->executed(block_, goesOn_);
+      recorder_->executed(*block_, goesOn_);
     return;
   }
   interruptRecord();
@@ -361,9 +378,9 @@ void RegionRun::executeFor(Live &live) {
   }
   synced_ = nullptr;
   const bool guardHolds =
-      block_.items.empty() || unit_.executor().guard(block_, live.state) != Truth::No;
+      block_->items.empty() || unit_.executor().guard(*block_, live.state) != Truth::No;
   const StateUse used = std::exchange(stateUse, StateUse());
-  unit_.executor().execute(block_, before_, live.state, outcome_, guardHolds);
+  unit_.executor().execute(*block_, before_, live.state, outcome_, guardHolds);
   blockUse_ = stateUse;
   stateUse |= used;
   if (!activation_.heads.empty() || !run_.callStack.empty())
@@ -375,9 +392,9 @@ void RegionRun::executeFor(Live &live) {
 
 void RegionRun::tell(Live &live) {
   run_.visits.visit(live.path);
-  if (block_.number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
+  if (block_->number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
     runsInto(live);
-  const bool same = plainRun_.goesOn(block_, outcome_, before_);
+  const bool same = plainRun_.goesOn(*block_, outcome_, before_);
   if (!same)
     endStretch();
   goesOn_ = same && (outcome_.codes.empty() || (plainRun_.settled && !run_.inFull));
@@ -407,7 +424,7 @@ bool RegionRun::goOnInStretch() {
     moveStretch_ = run_.stretch;
     if (!masks_)
       masks_.emplace(*unit_.dialect, unit_.machine);
-    move_ = makePlainMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), block_,
+    move_ = makePlainMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), *block_,
                           live.state, outcome_);
   }
   if (!move_)
@@ -416,7 +433,7 @@ bool RegionRun::goOnInStretch() {
   while (!run_.stopped && mayGoOn() && !takeOver()) {
     if (passEmptyLines())
       continue;
-    if (!quick_->readAlike(at_, unit_.dialect->axisWords, block_)) {
+    if (!quick_->readAlike(at_, unit_.dialect->axisWords, own_)) {
       isPattern_ = false;
       break;
     }
@@ -438,16 +455,16 @@ bool RegionRun::mayGoOn() const {
 void RegionRun::goOnOnce(Live &live) {
   run_.visits.begin();
   keepBefore(live.state);
-  move_->make(block_, unit_.source.id(), before_, live.state);
+  move_->make(*block_, unit_.source.id(), before_, live.state);
   stateUse |= blockUse_;
   run_.visits.visit(live.path);
-  if (block_.number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
+  if (block_->number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
     runsInto(live);
   run_.listeners.executed(stepOf(live), true, run_.stopped);
   run_.endStop();
   at_ = next_;
   if (recorder_)
-    recorder_->executed(block_, true);
+    recorder_->executed(*block_, true);
 }
 
 /// Plain flow comes to a numbered block: a local subprogram, or a profile along which a cycle

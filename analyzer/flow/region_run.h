@@ -64,9 +64,9 @@ private:
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
   Step stepOf(Live &live) {
-    return {activation_, live, at_, before_, block_, outcome_, run_.stretch};
+    return {activation_, live, at_, before_, *block_, outcome_, run_.stretch};
   }
-  SourceRange blockRange() const { return {unit_.source.id(), block_.begin, block_.end}; }
+  SourceRange blockRange() const { return {unit_.source.id(), block_->begin, block_->end}; }
 
   FlowRun &run_;
   BlockFlow &flow_;
@@ -77,14 +77,15 @@ private:
   Activation activation_;
   RunRecorder *const recorder_;
   RunReplay *const replay_;
-  Lives lives_;            ///< that come to the block at `at_`
-  uint32_t at_;            ///< the block that is executed next
-  uint32_t next_ = 0;      ///< and the one after it in the text
-  uint32_t refused_ = ~0u; ///< the block from which on no run is known to be taken over
-  bool firstTime_ = false; ///< the block was not executed before
-  bool goesOn_ = false;    ///< the block only goes on as the one before
-  bool isPattern_ = false; ///< `block_` is the block that was executed last, whole
-  Block block_;
+  Lives lives_;                ///< that come to the block at `at_`
+  uint32_t at_;                ///< the block that is executed next
+  uint32_t next_ = 0;          ///< and the one after it in the text
+  uint32_t refused_ = ~0u;     ///< the block from which on no run is known to be taken over
+  bool firstTime_ = false;     ///< the block was not executed before
+  bool goesOn_ = false;        ///< the block only goes on as the one before
+  bool isPattern_ = false;     ///< `own_` is the block that was executed last, whole
+  const Block *block_ = &own_; ///< that is executed
+  Block own_;                  ///< where it is read when the run does not keep it
   Outcome outcome_;
   MachineState before_;                  ///< before the block
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too

@@ -54,10 +54,7 @@ Truth countUp(const Block &head, MachineState &state) {
 } // namespace
 
 bool Structures::isEntered(const Region &region, uint32_t from, uint32_t target) {
-  for (const auto &[head, past] : run_.shape(region.unit, region.program).past)
-    if (target > head && target < past && (from < head || from >= past))
-      return true;
-  return false;
+  return run_.shape(region.unit, region.program).partEntered(from, target).has_value();
 }
 
 /// A bracket without its partner.
@@ -100,9 +97,9 @@ void Structures::passed(const Step &step, const FlowShape &shape, uint32_t to) {
   const FileUnit &unit = step.unit();
   if (unit.dialect->loadsWhole)
     return;
-  for (const uint32_t exit : shape.strayExits) {
-    if (exit <= step.at || exit >= to)
-      continue;
+  const std::vector<uint32_t> &exits = shape.strayExits;
+  for (auto next = llvm::upper_bound(exits, step.at); next != exits.end() && *next < to; ++next) {
+    const uint32_t exit = *next;
     Block block;
     unit.reader->read(exit, block);
     if (!block.items.empty())
@@ -125,8 +122,8 @@ void Structures::whileHead(Step &step, const Item &item, const Partners &to) {
 /// The end of a loop that its head counts.
 void Structures::countedEnd(Step &step, uint32_t headAt,
                             Truth (*count)(const Block &, MachineState &)) {
-  Block head;
-  step.unit().reader->read(headAt, head);
+  Block own;
+  const Block &head = run_.readBlocks.at(step.unit(), headAt, own);
   const Truth again = count(head, step.live.state);
   if (again == Truth::Unknown)
     step.activation.heads[head.next].abstract = true;
@@ -144,7 +141,7 @@ void Structures::subprogramEnd(Step &step) {
 void Structures::bracket(Step &step) {
   const Item item = step.block.items[size_t(step.outcome.flow.item)];
   const FlowShape &shape = run_.shape(step.unit(), step.region().program);
-  if (llvm::is_contained(shape.mismatched, step.at))
+  if (shape.isMismatched(step.at))
     return mismatch(step, item);
   if (const auto first = shape.duplicates.find(step.at); first != shape.duplicates.end())
     run_.issue(FlowIssue::DuplicateLabel, step, step.flowRange(),

@@ -4,6 +4,7 @@
 
 #include "formats/readers/reader.h"
 #include "formats/text/source.h"
+#include "interp/value/work_meter.h"
 
 namespace ncvet {
 
@@ -41,6 +42,7 @@ private:
     if (ended_)
       return;
     --left_;
+    ++workDone;
     text_.read(at_, block_);
   }
   void goOn() {

@@ -5,6 +5,7 @@
 #include "analyzer/program/program_names.h"
 #include "analyzer/program/references.h"
 #include "formats/readers/table_words.h"
+#include "formats/text/program_file.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -80,7 +81,7 @@ FolderCalls readCalls(const std::string &folder, llvm::StringRef ending, const D
     uint64_t size = 0;
     if (!calls.all)
       break;
-    if (llvm::sys::fs::file_size(path, size) || size > longestFile)
+    if (!isRegularFile(path) || llvm::sys::fs::file_size(path, size) || size > longestFile)
       continue; // so long a program comes from a CAM system and calls none of one's own
     bytes += size;
     calls.all = bytes <= mostBytes;

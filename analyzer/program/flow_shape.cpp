@@ -48,6 +48,8 @@ public:
       }
     for (const Open &left : open_)
       leftOpen(left);
+    llvm::sort(shape_.mismatched);
+    nestParts();
     return std::move(shape_);
   }
 
@@ -121,9 +123,21 @@ private:
     }
   }
 
-  bool insideSub() const {
-    return llvm::any_of(open_, [](const Open &one) { return one.bracket == Bracket::Sub; });
+  /// Which part holds which.
+  void nestParts() {
+    for (const auto &[head, past] : shape_.past)
+      shape_.parts.push_back({head, past, ~0u});
+    llvm::sort(shape_.parts, [](const FlowPart &a, const FlowPart &b) { return a.head < b.head; });
+    uint32_t outer = ~0u;
+    for (uint32_t i = 0; i < shape_.parts.size(); ++i) {
+      while (outer != ~0u && shape_.parts[outer].past <= shape_.parts[i].head)
+        outer = shape_.parts[outer].outer;
+      shape_.parts[i].outer = outer;
+      outer = i;
+    }
   }
+
+  bool insideSub() const { return openSubs_ != 0; }
 
   /// Out of the loop with this label, or to its test.
   void leave(uint32_t at, Structure structure) {
@@ -144,16 +158,38 @@ private:
       if (!fresh)
         shape_.duplicates[at] = first->second;
     }
+    enlist(bracket, label_, open_.size());
     open_.push_back({at, bracket, label_, {}, {}, {}});
+    openSubs_ += bracket == Bracket::Sub;
     shape_.depth = std::max(shape_.depth, unsigned(open_.size()));
   }
 
   /// Innermost open bracket of these kinds with the current label; `open_.size()`: none.
   size_t find(std::initializer_list<Bracket> kinds) const {
-    for (size_t i = open_.size(); i-- > 0;)
-      if (llvm::is_contained(kinds, open_[i].bracket) && open_[i].label == label_)
-        return i;
-    return open_.size();
+    std::optional<size_t> innermost;
+    for (const Bracket kind : kinds)
+      if (const auto known = byKind_.find({kind, label_}); known != byKind_.end())
+        innermost = std::max(innermost.value_or(0), known->second.back());
+    return innermost.value_or(open_.size());
+  }
+
+  void enlist(Bracket bracket, uint64_t label, size_t index) {
+    byKind_[{bracket, label}].push_back(index);
+  }
+  /// The innermost of its kind and label is closed, or becomes another.
+  void strike(const Open &open) {
+    const auto known = byKind_.find({open.bracket, open.label});
+    known->second.pop_back();
+    if (known->second.empty())
+      byKind_.erase(known);
+  }
+  /// All after the first `count` are closed.
+  void closeAfter(size_t count) {
+    while (open_.size() > count) {
+      strike(open_.back());
+      openSubs_ -= open_.back().bracket == Bracket::Sub;
+      open_.pop_back();
+    }
   }
 
   /// A bracket that is never closed: nothing inside leads out of it either.
@@ -167,7 +203,7 @@ private:
   void breakInside(size_t i) {
     for (size_t j = i + 1; j < open_.size(); ++j)
       leftOpen(open_[j]);
-    open_.resize(i + 1);
+    closeAfter(i + 1);
   }
 
   /// A further branch of an IF: the one before it leads to `target` when it is not taken.
@@ -188,7 +224,9 @@ private:
     if (bracket == Bracket::ElseIf)
       open.branches.push_back(at);
     open.offset = at;
+    strike(open);
     open.bracket = bracket;
+    enlist(bracket, open.label, i);
   }
 
   /// Closes the innermost open bracket of these kinds.
@@ -208,11 +246,14 @@ private:
       shape_.out[place] = next;
     for (const uint32_t place : open.continues)
       shape_.out[place] = open.bracket == Bracket::Repeat ? at : open.offset;
-    open_.resize(i);
+    closeAfter(i);
   }
 
   FlowShape shape_;
   std::vector<Open> open_;
+  /// Indices of the open brackets of each kind and label, the innermost last.
+  std::map<std::pair<Bracket, uint64_t>, std::vector<size_t>> byKind_;
+  unsigned openSubs_ = 0;
   uint64_t label_ = 0; ///< of the current bracket
   unsigned scope_ = 0; ///< subprogram that it is in; 0: none
   unsigned subprograms_ = 0;
@@ -220,6 +261,17 @@ private:
 };
 
 } // namespace
+
+std::optional<uint32_t> FlowShape::partEntered(uint32_t from, uint32_t target) const {
+  // The innermost one decides: whatever holds it and not `from` is entered with it.
+  const auto after =
+      llvm::partition_point(parts, [&](const FlowPart &part) { return part.head < target; });
+  for (auto i = uint32_t(after - parts.begin()) - 1; i != ~0u; i = parts[i].outer)
+    if (target < parts[i].past)
+      return from < parts[i].head || from >= parts[i].past ? std::optional(parts[i].head)
+                                                           : std::nullopt;
+  return std::nullopt;
+}
 
 FlowShape readShape(const Reader &reader, uint32_t begin, uint32_t end) {
   return ShapeReader().read(reader, begin, end);

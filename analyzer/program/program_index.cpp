@@ -110,6 +110,12 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
   }
   for (ProgramInfo &program : programs_)
     program.kind = kindOf(source, program, dialect);
+  for (uint32_t i = 0; i < programs_.size(); ++i) {
+    if (programs_[i].hasHeader())
+      byNumber_.try_emplace(programs_[i].number, i);
+    if (!programs_[i].name.empty())
+      byName_.try_emplace(programs_[i].name, i);
+  }
   for (size_t i = 0; i < programs_.size(); ++i)
     programs_[i].end = i + 1 < programs_.size() ? programs_[i + 1].begin : uint32_t(text.size());
 }
@@ -121,17 +127,13 @@ const ProgramInfo &FileIndex::programAt(uint32_t offset) const {
 }
 
 const ProgramInfo *FileIndex::find(int64_t number) const {
-  for (const ProgramInfo &program : programs_)
-    if (program.hasHeader() && program.number == number)
-      return &program;
-  return nullptr;
+  const auto known = byNumber_.find(number);
+  return known == byNumber_.end() ? nullptr : &programs_[known->second];
 }
 
 const ProgramInfo *FileIndex::find(llvm::StringRef name) const {
-  for (const ProgramInfo &program : programs_)
-    if (!program.name.empty() && name.equals_insensitive(program.name))
-      return &program;
-  return nullptr;
+  const auto known = byName_.find(name.upper());
+  return known == byName_.end() ? nullptr : &programs_[known->second];
 }
 
 namespace {

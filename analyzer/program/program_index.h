@@ -5,6 +5,7 @@
 #include "analyzer/program/suppress.h"
 #include "formats/readers/reader.h"
 #include "formats/text/source.h"
+#include "interp/value/work_meter.h"
 
 #include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/StringMap.h"
@@ -90,6 +91,7 @@ public:
   /// Reads a block of the text that is not the current one.
   void read(uint32_t offset, Block &block) const {
     reader_.read(offset, block);
+    ++workDone;
     looks_.from = std::min(looks_.from, offset);
     looks_.to = std::max(looks_.to, block.next);
   }
@@ -122,6 +124,8 @@ private:
   FileScan &scan_;
   const bool keeps_;
   std::vector<ProgramInfo> programs_;
+  llvm::DenseMap<int64_t, uint32_t> byNumber_; ///< index of the first program with the number
+  llvm::StringMap<uint32_t> byName_;           ///< the same for names, in capitals
   std::vector<uint32_t> tapeMarks_;
   std::vector<uint32_t> subprograms_;
   struct Numbers {

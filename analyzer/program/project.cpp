@@ -5,6 +5,7 @@
 #include "analyzer/program/program_names.h"
 #include "analyzer/program/reference_reader.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/program_file.h"
 #include "interp/execute/execute.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -101,11 +102,26 @@ FileUnit &Project::unit(const SourceFile &file, FileScan *kept) {
   if (!unit) {
     unit = std::make_unique<FileUnit>(file, dialect_, machine_, kept);
     unit->project = this;
+    if (!file.path().empty())
+      byPath_.try_emplace(file.path(), unit.get());
     if (!dialect_->hiddenPrograms.empty())
       unit->reader->setHidesProgram(
           [this, &from = *unit](llvm::StringRef name) { return hidesProgram(from, name); });
   }
   return *unit;
+}
+
+void Project::withMain(const SourceFile &file, llvm::function_ref<void(FileUnit &)> analysis) {
+  FileUnit &main = unit(file);
+  FileUnit *called = nullptr; // by another file, under the same path
+  if (!file.path().empty())
+    called = std::exchange(byPath_[file.path()], &main);
+  analysis(main);
+  if (called && called != &main)
+    byPath_[file.path()] = called;
+  else
+    byPath_.erase(file.path());
+  units_.erase(file.id());
 }
 
 const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path) {
@@ -118,9 +134,11 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
   std::error_code error;
   for (llvm::sys::fs::directory_iterator i(path, error), end; i != end && !error;
        i.increment(error)) {
-    const auto type = i->type();
-    if (type == llvm::sys::fs::file_type::directory_file)
-      continue;
+    using llvm::sys::fs::file_type;
+    const file_type type = i->type();
+    if (type != file_type::regular_file && type != file_type::symlink_file &&
+        type != file_type::type_unknown)
+      continue; // a folder, or what would never end
     llvm::StringRef name = i->path();
     name.consume_front("./"); // as the user names the files of the present folder
     files.push_back(name.str());
@@ -140,7 +158,7 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
   for (const std::string &file : files) {
     uint64_t size = 0;
     if (numberOfName(llvm::sys::path::filename(file)) >= 0 || looked >= maxHeaderFiles ||
-        llvm::sys::fs::file_size(file, size) || size > maxSubprogramBytes)
+        !isRegularFile(file) || llvm::sys::fs::file_size(file, size) || size > maxSubprogramBytes)
       continue;
     ++looked;
     const auto buffer =
@@ -196,9 +214,8 @@ std::vector<std::string> Project::searchedFolders(const FileUnit &from) {
 /// A file of this project keeps its number. Others' files in the set are left alone: they may be at
 /// work on another thread.
 FileUnit *Project::open(const std::string &path) {
-  for (const auto &known : units_)
-    if (known.second->source.path() == path)
-      return known.second.get();
+  if (const auto known = byPath_.find(path); known != byPath_.end())
+    return known->second;
   auto opened = sources_.open(path);
   if (opened)
     return &unit(**opened);

@@ -89,6 +89,9 @@ public:
 
   /// The unit of a file of the set; made when first asked for, with what is kept of its text.
   FileUnit &unit(const SourceFile &file, FileScan *kept = nullptr);
+  /// Where several files are analysed one after the other, which share those that they call:
+  /// analyses `file` by `analysis`. While it lasts its path means this file.
+  void withMain(const SourceFile &file, llvm::function_ref<void(FileUnit &)> analysis);
   /// Program `number` as seen from `from`: its unit and entry; null when there is none.
   using Found = std::pair<FileUnit *, const ProgramInfo *>;
   Found findProgram(FileUnit &from, int64_t number);
@@ -135,6 +138,7 @@ private:
   MachineProfile machine_;
   std::vector<std::string> searchFolders_;
   std::map<FileId, std::unique_ptr<FileUnit>> units_;
+  llvm::StringMap<FileUnit *> byPath_; ///< of those with a path, the first of each
   std::shared_ptr<ProgramFolders> folders_;
 };
 

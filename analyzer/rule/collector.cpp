@@ -3,6 +3,7 @@
 
 #include "analyzer/rule/rule_table.h"
 #include "formats/finding/finding_order.h"
+#include "formats/finding/message_length.h"
 
 #include "llvm/ADT/StringSet.h"
 
@@ -53,8 +54,15 @@ void Collector::count(size_t depth, const Key &key, bool certain) {
   }
 }
 
+/// The finding that was given last has been filled in.
+void Collector::finishLast() {
+  if (Finding *const last = std::exchange(last_, nullptr))
+    shortenQuotes(*last);
+}
+
 Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
   ++reports_;
+  finishLast();
   if (definiteOnly_ && !certain)
     return nullptr;
   const Key key{rule, range.file, range.begin, range.end};
@@ -85,7 +93,7 @@ Finding *Collector::report(RuleId rule, SourceRange range, bool certain) {
   if (table != dialect_.rules.end() && table->second.severity)
     finding.severity = *table->second.severity;
   fillPath(finding, path);
-  return &finding;
+  return last_ = &finding;
 }
 
 void Collector::settle() {
@@ -113,6 +121,7 @@ bool Collector::stopsUncalled(RuleId rule) const {
 }
 
 std::vector<Finding> Collector::take(const SourceSet &sources) {
+  finishLast();
   std::vector<Finding> all;
   all.reserve(entries_.size());
   for (auto &[key, entry] : entries_) {

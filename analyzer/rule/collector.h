@@ -71,6 +71,7 @@ private:
   };
   bool stopsUncalled(RuleId rule) const;
   Frame &frameOf(size_t depth);
+  void finishLast();
   void count(size_t depth, const Key &key, bool certain);
 
   const RuleSelection &selection_;
@@ -81,6 +82,7 @@ private:
   Visits &visits_;
   std::vector<Frame> frames_; ///< by the depth of their stop
   uint64_t reports_ = 0;
+  Finding *last_ = nullptr; ///< that a rule is filling in
   bool definiteOnly_ = false;
   bool uncalled_ = false;
 };

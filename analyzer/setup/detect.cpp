@@ -65,47 +65,62 @@ uint64_t charBits(llvm::StringRef text) {
   return bits;
 }
 
-/// Characters that a line must hold for a pattern to match, one set for each alternative of the
-/// pattern: most lines need no look at most patterns. Errs on the side of too few characters.
-class RequiredChars {
+/// What a line must hold for a pattern to match, one entry for each alternative of the pattern:
+/// most lines need no look at most patterns. Errs on the side of too little.
+class RequiredText {
 public:
-  explicit RequiredChars(llvm::StringRef pattern) : rest_(pattern) {
-    uint64_t bits = 0;
+  explicit RequiredText(llvm::StringRef pattern) : rest_(pattern) {
     while (!rest_.empty()) {
       if (rest_.consume_front("|")) {
-        alternatives_.push_back(bits);
-        bits = 0;
+        endAlternative();
         continue;
       }
-      const uint64_t atom = readAtom();
-      if (!isOptional())
-        bits |= atom;
+      const char atom = readAtom();
+      const char repeat = rest_.empty() ? 0 : rest_.front();
+      const bool optional = isOptional();
+      if (atom && !optional) {
+        required_.chars |= charBit(atom);
+        run_ += atom;
+      }
+      if (!atom || optional || repeat == '+' || repeat == '{')
+        endRun();
     }
-    alternatives_.push_back(bits);
+    endAlternative();
   }
-  llvm::SmallVector<uint64_t, 1> take() { return std::move(alternatives_); }
+  std::vector<RequiredInLine> take() { return std::move(alternatives_); }
 
 private:
-  /// The bit of a literal character; 0 for what may be one of several.
-  uint64_t readAtom() {
+  /// What comes next need not follow at once.
+  void endRun() {
+    if (run_.size() > required_.text.size())
+      required_.text = run_;
+    run_.clear();
+  }
+  void endAlternative() {
+    endRun();
+    alternatives_.push_back(std::exchange(required_, {}));
+  }
+
+  /// A literal character; 0 for what may be one of several.
+  char readAtom() {
     const char c = rest_.front();
     rest_ = rest_.drop_front();
     if (c == '\\' && !rest_.empty()) {
-      const uint64_t bit = charBit(rest_.front());
+      const char literal = rest_.front();
       rest_ = rest_.drop_front();
-      return bit;
+      return literal;
     }
     if (c == '[') {
       const size_t end = rest_.find(']', 1); // a bracket that is first is a member
-      const uint64_t bit = end == 1 ? charBit(rest_.front()) : 0;
+      const char only = end == 1 ? rest_.front() : char(0);
       rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
-      return bit;
+      return only;
     }
     if (c == '(') {
       skipGroup();
       return 0;
     }
-    return llvm::StringRef("^$.*+?{}").contains(c) ? 0 : charBit(c);
+    return llvm::StringRef("^$.*+?{}").contains(c) ? char(0) : c;
   }
 
   void skipGroup() {
@@ -131,7 +146,9 @@ private:
   }
 
   llvm::StringRef rest_;
-  llvm::SmallVector<uint64_t, 1> alternatives_;
+  RequiredInLine required_; ///< of the current alternative
+  std::string run_;         ///< characters that follow each other at once, up to here
+  std::vector<RequiredInLine> alternatives_;
 };
 
 void addEndings(llvm::ArrayRef<DialectSummary> dialects, ProgramEndings &endings) {
@@ -222,7 +239,10 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
 }
 
 bool Detector::Mark::matches(llvm::StringRef line, uint64_t chars) const {
-  return llvm::any_of(required, [&](uint64_t bits) { return (chars & bits) == bits; }) &&
+  return llvm::any_of(required,
+                      [&](const RequiredInLine &one) {
+                        return (chars & one.chars) == one.chars && line.contains(one.text);
+                      }) &&
          pattern.match(line);
 }
 
@@ -241,7 +261,7 @@ llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidat
   for (const DetectMark &mark : marks) {
     const auto [known, isNew] = markOfPattern_.try_emplace(mark.pattern, marks_.size());
     if (isNew) {
-      marks_.push_back({llvm::Regex(mark.pattern), RequiredChars(mark.pattern).take(), {}, false});
+      marks_.push_back({llvm::Regex(mark.pattern), RequiredText(mark.pattern).take(), {}, false});
       std::string why;
       if (!marks_.back().pattern.isValid(why))
         return failure(owner + ": pattern \"" + mark.pattern + "\": " + why);

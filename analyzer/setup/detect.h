@@ -31,6 +31,12 @@ struct ProgramEndings {
   std::vector<std::string> loose; ///< of many things: the text decides; "" is no ending at all
 };
 
+/// What a line holds wherever a pattern matches.
+struct RequiredInLine {
+  uint64_t chars = 0; ///< a bit for each character
+  std::string text;   ///< the longest of its texts
+};
+
 /// Scores programs by the marks of the tables. Made once, then used by several threads.
 class Detector {
 public:
@@ -54,7 +60,7 @@ public:
 private:
   struct Mark {
     llvm::Regex pattern;
-    llvm::SmallVector<uint64_t, 1> required; ///< sets of characters, one of which a line must hold
+    std::vector<RequiredInLine> required; ///< one of them
     /// (index of the candidate, score, reason): equal patterns are looked for once.
     struct Vote {
       size_t candidate;

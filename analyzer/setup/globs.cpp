@@ -4,6 +4,8 @@
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/Path.h"
 
+#include <algorithm>
+
 namespace ncvet {
 
 Globs::Globs(llvm::ArrayRef<std::string> globs) {
@@ -20,18 +22,75 @@ Globs::Globs(llvm::ArrayRef<std::string> globs) {
   }
 }
 
-void Globs::add(std::vector<llvm::GlobPattern> &patterns, llvm::StringRef text) {
+namespace {
+
+/// Bytes of the glob's text that mean one character, or the star it begins with.
+size_t firstToken(llvm::StringRef glob) {
+  if (glob.front() == '\\')
+    return std::min<size_t>(2, glob.size());
+  if (glob.front() != '[')
+    return 1;
+  const size_t end = glob.find(']', 2); // a bracket that is first is a member
+  return std::min(end, glob.size() - 1) + 1;
+}
+
+} // namespace
+
+/// Many stars tried one inside the other would take a time that doubles with each of them. Of the
+/// parts between them the first place that fits is as good as any other.
+void Globs::add(std::vector<Glob> &globs, llvm::StringRef text) {
   texts_.push_back(text.str());
-  if (auto pattern = llvm::GlobPattern::create(texts_.back()))
-    patterns.push_back(std::move(*pattern));
-  else
-    llvm::consumeError(pattern.takeError());
+  llvm::StringRef rest = texts_.back();
+  Glob glob;
+  const char *begin = rest.begin();
+  size_t length = 0;
+  const auto close = [&](const char *end) {
+    auto pattern = llvm::GlobPattern::create(llvm::StringRef(begin, size_t(end - begin)));
+    if (!pattern) {
+      llvm::consumeError(pattern.takeError());
+      return false;
+    }
+    glob.push_back({length, std::move(*pattern)});
+    length = 0;
+    return true;
+  };
+  while (!rest.empty()) {
+    const size_t bytes = firstToken(rest);
+    const bool star = rest.front() == '*';
+    if (star && !close(rest.begin()))
+      return;
+    rest = rest.drop_front(bytes);
+    if (star)
+      begin = rest.begin();
+    else
+      ++length;
+  }
+  if (close(rest.begin()))
+    globs.push_back(std::move(glob));
+}
+
+bool Globs::matches(const Glob &glob, llvm::StringRef text) {
+  const Piece &first = glob.front(), &last = glob.back();
+  if (glob.size() == 1)
+    return text.size() == first.length && first.pattern.match(text);
+  if (text.size() < first.length + last.length ||
+      !first.pattern.match(text.take_front(first.length)) ||
+      !last.pattern.match(text.take_back(last.length)))
+    return false;
+  text = text.drop_front(first.length).drop_back(last.length);
+  for (const Piece &piece : llvm::makeArrayRef(glob).drop_front().drop_back()) {
+    while (text.size() >= piece.length && !piece.pattern.match(text.take_front(piece.length)))
+      text = text.drop_front();
+    if (text.size() < piece.length)
+      return false;
+    text = text.drop_front(piece.length);
+  }
+  return true;
 }
 
 bool Globs::match(llvm::StringRef path) const {
-  const auto matchesIn = [](const std::vector<llvm::GlobPattern> &patterns, llvm::StringRef text) {
-    return llvm::any_of(patterns,
-                        [&](const llvm::GlobPattern &pattern) { return pattern.match(text); });
+  const auto matchesIn = [](const std::vector<Glob> &globs, llvm::StringRef text) {
+    return llvm::any_of(globs, [&](const Glob &glob) { return matches(glob, text); });
   };
   return matchesIn(ofPaths_, path) || matchesIn(ofNames_, llvm::sys::path::filename(path));
 }

@@ -1,6 +1,8 @@
 // Codes that a machine's INI file makes: LinuxCNC's REMAP.
 #include "analyzer/setup/remaps.h"
 
+#include "formats/text/program_file.h"
+
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/MemoryBuffer.h"
@@ -56,7 +58,7 @@ void readLine(llvm::StringRef line, Codes &codes) {
 
 void readFile(llvm::StringRef path, Codes &codes) {
   uint64_t size = 0;
-  if (fs::file_size(path, size) || size > mostBytes)
+  if (!isRegularFile(path) || fs::file_size(path, size) || size > mostBytes)
     return;
   const auto text = llvm::MemoryBuffer::getFile(path);
   if (!text)

@@ -2,6 +2,7 @@
 #include "formats/text/read_file.h"
 
 #include "formats/text/failure.h"
+#include "formats/text/program_file.h"
 
 #include "llvm/ADT/SmallVector.h"
 #include "llvm/Support/FileSystem.h"
@@ -20,6 +21,12 @@ llvm::Expected<std::unique_ptr<llvm::MemoryBuffer>> readFile(llvm::StringRef pat
     return cannotRead("it is a folder");
   if (status.type() != fs::file_type::regular_file && status.type() != fs::file_type::fifo_file)
     return cannotRead("it is not a regular file");
+  if (status.type() == fs::file_type::fifo_file) {
+    auto piped = readWholeFile(path, limit);
+    if (!piped)
+      return cannotRead(llvm::toString(piped.takeError()));
+    return std::move(*piped);
+  }
   auto file = fs::openNativeFileForRead(path);
   if (!file)
     return cannotRead(llvm::toString(file.takeError()));

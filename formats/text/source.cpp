@@ -1,7 +1,8 @@
 // Source buffers: opening files, positions, text for display.
 #include "formats/text/source.h"
 
-#include "llvm/Support/FileSystem.h"
+#include "formats/text/program_file.h"
+
 #include "llvm/Support/Path.h"
 #include "llvm/Support/Process.h"
 #include <sys/mman.h>
@@ -21,10 +22,6 @@ constexpr uint32_t forgetStep = 4u << 20;
 /// Distance of the counters of code points, in bytes.
 constexpr uint32_t countStep = 1u << 12;
 
-llvm::Error cannotRead(llvm::StringRef display, std::error_code code, const llvm::Twine &why) {
-  return llvm::createStringError(code, "cannot read " + display + ": " + why);
-}
-
 /// Gives the whole pages of `bytes` back to the system; they are read again when touched.
 void dropPages(llvm::StringRef bytes) {
   const uintptr_t page = llvm::sys::Process::getPageSizeEstimate();
@@ -43,30 +40,17 @@ SourceFile::SourceFile(FileId id, std::string path, std::string display,
 
 llvm::Expected<std::unique_ptr<SourceFile>> SourceFile::open(FileId id, llvm::StringRef path,
                                                              llvm::StringRef display) {
-  llvm::sys::fs::file_status status;
-  if (std::error_code error = llvm::sys::fs::status(path, status))
-    return cannotRead(display, error, error.message());
-  using llvm::sys::fs::file_type;
-  if (status.type() == file_type::directory_file)
-    return cannotRead(display, std::make_error_code(std::errc::is_a_directory), "it is a folder");
-  // A device may never end.
-  if (status.type() != file_type::regular_file && status.type() != file_type::fifo_file)
-    return cannotRead(display, std::make_error_code(std::errc::invalid_argument),
-                      "it is not a regular file");
-  const auto tooLarge = [&] {
-    return cannotRead(display, std::make_error_code(std::errc::file_too_large),
-                      "it is 4 GiB or larger");
-  };
-  constexpr uint64_t limit = std::numeric_limits<uint32_t>::max();
-  if (status.getSize() > limit)
-    return tooLarge();
-  auto buffer = llvm::MemoryBuffer::getFile(path, /*IsText=*/false,
-                                            /*RequiresNullTerminator=*/false,
-                                            /*IsVolatile=*/false);
-  if (!buffer)
-    return cannotRead(display, buffer.getError(), buffer.getError().message());
-  if ((*buffer)->getBufferSize() > limit)
-    return tooLarge();
+  constexpr uint64_t limit = std::numeric_limits<uint32_t>::max(); // offsets have 32 bits
+  auto buffer = readWholeFile(path, limit);
+  if (!buffer) {
+    std::error_code code;
+    std::string why;
+    llvm::handleAllErrors(buffer.takeError(), [&](const llvm::ErrorInfoBase &wrong) {
+      code = wrong.convertToErrorCode();
+      why = code == std::errc::file_too_large ? "it is 4 GiB or larger" : wrong.message();
+    });
+    return llvm::createStringError(code, "cannot read " + display + ": " + why);
+  }
   return std::unique_ptr<SourceFile>(new SourceFile(
       id, path.str(), llvm::sys::path::convert_to_slash(display), std::move(*buffer)));
 }

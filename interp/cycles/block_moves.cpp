@@ -9,6 +9,7 @@
 #include "interp/geometry/contour_element.h"
 #include "interp/path/arc_block.h"
 #include "interp/state/modes.h"
+#include "interp/value/work_meter.h"
 
 namespace ncvet {
 
@@ -293,7 +294,9 @@ void appendReturn(const ExecutedBlock &executed, llvm::SmallVectorImpl<Move> &mo
 }
 
 void appendMoves(const ExecutedBlock &executed, llvm::SmallVectorImpl<Move> &moves) {
+  const size_t before = moves.size();
   BlockMoves(executed, moves).run();
+  workDone += moves.size() - before;
 }
 
 } // namespace ncvet

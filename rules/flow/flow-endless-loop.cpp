@@ -227,6 +227,8 @@ private:
         if (inner.kind != ItemKind::Structure)
           continue;
         depth += opens(inner.structure);
+        if (depth > deepest)
+          return;
         if (closes(inner.structure) && depth-- == 0) {
           if (inner.structure !=
               (item.structure == Structure::Loop ? Structure::EndLoop : Structure::Until))
@@ -395,6 +397,9 @@ private:
   }
 
   static constexpr uint32_t readable = 1u << 16; ///< bytes of a loop that are looked at
+  /// Brackets in a loop's body, one in the other: no control takes more, and each of them would be
+  /// read once for every loop round it.
+  static constexpr unsigned deepest = 32;
 };
 
 } // namespace

@@ -34,6 +34,27 @@ TEST(Globs, WithASlashAtTheEndMatchAFolder) {
   EXPECT_FALSE(matches("old/", "older/a.nc"));
 }
 
+TEST(Globs, StarsMatchAnyText) {
+  EXPECT_TRUE(matches("a*b*c", "abc"));
+  EXPECT_TRUE(matches("a*b*c", "a1b2bc"));
+  EXPECT_FALSE(matches("a*b*c", "ab"));
+  EXPECT_FALSE(matches("ab*bc", "abc")); // one letter is not used twice
+  EXPECT_TRUE(matches("*", ""));
+  EXPECT_TRUE(matches("[*]*\\**?", "*1*2"));
+  EXPECT_FALSE(matches("[*]*\\**?", "11*2"));
+}
+
+/// Each star tried at each place inside each other: that would not end in this century.
+TEST(Globs, ManyStarsCostLittle) {
+  std::string glob, name;
+  for (int i = 0; i < 100; ++i) {
+    glob += "*a";
+    name += "aa";
+  }
+  EXPECT_TRUE(matches(glob.c_str(), name.c_str()));
+  EXPECT_FALSE(matches((glob + "*b").c_str(), name.c_str()));
+}
+
 TEST(FailOnLevel, IsReadByName) {
   EXPECT_EQ(FailOn(Severity::Warning), llvm::cantFail(parseFailOn("warning")));
   EXPECT_EQ(FailOn(), llvm::cantFail(parseFailOn("never")));

@@ -1,6 +1,7 @@
 // Reader of ECS programs: blocks, what is before their words, comments.
 #include "formats/readers/ecs/ecs_reader.h"
 
+#include "formats/readers/block_limit.h"
 #include "formats/readers/ecs/ecs_scanner.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -210,6 +211,7 @@ EcsReader::EcsReader(const Dialect &dialect, llvm::StringRef text)
 void EcsReader::read(uint32_t offset, Block &block) const {
   block.clear();
   EcsScanner(dialect_, addresses_, text_, offset, block).scan();
+  dropOversized(block);
 }
 
 std::string EcsReader::labelKey(llvm::StringRef label) const {

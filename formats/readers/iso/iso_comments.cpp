@@ -1,19 +1,22 @@
 // Comments of word-address blocks: `( )`, `;`, and those that stop the program.
 #include "formats/readers/iso/iso_scanner.h"
 
-#include <cstring>
+#include <algorithm>
 
 namespace ncvet {
 
 void IsoScanner::scanComment() {
   const char *const begin = at_;
-  const char *const line = lineEnd();
-  const auto *close = static_cast<const char *>(memchr(at_, ')', size_t(line - at_)));
-  const auto *inner = static_cast<const char *>(memchr(at_ + 1, '(', size_t(line - at_ - 1)));
-  if (!close) {
-    issue(SyntaxIssueKind::UnclosedComment, begin, line);
-    at_ = line;
-  } else if (inner && inner < close) {
+  // No further than to its end: a line may hold thousands of them.
+  const char *close = at_ + 1;
+  const char *inner = nullptr;
+  for (; close < end_ && *close != ')' && !isLineEnd(*close); ++close)
+    if (*close == '(' && !inner)
+      inner = close;
+  if (close == end_ || *close != ')') {
+    issue(SyntaxIssueKind::UnclosedComment, begin, close);
+    at_ = close;
+  } else if (inner) {
     scanNestedComment(begin, inner, close);
   } else {
     at_ = close + 1;
@@ -28,10 +31,11 @@ void IsoScanner::scanComment() {
 /// The comment ends at the first `)` for the control; when the parentheses balance the writer meant
 /// the outer one, and that is where reading goes on.
 void IsoScanner::scanNestedComment(const char *begin, const char *inner, const char *close) {
-  const char *const line = lineEnd();
+  constexpr ptrdiff_t longest = 4096; // no line of a control has so many characters
+  const char *const stop = std::min(end_, begin + std::min(longest, end_ - begin));
   unsigned depth = 0;
   const char *outer = nullptr;
-  for (const char *p = begin; p < line && !outer; ++p) {
+  for (const char *p = begin; p < stop && !isLineEnd(*p) && !outer; ++p) {
     if (*p == '(')
       ++depth;
     else if (*p == ')' && --depth == 0)

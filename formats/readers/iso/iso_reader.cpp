@@ -2,6 +2,7 @@
 #include "formats/readers/iso/iso_reader.h"
 
 #include "formats/readers/alike_block.h"
+#include "formats/readers/block_limit.h"
 #include "formats/readers/empty_lines.h"
 #include "formats/readers/iso/iso_scanner.h"
 
@@ -252,6 +253,7 @@ void collapseProse(Block &block) {
 void IsoReader::read(uint32_t offset, Block &block) const {
   block.clear();
   IsoScanner(lexical_, symbols_, text_, offset, block).scan();
+  dropOversized(block);
   if (!block.issues.empty())
     collapseProse(block);
 }

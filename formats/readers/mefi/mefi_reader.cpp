@@ -1,6 +1,7 @@
 // Reader of MEFI programs: a block runs from one `N` to the next, over any number of lines.
 #include "formats/readers/mefi/mefi_reader.h"
 
+#include "formats/readers/block_limit.h"
 #include "formats/readers/mefi/mefi_scanner.h"
 
 namespace ncvet {
@@ -118,6 +119,7 @@ void MefiScanner::finish() {
 void MefiReader::read(uint32_t offset, Block &block) const {
   block.clear();
   MefiScanner(dialect_, text_, offset, block).scan();
+  dropOversized(block);
 }
 
 } // namespace ncvet

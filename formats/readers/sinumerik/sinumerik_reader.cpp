@@ -3,6 +3,7 @@
 
 #include "formats/dialect/control_facts.h"
 #include "formats/readers/alike_block.h"
+#include "formats/readers/block_limit.h"
 #include "formats/readers/empty_lines.h"
 #include "formats/readers/sinumerik/sinumerik_scanner.h"
 
@@ -306,6 +307,7 @@ void SinumerikReader::markSteps(Block &block) const {
 void SinumerikReader::read(uint32_t offset, Block &block) const {
   block.clear();
   SinumerikScanner(*this, dialect_, addresses_, offset, block).scan();
+  dropOversized(block);
   if (steps_)
     markSteps(block);
 }

@@ -1,0 +1,166 @@
+// Texts that nobody would write, and that somebody half types: each of them is checked in a time
+// that grows with its length. Where a quadratic check would take minutes, some seconds are allowed.
+#include "analyzer/flow/trace.h"
+#include "formats/text/program_file.h"
+#include "tests/support/run_program.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+namespace ncvet {
+namespace {
+
+/// Seconds of this thread's processor time, so that a busy machine does not matter.
+double secondsOf(llvm::function_ref<void()> work) {
+  timespec begin{}, end{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
+  work();
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
+  return double(end.tv_sec - begin.tv_sec) + double(end.tv_nsec - begin.tv_nsec) * 1e-9;
+}
+
+/// What a check of the text finds, and whether it came to its end.
+AnalysisResult check(const char *dialect, const std::string &text,
+                     const AnalysisLimits &limits = {}) {
+  AnalysisResult result;
+  test::withProgram(dialect, {{"PART.nc", text}}, "", [&](Project &project, FileUnit &unit) {
+    result = analyze(project, unit, RuleSelection::defaults(project.dialect()), limits);
+  });
+  return result;
+}
+
+double secondsToCheck(const char *dialect, const std::string &text) {
+  return secondsOf([&] { check(dialect, text); });
+}
+
+std::string repeat(const std::string &text, unsigned times) {
+  std::string all;
+  for (unsigned i = 0; i < times; ++i)
+    all += text;
+  return all;
+}
+
+/// Generous: with sanitizers a check takes ten times as long.
+constexpr double generous = 10;
+
+TEST(Bounds, LoopsInsideLoopsCostInProportion) {
+  constexpr unsigned deep = 40'000;
+  EXPECT_LT(secondsToCheck("sinumerik", repeat("LOOP\n", deep) + repeat("ENDLOOP\n", deep)),
+            generous);
+}
+
+TEST(Bounds, BracketsWithLabelsCostInProportion) {
+  constexpr unsigned deep = 20'000;
+  std::string subs, ends, loops;
+  for (unsigned i = 1; i <= deep; ++i) {
+    subs += "o" + std::to_string(i) + " sub\n";
+    ends += "o" + std::to_string(deep + 1 - i) + " endsub\n";
+    loops += "o" + std::to_string(i) + " while [#<_x> gt 1]\n";
+  }
+  EXPECT_LT(secondsToCheck("linuxcnc", subs + ends + "M2\n"), generous);
+  EXPECT_LT(secondsToCheck("linuxcnc", loops + "M2\n"), generous);
+}
+
+/// An editor checks at every key: here a repeat whose last number is still to be typed.
+TEST(Bounds, AHalfTypedRepeatIsNoHang) {
+  EXPECT_LT(secondsToCheck("ecs", "N80 G1 X10 Y10 F100\nN20 G1 X20\n<RPT:N80;N\nN90 G0 X0\n"),
+            generous);
+}
+
+TEST(Bounds, ABlockOfThousandsOfWordsIsNone) {
+  const AnalysisResult result = check("fanuc-0m", "O1\nG0 X0\n" + repeat("M3", 20'000) + "\nM30\n");
+  const auto isTold = [](const Finding &finding) {
+    return allRules()[finding.rule].info.id == "syntax-error";
+  };
+  EXPECT_EQ(1, llvm::count_if(result.findings, isTold));
+  EXPECT_LT(secondsToCheck("sinumerik", repeat("A:", 500'000) + "\nM30\n"), generous);
+  EXPECT_LT(secondsToCheck("fanuc-0m", "O1\n" + repeat("(A)", 500'000) + "\nM30\n"), generous);
+  EXPECT_LT(secondsToCheck("fanuc-0m", "O1\n" + repeat("((A)", 100'000) + "\nM30\n"), generous);
+}
+
+TEST(Bounds, AMessageQuotesALineOfATerminal) {
+  const std::string sum = "[1" + repeat("+1", 100'000) + "/0]";
+  for (const Finding &finding : check("fanuc-0m", "O1\nG0 X" + sum + "\nM30\n").findings)
+    EXPECT_LT(finding.message.size(), 1'100u);
+}
+
+/// The motions of a cycle count: without the limit it would be three million of them.
+TEST(Bounds, MotionsOfCyclesAreWork) {
+  struct Counter : TraceSink {
+    void moved(const TracedMove &) override { ++moves; }
+    void lost(const FileUnit &, SourceRange, llvm::StringRef) override { isLost = true; }
+    uint64_t moves = 0;
+    bool isLost = false;
+  } counter;
+  const std::string text = "O1\nG21 G17 G90 G54\nT1 M6\nG0 X0 Y0\nG43 H1 Z50. S1000 M3\n#1=0\n"
+                           "WHILE [#1 LT 1000] DO1\n"
+                           "G99 G83 X#1 Y0. Z-1000. R1. Q1. F100\n"
+                           "#1=#1+1\nEND1\nG80\nM30\n";
+  AnalysisLimits limits;
+  limits.repeatedBlocks = 30'000;
+  test::withProgram("fanuc-0m", {{"PART.nc", text}}, "", [&](Project &project, FileUnit &unit) {
+    trace(project, unit, limits, counter, TracedPath::Programmed);
+  });
+  EXPECT_TRUE(counter.isLost);
+  EXPECT_GT(counter.moves, limits.repeatedBlocks / 2);
+  EXPECT_LT(counter.moves, 4 * limits.repeatedBlocks);
+}
+
+/// A program's work is counted and not timed: what is cut is cut at the same block every time.
+TEST(Bounds, WhatIsCutIsCutAtTheSameBlock) {
+  AnalysisLimits limits;
+  limits.repeatedBlocks = 10'000;
+  const std::string text = "O1\nG21 G17 G90\n#1=0\nWHILE [#1 LT 900000] DO1\n#1=#1+1\n"
+                           "IF [#1 EQ 5000] THEN #2=1\nEND1\nG1 X[1/0]\nM30\n";
+  const AnalysisResult first = check("fanuc-0m", text, limits);
+  const AnalysisResult second = check("fanuc-0m", text, limits);
+  EXPECT_FALSE(first.complete);
+  EXPECT_EQ(first.cuts, second.cuts);
+  EXPECT_EQ(first.findings.size(), second.findings.size());
+}
+
+std::string textOf(const std::string &path, uint64_t most) {
+  auto text = readWholeFile(path, most);
+  return text ? (*text)->getBuffer().str() : "error: " + llvm::toString(text.takeError());
+}
+
+TEST(ReadWholeFile, APipeIntoWhichNothingWritesIsToldAtOnce) {
+  const test::TemporaryFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string();
+  ASSERT_EQ(0, mkfifo(pipe.c_str(), 0600));
+  EXPECT_EQ("error: it is a pipe into which nothing writes", textOf(pipe, 100));
+}
+
+TEST(ReadWholeFile, APipeThatIsWrittenToIsRead) {
+  const test::TemporaryFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string();
+  ASSERT_EQ(0, mkfifo(pipe.c_str(), 0600));
+  const int both = ::open(pipe.c_str(), O_RDWR); // so that it has a writer from the beginning
+  ASSERT_GE(both, 0);
+  ASSERT_EQ(3, ::write(both, "M30", 3));
+  std::thread closer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ::close(both);
+  });
+  EXPECT_EQ("M30", textOf(pipe, 100));
+  closer.join();
+}
+
+TEST(ReadWholeFile, DevicesFoldersAndWhatIsTooLargeAreNoFiles) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ("error: it is not a regular file", textOf("/dev/zero", 100));
+  EXPECT_EQ("error: it is a folder", textOf(folder.path().string(), 100));
+  const std::string file = (folder.path() / "a").string();
+  std::ofstream(file) << "12345";
+  EXPECT_EQ("12345", textOf(file, 5));
+  EXPECT_EQ("error: it is too large", textOf(file, 4));
+}
+
+} // namespace
+} // namespace ncvet
