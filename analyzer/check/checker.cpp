@@ -157,13 +157,9 @@ const std::string &nameOf(const SourceFile &file) {
 }
 
 /// One file under its setup, followed and made into findings.
-void checkUnder(const FileSetup &setup, Session &session, SourceSet &sources,
-                const SourceFile &file, const std::atomic<bool> *cancel, Recheck *again,
-                FileOutcome &outcome) {
-  Project project(sources, setup.dialect, *setup.machine, setup.config->searchFolders,
-                  setup.folders);
-  FileUnit &unit =
-      project.unit(file, again ? again->memory.scanFor(setup, file, again->text) : nullptr);
+void checkUnder(const FileSetup &setup, Session &session, Project &project, FileUnit &unit,
+                const std::atomic<bool> *cancel, Recheck *again, FileOutcome &outcome) {
+  const SourceFile &file = unit.source;
   AnalysisResult result = analyze(project, unit, *setup.rules, setup.limits, cancel,
                                   again ? again->memory.runsFor(unit.index) : nullptr);
   if (again && result.complete)
@@ -189,7 +185,7 @@ void checkUnder(const FileSetup &setup, Session &session, SourceSet &sources,
 } // namespace
 
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
-                      const std::atomic<bool> *cancel, Recheck *again) {
+                      const std::atomic<bool> *cancel, Recheck *again, CheckStore *store) {
   auto outcome = std::make_unique<FileOutcome>();
   auto setup = session.setup(nameOf(file), file.text());
   if (!setup) {
@@ -204,11 +200,22 @@ FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &fi
   if (setup->config->failOn)
     outcome->failOn = *setup->config->failOn;
   // Setups are shared, and made under a lock: only what belongs to this file alone may crash.
-  const auto crash =
-      runGuarded([&] { checkUnder(*setup, session, sources, file, cancel, again, *outcome); });
+  const auto crash = runGuarded([&] {
+    if (store)
+      return store->projectFor(*setup, sources).withMain(file, [&](FileUnit &unit) {
+        checkUnder(*setup, session, *unit.project, unit, cancel, nullptr, *outcome);
+      });
+    Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
+                    setup->folders);
+    FileUnit &unit =
+        project.unit(file, again ? again->memory.scanFor(*setup, file, again->text) : nullptr);
+    checkUnder(*setup, session, project, unit, cancel, again, *outcome);
+  });
   if (!crash)
     return std::move(*outcome);
   static_cast<void>(outcome.release());
+  if (store)
+    store->abandon();
   if (again)
     again->memory.abandon();
   FileOutcome failed;

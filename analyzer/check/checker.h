@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/check/check_memory.h"
+#include "analyzer/check/check_store.h"
 #include "analyzer/setup/session.h"
 
 #include <atomic>
@@ -39,9 +40,10 @@ struct FileOutcome {
 
 /// Checks `file`, a file of `sources`. Findings may lie in other files that it calls; these are
 /// added to `sources`. `cancel`, when given, ends the check early, with what was found so far.
-/// `again` changes how long the check takes, never what it finds.
+/// `again` and `store` change how long the check takes, never what it finds.
 FileOutcome checkFile(Session &session, SourceSet &sources, const SourceFile &file,
-                      const std::atomic<bool> *cancel = nullptr, Recheck *again = nullptr);
+                      const std::atomic<bool> *cancel = nullptr, Recheck *again = nullptr,
+                      CheckStore *store = nullptr);
 
 /// The states before and after the block of `file` that begins at `offset`, as its check follows
 /// the file: with what checks have left in `again`, and leaving there what the next check needs. No

@@ -4,6 +4,7 @@
 #include "analyzer/check/baseline.h"
 #include "analyzer/cli/changes.h"
 #include "analyzer/cli/check_job.h"
+#include "analyzer/cli/check_worker.h"
 #include "analyzer/cli/output.h"
 #include "analyzer/cli/progress.h"
 #include "analyzer/cli/relative_paths.h"
@@ -41,7 +42,8 @@ private:
   llvm::Error loadComparisons();
   void readInput(Job &job);
   void collect();
-  void forEachJob(const char *what, llvm::function_ref<void(Job &)> work);
+  void forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &)> work);
+  void giveBack(Worker &worker);
   void openJob(Job &job);
   llvm::Error writeFix(const Job &job) const;
   void writeFixes();
@@ -118,8 +120,11 @@ void Check::collect() {
     Input &input = inputs.files[index];
     if (index % request_.shards != request_.shard)
       continue;
-    jobs_.emplace_back();
-    jobs_.back().input = std::move(input);
+    Job &job = jobs_.emplace_back();
+    job.index = jobs_.size() - 1;
+    if (input.path != "-" && llvm::sys::fs::file_size(input.path, job.bytes))
+      job.bytes = 0; // it is told later why it cannot be read
+    job.input = std::move(input);
     if (jobs_.back().input.path == "-")
       readInput(jobs_.back());
   }
@@ -143,30 +148,47 @@ void Check::openJob(Job &job) {
   job.outcome.error = job.input.display + ": not checked: " + why;
 }
 
-void Check::forEachJob(const char *what, llvm::function_ref<void(Job &)> work) {
+/// What the worker has kept of other inputs belongs to the input that found it.
+void Check::giveBack(Worker &worker) {
+  for (auto &[place, entry] : worker.inCalled)
+    jobs_[entry.first].outcome.findings.push_back(std::move(entry.second));
+}
+
+/// The largest first: no thread is left alone with a long one in the end.
+void Check::forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &)> work) {
   Progress progress(what, jobs_.size());
+  std::vector<Job *> order;
+  for (Job &job : jobs_)
+    order.push_back(&job);
+  llvm::stable_sort(order, [](const Job *a, const Job *b) { return a->bytes > b->bytes; });
   std::atomic<size_t> next = 0;
-  const auto run = [&] {
-    for (size_t index; (index = next++) < jobs_.size(); progress.step()) {
-      const llvm::TimeTraceScope trace(what, jobs_[index].input.display);
-      work(jobs_[index]);
+  const auto run = [&](Worker &worker) {
+    for (size_t index; (index = next++) < order.size(); progress.step()) {
+      const llvm::TimeTraceScope trace(what, order[index]->input.display);
+      work(*order[index], worker);
     }
   };
-  size_t workers = request_.jobs ? request_.jobs : std::thread::hardware_concurrency();
-  workers = std::min(std::max<size_t>(1, workers), jobs_.size());
-  if (workers <= 1)
-    return run();
+  size_t count = request_.jobs ? request_.jobs : std::thread::hardware_concurrency();
+  count = std::min(std::max<size_t>(1, count), jobs_.size());
+  std::vector<Worker> workers(std::max<size_t>(1, count));
   std::vector<std::thread> threads;
-  for (size_t worker = 0; worker < workers; ++worker)
+  for (Worker &worker : workers) {
+    if (workers.size() == 1) {
+      run(worker);
+      break;
+    }
     threads.emplace_back([&] {
       if (!request_.timeTrace.empty())
         llvm::timeTraceProfilerInitialize(0, "ncvet");
-      run();
+      run(worker);
       if (!request_.timeTrace.empty())
         llvm::timeTraceProfilerFinishThread();
     });
+  }
   for (std::thread &thread : threads)
     thread.join();
+  for (Worker &worker : workers)
+    giveBack(worker);
 }
 
 /// Replaces the file of the job. That of standard input is standard output, written later.
@@ -412,7 +434,7 @@ int Check::run() {
     return fail(std::move(wrong));
   collect();
   if (request_.fix || request_.diff) {
-    forEachJob("fix", [&](Job &job) {
+    forEachJob("fix", [&](Job &job, Worker &) {
       openJob(job);
       if (job.source)
         job.fixed = fixText(session_, *job.source, request_.unsafeFixes);
@@ -420,11 +442,12 @@ int Check::run() {
     writeFixes();
   }
   const bool views = showsPrograms();
-  forEachJob("check", [&](Job &job) {
+  forEachJob("check", [&](Job &job, Worker &worker) {
     openJob(job);
     if (!job.source)
       return;
-    job.outcome = checkFile(session_, sources_, *job.source);
+    job.outcome = checkFile(session_, sources_, *job.source, nullptr, nullptr, &worker.store);
+    worker.keep(job);
     if (views && job.outcome.error.empty())
       job.view = viewOf(session_, sources_, *job.source);
   });

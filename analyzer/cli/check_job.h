@@ -11,6 +11,8 @@ namespace ncvet::cli {
 /// One input with what became of it.
 struct Job {
   Input input;
+  size_t index = 0;   ///< among all
+  uint64_t bytes = 0; ///< 0: not known
   const SourceFile *source = nullptr;
   FixedText fixed;
   FileOutcome outcome;
