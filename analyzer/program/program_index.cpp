@@ -42,6 +42,20 @@ bool isHeaderMark(char c, const Dialect &dialect) {
   return marks.contains(c) || marks.contains(llvm::toUpper(c));
 }
 
+/// What comes before the first header is looked at so far, in bytes: a fragment shows soon.
+constexpr uint32_t longestLeader = 65536;
+
+/// Whether blocks from `at` on have nothing to execute, up to the line `end` or about `limit`.
+bool isEmpty(const Reader &reader, uint32_t at, uint32_t end, uint32_t limit) {
+  Block block;
+  for (; at < end && at <= limit; at = block.next) {
+    reader.read(at, block);
+    if (!block.isEmpty())
+      return false;
+  }
+  return true;
+}
+
 } // namespace
 
 ProgramKind kindOfEnding(llvm::StringRef ending, const Dialect &dialect) {
@@ -86,17 +100,9 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
     program.headerEnd = block.headerEnd;
     if (programs_.size() == 1 && !programs_[0].hasHeader()) {
       // What comes before the first header is a leader (tape mark, comments) or a fragment.
-      bool content_ = false;
       const bool leader = dialect.lexical.tapeLeader && !tapeMarks_.empty();
-      for (uint32_t at = leader ? tapeMarks_.back() : programs_[0].begin; at < line;) {
-        Block other;
-        reader.read(at, other);
-        content_ |= !other.isEmpty();
-        at = other.next;
-        if (at > programs_[0].begin + 65536)
-          break;
-      }
-      if (!content_)
+      if (isEmpty(reader, leader ? tapeMarks_.back() : programs_[0].begin, line,
+                  programs_[0].begin + longestLeader))
         programs_.clear();
     }
     programs_.push_back(program);

@@ -1,0 +1,67 @@
+// Stretches of a region: blocks that only go on as the one before, executed at the cost of their
+// numbers. What they do is what the general way in region_run.cpp does.
+#include "analyzer/flow/region_run.h"
+
+namespace ncvet {
+
+/// The next block is the first of its stretch.
+void RegionRun::endStretch() {
+  ++run_.stretch;
+  goesOn_ = false;
+  repeats_ = 0;
+}
+
+/// Blocks that only go on as the one before and are spelled as it: they are read and made without
+/// finding out again what they are. False: there is none, at least not here.
+bool RegionRun::goOnInStretch() {
+  if (!quick_ || !goesOn_ || !isPattern_ || run_.inFull || !mayGoOn())
+    return false;
+  Live &live = lives_[0];
+  if (moveStretch_ != run_.stretch) {
+    moveStretch_ = run_.stretch;
+    if (!masks_)
+      masks_.emplace(*unit_.dialect, unit_.machine);
+    move_ = makePlainMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), *block_,
+                          live.state, outcome_);
+  }
+  if (!move_)
+    return false;
+  const uint32_t first = at_;
+  while (!run_.stopped && mayGoOn() && !takeOver()) {
+    if (passEmptyLines())
+      continue;
+    if (!quick_->readAlike(at_, unit_.dialect->axisWords, own_)) {
+      isPattern_ = false;
+      break;
+    }
+    if (noteRead() && spend())
+      goOnOnce(live);
+  }
+  return at_ != first;
+}
+
+/// Whether the block at `at_` follows straight on, for one state that has the facts of the last
+/// one.
+bool RegionRun::mayGoOn() const {
+  return lives_.size() == 1 && synced_ == &lives_[0].state && activation_.pending.next() > at_ &&
+         at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end &&
+         plainRun_.repeats(lives_[0].state);
+}
+
+/// As `executeBlock`, of a block of the stretch.
+void RegionRun::goOnOnce(Live &live) {
+  run_.visits.begin();
+  keepBefore(live.state);
+  move_->make(*block_, unit_.source.id(), before_, live.state);
+  stateUse |= blockUse_;
+  run_.visits.visit(live.path);
+  if (block_->number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
+    runsInto(live);
+  run_.listeners.executed(stepOf(live), true, run_.stopped);
+  run_.endStop();
+  at_ = next_;
+  if (recorder_)
+    recorder_->executed(*block_, true);
+}
+
+} // namespace ncvet
