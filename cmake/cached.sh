@@ -2,17 +2,14 @@
 # Runs a compiler by ccache, precompiled headers included.
 #
 # ccache declines what uses a precompiled header unless it may trust the header's own time and
-# defines, and needs g++ to name the header in the preprocessed text. A header that is being
-# precompiled must not have that option: preprocessing would take the old precompiled one for it,
-# and the cache give back a stale header.
+# defines, and needs g++ to name the header in the preprocessed text. The header itself is compiled
+# each time: it holds the paths of its tree, and one from another tree would bring the text of that.
+case " $* " in
+*" c++-header "*) exec "$@" ;;
+esac
 case $1 in
 *clang*) ;;
-*)
-  case " $* " in
-  *" c++-header "*) ;;
-  *) set -- "$@" -fpch-preprocess ;;
-  esac
-  ;;
+*) set -- "$@" -fpch-preprocess ;;
 esac
 # Paths below the top are hashed as relative ones: clones and work trees share what they compile.
 top=$(cd "$(dirname "$0")/.." && pwd)

@@ -11,12 +11,15 @@ namespace ncvet {
 namespace {
 constexpr uint16_t axisBit(Axis axis) { return uint16_t(1u << unsigned(axis)); }
 
-/// The block only says which one runs next: nothing of it reaches the axes.
+/// The block is a bracket or a condition of structured flow: nothing of it reaches the axes. A jump
+/// alone is a block like others.
 bool branchesOnly(const Block &block) {
-  return block.words.empty() && !block.items.empty() &&
-         llvm::all_of(block.items, [](const Item &item) {
-           return item.kind == ItemKind::Structure || item.kind == ItemKind::Jump ||
-                  item.kind == ItemKind::If;
+  const auto branches = [](const Item &item) {
+    return item.kind == ItemKind::Structure || item.kind == ItemKind::If;
+  };
+  return block.words.empty() && llvm::any_of(block.items, branches) &&
+         llvm::all_of(block.items, [&](const Item &item) {
+           return branches(item) || item.kind == ItemKind::Jump;
          });
 }
 

@@ -82,7 +82,8 @@ private:
   /// The tool is the one that is in use, with another offset; or compensation is for the new tool.
   static bool staysOrBegins(const RuleContext &ctx) {
     const MachineState &before = ctx.before();
-    return (before.tool != notSet && before.tool == ctx.after().tool) ||
+    return (before.tool != notSet && before.tool == ctx.after().tool &&
+            !ctx.find({Action::ToolChange})) ||
            (before.compensationActive(ctx.dialect()) == Truth::No &&
             ctx.find({Action::CompensationLeft, Action::CompensationRight}));
   }

@@ -14,6 +14,7 @@ struct CompensationWithoutOffsetMemory {
 class CompensationWithoutOffset final : public StatefulRule<CompensationWithoutOffsetMemory> {
 public:
   void listen(Subscriptions &to) override {
+    mayChangeByT_ = to.flag("mayChangeByT");
     // A mill whose language has no D takes the radius from elsewhere.
     const Dialect &dialect = to.dialect();
     if (!dialect.isLathe() && !dialect.offsetsOfTool &&
@@ -164,8 +165,7 @@ private:
   }
 
   /// The radius comes with the tool, without a number of its own.
-  static void ofTool(const CodeInfo &code, SourceRange where, const Event &event,
-                     RuleContext &ctx) {
+  void ofTool(const CodeInfo &code, SourceRange where, const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     // A stock makes a radius of its own, without any tool.
     if (const std::string &stock = ctx.dialect().toolRadius.allowance; !stock.empty()) {
@@ -177,7 +177,7 @@ private:
     }
     const bool empty = state.tool == 0;
     const bool none = state.tool == notSet && !state.may(Fact::ToolCalled) &&
-                      !state.may(Fact::UnknownCode) && !changesByT(ctx);
+                      !state.may(Fact::UnknownCode) && !(mayChangeByT_ && changesByT(ctx));
     // A list of tools is complete, and says the radius of those that have one.
     const ToolData *listed =
         ctx.asked() ? compensatingTool(ctx.dialect(), ctx.machine(), state) : nullptr;
@@ -202,7 +202,8 @@ private:
 
   double greatestTip_ = 9; ///< of the directions that the control has
   bool intersects_ = false;
-  AddressMask angles_ = 0; ///< of lines that are given by their direction
+  bool mayChangeByT_ = false; ///< on some machines of the control T changes the tool by itself
+  AddressMask angles_ = 0;    ///< of lines that are given by their direction
 };
 
 } // namespace

@@ -15,6 +15,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::CycleRun});
     passes_ = to.flag("passes");
+    mayPassWhenLeaving_ = to.flag("mayPassWhenLeaving");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -42,7 +43,7 @@ public:
   }
 
 private:
-  static void rough(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+  void rough(const Event &event, const CodeInfo &code, RuleContext &ctx) const {
     if (ctx.outcome().flow.kind != FlowKind::Profile)
       return;
     const Interval &startX = ctx.after().at(Axis::X), &startZ = ctx.after().at(Axis::Z);
@@ -86,7 +87,7 @@ private:
     else if (profile.side == Side::Unknown && start < greatest - startTolerance &&
              start > least + startTolerance)
       over = std::min(greatest - start, start - least);
-    if (over <= 0 || leavesOnly(profile, start))
+    if (over <= 0 || (mayPassWhenLeaving_ && leavesOnly(profile, start)))
       return;
     if (auto finding = ctx.report(event, event.certain))
       finding
@@ -196,6 +197,7 @@ private:
     return false;
   }
 
+  bool mayPassWhenLeaving_ = false;
   bool passes_ = false; ///< single passes too: a bar that bores looks the same in the text
 };
 
