@@ -21,17 +21,6 @@ constexpr uint64_t unreadablePartOfNamed = 5; // a fifth
 constexpr uint64_t fewestWrong = 3;
 constexpr uint64_t wrongPart = 20; // a twentieth
 
-/// So many blocks that no control reads, among so many with words that are wrong, in a text of so
-/// many blocks for each of them: whatever the text is for, it is no program that somebody runs.
-constexpr uint64_t fewestMixedUnreadable = 4;
-constexpr uint64_t fewestMixed = 6;
-constexpr uint64_t mixedPart = 8; // an eighth
-constexpr size_t fewestKinds = 2; // of faults: one and the same in many blocks is a habit
-/// The same where hardly two faults are alike: somebody tries out what can be wrong.
-constexpr uint64_t fewestVaried = 4;
-constexpr uint64_t variedPart = 16; // a sixteenth
-constexpr size_t manyKinds = 4;
-
 /// What a control says to the language of another one: no block, no code, no word of its own.
 bool isOfLanguage(const Finding &finding) {
   const llvm::StringRef category = allRules()[finding.rule].info.category;
@@ -41,7 +30,6 @@ bool isOfLanguage(const Finding &finding) {
 /// The lines of one file with findings that are no advice.
 struct WrongLines {
   std::set<uint32_t> all, ofLanguage, unreadable;
-  std::set<RuleId> kinds;         ///< the rules that speak of the language
   const Finding *first = nullptr; ///< the first that cannot be read, else the first
 
   WrongLines(const LineIndex &lines, FileId file, llvm::ArrayRef<Finding> findings) {
@@ -53,10 +41,8 @@ struct WrongLines {
 private:
   void add(const Finding &finding, uint32_t line) {
     all.insert(line);
-    if (isOfLanguage(finding)) {
+    if (isOfLanguage(finding))
       ofLanguage.insert(line);
-      kinds.insert(finding.rule);
-    }
     const bool isSyntax = allRules()[finding.rule].info.category == "syntax";
     if (isSyntax)
       unreadable.insert(line);
@@ -77,15 +63,6 @@ bool areMany(const std::set<uint32_t> &lines, uint64_t blocks) {
 /// In a short text a block or two that cannot be read are enough.
 bool areSome(const std::set<uint32_t> &lines, uint64_t blocks) {
   return !lines.empty() && lines.size() * wrongPart >= blocks;
-}
-
-/// Faults of several kinds in a good part of the text.
-bool areMixed(const WrongLines &wrong, uint64_t blocks) {
-  const uint64_t lines = wrong.ofLanguage.size();
-  const bool varied = wrong.kinds.size() >= manyKinds && lines >= fewestVaried &&
-                      wrong.unreadable.size() + 1 >= fewestVaried && lines * variedPart >= blocks;
-  return varied || (wrong.unreadable.size() >= fewestMixedUnreadable && lines >= fewestMixed &&
-                    wrong.kinds.size() >= fewestKinds && lines * mixedPart >= blocks);
 }
 
 } // namespace
@@ -109,18 +86,12 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
     other = {};
     counted = &wrong.unreadable;
   }
-  const bool mixed = !counted && areMixed(wrong, origin.blocks);
-  if (mixed) {
-    other = {};
-    counted = &wrong.ofLanguage;
-  }
   if (!counted)
     return;
   Finding one = *wrong.first;
   const std::string cause =
-      mixed                ? "are not as this control reads them, for several reasons"
-      : other.name.empty() ? "cannot be read: the text is no program of this control"
-                           : "are for another control: " + other.name + " (" + other.marks + ")";
+      other.name.empty() ? "cannot be read: the text is no program of this control"
+                         : "are for another control: " + other.name + " (" + other.marks + ")";
   one.message =
       llvm::formatv("{0} of {1} blocks {2}; the first: {3}", counted->size(),
                     std::max<uint64_t>(origin.blocks, counted->size()), cause, one.message);

@@ -89,12 +89,6 @@ TEST(NearSilence, ATurretMayTurnWhereG01HasLedOutOfThePart) {
               ElementsAre("9 tool-change-near-part"));
 }
 
-TEST(NearSilence, FaultsOfManyKindsInAGoodPartOfATextAreToldOnce) {
-  const std::string text = "G0[10] X5\n1.3 X4\nG1 X==5 F100\nX5)\nDEF REAL\nG1 X(5\n"
-                           "IF R1==\nG999 X1\nM30\n";
-  EXPECT_EQ(1u, loud("sinumerik", text).size());
-}
-
 TEST(NearSilence, TheContourOfATurningCycleNeedsNoFeed) {
   EXPECT_THAT(loud("sinumerik", "G18 G90 G95 DIAMON\nLIMS=3000\nT1 D1\nG54\nG96 S200 M4\n"
                                 "G0 X62 Z2\nCYCLE95(\"A:B\",2,0.1,0.2,,0.3,0.15,0.12,9)\n"
