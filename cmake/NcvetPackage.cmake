@@ -14,7 +14,7 @@ foreach(layer IN LISTS layers)
 endforeach()
 add_dependencies(ncvet_static ncvet ${layers})
 target_link_libraries(ncvet_static PRIVATE $<TARGET_FILE:LLVMSupport> $<TARGET_FILE:LLVMDemangle>
-                      ${NCVET_STATIC_Z} ${NCVET_STATIC_TINFO})
+                      ${NCVET_RE2} ${NCVET_STATIC_Z} ${NCVET_STATIC_TINFO})
 # The linker warns of lookups of users by name, which a home folder that HOME names does not need.
 target_link_options(ncvet_static PRIVATE -static -Wl,--no-warnings)
 

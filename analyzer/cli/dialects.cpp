@@ -4,7 +4,6 @@
 #include "formats/text/failure.h"
 
 #include "llvm/Support/Format.h"
-#include "llvm/Support/Regex.h"
 #include "llvm/Support/raw_ostream.h"
 
 namespace ncvet::cli {

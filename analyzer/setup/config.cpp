@@ -95,26 +95,80 @@ std::string unknownProfile(const std::string &name) {
   return "unknown profile \"" + name + "\"" + suggest(name, known);
 }
 
-/// Paths of a list, joined with the folder.
-void takePaths(const std::optional<std::vector<std::string>> &given, llvm::StringRef folder,
-               std::vector<std::string> &target) {
-  if (!given)
-    return;
-  target.clear();
-  for (const std::string &name : *given)
-    target.push_back(joined(folder, name));
+std::vector<std::string> joinedPaths(llvm::ArrayRef<std::string> names, llvm::StringRef folder) {
+  std::vector<std::string> paths;
+  for (const std::string &name : names)
+    paths.push_back(joined(folder, name));
+  return paths;
 }
 
-void takeGlobs(JsonReader &in, const Json &json, const char *key,
-               std::optional<std::vector<std::string>> &&given, std::vector<std::string> &target) {
-  if (!given)
-    return;
-  checkEach(in, json, key, *given, [](llvm::StringRef text) -> llvm::Error {
+void takeGlobs(JsonReader &in, const Json &json, const char *key, std::vector<std::string> &&given,
+               std::vector<std::string> &target) {
+  checkEach(in, json, key, given, [](llvm::StringRef text) -> llvm::Error {
     auto glob = llvm::GlobPattern::create(text);
     return glob ? llvm::Error::success()
                 : failure("a glob is expected: " + messageOf(glob.takeError()));
   });
-  target = std::move(*given);
+  target = std::move(given);
+}
+
+/// An object of settings in a file: the whole configuration, or one of its overrides.
+struct SettingsObject {
+  const Json &json;
+  const JsonLayer &layer;
+  JsonPath at; ///< where it is in the file
+};
+
+std::optional<MachineSource> readMachineOf(JsonReader &in, const SettingsObject &object,
+                                           std::vector<std::string> &readFrom) {
+  const auto &[json, layer, at] = object;
+  const Json *machine = in.member(json, "machine");
+  if (!machine)
+    return std::nullopt;
+  if (machine->is_object()) {
+    const llvm::StringRef whole = layer.text;
+    const size_t begin = at.empty() ? 0 : findJsonPlace(whole, at).value_or(0);
+    const llvm::StringRef inside =
+        findJsonMember(whole.drop_front(begin), "machine").value_or(whole);
+    // Empty lines before it keep the line numbers of messages right.
+    const unsigned line = lineAt(whole, size_t(inside.data() - whole.data()));
+    return MachineSource{layer.name, std::string(line - 1, '\n') + inside.str()};
+  }
+  if (machine->is_string()) {
+    const std::string name =
+        joined(path::parent_path(layer.name), machine->get_ref<const std::string &>());
+    readFrom.push_back(name);
+    if (auto profile = readText(name))
+      return MachineSource{name, std::move(*profile)};
+    else
+      in.fail(*machine, messageOf(profile.takeError()));
+  } else {
+    in.fail(*machine, "a path or a machine profile { … } is expected");
+  }
+  return std::nullopt;
+}
+
+/// The keys that a configuration and its overrides share: `given`, as read, into `target`. What is
+/// not there leaves the target as it is.
+template <typename Given, typename Target>
+void takeFileSettings(JsonReader &in, const SettingsObject &object, Given &&given, Target &target,
+                      std::vector<std::string> &readFrom) {
+  const auto &[json, layer, at] = object;
+  const llvm::StringRef folder = path::parent_path(layer.name);
+  takeRuleSettings(in, json, std::move(given.rules), target.rules);
+  if (const auto &name = given.dialect) {
+    target.dialect = llvm::StringRef(*name).endswith(".json") ? joined(folder, *name) : *name;
+    JsonPath place = at;
+    place.push_back({"dialect", 0, false});
+    const unsigned line = lineAt(layer.text, findJsonPlace(layer.text, place).value_or(0));
+    target.dialectPlace = layer.name + ":" + std::to_string(line) + ": " + toString(place);
+  }
+  if (given.searchFolders)
+    target.searchFolders = joinedPaths(*given.searchFolders, folder);
+  if (auto machine = readMachineOf(in, object, readFrom))
+    target.machine = std::move(machine);
+  if (given.failOn)
+    target.failOn = llvm::cantFail(parseFailOn(failOnNames()[*given.failOn]));
 }
 
 class ConfigReader {
@@ -126,8 +180,7 @@ public:
 private:
   llvm::Error readExtended(JsonReader &in, const Json &json, const ConfigFile &given,
                            llvm::StringRef folder, unsigned depth);
-  void readMachine(JsonReader &in, const Json &json, llvm::StringRef file, llvm::StringRef text,
-                   llvm::StringRef folder);
+  void readOverrides(JsonReader &in, const Json &json, const JsonLayer &layer);
 
   Config &config_;
 };
@@ -157,25 +210,25 @@ llvm::Error ConfigReader::readExtended(JsonReader &in, const Json &json, const C
   return read(base, depth + 1);
 }
 
-void ConfigReader::readMachine(JsonReader &in, const Json &json, llvm::StringRef file,
-                               llvm::StringRef text, llvm::StringRef folder) {
-  const Json *machine = in.member(json, "machine");
-  if (!machine)
+void ConfigReader::readOverrides(JsonReader &in, const Json &json, const JsonLayer &layer) {
+  const Json *overrides = in.member(json, "overrides");
+  if (!overrides || !overrides->is_array())
     return;
-  if (machine->is_object()) {
-    const llvm::StringRef inside = findJsonMember(text, "machine").value_or(text);
-    // Empty lines before it keep the line numbers of messages right.
-    const unsigned line = lineAt(text, size_t(inside.data() - text.data()));
-    config_.machine = MachineSource{file.str(), std::string(line - 1, '\n') + inside.str()};
-  } else if (machine->is_string()) {
-    const std::string name = joined(folder, machine->get_ref<const std::string &>());
-    config_.readFrom.push_back(name);
-    if (auto profile = readText(name))
-      config_.machine = MachineSource{name, std::move(*profile)};
-    else
-      in.fail(*machine, messageOf(profile.takeError()));
-  } else {
-    in.fail(*machine, "a path or a machine profile { … } is expected");
+  for (size_t i = 0; i < overrides->size(); ++i) {
+    const Json &entry = (*overrides)[i];
+    OverrideFile given;
+    readInto(in, entry, overrideRecord, given);
+    if (in.failed())
+      return;
+    ConfigOverride override;
+    override.folder = path::parent_path(layer.name).str();
+    override.place = layer.name + ": overrides[" + std::to_string(i) + "]";
+    const JsonPath at{{"overrides", 0, false}, {"", i, true}};
+    takeFileSettings(in, {entry, layer, at}, std::move(given), override, config_.readFrom);
+    takeGlobs(in, entry, "files", std::move(given.files), override.files);
+    for (auto key = entry.begin(); key != entry.end(); ++key)
+      override.given[key.key()] = jsonText(*key);
+    config_.overrides.push_back(std::move(override));
   }
 }
 
@@ -202,20 +255,14 @@ llvm::Error ConfigReader::read(llvm::StringRef file, unsigned depth) {
     config_.setBy[entry.key()] = file.str();
     config_.given[entry.key()] = jsonText(*entry);
   }
-  takeRuleSettings(in, *json, std::move(given.rules), config_.rules);
-  if (const auto &name = given.dialect) {
-    config_.dialect = llvm::StringRef(*name).endswith(".json") ? joined(folder, *name) : *name;
-    const auto place = findJsonPlace(*text, JsonPath{{"dialect", 0, false}});
-    config_.dialectPlace =
-        (file + ":" + llvm::Twine(lineAt(*text, place.value_or(0))) + ": dialect").str();
-  }
-  takePaths(given.dialects, folder, config_.dialectFiles);
-  takePaths(given.searchFolders, folder, config_.searchFolders);
-  readMachine(in, *json, file, *text, folder);
-  takeGlobs(in, *json, "files", std::move(given.files), config_.files);
-  takeGlobs(in, *json, "exclude", std::move(given.exclude), config_.exclude);
-  if (given.failOn)
-    config_.failOn = llvm::cantFail(parseFailOn(failOnNames()[*given.failOn]));
+  if (given.dialects)
+    config_.dialectFiles = joinedPaths(*given.dialects, folder);
+  if (given.files)
+    takeGlobs(in, *json, "files", std::move(*given.files), config_.files);
+  if (given.exclude)
+    takeGlobs(in, *json, "exclude", std::move(*given.exclude), config_.exclude);
+  takeFileSettings(in, {*json, layer, {}}, std::move(given), config_, config_.readFrom);
+  readOverrides(in, *json, layer);
   return in.takeError();
 }
 
@@ -236,6 +283,31 @@ llvm::Expected<Config> loadConfig(llvm::StringRef file) {
   if (llvm::Error wrong = ConfigReader(config).read(file, 0))
     return wrong;
   return config;
+}
+
+Config overridden(const Config &config, llvm::ArrayRef<size_t> which) {
+  Config result = config;
+  for (const size_t index : which) {
+    const ConfigOverride &over = config.overrides[index];
+    result.furtherRules.push_back(over.rules);
+    if (over.dialect) {
+      result.dialect = *over.dialect;
+      result.dialectPlace = over.dialectPlace;
+    }
+    if (over.machine)
+      result.machine = over.machine;
+    if (over.searchFolders)
+      result.searchFolders = *over.searchFolders;
+    if (over.failOn)
+      result.failOn = over.failOn;
+    for (const auto &[key, value] : over.given) {
+      if (key == "files")
+        continue;
+      result.given[key] = value;
+      result.setBy[key] = over.place;
+    }
+  }
+  return result;
 }
 
 std::string findConfig(llvm::StringRef folder) {

@@ -9,8 +9,6 @@
 #include "llvm/Support/Path.h"
 #include <nlohmann/json.hpp>
 
-#include <array>
-
 namespace ncvet {
 
 namespace {
@@ -43,113 +41,6 @@ std::vector<std::string> firstLines(llvm::StringRef text) {
   }
   return lines;
 }
-
-/// A bit for each character that programs are made of, 0 for all others.
-constexpr std::array<uint64_t, 256> makeCharBits() {
-  std::array<uint64_t, 256> bits{};
-  uint64_t bit = 1;
-  for (const char c : "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.,:;#%()[]=+-*/<>&'_") {
-    bits[static_cast<unsigned char>(c)] = c ? bit : 0;
-    bit <<= 1;
-  }
-  return bits;
-}
-constexpr std::array<uint64_t, 256> charBitTable = makeCharBits();
-
-uint64_t charBit(char c) { return charBitTable[static_cast<unsigned char>(c)]; }
-
-uint64_t charBits(llvm::StringRef text) {
-  uint64_t bits = 0;
-  for (const char c : text)
-    bits |= charBit(c);
-  return bits;
-}
-
-/// What a line must hold for a pattern to match, one entry for each alternative of the pattern:
-/// most lines need no look at most patterns. Errs on the side of too little.
-class RequiredText {
-public:
-  explicit RequiredText(llvm::StringRef pattern) : rest_(pattern) {
-    while (!rest_.empty()) {
-      if (rest_.consume_front("|")) {
-        endAlternative();
-        continue;
-      }
-      const char atom = readAtom();
-      const char repeat = rest_.empty() ? 0 : rest_.front();
-      const bool optional = isOptional();
-      if (atom && !optional) {
-        required_.chars |= charBit(atom);
-        run_ += atom;
-      }
-      if (!atom || optional || repeat == '+' || repeat == '{')
-        endRun();
-    }
-    endAlternative();
-  }
-  std::vector<RequiredInLine> take() { return std::move(alternatives_); }
-
-private:
-  /// What comes next need not follow at once.
-  void endRun() {
-    if (run_.size() > required_.text.size())
-      required_.text = run_;
-    run_.clear();
-  }
-  void endAlternative() {
-    endRun();
-    alternatives_.push_back(std::exchange(required_, {}));
-  }
-
-  /// A literal character; 0 for what may be one of several.
-  char readAtom() {
-    const char c = rest_.front();
-    rest_ = rest_.drop_front();
-    if (c == '\\' && !rest_.empty()) {
-      const char literal = rest_.front();
-      rest_ = rest_.drop_front();
-      return literal;
-    }
-    if (c == '[') {
-      const size_t end = rest_.find(']', 1); // a bracket that is first is a member
-      const char only = end == 1 ? rest_.front() : char(0);
-      rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
-      return only;
-    }
-    if (c == '(') {
-      skipGroup();
-      return 0;
-    }
-    return llvm::StringRef("^$.*+?{}").contains(c) ? char(0) : c;
-  }
-
-  void skipGroup() {
-    for (unsigned depth = 1; depth && !rest_.empty();) {
-      const char c = rest_.front();
-      size_t length = c == '\\' ? 2 : 1;
-      if (c == '[')
-        length = std::min(rest_.find(']', 2), rest_.size() - 1) + 1;
-      depth += c == '(' ? 1 : 0;
-      depth -= c == ')' ? 1 : 0;
-      rest_ = rest_.drop_front(std::min(length, rest_.size()));
-    }
-  }
-
-  bool isOptional() {
-    bool optional = false;
-    while (!rest_.empty() && llvm::StringRef("*+?{").contains(rest_.front())) {
-      optional |= rest_.front() != '+';
-      const size_t end = rest_.front() == '{' ? rest_.find('}') : 0;
-      rest_ = rest_.drop_front(std::min(rest_.size(), end + 1));
-    }
-    return optional;
-  }
-
-  llvm::StringRef rest_;
-  RequiredInLine required_; ///< of the current alternative
-  std::string run_;         ///< characters that follow each other at once, up to here
-  std::vector<RequiredInLine> alternatives_;
-};
 
 void addEndings(llvm::ArrayRef<DialectSummary> dialects, ProgramEndings &endings) {
   for (const DialectSummary &dialect : dialects)
@@ -238,14 +129,6 @@ llvm::Expected<Detector> Detector::create(llvm::ArrayRef<DialectSummary> own) {
   return detector;
 }
 
-bool Detector::Mark::matches(llvm::StringRef line, uint64_t chars) const {
-  return llvm::any_of(required,
-                      [&](const RequiredInLine &one) {
-                        return (chars & one.chars) == one.chars && line.contains(one.text);
-                      }) &&
-         pattern.match(line);
-}
-
 llvm::Error Detector::addMarks() {
   for (size_t i = 0; i < dialects_.size(); ++i)
     if (llvm::Error wrong = addMarks(dialects_[i].detect, i, "dialect " + dialects_[i].id))
@@ -253,7 +136,7 @@ llvm::Error Detector::addMarks() {
   for (size_t i = 0; i < others_.size(); ++i)
     if (llvm::Error wrong = addMarks(others_[i].marks, dialects_.size() + i, others_[i].name))
       return wrong;
-  return llvm::Error::success();
+  return patterns_.compile();
 }
 
 llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
@@ -261,52 +144,22 @@ llvm::Error Detector::addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidat
   for (const DetectMark &mark : marks) {
     const auto [known, isNew] = markOfPattern_.try_emplace(mark.pattern, marks_.size());
     if (isNew) {
-      marks_.push_back({llvm::Regex(mark.pattern), RequiredText(mark.pattern).take(), {}, false});
-      std::string why;
-      if (!marks_.back().pattern.isValid(why))
-        return failure(owner + ": pattern \"" + mark.pattern + "\": " + why);
+      auto number = patterns_.add(mark.pattern);
+      if (!number)
+        return failure(owner + ": " + llvm::toString(number.takeError()));
+      marks_.resize(*number + 1);
     }
     marks_[known->second].votes.push_back({candidate, mark.score, mark.reason});
   }
   return llvm::Error::success();
 }
 
-/// Which marks match one of the lines.
-std::vector<bool> Detector::matching(llvm::ArrayRef<std::string> lines) const {
-  std::vector<uint64_t> chars;
-  for (const std::string &line : lines)
-    chars.push_back(charBits(line));
-  std::vector<bool> found(marks_.size());
-  for (size_t mark = 0; mark < marks_.size(); ++mark)
-    for (size_t i = 0; i < lines.size() && !found[mark]; ++i)
-      found[mark] = marks_[mark].matches(lines[i], chars[i]);
-  return found;
-}
-
-/// The same, with a look at those lines only that are not known.
-std::vector<bool> Detector::matching(llvm::ArrayRef<std::string> lines, LineMarks &known) const {
-  constexpr size_t mostLines = 4 * shownLines;
-  if (known.size() > mostLines)
-    known.clear();
-  std::vector<bool> found(marks_.size());
-  for (const std::string &line : lines) {
-    const auto [entry, isNew] = known.try_emplace(line);
-    if (isNew) {
-      const uint64_t chars = charBits(line);
-      for (size_t mark = 0; mark < marks_.size(); ++mark)
-        if (marks_[mark].matches(line, chars))
-          entry->second.push_back(mark);
-    }
-    for (const size_t mark : entry->second)
-      found[mark] = true;
-  }
-  return found;
-}
-
-std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName, llvm::StringRef text,
-                                              LineMarks *known) const {
-  const std::vector<std::string> lines = firstLines(text);
-  const std::vector<bool> found = known ? matching(lines, *known) : matching(lines);
+std::vector<Detector::Score> Detector::scores(llvm::StringRef fileName,
+                                              llvm::StringRef text) const {
+  std::vector<bool> found(marks_.size()); // in one of the lines
+  for (const std::string &line : firstLines(text))
+    for (const int mark : patterns_.matching(line))
+      found[size_t(mark)] = true;
   std::vector<Score> scores(dialects_.size() + others_.size());
   for (size_t mark = 0; mark < marks_.size(); ++mark)
     if (found[mark])
@@ -347,8 +200,8 @@ std::string Detector::Score::reason() const {
   return text;
 }
 
-Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text, LineMarks *known) const {
-  const std::vector<Score> all = scores(fileName, text, known);
+Detection Detector::detect(llvm::StringRef fileName, llvm::StringRef text) const {
+  const std::vector<Score> all = scores(fileName, text);
   const auto less = [](const Score &a, const Score &b) { return a.value < b.value; };
   // The first of equals: dialects that are preferred are first.
   const auto firstOther = all.begin() + ptrdiff_t(dialects_.size());

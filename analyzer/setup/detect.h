@@ -1,9 +1,8 @@
 // Detection: which control a program was most likely written for, by its name and its text.
 #pragma once
 
+#include "analyzer/setup/pattern_set.h"
 #include "formats/dialect/loader.h"
-
-#include "llvm/Support/Regex.h"
 
 namespace ncvet {
 
@@ -31,12 +30,6 @@ struct ProgramEndings {
   std::vector<std::string> loose; ///< of many things: the text decides; "" is no ending at all
 };
 
-/// What a line holds wherever a pattern matches.
-struct RequiredInLine {
-  uint64_t chars = 0; ///< a bit for each character
-  std::string text;   ///< the longest of its texts
-};
-
 /// Scores programs by the marks of the tables. Made once, then used by several threads.
 class Detector {
 public:
@@ -47,20 +40,14 @@ public:
   static llvm::Expected<ProgramEndings> builtinEndings();
   /// Bytes of a text that are looked at.
   static constexpr size_t shownBytes = 16 * 1024;
-  /// The marks that match a line, by the line. For a text that is looked at again and again.
-  using LineMarks = llvm::StringMap<std::vector<size_t>>;
-  /// The dialect of a program, from its file name's ending and its first blocks. `known`: lines
-  /// that were looked at before, to which the new ones are added.
-  Detection detect(llvm::StringRef fileName, llvm::StringRef text,
-                   LineMarks *known = nullptr) const;
+  /// The dialect of a program, from its file name's ending and its first blocks.
+  Detection detect(llvm::StringRef fileName, llvm::StringRef text) const;
   /// Endings that programs have in folders.
   const ProgramEndings &endings() const { return endings_; }
   const UnsureReports &unsure() const { return unsure_; }
 
 private:
   struct Mark {
-    llvm::Regex pattern;
-    std::vector<RequiredInLine> required; ///< one of them
     /// (index of the candidate, score, reason): equal patterns are looked for once.
     struct Vote {
       size_t candidate;
@@ -68,9 +55,7 @@ private:
       std::string reason;
     };
     std::vector<Vote> votes;
-    bool habit; ///< programs for several controls have it
-
-    bool matches(llvm::StringRef line, uint64_t chars) const;
+    bool habit = false; ///< programs for several controls have it
   };
 
   /// What speaks for a candidate.
@@ -88,9 +73,7 @@ private:
     std::vector<DetectMark> marks;
   };
   static llvm::Expected<DetectFile> readTable();
-  std::vector<bool> matching(llvm::ArrayRef<std::string> lines) const;
-  std::vector<bool> matching(llvm::ArrayRef<std::string> lines, LineMarks &known) const;
-  std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text, LineMarks *known) const;
+  std::vector<Score> scores(llvm::StringRef fileName, llvm::StringRef text) const;
   llvm::Error addMarks();
   llvm::Error addMarks(llvm::ArrayRef<DetectMark> marks, size_t candidate,
                        const llvm::Twine &owner);
@@ -98,7 +81,8 @@ private:
   /// Candidates are the dialects, those that are preferred first, then the other controls.
   std::vector<DialectSummary> dialects_;
   std::vector<OtherControl> others_;
-  std::vector<Mark> marks_;
+  PatternSet patterns_;
+  std::vector<Mark> marks_; ///< by the number of the pattern
   llvm::StringMap<size_t> markOfPattern_;
   ProgramEndings endings_;
   UnsureReports unsure_;

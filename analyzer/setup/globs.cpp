@@ -2,6 +2,7 @@
 #include "analyzer/setup/globs.h"
 
 #include "llvm/ADT/STLExtras.h"
+#include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
 
 #include <algorithm>
@@ -93,6 +94,21 @@ bool Globs::match(llvm::StringRef path) const {
     return llvm::any_of(globs, [&](const Glob &glob) { return matches(glob, text); });
   };
   return matchesIn(ofPaths_, path) || matchesIn(ofNames_, llvm::sys::path::filename(path));
+}
+
+std::string pathBelow(llvm::StringRef folder, llvm::StringRef file) {
+  llvm::SmallString<256> from(folder), to(file);
+  const bool isFolder = file.endswith("/");
+  if (llvm::sys::fs::make_absolute(from) || llvm::sys::fs::make_absolute(to))
+    return file.str();
+  llvm::sys::path::remove_dots(from, true);
+  llvm::sys::path::remove_dots(to, true);
+  llvm::StringRef name = to;
+  if (name.consume_front(from) && name.startswith("/"))
+    name = name.ltrim('/');
+  else
+    name = to;
+  return isFolder ? (name + "/").str() : name.str();
 }
 
 } // namespace ncvet

@@ -37,4 +37,8 @@ private:
   std::vector<Glob> ofNames_, ofPaths_;
 };
 
+/// `file` as seen from `folder`, with `/` as separator; its whole path when it is not below it. A
+/// `/` at its end stays.
+std::string pathBelow(llvm::StringRef folder, llvm::StringRef file);
+
 } // namespace ncvet

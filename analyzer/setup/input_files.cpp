@@ -99,17 +99,17 @@ private:
   }
 
   bool isExcluded(llvm::StringRef folder, llvm::StringRef file) {
-    if (!choice_.exclude.empty() && excluded_.match(relativeTo(".", file)))
+    if (!choice_.exclude.empty() && excluded_.match(pathBelow(".", file)))
       return true;
     const Config *config = configOf(folder);
-    return config && globsOf(*config).exclude.match(relative(*config, file));
+    return config && globsOf(*config).exclude.match(pathBelow(config->folder, file));
   }
 
   bool isProgram(llvm::StringRef folder, llvm::StringRef file) {
     if (isExcluded(folder, file))
       return false;
     const Config *config = configOf(folder);
-    if (config && globsOf(*config).files.match(relative(*config, file)))
+    if (config && globsOf(*config).files.match(pathBelow(config->folder, file)))
       return true;
     std::string ending = path::extension(file).lower();
     ending.erase(0, std::min<size_t>(1, ending.size()));
@@ -141,26 +141,6 @@ private:
       return nullptr;
     }
     return config->get(); // the session keeps it
-  }
-
-  /// `file` as seen from the configuration's folder.
-  static std::string relative(const Config &config, llvm::StringRef file) {
-    return relativeTo(config.folder, file);
-  }
-
-  static std::string relativeTo(llvm::StringRef folder, llvm::StringRef file) {
-    llvm::SmallString<256> from(folder), to(file);
-    const bool isFolder = file.endswith("/");
-    if (fs::make_absolute(from) || fs::make_absolute(to))
-      return file.str();
-    path::remove_dots(from, true);
-    path::remove_dots(to, true);
-    llvm::StringRef name = to;
-    if (name.consume_front(from) && name.startswith("/"))
-      name = name.ltrim('/');
-    else
-      name = to;
-    return isFolder ? (name + "/").str() : name.str();
   }
 
   Session &session_;

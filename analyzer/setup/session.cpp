@@ -185,6 +185,28 @@ llvm::Expected<std::shared_ptr<const Config>> Session::config(llvm::StringRef fo
       });
 }
 
+llvm::Expected<std::shared_ptr<const Config>> Session::configOf(llvm::StringRef fileName) {
+  auto found = config(path::parent_path(fileName));
+  if (!found || (*found)->overrides.empty())
+    return found;
+  const Config &whole = **found; // the session keeps it
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<Globs> &globs = overrideGlobs_[&whole];
+  if (globs.empty())
+    for (const ConfigOverride &over : whole.overrides)
+      globs.emplace_back(over.files);
+  std::vector<size_t> which;
+  for (size_t i = 0; i < globs.size(); ++i)
+    if (globs[i].match(pathBelow(whole.overrides[i].folder, fileName)))
+      which.push_back(i);
+  if (which.empty())
+    return found;
+  auto &made = overridden_[{&whole, which}];
+  if (!made)
+    made = std::make_shared<const Config>(overridden(whole, which));
+  return made;
+}
+
 llvm::Expected<std::shared_ptr<const Detector>> Session::detector(const Config &config) {
   const std::string key = llvm::join(config.dialectFiles, "\n");
   return keep<std::shared_ptr<const Detector>>(
@@ -202,7 +224,9 @@ llvm::Expected<std::shared_ptr<const Detector>> Session::detector(const Config &
 
 llvm::Expected<Session::Language> Session::language(llvm::StringRef dialect, const Config &config,
                                                     const MachineSource *machine) {
+  // One file may hold several profiles.
   const std::string key = (dialect + "\n" + (machine ? machine->name : "") + "\n" +
+                           llvm::Twine(machine ? llvm::xxHash64(machine->text) : 0) + "\n" +
                            llvm::join(config.dialectFiles, "\n"))
                               .str();
   return keep<Language>(languages_, key, [&]() -> llvm::Expected<Language> {
@@ -263,9 +287,9 @@ llvm::Expected<Session::Language> Session::withRemaps(Language known, llvm::Stri
 llvm::Expected<std::shared_ptr<const RuleSelection>>
 Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
                    const UnsureReports *unsure) {
-  // A dialect lives as long as the session, so its address is its name.
+  // Both live as long as the session, so their addresses are their names.
   const std::string key = llvm::formatv("{0}\n{1}\n{2}", static_cast<const void *>(dialect.get()),
-                                        config.file, unsure != nullptr)
+                                        static_cast<const void *>(&config), unsure != nullptr)
                               .str();
   return keep<std::shared_ptr<const RuleSelection>>(
       selections_, key, [&]() -> llvm::Expected<std::shared_ptr<const RuleSelection>> {
@@ -282,6 +306,8 @@ Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &
         for (const RuleSettings &layer : *layers)
           applySettings(*selection, layer);
         applySettings(*selection, config.rules);
+        for (const RuleSettings &layer : config.furtherRules)
+          applySettings(*selection, layer);
         applySettings(*selection, options_.rules);
         return std::shared_ptr<const RuleSelection>(std::move(selection));
       });
@@ -303,7 +329,7 @@ Detection Session::detect(const Detector &detector, llvm::StringRef fileName,
   const std::lock_guard<std::mutex> lock(looked->mutex);
   const uint64_t head = llvm::xxHash64(text.take_front(Detector::shownBytes));
   if (!looked->detection || looked->head != head) {
-    looked->detection = detector.detect(fileName, text, options_.edited ? &looked->lines : nullptr);
+    looked->detection = detector.detect(fileName, text);
     looked->head = head;
   }
   return *looked->detection;
@@ -327,7 +353,7 @@ llvm::Expected<std::string> Session::namedDialect(FileSetup &setup,
     setup.reason = "--dialect";
   } else if (!setup.config->dialect.empty() && setup.config->dialect != "auto") {
     dialect = setup.config->dialect;
-    setup.reason = setup.config->file;
+    setup.reason = setup.config->setBy.at("dialect");
   } else if (machine) {
     auto profile = parseMachineProfile(machine->name, machine->text);
     if (!profile)
@@ -349,7 +375,9 @@ llvm::Error withPlace(llvm::Error error, const FileSetup &setup, const MachineSo
   const std::string message = llvm::toString(std::move(error));
   if (setup.detected || !llvm::StringRef(message).startswith("unknown dialect"))
     return failure(message);
-  if (!setup.config->dialectPlace.empty() && setup.reason == setup.config->file)
+  const auto &setBy = setup.config->setBy;
+  const auto said = setBy.find("dialect");
+  if (!setup.config->dialectPlace.empty() && said != setBy.end() && setup.reason == said->second)
     return failure(setup.config->dialectPlace + ": " + message);
   if (machine && llvm::StringRef(setup.reason).startswith("machine profile"))
     return failure(machine->name + ": dialect: " + message);
@@ -359,7 +387,7 @@ llvm::Error withPlace(llvm::Error error, const FileSetup &setup, const MachineSo
 } // namespace
 
 llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringRef text) {
-  auto config = this->config(path::parent_path(fileName));
+  auto config = configOf(fileName);
   if (!config)
     return config.takeError();
   FileSetup setup;

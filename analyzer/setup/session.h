@@ -6,6 +6,7 @@
 #include "analyzer/rule/rule_settings.h"
 #include "analyzer/setup/config.h"
 #include "analyzer/setup/detect.h"
+#include "analyzer/setup/globs.h"
 #include "formats/text/failure.h"
 
 #include <mutex>
@@ -23,7 +24,6 @@ struct SessionOptions {
   RuleSettings rules;
   AnalysisLimits limits;
   bool contours = false; ///< compensated contours are to be told
-  bool edited = false;   ///< texts come again and again, each time a little changed
 };
 
 /// A control that a text is for.
@@ -53,6 +53,8 @@ public:
 
   /// Configuration for the files of `folder`.
   llvm::Expected<std::shared_ptr<const Config>> config(llvm::StringRef folder);
+  /// That for one file: with the overrides that are for it.
+  llvm::Expected<std::shared_ptr<const Config>> configOf(llvm::StringRef fileName);
   /// Setup for the file of this name and text. Errors are those of configurations and tables.
   llvm::Expected<FileSetup> setup(llvm::StringRef fileName, llvm::StringRef text);
   const SessionOptions &options() const { return options_; }
@@ -92,7 +94,6 @@ private:
     std::mutex mutex;
     std::optional<Detection> detection;
     uint64_t head = 0; ///< hash of the text that it looked at
-    Detector::LineMarks lines;
   };
 
   /// The dialect that an option, the configuration or the machine names, with the reason in
@@ -120,6 +121,10 @@ private:
   std::map<std::string, std::string> configOfFolder_;
   std::map<std::pair<const Dialect *, std::string>, std::shared_ptr<const Dialect>> remapped_;
   std::map<std::string, Kept<std::shared_ptr<const Config>>> configs_; ///< by file
+  std::map<const Config *, std::vector<Globs>> overrideGlobs_;
+  /// By the configuration and the overrides that count.
+  std::map<std::pair<const Config *, std::vector<size_t>>, std::shared_ptr<const Config>>
+      overridden_;
   std::map<std::string, Kept<std::shared_ptr<const Detector>>> detectors_;
   std::map<std::string, Kept<Language>> languages_;
   std::map<std::pair<const Detector *, std::string>, std::shared_ptr<Looked>> looked_; ///< by file

@@ -21,6 +21,15 @@ struct ConfigFile {
   std::optional<uint8_t> failOn; ///< index in `failOnNames`
   std::optional<std::vector<std::string>> searchFolders, files, exclude;
 };
+/// What a configuration says of some of its files; none: nothing. `machine`, `severity` and
+/// `options` are read by those who know profiles and rules.
+struct OverrideFile {
+  std::vector<std::string> files; ///< globs
+  std::optional<std::string> dialect;
+  RuleChoices rules;
+  std::optional<uint8_t> failOn; ///< index in `failOnNames`
+  std::optional<std::vector<std::string>> searchFolders;
+};
 /// "error", "warning", "style", "never".
 llvm::ArrayRef<llvm::StringLiteral> failOnNames();
 
@@ -49,6 +58,7 @@ struct DetectFile {
 
 // config_records.cpp
 extern const RecordOf<ConfigFile> configRecord;
+extern const RecordOf<OverrideFile> overrideRecord;
 extern const RecordOf<ProfileFile> profileRecord;
 extern const RecordOf<DetectFile> detectRecord;
 

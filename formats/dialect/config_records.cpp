@@ -20,13 +20,19 @@ constexpr llvm::StringLiteral failOnLevels[] = {"error", "warning", "style", "ne
 constexpr Shape aSeverity = name("severity", severityNames), aValue = scalar,
                 optionsOfRule = mapOf(aValue), aMachine = object(machineRecord);
 
-template <size_t A, size_t B, size_t... I, size_t... J>
-constexpr std::array<Field, A + B> joined(const Field (&a)[A], const std::array<Field, B> &b,
-                                          std::index_sequence<I...>, std::index_sequence<J...>) {
+template <typename First, size_t B, size_t... I, size_t... J>
+constexpr std::array<Field, sizeof...(I) + B> joined(const First &a, const std::array<Field, B> &b,
+                                                     std::index_sequence<I...>,
+                                                     std::index_sequence<J...>) {
   return {a[I]..., b[J]...};
 }
 template <size_t A, size_t B>
 constexpr std::array<Field, A + B> joined(const Field (&a)[A], const std::array<Field, B> &b) {
+  return joined(a, b, std::make_index_sequence<A>(), std::make_index_sequence<B>());
+}
+template <size_t A, size_t B>
+constexpr std::array<Field, A + B> joined(const std::array<Field, A> &a,
+                                          const std::array<Field, B> &b) {
   return joined(a, b, std::make_index_sequence<A>(), std::make_index_sequence<B>());
 }
 
@@ -49,6 +55,34 @@ constexpr std::array<Field, 5> choiceFields() {
   };
 }
 
+/// The keys that configurations and their overrides share; `Owner` is the struct that they go into.
+template <typename Owner>
+constexpr std::array<Field, 4> fileFields() {
+  return {
+      field<&Owner::dialect>("dialect", text, "id of the control, the path of a table, or `auto`",
+                             "\"haas-mill\""),
+      elsewhere("machine", either(text, aMachine),
+                "profile of the machine: a path, or the profile itself", "\"machines/vf2.json\""),
+      field<&Owner::failOn>("failOn", name("level", failOnNames),
+                            "the least severity that makes the exit code 1", "\"warning\""),
+      field<&Owner::searchFolders>("searchFolders", texts,
+                                   "folders in which programs that are called are looked for, "
+                                   "after the caller's own",
+                                   R"(["../subprograms"])"),
+  };
+}
+
+constexpr Field ownOverrideFields[] = {
+    field<&OverrideFile::files>("files", texts,
+                                "globs of the files that the other keys are for, as those of "
+                                "`exclude`",
+                                R"(["lathe/", "*.min"])")
+        .mustBeThere(),
+};
+constexpr auto overrideFields = joined(joined(ownOverrideFields, fileFields<OverrideFile>()),
+                                       choiceFields<&OverrideFile::rules>());
+constexpr Shape anOverride = object(overrideRecord);
+
 constexpr Field ownConfigFields[] = {
     elsewhere("$schema", text, "for editors", "\"rulesets/schema/config.schema.json\""),
     field<&ConfigFile::extends>(
@@ -56,20 +90,10 @@ constexpr Field ownConfigFields[] = {
         "a profile (`recommended`, `strict`, `all`), or the path of another "
         "configuration that this one is laid over",
         "\"strict\""),
-    field<&ConfigFile::dialect>(
-        "dialect", text, "id of the control, the path of a table, or `auto`", "\"haas-mill\""),
     field<&ConfigFile::dialects>("dialects", texts,
                                  "tables of one's own, which then can be chosen and are found out "
                                  "like the built-in ones",
                                  R"(["tables/our-lathe.json"])"),
-    elsewhere("machine", either(text, aMachine),
-              "profile of the machine: a path, or the profile itself", "\"machines/vf2.json\""),
-    field<&ConfigFile::failOn>("failOn", name("level", failOnNames),
-                               "the least severity that makes the exit code 1", "\"warning\""),
-    field<&ConfigFile::searchFolders>("searchFolders", texts,
-                                      "folders in which programs that are called are looked for, "
-                                      "after the caller's own",
-                                      R"(["../subprograms"])"),
     field<&ConfigFile::files>("files", texts,
                               "globs of further part programs in folders: without `/` a glob "
                               "matches the name, else the path below this file's folder; `*` "
@@ -77,8 +101,12 @@ constexpr Field ownConfigFields[] = {
                               R"(["O[0-9]*"])"),
     field<&ConfigFile::exclude>(
         "exclude", texts, "globs of what is left out when folders are checked", R"(["old/"])"),
+    elsewhere("overrides", listOf(anOverride),
+              "other settings for some of the files; a later one goes before an earlier one",
+              R"([{"files": ["lathe/"], "dialect": "haas-lathe"}])"),
 };
-constexpr auto configFields = joined(ownConfigFields, choiceFields<&ConfigFile::rules>());
+constexpr auto configFields =
+    joined(joined(ownConfigFields, fileFields<ConfigFile>()), choiceFields<&ConfigFile::rules>());
 
 constexpr Field ownProfileFields[] = {
     elsewhere("$schema", text, "for editors", "\"../schema/profile.schema.json\""),
@@ -154,6 +182,8 @@ constexpr RecordOf<ConfigFile> configRecord{"config",
                                             "in the program's folder or above counts, "
                                             "and paths are relative to the file's own folder",
                                             configFields};
+constexpr RecordOf<OverrideFile> overrideRecord{
+    "override", "settings for some of the files of a configuration", overrideFields};
 constexpr RecordOf<ProfileFile> profileRecord{"profile", "a selection of rules", profileFields};
 constexpr RecordOf<DetectFile> detectRecord{
     "detect table", "how ncvet finds out the control of a program", detectFields};

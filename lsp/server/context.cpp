@@ -121,7 +121,6 @@ void Context::warn(const llvm::Twine &message) {
 
 std::shared_ptr<Session> Context::session(const Document &document) {
   SessionOptions options = settings.session;
-  options.edited = true;
   llvm::StringRef language = document.language;
   // Editors give it by the file's ending: a configuration knows better.
   if (language.consume_front(languagePrefix) && builtinDialects()(language))

@@ -10,6 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 Shop &withProgram(Shop &shop, const std::string &name) {
   return shop.file(name, programWithoutFeed());
@@ -42,6 +43,51 @@ TEST(Configuration, SeverityAndFailOnAreTakenFromIt) {
   shop.file(".ncvet.json", R"({"dialect": "haas-lathe", "select": ["feed-missing"],
                                "severity": {"feed": "warning"}, "failOn": "warning"})");
   EXPECT_EQ(1, shop.run({"check", "a.nc"}).exitCode);
+}
+
+TEST(Configuration, AnOverrideIsForSomeOfTheFiles) {
+  Shop shop;
+  withProgram(shop, "a.nc");
+  withProgram(shop, "old/b.nc");
+  withProgram(shop, "old/c.eia");
+  shop.file(".ncvet.json", R"({"dialect": "haas-lathe", "select": ["feed-missing"],
+    "overrides": [{"files": ["old/"], "ignore": ["feed-missing"]},
+                  {"files": ["*.eia"], "extendSelect": ["feed-missing"],
+                   "severity": {"feed-missing": "style"}}]})");
+  EXPECT_THAT(shop.findings({}), ElementsAre("a.nc:4 feed-missing", "old/c.eia:4 feed-missing"));
+  EXPECT_EQ(0, shop.run({"check", "--fail-on", "warning", "old/"}).exitCode);
+  EXPECT_THAT(shop.run({"config", "old/b.nc"}).out, HasSubstr(".ncvet.json: overrides[0])\n"));
+}
+
+TEST(Configuration, AnOverrideNamesControlAndMachine) {
+  Shop shop;
+  withProgram(shop, "mill/a.nc");
+  shop.file(".ncvet.json", R"({"dialect": "haas-lathe",
+    "machine": {"dialect": "haas-lathe", "spindle": {"maxSpeed": 10}},
+    "overrides": [{"files": ["mill/"], "dialect": "haas-mill", "failOn": "never",
+      "machine": {"dialect": "haas-mill",
+                  "spindle": {"maxSpeed": 9000}}}]})");
+  EXPECT_EQ(0, shop.run({"check"}).exitCode);
+  EXPECT_THAT(shop.run({"config", "mill/a.nc"}).out, HasSubstr("haas-mill"));
+  EXPECT_THAT(shop.run({"check", "--stats"}).err,
+              HasSubstr(".ncvet.json: overrides[0]), 5 blocks"));
+}
+
+TEST(Configuration, WhatIsWrongInAnOverrideIsNamedWithItsLine) {
+  Shop shop;
+  withProgram(shop, "a.nc");
+  const auto error = [&](const std::string &json) {
+    shop.file(".ncvet.json", json);
+    return shop.run({"check", "a.nc"}).err;
+  };
+  EXPECT_THAT(error("{\n\"overrides\": [\n{\"ignore\": [\"style\"]}]}"),
+              HasSubstr(".ncvet.json:3: overrides[0]"));
+  EXPECT_THAT(error("{\n\"overrides\": [{\"files\": [\"a\"],\n\"dialect\": \"none\"}]}"),
+              Not(HasSubstr("unknown dialect"))); // it is for no file here
+  EXPECT_THAT(error("{\n\"overrides\": [{\"files\": [\"*.nc\"],\n\"dialect\": \"none\"}]}"),
+              HasSubstr(".ncvet.json:3: overrides[0].dialect: unknown dialect"));
+  EXPECT_THAT(error("{\"overrides\": [{\"files\": [\"*\"],\n\"extends\": \"strict\"}]}"),
+              HasSubstr("overrides[0].extends: unknown key"));
 }
 
 TEST(Configuration, ExtendsAnotherFile) {

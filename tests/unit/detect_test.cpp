@@ -39,20 +39,6 @@ TEST(Detection, TextThatSaysNothingIsReadAsTheUsualControl) {
   EXPECT_NE("", empty.dialect);
 }
 
-TEST(Detection, LinesThatAreKnownSayTheSameAgain) {
-  Detector::LineMarks known;
-  for (const std::string &text : {std::string(mill), "G0 X0\n" + std::string(mill),
-                                  std::string("CYCLE81(1,0,2,-5)\nM30\n"), std::string(mill)}) {
-    const Detection fresh = detector().detect("a.mpf", text);
-    const Detection again = detector().detect("a.mpf", text, &known);
-    EXPECT_EQ(again.dialect, fresh.dialect);
-    EXPECT_EQ(again.reason, fresh.reason);
-    EXPECT_EQ(again.sure, fresh.sure);
-    EXPECT_EQ(again.other, fresh.other);
-  }
-  EXPECT_TRUE(known.count("N30 S2000 M3"));
-}
-
 TEST(Detection, DoesNotDependOnCaseOrLineEnds) {
   std::string crlf;
   for (const char c : llvm::StringRef(mill).lower()) {
