@@ -63,7 +63,8 @@ TEST(Documents, ShowWhatTheirCommandsPrint) {
     for (const Shown &command : shownCommands(document.text)) {
       llvm::SmallVector<llvm::StringRef, 4> words;
       llvm::StringRef(command.arguments).split(words, ' ');
-      EXPECT_EQ(shop.run({words.begin(), words.end()}).out, command.output)
+      const test::ProcessResult result = shop.run({words.begin(), words.end()});
+      EXPECT_EQ(result.out + result.err, command.output)
           << document.path << ": " << command.arguments;
       ++count;
     }
