@@ -1,14 +1,14 @@
 // `ncvet check`: inputs to findings to reports, and the exit code.
 #include "analyzer/cli/check.h"
 
-#include "analyzer/check/baseline.h"
-#include "analyzer/cli/changes.h"
 #include "analyzer/cli/check_job.h"
 #include "analyzer/cli/check_worker.h"
+#include "analyzer/cli/comparisons.h"
 #include "analyzer/cli/output.h"
 #include "analyzer/cli/progress.h"
 #include "analyzer/cli/relative_paths.h"
 #include "analyzer/cli/views.h"
+#include "analyzer/cli/watch.h"
 #include "analyzer/rule/rule_table.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/reports/report_formats.h"
@@ -34,12 +34,12 @@ namespace {
 
 class Check {
 public:
-  explicit Check(CheckRequest request) : request_(std::move(request)), session_(request_.session) {}
+  Check(CheckRequest request, CheckRound *round)
+      : request_(std::move(request)), session_(request_.session), round_(round) {}
 
   int run();
 
 private:
-  llvm::Error loadComparisons();
   void readInput(Job &job);
   void collect();
   void forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &)> work);
@@ -52,7 +52,8 @@ private:
   void addFindings();
   void applyBaseline();
   bool showsPrograms() const;
-  std::string folderFromRoot() const;
+  bool isCancelled() const { return round_ && round_->cancel; }
+  void noteRead();
   void buildReport();
   void writeTo(const std::string &file, llvm::function_ref<void(llvm::raw_ostream &)> write);
   void writeReport(const ReportTarget &target, llvm::raw_ostream &out) const;
@@ -63,11 +64,11 @@ private:
 
   CheckRequest request_;
   Session session_;
+  CheckRound *round_; ///< null: checked once
   SourceSet sources_;
   std::vector<Job> jobs_;
   std::vector<RuleInfo> rules_;
-  std::optional<Baseline> baseline_;
-  std::optional<ChangedLines> changes_;
+  Comparisons compared_;
   Report report_;
   llvm::StringSet<> said_; ///< problems that were told already
   bool failed_ = false;    ///< something could not be read: exit code 2
@@ -163,7 +164,7 @@ void Check::forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &
   llvm::stable_sort(order, [](const Job *a, const Job *b) { return a->bytes > b->bytes; });
   std::atomic<size_t> next = 0;
   const auto run = [&](Worker &worker) {
-    for (size_t index; (index = next++) < order.size(); progress.step()) {
+    for (size_t index; (index = next++) < order.size() && !isCancelled(); progress.step()) {
       const llvm::TimeTraceScope trace(what, order[index]->input.display);
       work(*order[index], worker);
     }
@@ -230,33 +231,6 @@ void Check::addFingerprints(std::vector<CheckedFinding> &findings) {
   }
 }
 
-/// What findings are compared with: nothing is checked when that cannot be read.
-llvm::Error Check::loadComparisons() {
-  if (!request_.baseline.empty()) {
-    auto baseline = Baseline::load(request_.baseline);
-    if (!baseline)
-      return baseline.takeError();
-    baseline_ = std::move(*baseline);
-  }
-  if (!request_.changedSince.empty()) {
-    auto changes = ChangedLines::since(request_.changedSince);
-    if (!changes)
-      return changes.takeError();
-    changes_ = std::move(*changes);
-  }
-  if (request_.changedLines.empty())
-    return llvm::Error::success();
-  auto patch = request_.changedLines == "-" ? readStandardInput() : readFile(request_.changedLines);
-  if (!patch)
-    return patch.takeError();
-  auto changes = ChangedLines::ofPatch((*patch)->getBuffer(), projectRoot());
-  if (!changes)
-    return failure("--changed-lines " + llvm::Twine(request_.changedLines) + ": " +
-                   llvm::toString(changes.takeError()));
-  changes_ = std::move(*changes);
-  return llvm::Error::success();
-}
-
 /// A suppression in a subprogram may be needed by one of its callers only.
 void Check::dropUsedSuppressions(std::vector<CheckedFinding> &findings) {
   std::set<std::pair<llvm::StringRef, uint32_t>> used;
@@ -296,9 +270,9 @@ void Check::addFindings() {
             all.end());
   dropUsedSuppressions(all);
   addFingerprints(all);
-  if (changes_)
+  if (compared_.changes)
     llvm::erase_if(all, [&](const CheckedFinding &checked) {
-      return !changes_->concern(sources_, checked.finding);
+      return !compared_.changes->concern(sources_, checked.finding);
     });
   std::vector<FailOn> levels;
   for (CheckedFinding &checked : all) {
@@ -314,14 +288,15 @@ void Check::addFindings() {
 }
 
 void Check::applyBaseline() {
-  if (baseline_) {
-    baseline_->apply(report_.findings);
+  if (compared_.baseline) {
+    compared_.baseline->apply(report_.findings);
     report_.baselineUsed = true;
     llvm::StringSet<> files;
     for (const FileReport &file : report_.files)
       files.insert(file.path);
     // Of a part of the findings nobody knows which of the others are gone.
-    for (KnownFinding &known : changes_ ? std::vector<KnownFinding>() : baseline_->absent(files))
+    for (KnownFinding &known :
+         compared_.changes ? std::vector<KnownFinding>() : compared_.baseline->absent(files))
       report_.absent.push_back({std::move(known.rule), std::move(known.path),
                                 std::move(known.message), known.line, known.fingerprint});
   }
@@ -329,27 +304,6 @@ void Check::applyBaseline() {
     writeTo(request_.writeBaseline, [&](llvm::raw_ostream &out) {
       writeBaseline(report_.findings, rules_, sources_, out);
     });
-}
-
-/// The current folder as seen from the nearest folder above that holds all files of the report;
-/// empty when the current one does.
-std::string Check::folderFromRoot() const {
-  size_t above = 0;
-  for (const Job &job : jobs_) {
-    size_t count = 0;
-    for (llvm::StringRef rest = job.input.display; rest.consume_front("../");)
-      ++count;
-    above = std::max(above, count);
-  }
-  llvm::SmallString<128> at;
-  if (above == 0 || llvm::sys::fs::current_path(at))
-    return "";
-  std::string folder;
-  for (; above && llvm::sys::path::has_filename(at); --above) {
-    folder = (llvm::sys::path::filename(at) + (folder.empty() ? "" : "/") + folder).str();
-    llvm::sys::path::remove_filename(at);
-  }
-  return folder;
 }
 
 /// Whether one of the reports shows programs whole.
@@ -370,7 +324,7 @@ void Check::buildReport() {
   report_.rules = rules_;
   report_.sources = &sources_;
   report_.colourNames = colourNames();
-  report_.folder = folderFromRoot();
+  report_.folder = folderFromRoot(jobs_);
   for (Job &job : jobs_) {
     if (!job.outcome.error.empty()) {
       job.skipped ? warn(job.input.display, job.outcome.error)
@@ -417,8 +371,7 @@ void Check::writeReports() {
 void Check::writeLastLines() const {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  const ReportTarget *shown = request_.shown();
-  const bool forPeople = !request_.quiet && (!shown || shown->format == "text");
+  const bool forPeople = request_.forPeople();
   if (request_.stats)
     writeStats(jobs_, report_, seconds);
   else if (forPeople && !failed_) // what went wrong comes first, and alone
@@ -427,11 +380,22 @@ void Check::writeLastLines() const {
     writeSummary(request_, jobs_, report_);
 }
 
+void Check::noteRead() {
+  if (!round_)
+    return;
+  round_->read = session_.readFiles();
+  for (size_t i = 0; i < sources_.size(); ++i)
+    if (const std::string &path = sources_.get(FileId(i)).path(); !path.empty())
+      round_->read.push_back(path);
+}
+
 int Check::run() {
   if (!request_.timeTrace.empty())
     llvm::timeTraceProfilerInitialize(0, "ncvet");
-  if (llvm::Error wrong = loadComparisons())
-    return fail(std::move(wrong));
+  auto compared = Comparisons::load(request_);
+  if (!compared)
+    return fail(compared.takeError());
+  compared_ = std::move(*compared);
   collect();
   if (request_.fix || request_.diff) {
     forEachJob("fix", [&](Job &job, Worker &) {
@@ -446,11 +410,17 @@ int Check::run() {
     openJob(job);
     if (!job.source)
       return;
-    job.outcome = checkFile(session_, sources_, *job.source, nullptr, nullptr, &worker.store);
+    job.outcome = checkFile(session_, sources_, *job.source, round_ ? &round_->cancel : nullptr,
+                            nullptr, &worker.store);
     worker.keep(job);
     if (views && job.outcome.error.empty())
       job.view = viewOf(session_, sources_, *job.source);
   });
+  if (isCancelled()) {
+    round_->cancelled = true;
+    return exitFailure;
+  }
+  noteRead();
   buildReport();
   writeReports();
   writeLastLines();
@@ -465,23 +435,34 @@ int Check::run() {
 
 } // namespace
 
-int runCheck(CheckRequest request) {
+int runCheck(CheckRequest request, CheckRound *round) {
   enableCrashGuard();
-  return Check(std::move(request)).run();
+  return Check(std::move(request), round).run();
 }
 
 CheckCommand::CheckCommand() : Command("check", "find what is wrong in part programs") {
   given_.declare(options);
 }
 
-int CheckCommand::run() {
+llvm::Expected<CheckRequest> CheckCommand::request() const {
   auto request = given_.request(options);
   if (!request)
-    return fail(request.takeError());
+    return request;
   if (!request->relativeTo.empty())
     if (llvm::Error wrong = showRelativeTo(request->relativeTo, *request))
-      return fail(std::move(wrong));
-  return runCheck(std::move(*request));
+      return wrong;
+  return request;
+}
+
+int CheckCommand::run() {
+  if (given_.watches())
+    return Watch([this] { return request(); },
+                 [](CheckRequest request, CheckRound &round) {
+                   return runCheck(std::move(request), &round);
+                 })
+        .run();
+  auto once = request();
+  return once ? runCheck(std::move(*once)) : fail(once.takeError());
 }
 
 } // namespace ncvet::cli

@@ -1,6 +1,7 @@
 // Options of `ncvet check`: their declaration, and what they may be.
 #include "analyzer/cli/check_options.h"
 
+#include "analyzer/cli/absolute_path.h"
 #include "formats/reports/report_formats.h"
 #include "formats/text/failure.h"
 
@@ -30,6 +31,8 @@ const ReportTarget *CheckRequest::shown() const {
   const auto target = llvm::find_if(reports, [](const auto &known) { return known.file == "-"; });
   return target == reports.end() ? nullptr : &*target;
 }
+
+bool CheckRequest::forPeople() const { return !quiet && (!shown() || shown()->format == "text"); }
 
 void CheckOptions::declare(OptionSet &options) {
   setup_.declare(options);
@@ -76,6 +79,7 @@ void CheckOptions::declare(OptionSet &options) {
   options.add("--diff", &diff_, "show what --fix would change, and change nothing");
   options.add("--unsafe-fixes", &unsafeFixes_, "with --fix and --diff: fixes that need a look too");
   options.section("Run");
+  options.add("--watch", &watch_, "check again, and write the reports again, after each change");
   options.add("--jobs", &jobs_, "files at the same time; default: one for each processor")
       .valued("N", "a number from 1")
       .shortly('j')
@@ -152,6 +156,17 @@ llvm::Error CheckOptions::checkTogether(const OptionSet &options) const {
   if (!writeBaseline_.empty() && fixes)
     return failure("--write-baseline and " + llvm::Twine(diff_ ? "--diff" : "--fix") +
                    " exclude each other");
+  return checkWatch(fixes || !writeBaseline_.empty());
+}
+
+/// What is read once cannot be read again, and what is watched is written by others.
+llvm::Error CheckOptions::checkWatch(bool writes) const {
+  if (!watch_)
+    return llvm::Error::success();
+  if (llvm::is_contained(paths_, "-") || changedLines_ == "-")
+    return failure("--watch and - exclude each other: standard input is read once");
+  if (writes)
+    return failure("--watch goes with neither --fix, --diff nor --write-baseline");
   return llvm::Error::success();
 }
 
@@ -260,6 +275,11 @@ llvm::Expected<CheckRequest> CheckOptions::request(const OptionSet &options) con
   request.inputs = inputs_;
   request.stats = request.session.contours = stats_;
   request.relativeTo = relativeTo_;
+  for (const std::string *file : {&baseline_, &changedLines_})
+    if (!file->empty())
+      request.watched.push_back(absolutePath(*file));
+  if (request.session.machine)
+    request.watched.push_back(absolutePath(request.session.machine->name));
   return request;
 }
 

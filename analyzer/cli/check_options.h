@@ -28,9 +28,12 @@ struct CheckRequest {
   bool statistics = false, showSource = true;
   InputChoice inputs;
   bool fix = false, diff = false, unsafeFixes = false;
+  std::vector<std::string> watched; ///< further files whose text counts, from the root
 
   /// The report on standard output; null when there is none.
   const ReportTarget *shown() const;
+  /// Whether people read what is shown: they are told more than the findings, on standard error.
+  bool forPeople() const;
 };
 
 class CheckOptions {
@@ -38,9 +41,12 @@ public:
   void declare(OptionSet &options);
   /// The request; an error says in one line what is wrong with the options.
   llvm::Expected<CheckRequest> request(const OptionSet &options) const;
+  /// Whether it is checked again after each change.
+  bool watches() const { return watch_; }
 
 private:
   void declareReports(OptionSet &options);
+  llvm::Error checkWatch(bool writes) const;
   llvm::Error checkTogether(const OptionSet &options) const;
   llvm::Error readRules(RuleSettings &rules) const;
   llvm::Error readReports(const OptionSet &options, CheckRequest &request) const;
@@ -59,7 +65,7 @@ private:
   bool statistics_ = false, showSource_ = false, hideSource_ = false;
   InputChoice inputs_;
   std::string fix_;
-  bool diff_ = false, unsafeFixes_ = false;
+  bool diff_ = false, unsafeFixes_ = false, watch_ = false;
   std::string changedSince_, changedLines_, shard_, relativeTo_;
   std::string stdinFilename_, color_ = "auto", timeTrace_;
 };

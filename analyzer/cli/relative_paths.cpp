@@ -1,5 +1,7 @@
-// `--relative-to`: paths are shown as seen from another folder than the current one.
+// Paths as reports show them: `--relative-to`, and the folder that holds all files.
 #include "analyzer/cli/relative_paths.h"
+
+#include "analyzer/cli/absolute_path.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -13,11 +15,7 @@ namespace path = llvm::sys::path;
 void makeAbsolute(std::string &name) {
   if (name.empty() || name == "-" || path::is_absolute(name))
     return;
-  llvm::SmallString<256> whole = llvm::StringRef(name);
-  if (!llvm::sys::fs::make_absolute(whole)) {
-    path::remove_dots(whole);
-    name = std::string(whole);
-  }
+  name = absolutePath(name);
 }
 
 /// `name` (absolute) as seen from `folder` (absolute).
@@ -37,6 +35,25 @@ std::string seenFrom(llvm::StringRef folder, llvm::StringRef name) {
 }
 
 } // namespace
+
+std::string folderFromRoot(llvm::ArrayRef<Job> jobs) {
+  size_t above = 0;
+  for (const Job &job : jobs) {
+    size_t count = 0;
+    for (llvm::StringRef rest = job.input.display; rest.consume_front("../");)
+      ++count;
+    above = std::max(above, count);
+  }
+  llvm::SmallString<128> at;
+  if (above == 0 || llvm::sys::fs::current_path(at))
+    return "";
+  std::string folder;
+  for (; above && path::has_filename(at); --above) {
+    folder = (path::filename(at) + (folder.empty() ? "" : "/") + folder).str();
+    path::remove_filename(at);
+  }
+  return folder;
+}
 
 llvm::Error showRelativeTo(const std::string &folder, CheckRequest &request) {
   std::string root = folder;

@@ -143,6 +143,11 @@ void Session::noteRead(llvm::ArrayRef<std::string> files) {
     readFiles_.insert(absolute(file));
 }
 
+std::vector<std::string> Session::readFiles() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {readFiles_.begin(), readFiles_.end()};
+}
+
 bool Session::dependsOn(llvm::StringRef file) {
   if (path::filename(file) == configFileName)
     return true;
@@ -213,6 +218,7 @@ llvm::Expected<std::shared_ptr<const Detector>> Session::detector(const Config &
       detectors_, key, [&]() -> llvm::Expected<std::shared_ptr<const Detector>> {
         if (config.dialectFiles.empty())
           return shippedDetector();
+        noteRead(config.dialectFiles); // also when they cannot be read
         OwnDialects own;
         for (const std::string &file : config.dialectFiles)
           if (auto id = own.add(file); !id)

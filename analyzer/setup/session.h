@@ -61,6 +61,8 @@ public:
   /// Whether setups may change when this file is made, removed or written: a configuration, a table
   /// or a machine profile in use; any JSON file while one of these cannot be read.
   bool dependsOn(llvm::StringRef path);
+  /// Absolute paths of configurations, tables and machine profiles that setups came from, or would.
+  std::vector<std::string> readFiles();
   /// Files were made, removed or written: folders are read again for later setups.
   void forgetFolders();
   /// Where programs are looked up; another object when they were forgotten.
