@@ -3,6 +3,7 @@
 
 #include "analyzer/cli/check.h"
 #include "analyzer/cli/config_command.h"
+#include "analyzer/cli/dap.h"
 #include "analyzer/cli/explain.h"
 #include "analyzer/cli/lsp.h"
 #include "analyzer/cli/merge.h"
@@ -30,6 +31,7 @@ constexpr llvm::StringLiteral usage =
     ncvet init [FOLDER]       write a .ncvet.json to begin with
     ncvet merge FILE...       one report of those of the parts of a check
     ncvet lsp                 serve an editor on standard input and output
+    ncvet dap                 the same for its debugger: a dry run, block by block
 
 `ncvet COMMAND --help` shows a command's options. Exit code: 0 nothing found, 1 findings,
 2 wrong usage or something that cannot be read or written.
@@ -44,12 +46,13 @@ struct Commands {
   RulesCommand rules;
   DialectsCommand dialects;
   LspCommand lsp;
+  DapCommand dap;
   MergeCommand merge;
   ConfigCommand config;
   InitCommand init;
 
   std::vector<Command *> all() {
-    return {&check, &view, &trace, &explain, &rules, &dialects, &config, &init, &merge, &lsp};
+    return {&check, &view, &trace, &explain, &rules, &dialects, &config, &init, &merge, &lsp, &dap};
   }
 
   Command *find(llvm::StringRef name) {

@@ -101,9 +101,15 @@ void Engine::runOtherSubprograms() {
 }
 
 void Engine::follow() {
+  SkipSwitches off;
+  off.fill(SkipSwitch::Off);
+  follow(off);
+}
+
+void Engine::follow(const SkipSwitches &skip) {
   const ProgramInfo &main = unit.index.programs().front();
   Lives lives = startOf(false);
-  lives[0].skip.fill(SkipSwitch::Off);
+  lives[0].skip = skip;
   execute({unit, main, main.body, RegionKind::Main}, std::move(lives));
 }
 

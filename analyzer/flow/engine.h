@@ -33,8 +33,10 @@ public:
 
   /// Runs all programs of the file.
   void run();
-  /// Runs the file's first program along one path only: block skip off, and no further than to
-  /// where something unknown decides.
+  /// Runs the file's first program along one path only: block skip as `skip` has it, and no further
+  /// than to where something unknown decides.
+  void follow(const SkipSwitches &skip);
+  /// The same with block skip off.
   void follow();
 
   uint64_t blockCount() const { return blocks; }

@@ -7,6 +7,7 @@ namespace ncvet {
 
 struct FileSummary;
 struct FileUnit;
+struct Region;
 struct Step;
 
 /// What is known of the state with which a program begins.
@@ -31,6 +32,16 @@ struct FlowInterest {
   bool everyBlock = false; ///< all blocks, whatever they emit
   /// One path alone: the run ends where something unknown decides, and nothing is told after that.
   bool onePath = false;
+  /// Blocks before they are executed: see `FlowListener::arrives`.
+  bool beforeBlocks = false;
+};
+
+/// A block that is executed next for one state.
+struct Arrival {
+  const Region &region;
+  const Block &block;
+  MachineState &state; ///< may be changed
+  size_t depth;        ///< programs and parts of programs that run around the region
 };
 
 /// Told of every block that is executed, in the order in which the control would execute them:
@@ -40,6 +51,9 @@ class FlowListener {
 public:
   virtual ~FlowListener() = default;
   virtual FlowInterest interest() const = 0;
+  /// A block with content is executed next. The answer is that of the operator: it decides a
+  /// condition of the block that the state leaves open.
+  virtual Truth arrives(const Arrival & /*arrival*/) { return Truth::Unknown; }
   /// The block was executed for one state. `continues`: it only goes on as the one before.
   virtual void executed(const Step &step, bool continues) = 0;
   /// As `executed`, for a block that does what the one before did, numbers aside, but that names

@@ -30,6 +30,17 @@ public:
     });
   }
 
+  /// Somebody looks at blocks before they are executed.
+  bool watchArrivals() const { return beforeBlocks_; }
+  /// What the last of them decides.
+  Truth arrives(const Arrival &arrival) const {
+    Truth decision = Truth::Unknown;
+    for (const Entry &entry : all_)
+      if (entry.interest.beforeBlocks)
+        decision = entry.listener->arrives(arrival);
+    return decision;
+  }
+
   /// `lost`: the one path was lost.
   void executed(const Step &step, bool continues, bool lost) const {
     if (!(continues ? everyMove_ : step.outcome.kinds & kinds_ || everyBlock_))
@@ -65,17 +76,18 @@ private:
   }
   void sum() {
     kinds_ = 0;
-    everyMove_ = everyBlock_ = false;
+    everyMove_ = everyBlock_ = beforeBlocks_ = false;
     for (const Entry &entry : all_) {
       kinds_ |= entry.interest.kinds;
       everyBlock_ |= entry.interest.everyBlock;
+      beforeBlocks_ |= entry.interest.beforeBlocks;
       everyMove_ |= entry.interest.everyMove || entry.interest.everyBlock;
     }
   }
 
   llvm::SmallVector<Entry, 2> all_;
   uint32_t kinds_ = 0;
-  bool everyMove_ = false, everyBlock_ = false;
+  bool everyMove_ = false, everyBlock_ = false, beforeBlocks_ = false;
 };
 
 } // namespace ncvet

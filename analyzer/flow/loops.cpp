@@ -67,7 +67,9 @@ bool Loops::runsForReal(const Activation &activation, LoopHead &head) const {
 void Loops::runPass(const Step &step, uint32_t target, LoopHead &head, Live live) {
   constexpr unsigned window = 4;
   Activation &activation = step.activation;
-  if (head.visits == head.nextSnapshot) {
+  if (run_.listeners.watchArrivals()) {
+    // Who looks at each block may change the state, and stops what does not end.
+  } else if (head.visits == head.nextSnapshot) {
     head.snapshot = hash(live.state);
     head.variables = variablesOf(live.state);
     head.snapshotForks = activation.forks;
@@ -141,7 +143,7 @@ void Loops::backTo(const Step &step, uint32_t target, Live live, bool certain) {
 }
 
 bool Loops::isNeverLeft(const Step &step, FileUnit &unit, uint32_t target) {
-  if (target > step.at || step.block.skip >= 0 ||
+  if (run_.listeners.watchArrivals() || target > step.at || step.block.skip >= 0 ||
       llvm::any_of(step.block.items, [](const Item &i) { return i.kind == ItemKind::If; }))
     return false;
   const auto [known, fresh] = closed_.try_emplace({unit.source.id(), step.at}, false);

@@ -13,12 +13,15 @@ namespace ncvet {
 /// The operator's switch for one level of block skip, as far as a path has decided it.
 enum class SkipSwitch : uint8_t { Unknown, Off, On };
 
+/// By level.
+using SkipSwitches = std::array<SkipSwitch, 10>;
+
 /// One state on its path, and how it came there.
 struct Live {
   MachineState state;
   const PathNode *path = nullptr;
   /// Block skip switch per level, as far as this path has decided it.
-  std::array<SkipSwitch, 10> skip{};
+  SkipSwitches skip{};
 };
 using Lives = llvm::SmallVector<Live, 1>;
 

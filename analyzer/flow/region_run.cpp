@@ -63,7 +63,9 @@ Exits RegionRun::execute() {
       decideSkip();
     if (lives_.empty())
       continue;
-    if (!block_->items.empty())
+    if (run_.listeners.watchArrivals())
+      announce();
+    if (!block_->items.empty() && decision_ == Truth::Unknown)
       forkAtGuards();
     executeBlock();
   }
@@ -312,6 +314,26 @@ void RegionRun::decideSkip() {
   synced_ = nullptr;
 }
 
+/// Tells those who look at blocks before they are executed; they may change the state.
+void RegionRun::announce() {
+  for (Live &live : lives_)
+    decision_ = run_.listeners.arrives({region_, *block_, live.state, run_.callStack.size()});
+  synced_ = nullptr;
+}
+
+/// What the state leaves open goes as the operator has decided.
+void RegionRun::decide() {
+  Flow &flow = outcome_.flow;
+  if (flow.kind == FlowKind::Branch) {
+    if (decision_ == Truth::Yes)
+      flow.kind = FlowKind::Jump;
+    else
+      flow = Flow();
+  } else if (flow.condition == Truth::Unknown) {
+    flow.condition = decision_;
+  }
+}
+
 /// Conditions before statements: on a path where one is not known, both happen.
 void RegionRun::forkAtGuards() {
   Lives forked;
@@ -377,12 +399,17 @@ void RegionRun::executeFor(Live &live) {
     plainRun_ = {};
   }
   synced_ = nullptr;
-  const bool guardHolds =
-      block_->items.empty() || unit_.executor().guard(*block_, live.state) != Truth::No;
+  bool guardHolds = true;
+  if (!block_->items.empty()) {
+    const Truth guard = unit_.executor().guard(*block_, live.state);
+    guardHolds = (guard == Truth::Unknown ? decision_ : guard) != Truth::No;
+  }
   const StateUse used = std::exchange(stateUse, StateUse());
   unit_.executor().execute(*block_, before_, live.state, outcome_, guardHolds);
   blockUse_ = stateUse;
   stateUse |= used;
+  if (decision_ != Truth::Unknown)
+    decide();
   if (!activation_.heads.empty() || !run_.callStack.empty())
     run_.stops += asksOperator(outcome_, *unit_.dialect);
   // A cycle among the blocks of a contour reads none of its own.

@@ -50,6 +50,8 @@ private:
   bool passEmptyLines();
   bool spend();
   void decideSkip();
+  void announce();
+  void decide();
   void forkAtGuards();
   void executeBlock();
   void executeFor(Live &live);
@@ -87,6 +89,7 @@ private:
   const Block *block_ = &own_; ///< that is executed
   Block own_;                  ///< where it is read when the run does not keep it
   Outcome outcome_;
+  Truth decision_ = Truth::Unknown;      ///< of the operator, for what the block leaves open
   MachineState before_;                  ///< before the block
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
   PlainRun plainRun_;

@@ -1,6 +1,8 @@
 // JSON-RPC: takes messages apart, and puts answers together.
 #include "lsp/transport/rpc.h"
 
+#include "lsp/transport/json_message.h"
+
 #include <algorithm>
 #include <exception>
 
@@ -16,30 +18,6 @@ const Json &member(const Json &object, const char *name) {
 }
 
 bool isId(const Json &id) { return id.is_number_integer() || id.is_string(); }
-
-/// Whether arrays and objects nest deeper than any message needs: the parser calls itself for each.
-bool nestsTooDeep(llvm::StringRef text) {
-  constexpr unsigned deepest = 200;
-  unsigned depth = 0;
-  bool inString = false;
-  for (size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (inString) {
-      if (c == '\\')
-        ++i;
-      else
-        inString = c != '"';
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > deepest)
-        return true;
-    } else if ((c == ']' || c == '}') && depth > 0) {
-      --depth;
-    }
-  }
-  return false;
-}
 
 } // namespace
 
@@ -125,7 +103,7 @@ std::vector<std::string> Rpc::requestMethods() const {
 void Rpc::handle(llvm::StringRef body) {
   if (nestsTooDeep(body))
     return complain(RpcError::ParseError, "the message nests too deep");
-  const Json message = Json::parse(body.begin(), body.end(), nullptr, /*allow_exceptions=*/false);
+  const Json message = parseMessage(body);
   if (message.is_discarded())
     return complain(RpcError::ParseError, "the message is no JSON");
   if (!message.is_object())

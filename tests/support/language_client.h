@@ -1,23 +1,15 @@
 // A client of the language server in a test: the real binary, spoken to message by message.
 #pragma once
 
-#include "gtest/gtest.h"
-#include <nlohmann/json.hpp>
-#include <poll.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "tests/support/message_process.h"
 
 #include <cstdlib>
 #include <deque>
 #include <fstream>
 #include <functional>
 #include <map>
-#include <string>
 
 namespace ncvet::test {
-
-using Json = nlohmann::json;
 
 /// Names a file to which clients add what the server sends, one message a line.
 inline constexpr const char *recordVariable = "NCVET_TEST_MESSAGES";
@@ -33,52 +25,10 @@ inline std::vector<std::string> codes(const Json &diagnostics) {
 
 /// Starts `ncvet lsp` and talks to it. Answers and notifications are waited for with a limit; what
 /// does not come in time is a failure of the test and reads as null.
-class LanguageClient {
+class LanguageClient : public MessageProcess {
 public:
-  explicit LanguageClient(const std::string &binary = NCVET_BINARY) {
-    int toServer[2], fromServer[2];
-    if (::pipe(toServer) || ::pipe(fromServer)) {
-      ADD_FAILURE() << "no pipes";
-      return;
-    }
-    ::signal(SIGPIPE, SIG_IGN);
-    server_ = ::fork();
-    if (server_ == 0) {
-      ::dup2(toServer[0], 0);
-      ::dup2(fromServer[1], 1);
-      for (const int end : {toServer[0], toServer[1], fromServer[0], fromServer[1]})
-        ::close(end);
-      ::execl(binary.c_str(), binary.c_str(), "lsp", nullptr);
-      ::_exit(127);
-    }
-    ::close(toServer[0]);
-    ::close(fromServer[1]);
-    in_ = toServer[1];
-    out_ = fromServer[0];
-  }
-  ~LanguageClient() {
-    if (server_ > 0) {
-      hangUp();
-      ::kill(server_, SIGKILL);
-      ::waitpid(server_, nullptr, 0);
-    }
-    ::close(out_);
-  }
-  LanguageClient(const LanguageClient &) = delete;
-  LanguageClient &operator=(const LanguageClient &) = delete;
-
-  void sendBytes(const std::string &bytes) {
-    for (size_t at = 0; at < bytes.size();) {
-      const ssize_t done = ::write(in_, bytes.data() + at, bytes.size() - at);
-      if (done <= 0)
-        return;
-      at += size_t(done);
-    }
-  }
-  void sendBody(const std::string &body) {
-    sendBytes("Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body);
-  }
-  void send(const Json &message) { sendBody(message.dump()); }
+  explicit LanguageClient(const std::string &binary = NCVET_BINARY)
+      : MessageProcess(binary, "lsp") {}
 
   void notify(const std::string &method, Json params) {
     send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
@@ -151,28 +101,10 @@ public:
     return message.is_object() ? std::move(message["params"]["diagnostics"]) : Json();
   }
 
-  /// The exit code; -1 when the server did not end in time.
-  int exitCode() {
-    for (int i = 0; i < 200; ++i) {
-      int status = 0;
-      if (::waitpid(server_, &status, WNOHANG) == server_) {
-        server_ = 0;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-      }
-      ::usleep(50000);
-    }
-    return -1;
-  }
   int shutDown() {
     request("shutdown", nullptr);
     notify("exit", nullptr);
     return exitCode();
-  }
-  pid_t process() const { return server_; }
-  void hangUp() {
-    if (in_ >= 0)
-      ::close(in_);
-    in_ = -1;
   }
 
 private:
@@ -193,27 +125,11 @@ private:
     return nullptr;
   }
 
-  /// Reads one message; false at the end or when none comes for half a minute.
   bool read(Json &message) {
-    constexpr int patience = 30000; // ms
-    while (true) {
-      const size_t header = buffer_.find("\r\n\r\n");
-      if (header != std::string::npos) {
-        const size_t length = std::stoul(buffer_.substr(buffer_.find(':') + 1));
-        if (buffer_.size() >= header + 4 + length) {
-          message = Json::parse(buffer_.substr(header + 4, length), nullptr, false);
-          record(message);
-          buffer_.erase(0, header + 4 + length);
-          return true;
-        }
-      }
-      pollfd wait{out_, POLLIN, 0};
-      char piece[65536];
-      const ssize_t got = ::poll(&wait, 1, patience) > 0 ? ::read(out_, piece, sizeof piece) : 0;
-      if (got <= 0)
-        return false;
-      buffer_.append(piece, size_t(got));
-    }
+    if (!receive(message))
+      return false;
+    record(message);
+    return true;
   }
 
   /// What a test of all messages looks at later.
@@ -239,11 +155,8 @@ private:
           << Json{{"method", line["method"]}, {"part", part}, {"value", message[part]}} << "\n";
   }
 
-  pid_t server_ = 0;
-  int in_ = -1, out_ = -1;
   int64_t lastId_ = 0;
   std::map<int64_t, std::string> asked_; ///< methods of requests
-  std::string buffer_;
   std::deque<Json> kept_;
 };
 

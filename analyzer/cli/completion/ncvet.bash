@@ -2,7 +2,7 @@
 _ncvet() {
   local cur prev words cword split
   _init_completion -s || return
-  local commands="check view trace explain rules dialects config init merge lsp help"
+  local commands="check view trace explain rules dialects config init merge lsp dap help"
   local command= i
   for ((i = 1; i < cword; i++)); do
     if [[ " $commands " == *" ${words[i]} "* ]]; then

@@ -41,7 +41,7 @@ function __ncvet_after
     contains -- (commandline -opc)[-1] $argv
 end
 
-set -l commands check view trace explain rules dialects config init merge lsp help
+set -l commands check view trace explain rules dialects config init merge lsp dap help
 set -l values --dialect --profile --format --report --fail-on --color --select --ignore --severity \
     --jobs -j --stdin-filename --exclude --shard --changed-since
 set -l first "not __fish_seen_subcommand_from $commands"
@@ -56,6 +56,7 @@ complete -c ncvet -n $first -a config -d 'Which settings count, and who gave the
 complete -c ncvet -n $first -a init -d 'Write a .ncvet.json to begin with'
 complete -c ncvet -n $first -a merge -d 'One report of those of the parts of a check'
 complete -c ncvet -n $first -a lsp -d 'Serve an editor'
+complete -c ncvet -n $first -a dap -d 'Debug a program in an editor'
 complete -c ncvet -n $first -a help -d 'The options of a command'
 
 set -l inside "__fish_seen_subcommand_from $commands"

@@ -72,6 +72,8 @@ def manifest(text, languages, tables, short, with_snippets):
     contributes["snippets"] = [
         {"language": "ncvet-" + control, "path": f"./snippets/{control}.json"} for control in with_snippets
     ]
+    contributes["breakpoints"] = [{"language": language.id} for language in languages]
+    contributes["debuggers"][0]["languages"] = [language.id for language in languages]
     contributes["configurationDefaults"] = {
         **{key: value for key, value in contributes["configurationDefaults"].items() if not key.startswith("[")},
         **{f"[{language.id}]": {"editor.semanticHighlighting.enabled": True, "editor.formatOnType": True} for language in languages},

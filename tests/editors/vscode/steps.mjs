@@ -262,6 +262,27 @@ export const steps = {
     same(numbers, [...numbers].sort((a, b) => a - b), 'order');
   },
 
+  async 'a dry run stops at a breakpoint and shows the machine'(editor) {
+    editor.write('run.nc', drilling);
+    await editor.open('run.nc');
+    await until('the control', () => editor.control());
+    await editor.ask(`vscode.debug.addBreakpoints([new vscode.SourceBreakpoint(new vscode.Location(${editor.file('run.nc')}, new vscode.Position(7, 0)))])`);
+    await editor.command('ncvet.dryRun');
+    const frame = () => editor.ask(`const session = vscode.debug.activeDebugSession;
+      return session && (await session.customRequest('stackTrace', { threadId: 1 })).stackFrames[0]`);
+    await until('the first block', async () => (await frame())?.line === 3);
+    await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.continue')`);
+    await until('the breakpoint', async () => (await frame())?.line === 8);
+    const rows = () => editor.texts('.debug-variables .monaco-list-row');
+    await until('the groups of the state', async () => (await rows()).some((row) => row.includes('Position')));
+    const x = await editor.ask(`return (await vscode.debug.activeDebugSession.customRequest('evaluate', { expression: 'X', context: 'watch' })).result`);
+    same(x, '10', 'X after the first hole');
+    await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.stepOver')`);
+    await until('the next block', async () => (await frame())?.line === 9);
+    await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.stop'); vscode.debug.removeBreakpoints(vscode.debug.breakpoints)`);
+    await until('the end', () => editor.ask('return !vscode.debug.activeDebugSession'));
+  },
+
   async 'the walk-through opens'(editor) {
     await editor.ask(`await vscode.commands.executeCommand('workbench.action.openWalkthrough', 'ncvet.ncvet#ncvet.start', false)`);
     await until('it', async () => (await editor.texts('.getting-started-step')).some((text) => text.includes('Look at the control')));

@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 import { registerBlocks } from './blocks';
 import { makeClient, type QuietClient, section } from './client';
 import { ControlPicker } from './control_picker';
+import { registerDryRun } from './dry_run';
 import { registerExplain } from './explain';
 import { registerFixes } from './fixes';
 import { languageIds, watchLanguages } from './languages';
@@ -64,6 +65,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   };
   registerExplain(context, () => client);
   registerFixes(context);
+  registerDryRun(context, (document) => picker.controlOf(document));
   registerBlocks(context);
   registerTrees(context);
   registerSnippets(context, (document) => picker.controlOf(document));
