@@ -16,6 +16,7 @@
 #include "formats/text/diff.h"
 #include "formats/text/plain_text.h"
 #include "formats/text/read_file.h"
+#include "formats/text/system/system.h"
 
 #include "llvm/ADT/StringSet.h"
 #include "llvm/Support/FileSystem.h"
@@ -169,7 +170,7 @@ void Check::forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &
       work(*order[index], worker);
     }
   };
-  size_t count = request_.jobs ? request_.jobs : std::thread::hardware_concurrency();
+  size_t count = request_.jobs ? request_.jobs : system::processors();
   count = std::min(std::max<size_t>(1, count), jobs_.size());
   std::vector<Worker> workers(std::max<size_t>(1, count));
   std::vector<std::thread> threads;

@@ -2,6 +2,7 @@
 #include "analyzer/cli/config_command.h"
 #include "analyzer/cli/output.h"
 #include "analyzer/setup/input_files.h"
+#include "formats/text/file_uri.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -90,7 +91,7 @@ std::string schemaOf() {
   path::append(file, "..", "share", "ncvet", "schema");
   path::append(file, "config.schema.json");
   path::remove_dots(file, /*remove_dot_dot=*/true);
-  return llvm::sys::fs::exists(file) ? "file://" + path::convert_to_slash(file)
+  return llvm::sys::fs::exists(file) ? uriOfPath(file)
                                      : "https://ncvet.invalid/schema/config.schema.json";
 }
 

@@ -2,10 +2,8 @@
 #include "analyzer/cli/lsp.h"
 
 #include "formats/text/crash_guard.h"
-#include "lsp/server/heap.h"
+#include "formats/text/system/system.h"
 #include "lsp/server/server.h"
-
-#include <unistd.h>
 
 namespace ncvet::cli {
 
@@ -16,8 +14,8 @@ LspCommand::LspCommand() : Command("lsp", "serve an editor on standard input and
 
 int LspCommand::run() {
   enableCrashGuard();
-  lsp::keepFreedMemory();
-  return lsp::serve(STDIN_FILENO, STDOUT_FILENO, NCVET_VERSION);
+  system::keepFreedMemory();
+  return lsp::serve(system::standardInput(), system::standardOutput(), NCVET_VERSION);
 }
 
 } // namespace ncvet::cli

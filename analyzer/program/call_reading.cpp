@@ -5,6 +5,7 @@
 #include "analyzer/program/program_names.h"
 #include "analyzer/program/references.h"
 #include "formats/readers/table_words.h"
+#include "formats/text/file_uri.h"
 #include "formats/text/program_file.h"
 
 #include "llvm/Support/FileSystem.h"
@@ -33,7 +34,8 @@ std::vector<std::string> programFiles(const std::string &folder, llvm::StringRef
   std::error_code error;
   for (llvm::sys::fs::directory_iterator i(folder, error), end; i != end && !error;
        i.increment(error)) {
-    llvm::StringRef name = i->path();
+    const std::string path = slashed(i->path());
+    llvm::StringRef name = path;
     name.consume_front("./"); // as the user names the files of the present folder
     if (i->type() != llvm::sys::fs::file_type::directory_file && isProgram(name, ending, dialect))
       files.push_back(name.str());

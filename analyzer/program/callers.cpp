@@ -5,6 +5,7 @@
 #include "analyzer/program/call_reading.h"
 #include "analyzer/program/program_names.h"
 #include "analyzer/program/references.h"
+#include "formats/text/file_uri.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -63,7 +64,7 @@ std::vector<std::string> foldersRound(const FileUnit &unit) {
     for (llvm::sys::fs::directory_iterator i(parent, error), end; i != end && !error;
          i.increment(error))
       if (isArchiveFolder(i->path()) && !llvm::sys::fs::equivalent(i->path(), own))
-        beside.push_back(i->path());
+        beside.push_back(slashed(i->path()));
     std::sort(beside.begin(), beside.end());
     for (std::string &folder : beside)
       add(std::move(folder));

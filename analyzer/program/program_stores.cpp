@@ -1,5 +1,6 @@
 // The folders of a backup of a control: where it looks for a program that is called.
 #include "analyzer/program/project.h"
+#include "formats/text/file_uri.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/FileSystem.h"
@@ -68,7 +69,7 @@ std::vector<std::string> foldersIn(const std::string &folder) {
   for (llvm::sys::fs::directory_iterator i(folder, error), end; i != end && !error;
        i.increment(error))
     if (i->type() == llvm::sys::fs::file_type::directory_file && found.size() < mostFolders)
-      found.push_back(i->path());
+      found.push_back(slashed(i->path()));
   llvm::sort(found);
   return found;
 }

@@ -5,6 +5,7 @@
 #include "analyzer/program/program_names.h"
 #include "analyzer/program/reference_reader.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/text/file_uri.h"
 #include "formats/text/program_file.h"
 #include "interp/execute/execute.h"
 
@@ -139,7 +140,8 @@ const ProgramFolders::Programs &ProgramFolders::programs(const std::string &path
     if (type != file_type::regular_file && type != file_type::symlink_file &&
         type != file_type::type_unknown)
       continue; // a folder, or what would never end
-    llvm::StringRef name = i->path();
+    const std::string file = slashed(i->path());
+    llvm::StringRef name = file;
     name.consume_front("./"); // as the user names the files of the present folder
     files.push_back(name.str());
     if (files.size() > 20000) // not a program store

@@ -5,6 +5,7 @@
 #include "formats/dialect/json_reader.h"
 #include "formats/dialect/ruleset_files.h"
 #include "formats/text/failure.h"
+#include "formats/text/file_uri.h"
 #include "formats/text/json_text.h"
 #include "formats/text/read_file.h"
 
@@ -321,11 +322,11 @@ std::string findConfig(llvm::StringRef folder) {
     path::append(file, configFileName);
     if (llvm::sys::fs::exists(file)) {
       if (at != start)
-        return std::string(file);
+        return slashed(file);
       // In the folder itself it is named as the user named the folder.
       file = folder;
       path::append(file, configFileName);
-      return std::string(file);
+      return slashed(file);
     }
     const llvm::StringRef parent = path::parent_path(at);
     if (parent.empty() || parent.size() >= at.size())

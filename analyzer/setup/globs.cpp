@@ -1,6 +1,8 @@
 // Globs of a configuration, compiled once.
 #include "analyzer/setup/globs.h"
 
+#include "formats/text/file_uri.h"
+
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -103,11 +105,12 @@ std::string pathBelow(llvm::StringRef folder, llvm::StringRef file) {
     return file.str();
   llvm::sys::path::remove_dots(from, true);
   llvm::sys::path::remove_dots(to, true);
-  llvm::StringRef name = to;
-  if (name.consume_front(from) && name.startswith("/"))
+  const std::string whole = slashed(to);
+  llvm::StringRef name = whole;
+  if (name.consume_front(slashed(from)) && name.startswith("/"))
     name = name.ltrim('/');
   else
-    name = to;
+    name = whole;
   return isFolder ? (name + "/").str() : name.str();
 }
 

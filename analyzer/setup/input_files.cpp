@@ -2,6 +2,7 @@
 #include "analyzer/setup/input_files.h"
 
 #include "analyzer/setup/globs.h"
+#include "formats/text/file_uri.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -77,7 +78,7 @@ private:
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; entry != end && !error;
          entry.increment(error)) {
-      const std::string file = entry->path();
+      const std::string file = slashed(entry->path());
       if (path::filename(file).startswith("."))
         continue;
       if (!choice_.followLinks && leadsOut(file, root_)) {
@@ -200,7 +201,8 @@ Inputs collectInputs(llvm::ArrayRef<std::string> paths, Session &session,
                      const InputChoice &choice) {
   Inputs inputs;
   Walker walker(session, choice, inputs);
-  for (const std::string &name : paths) {
+  for (const std::string &given : paths) {
+    const std::string name = slashed(given);
     if (name == "-") {
       inputs.files.push_back({"-", "<stdin>", true});
       continue;

@@ -2,6 +2,7 @@
 #include "formats/finding/fingerprint.h"
 #include "formats/finding/page_text.h"
 #include "formats/reports/writers.h"
+#include "formats/text/file_uri.h"
 #include "formats/text/percent.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -68,8 +69,10 @@ Json resultMessage(llvm::StringRef text) {
 std::string uriOf(llvm::StringRef path) {
   llvm::SmallString<128> clean = path;
   llvm::sys::path::remove_dots(clean, /*remove_dot_dot=*/false);
-  std::string out = llvm::sys::path::is_absolute(clean) ? "file://" : "";
-  appendPercentEncoded(out, clean);
+  if (llvm::sys::path::is_absolute(clean))
+    return uriOfPath(clean);
+  std::string out;
+  appendPercentEncoded(out, slashed(clean));
   return out;
 }
 

@@ -1,14 +1,13 @@
 // Crash guard: LLVM's crash recovery, made to tell where the crash was and to survive a full stack.
 #include "formats/text/crash_guard.h"
 
+#include "formats/text/system/system.h"
+
 #include "llvm/Support/CrashRecoveryContext.h"
 #include "llvm/Support/raw_ostream.h"
 
-#include <array>
-#include <csignal>
 #include <cstring>
 #include <exception>
-#include <memory>
 
 namespace ncvet {
 
@@ -26,14 +25,8 @@ constexpr bool sanitized = false;
 constexpr bool sanitized = false;
 #endif
 
-/// Those that LLVM recovers from.
-constexpr int crashSignals[] = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGTRAP};
-using Handler = void (*)(int);
-std::array<Handler, NSIG> recover; ///< LLVM's handlers, which jump out of the crash
-
 /// What is known of the last crash of a thread. Nothing in it allocates.
 struct Crash {
-  int signal;
   bool noting; ///< its place is being found out: another crash meanwhile ends that
   char place[256];
 };
@@ -69,49 +62,6 @@ void notePlace() {
   }
 }
 
-void onCrash(int signal) {
-  crash.signal = signal;
-  notePlace();
-  recover[size_t(signal)](signal);
-}
-
-/// A stack for the handler, which has to run when the thread's own is full.
-class HandlerStack {
-public:
-  HandlerStack() {
-    stack_t stack{};
-    stack.ss_sp = memory_.get();
-    stack.ss_size = size;
-    ::sigaltstack(&stack, nullptr);
-  }
-  ~HandlerStack() {
-    stack_t none{};
-    none.ss_flags = SS_DISABLE;
-    ::sigaltstack(&none, nullptr);
-  }
-
-private:
-  static constexpr size_t size = 128 * 1024;
-  std::unique_ptr<char[]> memory_ = std::make_unique<char[]>(size);
-};
-
-llvm::StringRef nameOf(int signal) {
-  switch (signal) {
-  case SIGABRT:
-    return "abort";
-  case SIGBUS:
-    return "bus error";
-  case SIGFPE:
-    return "arithmetic fault";
-  case SIGILL:
-    return "illegal instruction";
-  case SIGSEGV:
-    return "segmentation fault";
-  default:
-    return "trap";
-  }
-}
-
 std::string described(llvm::StringRef what) {
   const llvm::StringRef place = crash.place;
   return (what + (place.empty() ? "" : " at " + place)).str();
@@ -123,21 +73,11 @@ void enableCrashGuard() {
   if (sanitized)
     return;
   llvm::CrashRecoveryContext::Enable();
-  for (const int signal : crashSignals) {
-    struct sigaction action {};
-    ::sigaction(signal, nullptr, &action);
-    if (action.sa_handler == onCrash)
-      continue;
-    recover[size_t(signal)] = action.sa_handler;
-    action.sa_handler = onCrash;
-    // Finding out the place may crash as well.
-    action.sa_flags |= SA_ONSTACK | SA_NODEFER;
-    ::sigaction(signal, &action, nullptr);
-  }
+  system::noteCrashes(notePlace);
 }
 
 std::optional<std::string> runGuarded(llvm::function_ref<void()> work) {
-  static thread_local const HandlerStack handlerStack;
+  static thread_local const system::CrashStack stack;
   const void *const entries = llvm::SavePrettyStackState();
   crash = {};
   std::optional<std::string> thrown;
@@ -152,7 +92,7 @@ std::optional<std::string> runGuarded(llvm::function_ref<void()> work) {
   if (context.RunSafely(run))
     return thrown;
   llvm::RestorePrettyStackState(entries);
-  return described(nameOf(crash.signal));
+  return described(system::lastCrash());
 }
 
 void CrashPlace::print(llvm::raw_ostream &out) const {

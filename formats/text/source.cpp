@@ -2,10 +2,9 @@
 #include "formats/text/source.h"
 
 #include "formats/text/program_file.h"
+#include "formats/text/system/system.h"
 
 #include "llvm/Support/Path.h"
-#include "llvm/Support/Process.h"
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <cstring>
@@ -22,14 +21,7 @@ constexpr uint32_t forgetStep = 4u << 20;
 /// Distance of the counters of code points, in bytes.
 constexpr uint32_t countStep = 1u << 12;
 
-/// Gives the whole pages of `bytes` back to the system; they are read again when touched.
-void dropPages(llvm::StringRef bytes) {
-  const uintptr_t page = llvm::sys::Process::getPageSizeEstimate();
-  const uintptr_t begin = (reinterpret_cast<uintptr_t>(bytes.data()) + page - 1) / page * page;
-  const uintptr_t end = reinterpret_cast<uintptr_t>(bytes.data() + bytes.size()) / page * page;
-  if (begin < end)
-    ::madvise(reinterpret_cast<void *>(begin), end - begin, MADV_DONTNEED);
-}
+void dropPages(llvm::StringRef bytes) { system::dropPages(bytes.begin(), bytes.end()); }
 
 } // namespace
 

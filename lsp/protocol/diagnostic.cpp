@@ -2,7 +2,7 @@
 #include "lsp/protocol/diagnostic.h"
 
 #include "formats/finding/page_text.h"
-#include "lsp/protocol/uri.h"
+#include "formats/text/file_uri.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/FileUtilities.h"

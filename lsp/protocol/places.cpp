@@ -1,7 +1,7 @@
 // Places of several files as locations of the protocol.
 #include "lsp/protocol/places.h"
 
-#include "lsp/protocol/uri.h"
+#include "formats/text/file_uri.h"
 
 namespace ncvet::lsp {
 

@@ -1,8 +1,8 @@
 // Code actions: fixes of findings, of a rule and of a file; suppressions; the page of a rule.
 #include "analyzer/check/fix.h"
 #include "analyzer/rule/rule_table.h"
+#include "formats/text/file_uri.h"
 #include "lsp/features/writing/suppression_edit.h"
-#include "lsp/protocol/uri.h"
 #include "lsp/server/bindings.h"
 
 namespace ncvet::lsp {

@@ -1,6 +1,6 @@
 // Pull diagnostics: of one document with the files that it calls, and of the whole workspace.
 #include "analyzer/setup/input_files.h"
-#include "lsp/protocol/uri.h"
+#include "formats/text/file_uri.h"
 #include "lsp/server/bindings.h"
 #include "lsp/server/file_stamp.h"
 

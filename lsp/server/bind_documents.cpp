@@ -1,5 +1,5 @@
 // Documents as the client opens, changes and closes them; settings and files that change.
-#include "lsp/protocol/uri.h"
+#include "formats/text/file_uri.h"
 #include "lsp/server/bindings.h"
 
 #include "llvm/Support/Path.h"

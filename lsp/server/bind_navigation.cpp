@@ -1,4 +1,5 @@
 // Navigation: where names are defined and used, the outline, folds, selections, calls and links.
+#include "formats/text/file_uri.h"
 #include "lsp/features/navigation/call_hierarchy.h"
 #include "lsp/features/navigation/definition.h"
 #include "lsp/features/navigation/folding.h"
@@ -7,7 +8,6 @@
 #include "lsp/features/navigation/references.h"
 #include "lsp/features/navigation/selection.h"
 #include "lsp/features/navigation/symbols.h"
-#include "lsp/protocol/uri.h"
 #include "lsp/server/bindings.h"
 #include "lsp/server/workspace_symbols.h"
 

@@ -2,8 +2,8 @@
 #include "lsp/server/checks.h"
 
 #include "analyzer/rule/rule_table.h"
+#include "formats/text/system/system.h"
 #include "lsp/features/showing/document_states.h"
-#include "lsp/server/heap.h"
 #include "lsp/transport/rpc.h"
 
 namespace ncvet::lsp {
@@ -205,7 +205,7 @@ void Checks::run() {
       done_(std::move(result));
       prepareNext(job, *job.document.memory);
       if (++untrimmed % checksBetweenTrims == 0)
-        giveBackFreeMemory();
+        system::giveBackFreeMemory();
       lock.lock();
     }
     changed_.notify_all();

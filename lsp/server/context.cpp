@@ -4,8 +4,8 @@
 
 #include "analyzer/setup/input_files.h"
 #include "formats/text/crash_guard.h"
+#include "formats/text/file_uri.h"
 #include "lsp/features/showing/document_states.h"
-#include "lsp/protocol/uri.h"
 
 #include "llvm/Support/raw_ostream.h"
 

@@ -1,10 +1,9 @@
 // The language server: initialization, what it can do, and the loop that takes messages.
 #include "lsp/server/server.h"
 
-#include "lsp/protocol/uri.h"
+#include "formats/text/file_uri.h"
+#include "formats/text/system/system.h"
 #include "lsp/server/bindings.h"
-
-#include <csignal>
 
 namespace ncvet::lsp {
 
@@ -225,7 +224,7 @@ private:
 
 int serve(int in, int out, llvm::StringRef version) {
   // A client that goes away is seen when it is written to.
-  std::signal(SIGPIPE, SIG_IGN);
+  system::ignoreBrokenPipes();
   return Server(in, out, version).run();
 }
 

@@ -1,7 +1,7 @@
 // What is wrong with the files that setups come from, where the user sees it.
 #include "lsp/server/setup_notices.h"
 
-#include "lsp/protocol/uri.h"
+#include "formats/text/file_uri.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"

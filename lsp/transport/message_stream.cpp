@@ -1,10 +1,9 @@
 // Framed messages: `Content-Length: N`, an empty line, N bytes.
 #include "lsp/transport/message_stream.h"
 
-#include <unistd.h>
+#include "formats/text/system/system.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <optional>
 
 namespace ncvet::lsp {
@@ -17,11 +16,8 @@ bool MessageReader::fill() {
   constexpr size_t piece = 64u << 10;
   const size_t had = buffer_.size();
   buffer_.resize(had + piece);
-  ssize_t got = 0;
-  do
-    got = ::read(descriptor_, buffer_.data() + had, piece);
-  while (got < 0 && errno == EINTR);
-  buffer_.resize(had + size_t(std::max<ssize_t>(got, 0)));
+  const size_t got = system::readSome(descriptor_, buffer_.data() + had, piece);
+  buffer_.resize(had + got);
   return got > 0;
 }
 
@@ -107,24 +103,12 @@ MessageReader::Result MessageReader::read(std::string &body) {
   return readBytes(*length, &body) ? Result::Message : Result::End;
 }
 
-bool MessageWriter::writeAll(llvm::StringRef bytes) {
-  while (!bytes.empty()) {
-    const ssize_t done = ::write(descriptor_, bytes.data(), bytes.size());
-    if (done < 0 && errno == EINTR)
-      continue;
-    if (done <= 0)
-      return false;
-    bytes = bytes.drop_front(size_t(done));
-  }
-  return true;
-}
-
 void MessageWriter::write(llvm::StringRef body) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (broken_)
     return;
   const std::string header = "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n";
-  broken_ = !writeAll(header) || !writeAll(body);
+  broken_ = !system::writeAll(descriptor_, header) || !system::writeAll(descriptor_, body);
 }
 
 } // namespace ncvet::lsp

@@ -47,8 +47,6 @@ public:
   bool isBroken() const { return broken_; }
 
 private:
-  bool writeAll(llvm::StringRef bytes);
-
   int descriptor_;
   std::mutex mutex_;
   bool broken_ = false;

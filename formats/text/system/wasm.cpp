@@ -1,0 +1,48 @@
+// The operating system: what a WebAssembly module gets from Node or a browser.
+#include "formats/text/system/system.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace ncvet::system {
+
+/// Files are copied into memory.
+void dropPages(const char *, const char *) {}
+
+llvm::Expected<std::unique_ptr<llvm::MemoryBuffer>> readPipe(llvm::StringRef, uint64_t) {
+  return llvm::createStringError(std::make_error_code(std::errc::invalid_argument),
+                                 "it is not a regular file");
+}
+
+int standardInput() { return STDIN_FILENO; }
+int standardOutput() { return STDOUT_FILENO; }
+
+size_t readSome(int descriptor, char *into, size_t most) {
+  return size_t(std::max<ssize_t>(::read(descriptor, into, most), 0));
+}
+
+void ignoreBrokenPipes() {}
+
+bool writeAll(int descriptor, llvm::StringRef bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::write(descriptor, bytes.data(), bytes.size());
+    if (done <= 0)
+      return false;
+    bytes = bytes.drop_front(size_t(done));
+  }
+  return true;
+}
+
+void keepFreedMemory() {}
+void giveBackFreeMemory() {}
+
+unsigned processors() { return 1; }
+
+/// A crash ends the module: its host is told, and nothing of it can go on.
+void noteCrashes(void (*)()) {}
+CrashStack::CrashStack() = default;
+CrashStack::~CrashStack() = default;
+std::string lastCrash() { return "abort"; }
+
+} // namespace ncvet::system

@@ -1,0 +1,122 @@
+// The operating system: Windows.
+#include "formats/text/system/system.h"
+
+#include <fcntl.h>
+#include <io.h>
+#include <windows.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <thread>
+
+namespace ncvet::system {
+
+/// Pages of a mapped file leave the working set by themselves when memory is short.
+void dropPages(const char *, const char *) {}
+
+/// Named pipes are in a name space of their own here, and no files of a folder.
+llvm::Expected<std::unique_ptr<llvm::MemoryBuffer>> readPipe(llvm::StringRef, uint64_t) {
+  return llvm::createStringError(std::make_error_code(std::errc::invalid_argument),
+                                 "it is not a regular file");
+}
+
+namespace {
+
+/// Without this, line ends are translated and a byte 26 ends the input.
+int asBytes(int descriptor) {
+  ::_setmode(descriptor, _O_BINARY);
+  return descriptor;
+}
+
+} // namespace
+
+int standardInput() { return asBytes(0); }
+int standardOutput() { return asBytes(1); }
+
+size_t readSome(int descriptor, char *into, size_t most) {
+  const int got = ::_read(descriptor, into, unsigned(std::min<size_t>(most, INT_MAX)));
+  return size_t(std::max(got, 0));
+}
+
+void ignoreBrokenPipes() {}
+
+bool writeAll(int descriptor, llvm::StringRef bytes) {
+  while (!bytes.empty()) {
+    const int done =
+        ::_write(descriptor, bytes.data(), unsigned(std::min<size_t>(bytes.size(), INT_MAX)));
+    if (done <= 0)
+      return false;
+    bytes = bytes.drop_front(size_t(done));
+  }
+  return true;
+}
+
+void keepFreedMemory() {}
+void giveBackFreeMemory() {}
+
+unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+namespace {
+
+void (*noteCrash)() = nullptr;
+thread_local DWORD crashedBy = 0;
+
+/// Exceptions that end a program; others are how a debugger or the run time library talk.
+bool isCrash(DWORD code) {
+  switch (code) {
+  case EXCEPTION_ACCESS_VIOLATION:
+  case EXCEPTION_ARRAY_BOUNDS_EXCEEDED:
+  case EXCEPTION_ILLEGAL_INSTRUCTION:
+  case EXCEPTION_IN_PAGE_ERROR:
+  case EXCEPTION_INT_DIVIDE_BY_ZERO:
+  case EXCEPTION_PRIV_INSTRUCTION:
+  case EXCEPTION_STACK_OVERFLOW:
+    return true;
+  default:
+    return false;
+  }
+}
+
+LONG CALLBACK onException(PEXCEPTION_POINTERS exception) {
+  const DWORD code = exception->ExceptionRecord->ExceptionCode;
+  if (isCrash(code)) {
+    crashedBy = code;
+    noteCrash();
+  }
+  return EXCEPTION_CONTINUE_SEARCH; // LLVM's recovery comes next
+}
+
+} // namespace
+
+void noteCrashes(void (*note)()) {
+  const bool first = !noteCrash;
+  noteCrash = note;
+  if (first)
+    ::AddVectoredExceptionHandler(/*First=*/1, onException);
+}
+
+/// So many bytes of the stack are kept for what handles that it is full.
+CrashStack::CrashStack() {
+  ULONG kept = 128 * 1024;
+  ::SetThreadStackGuarantee(&kept);
+}
+CrashStack::~CrashStack() = default;
+
+std::string lastCrash() {
+  switch (crashedBy) {
+  case EXCEPTION_ACCESS_VIOLATION:
+  case EXCEPTION_IN_PAGE_ERROR:
+    return "access violation";
+  case EXCEPTION_STACK_OVERFLOW:
+    return "stack overflow";
+  case EXCEPTION_INT_DIVIDE_BY_ZERO:
+    return "arithmetic fault";
+  case EXCEPTION_ILLEGAL_INSTRUCTION:
+  case EXCEPTION_PRIV_INSTRUCTION:
+    return "illegal instruction";
+  default:
+    return "abort";
+  }
+}
+
+} // namespace ncvet::system
