@@ -2,9 +2,8 @@
 #include "analyzer/cli/dap.h"
 
 #include "formats/text/crash_guard.h"
+#include "formats/text/system/system.h"
 #include "lsp/debug/debug_server.h"
-
-#include <unistd.h>
 
 namespace ncvet::cli {
 
@@ -16,7 +15,7 @@ DapCommand::DapCommand()
 
 int DapCommand::run() {
   enableCrashGuard();
-  return dap::serve(STDIN_FILENO, STDOUT_FILENO);
+  return dap::serve(system::standardInput(), system::standardOutput());
 }
 
 } // namespace ncvet::cli

@@ -1,3 +1,4 @@
+// Pattern set: regular expressions compiled together by RE2.
 #include "analyzer/setup/pattern_set.h"
 
 #include "formats/text/failure.h"

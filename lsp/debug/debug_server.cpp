@@ -1,15 +1,14 @@
 // The debug adapter: the loop that takes messages.
 #include "lsp/debug/debug_server.h"
 
+#include "formats/text/system/system.h"
 #include "lsp/debug/debug_session.h"
-
-#include <csignal>
 
 namespace ncvet::dap {
 
 int serve(int in, int out) {
   // A client that goes away is seen when it is written to.
-  std::signal(SIGPIPE, SIG_IGN);
+  system::ignoreBrokenPipes();
   lsp::MessageReader reader(in);
   lsp::MessageWriter writer(out);
   DebugChannel channel(writer);

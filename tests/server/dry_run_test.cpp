@@ -513,9 +513,10 @@ TEST_P(LongDryRun, TwoHundredStopsEqualTheTrace) {
       EXPECT_NEAR(std::atof(position[axis].c_str()), value.get<double>(), 1e-5)
           << "after line " << line << ", axis " << axis << ": " << position[axis];
     }
-    if (cut.is_number())
+    if (cut.is_number()) {
       EXPECT_NEAR(std::stod(run.scope("Spindle and feed")["F"]), cut.get<double>(), 1e-5)
           << "after line " << line;
+    }
   }
   EXPECT_EQ(run.disconnect(), 0);
 }
