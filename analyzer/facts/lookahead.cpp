@@ -68,6 +68,8 @@ bool readBack(const RuleContext &ctx, Block &block) {
 
 llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &block) {
   llvm::SmallVector<CodeIndex, 6> codes;
+  if (!block.hasAny(maskOf('G') | maskOf('M') | maskOf(keywordAddress)))
+    return codes;
   for (const Word &word : block.words)
     if (const CodeIndex code = codeOf(dialect, word); code != noCode)
       codes.push_back(code);

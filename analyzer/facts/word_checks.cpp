@@ -168,6 +168,12 @@ std::string describe(const ValueTest &test) {
   return bounds;
 }
 
+bool namesRange(const Block &block, const CodeInfo &code) {
+  return llvm::any_of(code.words, [&](const WordSpec &spec) {
+    return (spec.hasRange || spec.variable) && wordFor(block, spec);
+  });
+}
+
 void reportWordRanges(RuleContext &ctx, const Event &event,
                       llvm::function_ref<bool(const CodeInfo &, const WordSpec &, Breach)> mine) {
   const CodeInfo &code = ctx.code(event);

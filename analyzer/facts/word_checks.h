@@ -52,6 +52,9 @@ enum class Breach : uint8_t {
 std::optional<Breach> breachOf(const ValueTest &test, const Word &word,
                                const ConditionContext &context);
 
+/// Whether the block has a word for which the code has bounds, or gives a variable of it.
+bool namesRange(const Block &block, const CodeInfo &code);
+
 /// Reports the words of the block that certainly break the bounds of the event's code and for which
 /// `mine` is true.
 void reportWordRanges(RuleContext &ctx, const Event &event,

@@ -13,6 +13,8 @@ public:
   RuleHost(FileUnit &unit, const RuleSelection &rules, const AnalysisLimits &limits,
            Visits &visits);
 
+  /// Every rule is told of all that it listens for, whatever it has said of blocks like it.
+  void tellInFull() { dispatcher_.tellInFull(); }
   const Dispatcher &dispatcher() const { return dispatcher_; }
   const Collector &collector() const { return collector_; }
   /// All findings, sorted.

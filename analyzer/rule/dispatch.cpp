@@ -1,6 +1,7 @@
 // Hands the events of a block to the rules that listen for them.
 #include "analyzer/rule/dispatch.h"
 
+#include "analyzer/rule/block_shape.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
 #include "llvm/ADT/StringMap.h"
@@ -131,31 +132,115 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
   if (!(outcome.kinds & kinds_))
     return;
   prepare(unit, block, outcome, before, after, caller);
-  for (const Event &event : outcome.events) {
+  if (!shapes_ || caller || !tellKnown(block, outcome))
+    tellAll(outcome);
+}
+
+/// Tells those that have not said that blocks of this shape do not interest them; false: that is
+/// not known of it. What is met for the first time is only noted: in some programs no block has the
+/// shape of another.
+bool Dispatcher::tellKnown(const Block &block, const Outcome &outcome) {
+  const uint64_t shape = shapeOf(context_.dialect(), block, outcome);
+  if (!shape)
+    return false;
+  const size_t place = shape % KnownShapes::places;
+  if (shapes_->met[place] != shape) {
+    shapes_->met[place] = shape;
+    return false;
+  }
+  if (shapes_->all[shapes_->at[place]].shape != shape)
+    makeRoom(shape);
+  KnownShape &known = shapes_->all[shapes_->at[place]];
+  const uint64_t modes = modesOf(known.use, context_.before(), context_.after());
+  for (const KnownModes &there : known.modes)
+    if (there.modes == modes) {
+      stateUse |= there.asleepUse;
+      for (const auto &[event, listener] : there.awake)
+        tellOne(outcome.events[event], listener);
+      return true;
+    }
+  findOut(known, outcome);
+  return true;
+}
+
+/// Gives up the shape that was met first for another one.
+void Dispatcher::makeRoom(uint64_t shape) {
+  shapes_->at[shape % KnownShapes::places] = uint8_t(shapes_->next);
+  KnownShape &room = shapes_->all[shapes_->next];
+  shapes_->next = (shapes_->next + 1) % unsigned(KnownShapes::most);
+  room.shape = shape;
+  room.use = {};
+  for (KnownModes &modes : room.modes)
+    modes.modes = 0;
+}
+
+/// Tells all, and notes who need not be told of such a block again.
+void Dispatcher::findOut(KnownShape &shape, const Outcome &outcome) {
+  KnownModes &modes = shape.modes[shape.next];
+  shape.next = (shape.next + 1) % unsigned(shape.modes.size());
+  modes.awake.clear();
+  modes.asleepUse = {};
+  finding_ = &modes;
+  tellAll(outcome);
+  finding_ = nullptr;
+  StateUse use = shape.use;
+  use |= modes.asleepUse;
+  if (!isSame(use, shape.use)) { // the others were told apart by less
+    shape.use = use;
+    for (KnownModes &other : shape.modes)
+      other.modes = 0;
+  }
+  modes.modes = modesOf(use, context_.before(), context_.after());
+}
+
+void Dispatcher::tellAll(const Outcome &outcome) {
+  for (uint32_t i = 0; i < outcome.events.size(); ++i) {
+    const Event &event = outcome.events[i];
     if (!(bitOf(event.kind) & kinds_))
       continue;
     if (event.kind == EventKind::Motion)
-      tell(event, byMove_[size_t(event.motion)]);
+      tell(outcome, i, byMove_[size_t(event.motion)]);
     else
-      tell(event, byKind_[size_t(event.kind)]);
+      tell(outcome, i, byKind_[size_t(event.kind)]);
     if (event.kind == EventKind::CycleRun)
       reportChanged(event);
     if (event.kind == EventKind::Code)
-      for (const Listener &listener : byCode_[event.code]) {
-        context_.rule_ = listener.id;
-        if (listener.rule)
-          listener.rule->on(event, context_);
-        else
-          context_.reportNotices(allRules()[listener.id].info.id, event);
-      }
+      tell(outcome, i, byCode_[event.code]);
   }
 }
 
-void Dispatcher::tell(const Event &event, llvm::ArrayRef<Listener> listeners) {
+void Dispatcher::tell(const Outcome &outcome, uint32_t event, llvm::ArrayRef<Listener> listeners) {
   for (const Listener &listener : listeners) {
-    context_.rule_ = listener.id;
-    listener.rule->on(event, context_);
+    if (!finding_) {
+      tellOne(outcome.events[event], listener);
+      continue;
+    }
+    const StateUse used = std::exchange(stateUse, StateUse());
+    if (sleepsInShape(outcome.events[event], listener))
+      finding_->asleepUse |= stateUse;
+    else
+      finding_->awake.push_back({event, listener});
+    stateUse |= used;
   }
+}
+
+void Dispatcher::tellOne(const Event &event, const Listener &listener) {
+  context_.rule_ = listener.id;
+  if (listener.rule)
+    listener.rule->on(event, context_);
+  else
+    context_.reportNotices(allRules()[listener.id].info.id, event);
+}
+
+/// Tells the rule; true: it has nothing to say of any such block, and it is known why.
+bool Dispatcher::sleepsInShape(const Event &event, const Listener &listener) {
+  const uint64_t reports = context_.collector_.reports();
+  ruleSleep = RuleSleep::No;
+  tellOne(event, listener);
+  const bool sleeps =
+      std::exchange(ruleSleep, RuleSleep::No) == RuleSleep::InShape ||
+      (!listener.rule && !asksNumbers(context_.code(event), allRules()[listener.id].info.id));
+  return sleeps && reports == context_.collector_.reports() && coversModes(stateUse);
 }
 
 /// A later block of a modal cycle may give variables anew that the cycle reads: what the table says
@@ -183,13 +268,13 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
   if (awake_.empty())
     return;
   prepare(unit, block, outcome, before, after, caller);
-  ruleSleeps = false;
+  ruleSleep = RuleSleep::No;
   for (size_t i = 0; i < awake_.size();) {
     const auto &[event, listener] = awake_[i];
     context_.rule_ = listener.id;
     const StateUse used = std::exchange(stateUse, StateUse());
     listener.rule->on(outcome.events[event], context_);
-    if (std::exchange(ruleSleeps, false)) {
+    if (std::exchange(ruleSleep, RuleSleep::No) != RuleSleep::No) {
       asleepUse_ |= stateUse;
       awake_.erase(awake_.begin() + ptrdiff_t(i));
     } else {

@@ -5,6 +5,8 @@
 #include "analyzer/rule/collector.h"
 #include "analyzer/rule/rule.h"
 
+#include <memory>
+
 namespace ncvet {
 
 /// The rules of one run, made and subscribed for one dialect.
@@ -19,6 +21,8 @@ public:
   bool wantsEveryMove() const { return !everyBlock_.empty(); }
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after, const CallSite *caller);
+  /// Every rule is told of every event that it listens for, whatever it has said of blocks like it.
+  void tellInFull() { shapes_.reset(); }
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
   /// to know of every move, as long as they do. Blocks of one `stretch` differ in numbers only.
   void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
@@ -74,6 +78,38 @@ private:
       return event.kind != EventKind::Motion || (moves & bitOf(event.motion));
     }
   };
+  /// Who is told of a block, and of which event of it.
+  struct Awake {
+    uint32_t event;
+    Listener listener;
+  };
+  /// What was found out of blocks of one shape in some modes.
+  struct KnownModes {
+    uint64_t modes = 0; ///< see `modesOf`; 0: nothing is known
+    std::vector<Awake> awake;
+    StateUse asleepUse; ///< what the others looked at
+  };
+  struct KnownShape {
+    uint64_t shape = 0; ///< see `shapeOf`; 0: none
+    StateUse use;       ///< what decides in some of the modes who sleeps
+    unsigned next = 0;  ///< which of the modes is given up next
+    std::array<KnownModes, 4> modes;
+  };
+  /// Shapes that were met last.
+  struct KnownShapes {
+    /// A program has some dozens of shapes, and perhaps many more of which no block has the same.
+    static constexpr size_t most = 128, places = 2048;
+    std::array<KnownShape, most> all;
+    unsigned next = 0;                  ///< which of them is given up next
+    std::array<uint64_t, places> met{}; ///< by place: the shape that was met there last
+    std::array<uint8_t, places> at{};   ///< which of `all` it may be
+  };
+  bool tellKnown(const Block &block, const Outcome &outcome);
+  void makeRoom(uint64_t shape);
+  void findOut(KnownShape &shape, const Outcome &outcome);
+  void tellAll(const Outcome &outcome);
+  void tellOne(const Event &event, const Listener &listener);
+  bool sleepsInShape(const Event &event, const Listener &listener);
   void listenToKinds(const Listener &listener, const Subscriptions &subscriptions);
   /// The table has something to say of the `noticed` codes: what names the rule, is said when the
   /// code runs as a cycle, and with `report` when it is active.
@@ -82,7 +118,7 @@ private:
   void listenToCodes(const Listener &listener, const Subscriptions &subscriptions);
   void reportChanged(const Event &event);
   void wake(const Outcome &outcome);
-  void tell(const Event &event, llvm::ArrayRef<Listener> listeners);
+  void tell(const Outcome &outcome, uint32_t event, llvm::ArrayRef<Listener> listeners);
   void prepare(FileUnit &unit, const Block &block, const Outcome &outcome,
                const MachineState &before, const MachineState &after, const CallSite *caller);
 
@@ -96,15 +132,12 @@ private:
   std::vector<std::vector<Listener>> byCode_;
   std::vector<std::vector<RuleId>> noticesOf_; ///< by code: rules for which the table has some
   std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of every move, by kind of event
-  /// Who is told of the moves of the stretch, and of which event of theirs.
-  struct Awake {
-    uint32_t event;
-    Listener listener;
-  };
-  std::vector<Awake> awake_;
+  std::vector<Awake> awake_;                               ///< of the moves of the stretch
   StateUse asleepUse_; ///< what the others looked at to find that they may sleep
   uint64_t stretch_ = ~uint64_t(0);
   uint32_t kinds_ = 0;
+  std::unique_ptr<KnownShapes> shapes_ = std::make_unique<KnownShapes>();
+  KnownModes *finding_ = nullptr; ///< of whom it is found out who is told
   RuleContext context_;
 };
 

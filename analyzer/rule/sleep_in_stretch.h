@@ -1,14 +1,33 @@
 // How a rule that is told of every move says that the next ones do not interest it.
 #pragma once
 
+#include "analyzer/rule/rule.h"
+
 namespace ncvet {
 
+/// How long the rule that is being told will have nothing to say of that event.
+enum class RuleSleep : uint8_t {
+  No,
+  InStretch, ///< until the stretch of blocks ends
+  InShape    ///< of any block of this shape in these modes
+};
+
 /// Of the rule that is being told, on this thread; the dispatcher looks at it after each call.
-inline constinit thread_local bool ruleSleeps = false;
+inline constinit thread_local RuleSleep ruleSleep = RuleSleep::No;
 
 /// The rule has nothing to say of the following moves either, as long as each only goes on as the
 /// one before: in the same modes, with the same facts known, with the same words. Only such things
 /// may decide it, no number of the block.
-inline void sleepInStretch() { ruleSleeps = true; }
+inline void sleepInStretch() { ruleSleep = RuleSleep::InStretch; }
+
+/// The rule has nothing to say of this event in any block of this shape (see `shapeOf`) in these
+/// modes, wherever it comes, and remembers nothing of it. What decides that is the shape, the parts
+/// of the state that note when they are looked at, and the modes that `modesOf` names: no
+/// coordinate, no other number of the cycle in force, nothing that the rule remembers, no text and
+/// no other block.
+inline void sleepInShape() { ruleSleep = RuleSleep::InShape; }
+
+/// Whether a number of the block decides what the table has to say of a code for rule `id`.
+bool asksNumbers(const CodeInfo &code, llvm::StringRef id);
 
 } // namespace ncvet

@@ -1,5 +1,6 @@
 // Words of a block that take effect in another order, or by another code, than they seem to.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -44,7 +45,7 @@ private:
   /// An M code beside a repeated cycle acts once, after the first positioning.
   static void repeated(const Event &event, RuleContext &ctx) {
     if (event.code == noCode || !ctx.block().has(letterAddress('M')))
-      return;
+      return sleepInShape();
     for (const WordSpec &spec : ctx.code(event).words) {
       if (spec.role != Role::Repeat)
         continue;

@@ -1,5 +1,6 @@
 // Two codes of one block that exclude each other.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -38,6 +39,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     ctx.reportNotices(id, event);
+    // What follows looks at the codes alone.
+    if (!asksNumbers(ctx.code(event), id))
+      sleepInShape();
     if (ctx.codes().size() < 2)
       return;
     const CodeInfo &code = ctx.code(event);

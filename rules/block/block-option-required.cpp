@@ -1,5 +1,6 @@
 // A code that works only with an option of the machine that the profile does not confirm.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -39,7 +40,7 @@ private:
     if (event.motion == MotionKind::Reference || ctx.after().tool != notSet ||
         before.preselected == notSet || before.may(Fact::ToolCalled) ||
         before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}))
-      return;
+      return sleepInShape();
     const SourceRange lastTool = memory().lastTool.look();
     if (lastTool.empty())
       return;

@@ -1,6 +1,7 @@
 // A word that no code of the block and no code in force takes.
 #include "analyzer/facts/foreign_block.h"
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <set>
 
@@ -71,6 +72,7 @@ public:
                      ctx.text(word), ctx.codes().empty() ? " or in force" : "")
             .fix(FixSafety::Unsafe, "delete the word", ctx.remove(word));
     }
+    sleepInShape(); // addresses and codes alone decide it
   }
 
 private:

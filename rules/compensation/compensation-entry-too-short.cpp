@@ -73,7 +73,7 @@ private:
   static void besidePlane(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
     if (state.compensation != phaseStarting)
-      return sleepInStretch();
+      return sleepInShape();
     if (event.code == noCode || !event.axes || event.motion == MotionKind::Reference ||
         event.motion == MotionKind::Skip)
       return;

@@ -1,6 +1,7 @@
 // Codes that must not be used while radius compensation is on.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/preprocessor_reads.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/state/zero_point.h"
 
@@ -29,8 +30,9 @@ public:
     const CodeInfo &code = ctx.code(event);
     // `G40` in the same block comes first.
     const Truth active = ctx.after().compensationActive(ctx.dialect());
-    if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known() ||
-        !disturbs(code, ctx))
+    if (active == Truth::No)
+      return sleepInShape();
+    if (!ctx.after().origin.of(StatePart::Compensation).known() || !disturbs(code, ctx))
       return;
     const bool wasOn = ctx.before().compensationActive(ctx.dialect()) != Truth::No;
     // Switched on in this very block: a unit or an offset comes before the move.

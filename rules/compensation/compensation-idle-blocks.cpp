@@ -31,13 +31,15 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Motion) {
       if (ctx.before().compensation != phaseOn)
-        return sleepInStretch();
+        return sleepInShape();
       zeroMove(event, ctx);
       if (inSpace_)
         inSpace(event, ctx);
     } else {
       if (allowedAfterApproach_)
         approach(ctx);
+      if (ctx.after().compensation != phaseOn && !allowedAfterApproach_ && !infeeds_)
+        return sleepInShape();
       idle(ctx);
       if (infeeds_)
         infeed(ctx);

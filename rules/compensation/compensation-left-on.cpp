@@ -5,6 +5,7 @@
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/references.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <map>
@@ -51,6 +52,8 @@ public:
         onceMore(event, ctx);
       return;
     case EventKind::Motion:
+      if (ctx.before().compensationActive(ctx.dialect()) != Truth::Yes)
+        return sleepInShape();
       memory().retracted |= isRetract(ctx);
       return;
     case EventKind::ToolChange:
@@ -216,7 +219,9 @@ private:
   /// A cycle that reads a profile: its last block is where compensation has to be off again.
   void rememberProfile(RuleContext &ctx) const {
     const Flow &flow = ctx.outcome().flow;
-    if (flow.kind != FlowKind::Profile || flow.first < 0 || flow.last < 0)
+    if (flow.kind != FlowKind::Profile)
+      return sleepInShape();
+    if (flow.first < 0 || flow.last < 0)
       return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const auto [first, last] = resolveProfile(ctx.index(), program, Reference::toBlock(flow.first),
@@ -227,7 +232,7 @@ private:
 
   void atProfileEnd(const Event &event, RuleContext &ctx) const {
     if (ctx.before().profile == ProfileMode::Off)
-      return;
+      return sleepInShape();
     const auto found = memory().profiles.find({ctx.source().id(), ctx.block().begin});
     if (found == memory().profiles.end())
       return;

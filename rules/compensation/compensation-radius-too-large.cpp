@@ -30,7 +30,7 @@ public:
     const MachineState &before = ctx.before(), &after = ctx.after();
     if ((before.compensation | after.compensation) == phaseOff ||
         before.profile == ProfileMode::Recorded)
-      return sleepInStretch();
+      return sleepInShape();
     memory().trail->take(
         ctx, event.certain && !after.may(Fact::UnknownCode),
         [&](const ContourTrail::Element &element, const Neighbours &neighbours,

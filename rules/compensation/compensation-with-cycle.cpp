@@ -3,6 +3,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <set>
 
@@ -22,11 +23,13 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode ||
         (event.kind == EventKind::Motion && event.motion != MotionKind::Thread))
-      return;
+      return sleepInShape();
     const CodeInfo &code = ctx.code(event);
     if (code.action == Action::Cycle && !forbidden(code.cycle))
-      return;
+      return sleepInShape();
     const Truth active = ctx.after().compensationActive(ctx.dialect());
+    if (active == Truth::No)
+      return sleepInShape();
     if (active == Truth::No || !ctx.after().origin.of(StatePart::Compensation).known())
       return;
     if (cutsThread(code.cycle) && outlivesTool(ctx.after()))

@@ -1,5 +1,6 @@
 // The end of a line does not lie in the direction of its angle.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "interp/geometry/line.h"
 
@@ -100,6 +101,8 @@ private:
   void circleAndLine(const Event &event, RuleContext &ctx) const {
     if (!(corners_.angle & maskOf(commaA)) || ctx.after().compensation == phaseOff)
       return;
+    if (!angleFollows(ctx))
+      return;
     const bool clockwise = event.motion == MotionKind::ArcCw;
     const Dialect &dialect = ctx.dialect();
     const ArcWords &words = ctx.arcWords();
@@ -156,6 +159,21 @@ private:
           .note(ctx.blockRange(), "the circle");
   }
 
+  /// Whether a block soon after this one may have a word `,A`: its text is read, which costs far
+  /// less than executing it.
+  static bool angleFollows(const RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < readAhead && ahead.next(next); ++i) {
+      if (next.has(commaA))
+        return true;
+      if (next.hasAny(ctx.dialect().axisWords) &&
+          (!next.has(letterAddress('G')) || hasMotionCode(ctx.dialect(), next)))
+        return false; // a move
+    }
+    return false;
+  }
+
   static bool onArc(const Point &point, const Point &start, const Point &end, const Point &centre,
                     bool clockwise) {
     const auto turned = [&](const Point &to) { // from the start, in full turns
@@ -170,6 +188,8 @@ private:
   static constexpr double shortest = 1e-4;   // mm
   static constexpr double leastAside = 0.05; // mm: coordinates and angles are written rounded
   static constexpr double leastSine = 0.002; // a tenth of a degree
+  /// Blocks that may lie between an arc and the line after it.
+  static constexpr unsigned readAhead = 16;
   CornerAddresses corners_;
 };
 

@@ -1,5 +1,6 @@
 // The angle of a line runs parallel to the coordinate that is to be reached.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
 
@@ -16,7 +17,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(corners_.angle);
-    if (!word || !event.certain || takenByOther(ctx, corners_.angle & corners_.plain))
+    if (!word)
+      return sleepInShape();
+    if (!event.certain || takenByOther(ctx, corners_.angle & corners_.plain))
       return;
     const bool plain = corners_.plain & maskOf(word->address);
     if (event.motion != MotionKind::Feed && !(event.motion == MotionKind::Rapid && !plain))

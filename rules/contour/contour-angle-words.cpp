@@ -1,6 +1,7 @@
 // A line by angle has too many or too few coordinates, or is in a block that is no line.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <bit>
 
@@ -19,7 +20,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word *angle = ctx.block().findAny(corners_.angle);
-    if (!angle || ctx.before().profile == ProfileMode::Recorded)
+    if (!angle)
+      return sleepInShape();
+    if (ctx.before().profile == ProfileMode::Recorded)
       return;
     const bool plain = corners_.plain & maskOf(angle->address);
     if (plain && takenByOther(ctx, corners_.angle))

@@ -1,5 +1,6 @@
 // A chamfer or rounding where the control does not allow one.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -19,7 +20,9 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
-    if (!word || !event.certain || event.inMachineCoordinates() ||
+    if (!word)
+      return sleepInShape();
+    if (!event.certain || event.inMachineCoordinates() ||
         ctx.before().profile == ProfileMode::Recorded || !asksForCorner(ctx, *word))
       return;
     const bool plain = corners_.plain & maskOf(word->address);

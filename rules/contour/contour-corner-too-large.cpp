@@ -1,6 +1,7 @@
 // A chamfer or rounding that does not fit on its neighbours, or is not positive.
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -26,7 +27,9 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word *word = ctx.block().findAny(words_);
-    if (!word || !event.certain || event.inMachineCoordinates() ||
+    if (!word)
+      return sleepInShape();
+    if (!event.certain || event.inMachineCoordinates() ||
         ctx.before().profile == ProfileMode::Recorded || ctx.before().may(Fact::UnknownCode) ||
         !asksForCorner(ctx, *word))
       return;

@@ -2,6 +2,7 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/path/corner_path.h"
 
@@ -25,8 +26,9 @@ public:
     }
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
-    if (!word || ctx.before().profile != ProfileMode::Off || !event.certain ||
-        !asksForCorner(ctx, *word))
+    if (!word)
+      return sleepInShape();
+    if (ctx.before().profile != ProfileMode::Off || !event.certain || !asksForCorner(ctx, *word))
       return;
     const bool plain = corners_.plain & maskOf(word->address);
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;

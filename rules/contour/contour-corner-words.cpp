@@ -2,6 +2,7 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/path_ahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <bit>
@@ -32,6 +33,8 @@ public:
     const Block &block = ctx.block();
     if (block.hasAny(nothing_))
       withoutComma(event, ctx);
+    if (!block.hasAny(corners_.corner() | nothing_))
+      return sleepInShape();
     if (!block.hasAny(corners_.corner()))
       return;
     if (senses_)

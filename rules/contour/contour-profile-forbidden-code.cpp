@@ -25,7 +25,7 @@ public:
     if (records_ && ctx.before().profile == ProfileMode::Recorded)
       return recorded(event, ctx);
     if (!ctx.before().must(Fact::InContour))
-      return sleepInStretch();
+      return sleepInShape();
     switch (event.kind) {
     case EventKind::Code:
       return atCode(event, ctx);

@@ -1,6 +1,7 @@
 // An active scaling or mirror image changes more than it seems to.
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <set>
 
@@ -37,8 +38,11 @@ public:
     if (event.kind == EventKind::Code)
       return mirror(event, ctx);
     const MachineState &state = ctx.after();
-    if (state.isActive(ctx.dialect(), StandardGroup::Scaling, {Action::ScalingOn}) != Truth::Yes)
+    if (state.isActive(ctx.dialect(), StandardGroup::Scaling, {Action::ScalingOn}) != Truth::Yes) {
+      if (!ctx.block().hasAny(ctx.dialect().elementWords))
+        sleepInShape();
       return;
+    }
     const Axis tool = toolAxis(ctx.dialect(), state);
     const bool cuts = event.kind == EventKind::CycleRun || event.motion == MotionKind::Feed ||
                       (event.motion == MotionKind::Rapid && !event.inMachineCoordinates());

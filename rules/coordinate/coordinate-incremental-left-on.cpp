@@ -2,6 +2,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -115,12 +116,13 @@ private:
   void early(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     const bool cycle = event.kind == EventKind::CycleRun;
-    if (!memory().saysAbsolute || event.code == noCode || !event.certain ||
-        before.may(Fact::UnknownCode) ||
-        before.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
+    if (before.isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::Yes ||
         ctx.after().isActive(ctx.dialect(), StandardGroup::Distance, {Action::Incremental}) !=
             Truth::Yes)
+      return sleepInShape();
+    if (!memory().saysAbsolute || event.code == noCode || !event.certain ||
+        before.may(Fact::UnknownCode))
       return;
     const Origin on = before.originOf(ctx.dialect(), StandardGroup::Distance);
     const Origin &tool = before.origin.of(StatePart::Tool);

@@ -1,5 +1,6 @@
 // A block looks as if the machine coordinates of the block before were still in force.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -21,7 +22,7 @@ public:
         event.motion == MotionKind::Skip || !event.axes || !before.must(Fact::AtMachinePosition) ||
         (event.axes & before.machineAxes) || !before.machineAxes ||
         before.must(Fact::ReferenceReturned))
-      return;
+      return sleepInShape();
     // The retract axes of the machine: all of a lathe, the tool axis of a mill.
     const auto likely = ctx.dialect().isLathe()
                             ? uint16_t(1u << unsigned(Axis::X) | 1u << unsigned(Axis::Z))

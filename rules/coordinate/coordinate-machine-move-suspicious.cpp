@@ -1,5 +1,6 @@
 // A machine-coordinate move is not at rapid, or leads to the wrong side of machine zero.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (!event.inMachineCoordinates())
-      return;
+      return sleepInShape();
     const CodeUse *use = ctx.find({Action::MachineMove});
     if (!use)
       return;

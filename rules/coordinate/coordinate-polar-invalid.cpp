@@ -1,5 +1,6 @@
 // A polar point lacks its radius, or gives it as an increment.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -31,8 +32,9 @@ public:
     }
     if (ctx.block().hasAny(words_))
       return byWords(event, ctx);
-    if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
-        after.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
+    if (after.isActive(dialect, StandardGroup::Polar, {Action::PolarOn}) != Truth::Yes)
+      return modal_ ? void() : sleepInShape();
+    if (event.inMachineCoordinates() || event.motion == MotionKind::Reference)
       return;
     // The first axis of the plane carries the radius, the second the angle.
     Axis radius = Axis::X, angle = Axis::Y;

@@ -1,5 +1,6 @@
 // The tool moves in work coordinates before a work offset was selected.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -18,8 +19,10 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.after();
-    if (memory().reported || (state.must(Fact::WorkOffsetStated) && !isNone(ctx)) ||
+    if ((state.must(Fact::WorkOffsetStated) && !isNone(ctx)) ||
         event.motion == MotionKind::Reference || event.inMachineCoordinates() || !event.axes)
+      return sleepInShape();
+    if (memory().reported)
       return;
     // A preset makes a coordinate system of its own; increments need none.
     if (state.origin.of(StatePart::Preset).known() || state.may(Fact::UnknownCode))

@@ -1,5 +1,6 @@
 // The levels of a drilling cycle lie in the wrong order: start, R, depth.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 
@@ -78,7 +79,7 @@ private:
     if (other)
       zWord = block.find(other);
     if (!rWord && !zWord) // one more hole of a row
-      return;
+      return sleepInShape();
     const MachineState &state = ctx.after();
     const auto unit = millimetresPer(ctx.dialect(), state);
     const auto r = kept(state, code, Role::Retract);

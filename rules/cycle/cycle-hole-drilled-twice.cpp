@@ -114,8 +114,10 @@ private:
   static void repeatedHere(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const Word *count = wordOf(ctx.block(), code, Role::Repeat);
+    if (!count)
+      return;
     const auto n = valueOf(ctx, code, Role::Repeat);
-    if (!count || !n || *n < 2)
+    if (!n || *n < 2)
       return;
     const Dialect &dialect = ctx.dialect();
     const Axis tool = toolAxis(dialect, ctx.after());
@@ -182,9 +184,11 @@ private:
     const CodeInfo &code = ctx.code(event);
     const Axis tool = toolAxis(ctx.dialect(), state);
     // A turned or mirrored system makes other places of the same numbers.
-    const std::optional<Frame> frame = state.frames.total();
-    if (state.profile != ProfileMode::Off || !frame ||
-        (state.transforms[0] && state.frames.empty()))
+    std::optional<Frame> frame;
+    if (!state.frames.empty())
+      frame = state.frames.total();
+    const bool isTransformed = state.transforms[0] || !state.frames.empty();
+    if (state.profile != ProfileMode::Off || (isTransformed && !frame))
       return false;
     HolePlace place;
     place.block = {ctx.source().id(), ctx.block().begin};
@@ -215,13 +219,13 @@ private:
       }
     }
     place.key = keyOf(place);
-    // Another depth at the same place is a second step, and a longer path cannot be one list.
-    const bool deeper =
-        wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
     note(place);
     const HolePlace *known = list().add(place);
     if (!known)
       return false;
+    // Another depth at the same place is a second step, and a longer path cannot be one list.
+    const bool deeper =
+        wordOf(ctx.block(), code, Role::Depth) || wordOf(ctx.block(), code, Role::Retract);
     const HolePlace &other = *known;
     if (other.block == place.block || other.offset != place.offset || other.at != place.at ||
         (deeper && place.list.offset < ctx.block().begin))

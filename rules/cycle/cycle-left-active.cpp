@@ -5,6 +5,7 @@
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_series.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <map>
@@ -69,6 +70,9 @@ public:
     }
     const CodeInfo *cycle = activeCycle(before, dialect);
     if (event.kind == EventKind::CycleRun) {
+      if (event.code != noCode && !ctx.code(event).firesOnEveryBlock &&
+          ctx.code(event).cycle != CycleKind::Measure)
+        return sleepInShape();
       repeatedPass(event, ctx);
       measuresAway(event, ctx);
       return;

@@ -3,6 +3,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <set>
@@ -47,6 +48,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before();
     if (event.kind == EventKind::Block) {
+      if (ctx.block().items.empty() && !ctx.block().hasAny(dataWords))
+        return sleepInShape();
       checkLooseWords(ctx);
       checkLooseParameters(ctx);
       return;
@@ -250,10 +253,12 @@ private:
   std::unordered_map<uint64_t, CodeIndex> callParameters_;
 
   /// Depths of pecks and the like in a block that makes no hole.
+  /// What a cycle may keep of a block.
+  static constexpr AddressMask dataWords = lettersMask("IJKQEP");
+
   void checkLooseWords(RuleContext &ctx) const {
     const Block &block = ctx.block();
-    constexpr AddressMask data = lettersMask("IJKQEP");
-    if (!(block.addresses & data) || block.has(letterAddress('G')) || !block.items.empty() ||
+    if (!block.hasAny(dataWords) || block.has(letterAddress('G')) || !block.items.empty() ||
         (ctx.outcome().kinds & bitOf(EventKind::UnknownCode)))
       return;
     const CodeInfo *cycle = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
@@ -272,7 +277,7 @@ private:
       case Role::PeckClearance:
       case Role::Dwell:
       case Role::Shift:
-        lost |= spec.any & data;
+        lost |= spec.any & dataWords;
         break;
       default:
         break;

@@ -1,6 +1,7 @@
 // A word of a canned or turning cycle has a value that the cycle does not take.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -30,8 +31,9 @@ public:
     if (event.code == noCode)
       return;
     // A later block of a modal cycle may give a word anew.
-    if (event.kind == EventKind::CycleRun && ctx.codeWord(event))
-      return;
+    if (event.kind == EventKind::CycleRun &&
+        (ctx.codeWord(event) || !namesRange(ctx.block(), ctx.code(event))))
+      return sleepInShape();
     // With one argument too many it is not known which of them is in the wrong place.
     if (const uint8_t most = ctx.code(event).arguments; most && ctx.block().argument(most + 1u))
       return;

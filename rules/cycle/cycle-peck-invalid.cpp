@@ -1,6 +1,7 @@
 // The pecks of a drilling cycle are missing, not positive, or contradict each other.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -29,6 +30,8 @@ public:
     if (again && ctx.codeWord(event))
       return;
     const CodeInfo &code = ctx.code(event);
+    if (again && !namesRange(ctx.block(), code) && !wordOf(ctx.block(), code, Role::PeckFirst))
+      return sleepInShape();
     if (code.action == Action::Cycle) {
       if (!again)
         reportMissingWords(ctx, event, [](const CodeInfo &of, const WordSpec &spec) {

@@ -1,5 +1,6 @@
 // The spindle turns the other way than the cycle needs.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -25,14 +26,14 @@ public:
         spindle = spindleCcw;
     }
     if (spindle != spindleCw && spindle != spindleCcw)
-      return;
+      return sleepInShape();
     if (event.kind == EventKind::Motion || cutsThread(code.cycle)) {
       if (event.kind != EventKind::CycleStart)
         threadHand(event, code, spindle, ctx);
       return;
     }
     if (event.kind != EventKind::CycleStart || !makesHole(code.cycle))
-      return;
+      return sleepInShape();
     uint8_t needed = 0;
     if (code.spindle == SpindleNeed::Clockwise)
       needed = spindleCw;

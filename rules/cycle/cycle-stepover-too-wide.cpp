@@ -1,5 +1,6 @@
 // The side step of a grooving cycle is wider than the insert, or leaves an uneven last step.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 
@@ -24,7 +25,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     const bool face = code.cycle == CycleKind::GrooveFace;
     if (!face && code.cycle != CycleKind::GrooveRadial)
-      return;
+      return sleepInShape();
     const Word *word = wordOf(ctx.block(), code, Role::Step);
     const auto value = valueOf(ctx, code, Role::Step);
     const auto unit = millimetresPer(ctx.dialect(), ctx.after());

@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/named_thread.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
 #include <map>
@@ -39,7 +40,7 @@ public:
     }
     // A cycle that takes speed and lead among its own words does without F.
     if (event.code == noCode || !taps(ctx.code(event).cycle) || !ctx.code(event).needsFeed)
-      return;
+      return sleepInShape();
     const Dialect &dialect = ctx.dialect();
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);

@@ -1,5 +1,6 @@
 // A cycle runs under a mode that it does not work in.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <set>
@@ -35,7 +36,7 @@ public:
     if (code.cycle != CycleKind::BackBore || ctx.dialect().facts->cycles.backBoreAtAnyLevel ||
         ctx.dialect().group(StandardGroup::ReturnLevel) == noGroup ||
         ctx.after().active(ctx.dialect(), StandardGroup::ReturnLevel) == groupUnset)
-      return;
+      return sleepInShape();
     const Truth toR =
         ctx.after().isActive(ctx.dialect(), StandardGroup::ReturnLevel, {Action::ReturnR});
     if (toR != Truth::Yes)

@@ -1,5 +1,6 @@
 // A feed whose size belongs to the other feed unit, or with which nothing cuts.
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/value/units.h"
 
 namespace ncvet {
@@ -23,18 +24,21 @@ public:
     const MachineState &state = ctx.after();
     const bool carried = event.kind == EventKind::Motion;
     // An F that was fit for its mode may be unfit for the one that is in force at the cut.
-    if (carried && (!cuts(event) || ctx.block().has(letterAddress('F')) || !isCarried(ctx)))
+    if (carried && (!cuts(event) || ctx.block().has(letterAddress('F')) ||
+                    !ctx.after().must(Fact::FeedCarried)))
+      return sleepInShape();
+    if (carried && !isCarried(ctx))
       return;
     const Interval value = carried ? state.feed.get() : event.feed();
     if (!value.isConstant() || value.value() <= 0 || state.may(Fact::FeedIsLead) || isLead(ctx))
-      return;
+      return sleepInShape();
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
     // In inches it is still more, and per revolution too.
     if (!carried && value.value() > perMinuteAbove_ &&
         (!mode || mode->action == Action::FeedPerMinute))
       return tooMuch(event, ctx);
     if (!mode)
-      return;
+      return sleepInShape();
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
     const bool unitsSaid = state.active(ctx.dialect(), StandardGroup::Units) != groupUnset;
     if (inch == Truth::Unknown && unitsSaid)
@@ -46,7 +50,7 @@ public:
         feed * (unitsSaid ? 1 : millimetresPerInch) < perRevolutionBelow_)
       return tooLittle(event, ctx);
     if (!tooSlow && !tooFast)
-      return;
+      return sleepInShape();
     if (carried &&
         !memory().once.speaks(state.originOf(ctx.dialect(), StandardGroup::FeedMode), ctx))
       return;

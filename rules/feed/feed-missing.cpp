@@ -1,6 +1,7 @@
 // A feed move or cutting cycle runs without a feed ever having been programmed.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -27,8 +28,11 @@ public:
         ctx.block().hasAny(ctx.dialect().blockFeedWords) || // a feed of its own block
         ctx.before().must(Fact::InContour) ||               // it has feeds of its own
         ctx.before().profile == ProfileMode::Recorded ||    // so has the cycle that reads it
-        ctx.after().may(Fact::UnknownCode))
+        ctx.after().may(Fact::UnknownCode)) {
+      if (!inverseEach_)
+        sleepInShape();
       return;
+    }
     const CodeInfo &code = ctx.code(event);
     if (isSet)
       return leadAsFeed(event, code, ctx);
@@ -68,8 +72,11 @@ private:
                           : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                                 event.motion == MotionKind::ArcCcw;
     if (!cuts || !code.needsFeed || event.inMachineCoordinates() ||
-        after.profile == ProfileMode::Recorded || !after.must(Fact::FeedIsLead))
+        after.profile == ProfileMode::Recorded || !after.must(Fact::FeedIsLead)) {
+      if (!inverseEach_)
+        sleepInShape();
       return;
+    }
     const Origin &lead = after.origin.of(StatePart::Feed); // read only here: it changes with each F
     if (!memory().once.speaks(lead, ctx))
       return;

@@ -2,6 +2,7 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/mode_reliance.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -25,7 +26,7 @@ public:
 
   void on(const Event &, RuleContext &ctx) const override {
     if (ctx.block().skip < 0)
-      return;
+      return sleepInShape();
     if (inside_ && skipsRest(ctx))
       return;
     const MachineState &before = ctx.before(), &after = ctx.after();

@@ -1,5 +1,6 @@
 // A condition has always the same result.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/expression.h"
 
 #include <map>
@@ -31,6 +32,8 @@ public:
 
   void on(const Event &, RuleContext &ctx) const override {
     const Block &block = ctx.block();
+    if (block.items.empty())
+      return sleepInShape();
     for (const Item &item : block.items)
       if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
         choice(item, ctx);

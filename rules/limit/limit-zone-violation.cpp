@@ -38,8 +38,10 @@ std::optional<Zone> zoneInForce(llvm::ArrayRef<GroupIndex> groups, const Machine
       continue;
     const CodeInfo &code =
         dialect.codes[dialect.groups[i].members[size_t(std::countr_zero(state.group(i)))]];
+    if (code.action != Action::ZoneOn)
+      continue;
     const Origin origin = state.origin.ofGroup(i);
-    if (code.action != Action::ZoneOn || !origin.known())
+    if (!origin.known())
       continue;
     // The limits are literal words of the block that switched the zone on.
     Block block;
@@ -84,7 +86,9 @@ public:
       return;
     const MachineState &state = ctx.after();
     const auto zone = zoneInForce(groups_, state, ctx);
-    if (!zone || !comparable(*zone, state, ctx))
+    if (!zone)
+      return sleepInShape();
+    if (!comparable(*zone, state, ctx))
       return sleepInStretch();
     if (event.kind == EventKind::CycleRun)
       return holes(event, *zone, ctx);

@@ -1,6 +1,7 @@
 // The speed mode changed without a new S, and an S that does not fit its mode.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/text/number_text.h"
 
 namespace ncvet {
@@ -32,11 +33,11 @@ private:
     if (event.code == noCode || state.profile == ProfileMode::Recorded ||
         !state.must(Fact::SpeedSet) || state.may(Fact::SpeedSinceMode) ||
         state.may(Fact::UnknownCode))
-      return;
+      return sleepInShape();
     if (event.kind == EventKind::Motion &&
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
          event.motion == MotionKind::Skip))
-      return;
+      return sleepInShape();
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::SpeedMode);
     if (!mode || !origin.known())

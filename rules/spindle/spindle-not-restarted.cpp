@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -38,8 +39,11 @@ public:
       againstHabit(event, ctx);
     if (event.code == noCode || !ctx.before().may(Fact::SpindleStoppedByTap) ||
         !ctx.after().may(Fact::SpindleStoppedByTap) ||
-        ctx.before().profile == ProfileMode::Recorded)
+        ctx.before().profile == ProfileMode::Recorded) {
+      if (!afterTap_ && !wanted_ && !habit_)
+        sleepInShape();
       return;
+    }
     const CodeInfo &code = ctx.code(event);
     if (event.kind == EventKind::Motion) {
       if (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
@@ -132,8 +136,10 @@ private:
   /// The code that stopped it along with its own work is where the start is missing.
   void stopped(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
+    if (!wanted_)
+      return;
     const Origin &cause = state.origin.of(StatePart::Spindle);
-    if (!wanted_ || event.code == noCode || event.inMachineCoordinates() || !cause.known() ||
+    if (event.code == noCode || event.inMachineCoordinates() || !cause.known() ||
         state.spindle != spindleOriented || state.may(Fact::UnknownCode))
       return;
     const CodeInfo &code = ctx.code(event);

@@ -4,6 +4,7 @@
 #include "analyzer/facts/silent_program.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/tool_data.h"
 
 namespace ncvet {
@@ -33,12 +34,11 @@ public:
     const CodeInfo &code = ctx.code(event);
     if (ctx.before().profile == ProfileMode::Recorded && code.action != Action::ProfileRun)
       return;
-    if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) && !isAboveStock(ctx)
-                                          : runs(event, code)))
-      return;
+    if (!(event.kind == EventKind::Motion ? feeds(event, code, ctx) : runs(event, code)))
+      return sleepInShape();
     // After rigid tapping another rule speaks.
     if (ctx.before().may(Fact::SpindleStoppedByTap))
-      return;
+      return sleepInShape();
     // M05 stops after the block's move, M03 starts before it; a hole in a block that moves nowhere
     // is made after everything.
     const bool last = event.kind == EventKind::CycleRun && code.firesOnEveryBlock && !event.axes;
@@ -47,6 +47,8 @@ public:
     const uint8_t live =
         ctx.find({Action::LiveToolStop}) ? ctx.before().liveTool : ctx.after().liveTool;
     if (!mayStop(state.spindle, live))
+      return sleepInShape();
+    if (event.kind == EventKind::Motion && isAboveStock(ctx))
       return;
     const bool may = mayTurn(state.spindle, live);
     if (may && ctx.after().may(Fact::UnknownCode))

@@ -1,6 +1,7 @@
 // A spindle without a speed, with none above zero, or with that of the tool before.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -109,8 +110,13 @@ private:
     const MachineState &state = ctx.after();
     const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
                        event.motion == MotionKind::ArcCcw;
+    if (!feeds)
+      return sleepInShape();
     const bool none = !state.may(Fact::SpeedSet) ||
                       (state.must(Fact::SpeedSet) && state.speed == Interval::exactly(0));
+    if ((!perRevolution_ || !none) && (!usesUp_ || state.may(Fact::SpeedSet)) &&
+        (ctx.dialect().isLathe() || ctx.before().may(Fact::CutSinceTool)))
+      return sleepInShape();
     if (feeds && !ctx.dialect().isLathe())
       ofToolBefore(event, ctx);
     if (feeds && usesUp_ && !state.may(Fact::SpeedSet))

@@ -1,5 +1,6 @@
 // Length compensation that is still on at a tool change, a machine move or the program's end.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -26,7 +27,7 @@ public:
       // Only machine moves along the tool axis depend on it.
       if (!event.inMachineCoordinates() ||
           !(event.axes >> unsigned(toolAxis(ctx.dialect(), ctx.after())) & 1))
-        return;
+        return sleepInShape();
       where = "the tool axis goes to a machine position";
     }
     // At an end the block's own G49 counts; a change comes before whatever else its block switches.

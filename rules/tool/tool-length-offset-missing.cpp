@@ -1,5 +1,6 @@
 // A move along the tool axis after a tool change, before length compensation is on.
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cstring>
 #include <map>
@@ -25,15 +26,15 @@ public:
     const Axis tool = toolAxis(ctx.dialect(), state);
     // Drilling goes along the tool axis in every hole.
     if (event.kind == EventKind::Motion && !(event.axes >> unsigned(tool) & 1))
-      return;
+      return sleepInShape();
     // In a plane for arcs only the tool still points along Z.
     if (event.kind == EventKind::Motion && !(event.axes >> unsigned(Axis::Z) & 1))
-      return;
+      return sleepInShape();
     const bool called = state.must(Fact::ToolCalled) || state.preselected > 0;
     if (!called || state.must(Fact::LengthSinceTool) || event.code == noCode ||
         event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
         event.motion == MotionKind::Skip)
-      return;
+      return sleepInShape();
     // Cancelled on purpose in this block, on the retract.
     if (ctx.find({Action::LengthOff}))
       return;

@@ -1,6 +1,7 @@
 // A cut before any tool was called.
 #include "analyzer/facts/silent_program.h"
 #include "analyzer/facts/unnamed_tool_change.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -20,6 +21,8 @@ public:
     if (event.kind == EventKind::ToolChange)
       return memory().nameless.see(event, ctx);
     // A change that names no tool brings in none of the program's.
+    if (ctx.before().must(Fact::Cut))
+      return sleepInShape();
     const bool nameless = memory().nameless.inForce(ctx.after());
     // Only the first cut: it is the same mistake in all that follow.
     if (event.code == noCode || (ctx.after().must(Fact::ToolCalled) && !nameless) ||

@@ -2,6 +2,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 
@@ -20,7 +21,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile ||
         ctx.code(event).cycle != CycleKind::Finish)
-      return;
+      return sleepInShape();
     const CodeInfo &cycle = ctx.code(event);
     const Flow &flow = ctx.outcome().flow;
     const MachineState &before = ctx.before();

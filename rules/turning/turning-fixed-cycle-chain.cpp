@@ -1,5 +1,6 @@
 // Increments of successive passes look like a chain, but count from the start point.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/text/number_text.h"
 
 #include <cmath>
@@ -17,7 +18,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     const bool face = code.cycle == CycleKind::FacePass;
     if (!face && code.cycle != CycleKind::TurnPass && code.cycle != CycleKind::ThreadPass)
-      return;
+      return sleepInShape();
     for (const CodeUse &use : ctx.codes())
       if (ctx.code(use).action == Action::Cycle)
         return;

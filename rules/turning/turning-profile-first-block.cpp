@@ -1,6 +1,7 @@
 // The first block of a profile has the wrong motion code or axes for the roughing cycle.
 #include "analyzer/facts/profile_shape.h"
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -21,7 +22,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
-      return;
+      return sleepInShape();
     const CodeInfo &cycle = ctx.code(event);
     const bool finishing = cycle.cycle == CycleKind::Finish;
     if (finishing && !finish_)

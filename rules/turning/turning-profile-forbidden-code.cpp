@@ -1,5 +1,6 @@
 // The profile of a turning cycle has a code that is not allowed there.
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -14,7 +15,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
-      return;
+      return sleepInShape();
     const CodeInfo &cycle = ctx.code(event);
     const auto ways = profileWays(ctx);
     const Profile &profile = ways.front().profile; // with all that may run

@@ -1,6 +1,7 @@
 // A profile turns back where its roughing cycle needs a steadily rising or falling contour.
 #include "analyzer/facts/profile_shape.h"
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/measure.h"
 
 namespace ncvet {
@@ -21,7 +22,7 @@ public:
     if (ctx.outcome().flow.kind == FlowKind::Contour && has(cycle, CycleTrait::Turned))
       return passes(event, cycle, ctx);
     if (ctx.outcome().flow.kind != FlowKind::Profile)
-      return;
+      return sleepInShape();
     if (cycle.cycle != CycleKind::RoughTurn && cycle.cycle != CycleKind::RoughFace)
       return;
     for (const ProfileWay &way : profileWays(ctx))

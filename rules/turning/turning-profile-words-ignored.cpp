@@ -1,5 +1,6 @@
 // Words of a profile that the roughing cycle does not obey.
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -16,7 +17,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
-      return;
+      return sleepInShape();
     const CodeInfo &cycle = ctx.code(event);
     const bool finishing = cycle.cycle == CycleKind::Finish;
     if (finishing && !finish_)

@@ -2,6 +2,7 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/thread_passes.h"
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/text/number_text.h"
 
 namespace ncvet {
@@ -38,7 +39,7 @@ public:
         pass(event, code, ctx);
       break;
     default:
-      break;
+      sleepInShape();
     }
   }
 

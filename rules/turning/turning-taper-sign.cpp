@@ -1,5 +1,6 @@
 // The taper of a turning or threading pass has a doubtful sign.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -19,7 +20,7 @@ public:
     const bool face = code.cycle == CycleKind::FacePass;
     if (!(face && facing_) && code.cycle != CycleKind::TurnPass &&
         code.cycle != CycleKind::ThreadPass)
-      return;
+      return sleepInShape();
     const Word *word = wordOf(ctx.block(), code, Role::Taper);
     if (!word || word->has(wordNoValue))
       return;

@@ -2,6 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/facts/thread_passes.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 #include "formats/text/number_text.h"
@@ -29,6 +30,8 @@ public:
       multi(event, code, ctx);
     else if (code.cycle == CycleKind::ThreadPass)
       pass(event, code, ctx);
+    else
+      sleepInShape();
   }
 
 private:

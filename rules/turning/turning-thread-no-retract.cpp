@@ -2,6 +2,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/references.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -22,8 +23,10 @@ public:
     // `G00` in a block of its own is between the stroke and the move back.
     const bool back = event.motion == MotionKind::Rapid && (event.axes & (xBit | zBit)) == zBit &&
                       !event.inMachineCoordinates();
+    if (!(threads || back))
+      return sleepInShape();
     Block stroke;
-    if (!(threads || back) || !readStroke(ctx, stroke) || !(threads || isThread(ctx, stroke)))
+    if (!readStroke(ctx, stroke) || !(threads || isThread(ctx, stroke)))
       return;
     if (event.motion == MotionKind::Thread && !hasMotionCode(ctx.dialect(), ctx.block()) &&
         (event.axes & (xBit | zBit)) == xBit) {

@@ -2,6 +2,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -28,7 +29,7 @@ public:
     const bool thread = event.kind == EventKind::CycleRun ? cutsThread(code.cycle)
                                                           : event.motion == MotionKind::Thread;
     if (!thread)
-      return;
+      return sleepInShape();
     const AddressMask lead = addressesOf(code, Role::Lead);
     if (!lead || ctx.block().hasAny(lead) || ctx.before().may(Fact::UnknownCode))
       return;

@@ -1,5 +1,6 @@
 // Pitch or depth of a thread is given in the wrong unit, in two units, or in a doubtful feed mode.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -27,7 +28,7 @@ public:
     const bool thread = event.kind == EventKind::CycleRun ? cutsThread(code.cycle)
                                                           : event.motion == MotionKind::Thread;
     if (!thread)
-      return;
+      return sleepInShape();
     const MachineState &state = ctx.after();
     const Word *word = ctx.codeWord(event);
     if (!word)

@@ -1,6 +1,7 @@
 // A thread starts too near in diameter or in run-in length.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/thread_passes.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 
@@ -24,7 +25,7 @@ public:
     const CodeInfo &code = ctx.code(event);
     const bool cycle = event.kind == EventKind::CycleRun;
     if (cycle ? !cutsThread(code.cycle) : event.motion != MotionKind::Thread)
-      return;
+      return sleepInShape();
     const Word *word = ctx.codeWord(event);
     if (!word)
       return;

@@ -1,5 +1,6 @@
 // A thread or a hole is cut while constant surface speed is active.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
 
@@ -22,6 +23,8 @@ public:
     const bool hole = cycle && makesHole(code.cycle) && ctx.dialect().isLathe() &&
                       toolAxis(ctx.dialect(), state) == Axis::Z && state.at(Axis::X).isConstant() &&
                       std::fabs(state.at(Axis::X).value()) < 1e-6;
+    if (!thread && !(cycle && makesHole(code.cycle) && ctx.dialect().isLathe()))
+      return sleepInShape();
     if ((!thread && !hole) || state.active(ctx.dialect(), StandardGroup::SpeedMode) == groupUnset)
       return;
     const Truth css =

@@ -1,5 +1,6 @@
 // A variable or an element that the control does not have.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
@@ -29,6 +30,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Block && gaps_.empty() && ctx.block().operations.empty())
+      return sleepInShape();
     if (event.kind == EventKind::Block && !gaps_.empty())
       return inGaps(ctx);
     if (event.kind == EventKind::Block)

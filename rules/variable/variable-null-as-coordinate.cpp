@@ -1,5 +1,6 @@
 // An axis word whose variable was never set.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/expression.h"
 
 namespace ncvet {
@@ -13,6 +14,8 @@ public:
     // In a called macro a word without an argument is left out on purpose.
     if (ctx.callDepth() > 0)
       return;
+    if (ctx.block().expressions.empty())
+      return sleepInShape();
     for (const Word &word : ctx.block().words)
       if ((ctx.dialect().axisWords & maskOf(word.address)) && word.has(wordExpression) &&
           evaluate(ctx.block(), uint16_t(word.mantissa), ctx.before(), nullptr).isVacant())

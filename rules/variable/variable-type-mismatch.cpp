@@ -1,5 +1,6 @@
 // A text where a number is due, or a number where a text is.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/text/number_text.h"
 #include "interp/evaluate/expression.h"
 
@@ -32,6 +33,8 @@ public:
       return;
     }
     if (event.kind == EventKind::Block) {
+      if (ctx.block().expressions.empty())
+        return sleepInShape();
       truncated(ctx);
       return inWords(ctx);
     }

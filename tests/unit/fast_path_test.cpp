@@ -239,6 +239,8 @@ std::string findingsOf(Project &project, FileUnit &unit, bool inFull) {
   Engine engine(project, unit, limits, nullptr);
   engine.inFull = inFull;
   RuleHost host(unit, all, limits, engine.visits);
+  if (inFull)
+    host.tellInFull();
   engine.listen(host);
   engine.run();
   std::string text;

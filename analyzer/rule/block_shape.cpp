@@ -1,0 +1,149 @@
+// Shapes of blocks: what is known of one block holds for all that differ from it in coordinates.
+#include "analyzer/rule/block_shape.h"
+
+#include "analyzer/rule/sleep_in_stretch.h"
+
+#include <bit>
+
+namespace ncvet {
+
+namespace {
+
+/// Folds numbers into one. Two sums are equal by chance once in 2^64: nobody checks so many blocks.
+class Sum {
+public:
+  explicit Sum(uint64_t first) : sum_(first) {}
+  void add(uint64_t number) {
+    constexpr uint64_t odd = 0x9E3779B97F4A7C15; // the golden ratio: spreads small numbers
+    sum_ = (sum_ ^ number) * odd;
+    sum_ ^= sum_ >> 29;
+  }
+  void add(const Interval &value) {
+    add(std::bit_cast<uint64_t>(value.lo));
+    add(std::bit_cast<uint64_t>(value.hi));
+  }
+  uint64_t get() const { return sum_ ? sum_ : 1; }
+
+private:
+  uint64_t sum_;
+};
+
+/// The words of the block whose numbers are coordinates.
+AddressMask coordinatesOf(const Dialect &dialect, const Outcome &outcome) {
+  constexpr AddressMask arcs = maskOf('I') | maskOf('J') | maskOf('K') | maskOf('R');
+  const bool isArc = llvm::any_of(outcome.events, [](const Event &event) {
+    return event.kind == EventKind::Motion &&
+           (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw);
+  });
+  return dialect.axisWords | (isArc ? arcs : 0);
+}
+
+void addParts(Sum &sum, const StateUse &use, const MachineState &state) {
+  const auto part = [&](StatePart which, const auto &value) {
+    if (!use.has(which))
+      return;
+    if constexpr (std::is_same_v<std::decay_t<decltype(value.peek())>, Interval>)
+      sum.add(value.peek());
+    else
+      sum.add(uint64_t(value.peek()));
+  };
+  part(StatePart::Tool, state.tool);
+  part(StatePart::ToolOffset, state.toolOffset);
+  part(StatePart::Preselected, state.preselected);
+  part(StatePart::LengthOffset, state.lengthOffset);
+  part(StatePart::RadiusOffset, state.radiusOffset);
+  part(StatePart::Spindle, state.spindle);
+  part(StatePart::LiveTool, state.liveTool);
+  part(StatePart::Speed, state.speed);
+  part(StatePart::SpeedLimit, state.speedLimit);
+  part(StatePart::Feed, state.feed);
+}
+
+void addState(Sum &sum, const StateUse &use, const MachineState &state) {
+  for (uint64_t left = use.groups; left; left &= left - 1)
+    sum.add(state.groups[size_t(std::countr_zero(left))]);
+  sum.add(state.statedMay & use.groups);
+  sum.add(state.statedMust & use.groups);
+  sum.add(state.factsMay & use.facts);
+  sum.add(state.factsMust & use.facts);
+  if (const auto switches = uint32_t(use.others)) {
+    sum.add(uint64_t(state.switches.may & switches) << 32 | (state.switches.must & switches));
+    for (uint32_t left = switches; left; left &= left - 1)
+      sum.add(state.switches.axes[size_t(std::countr_zero(left))]);
+  }
+  if (use.others >> maxSwitches)
+    addParts(sum, use, state);
+  sum.add(uint64_t(state.compensation) | uint64_t(state.profile) << 8 |
+          uint64_t(state.seeksBranch) << 16 | uint64_t(state.frames.empty()) << 17 |
+          uint64_t(bool(state.modalCalls)) << 18 | uint64_t(state.pendingCycle) << 32);
+  sum.add(uint64_t(state.machineAxes) << 32 | std::bit_cast<uint32_t>(state.transforms));
+  sum.add(state.cycle.present);
+}
+
+/// Whether a condition asks for the value of a word.
+bool asksNumber(const Condition &condition) {
+  return !condition.broken.empty() || !condition.formula.empty();
+}
+
+} // namespace
+
+bool asksNumbers(const CodeInfo &code, llvm::StringRef id) {
+  return llvm::any_of(code.notices, [&](const Notice &notice) {
+    return id == notice.rule && asksNumber(notice.when);
+  });
+}
+
+uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outcome) {
+  constexpr uint32_t others =
+      bitOf(EventKind::ToolChange) | bitOf(EventKind::Syntax) | bitOf(EventKind::Statement);
+  if (!block.items.empty() || !block.expressions.empty() || !block.issues.empty() ||
+      block.skip >= 0 || block.has(variableAddress) || block.kind != BlockKind::Normal ||
+      outcome.foreign || (outcome.kinds & others))
+    return 0;
+  const AddressMask coordinates = coordinatesOf(dialect, outcome);
+  Sum sum(outcome.kinds);
+  // Of a zero it is no matter whether it has a point.
+  sum.add(block.pointed);
+  sum.add(block.pointless);
+  for (const Word &word : block.words) {
+    if (coordinates & maskOf(word.address)) {
+      sum.add(uint64_t(word.address) << 8 | (word.flags & ~wordMinus));
+    } else {
+      sum.add(uint64_t(word.address) << 8 | word.flags);
+      sum.add(uint64_t(word.mantissa) << 8 | word.decimals);
+    }
+  }
+  for (const Event &event : outcome.events) {
+    sum.add(uint64_t(event.kind) | uint64_t(event.motion) << 8 | uint64_t(event.axes) << 16 |
+            uint64_t(event.code) << 32 | uint64_t(event.by) << 48);
+    if (event.kind == EventKind::Motion)
+      sum.add(uint64_t(event.certain) << 1 | uint64_t(event.inMachineCoordinates()));
+    else if (!event.certain)
+      sum.add(0);
+  }
+  for (const CodeUse &use : outcome.codes)
+    sum.add(use.code);
+  sum.add(uint64_t(outcome.flow.kind) | uint64_t(outcome.callsModally) << 8 |
+          uint64_t(block.lowerCase) << 16 | uint64_t(outcome.holes.size()) << 32);
+  return sum.get();
+}
+
+uint64_t modesOf(const StateUse &use, const MachineState &before, const MachineState &after) {
+  Sum sum(1);
+  addState(sum, use, before);
+  addState(sum, use, after);
+  return sum.get();
+}
+
+bool isSame(const StateUse &a, const StateUse &b) {
+  return a.groups == b.groups && a.facts == b.facts && a.others == b.others &&
+         a.groupOrigins == b.groupOrigins && a.otherOrigins == b.otherOrigins && a.aside == b.aside;
+}
+
+bool coversModes(const StateUse &use) {
+  constexpr uint64_t numbers =
+      bitOf(StatePart::CutArea) | bitOf(StatePart::FeedLevel) | bitOf(StatePart::Variables);
+  return !use.groupOrigins && !use.otherOrigins && !(use.others & numbers) && !use.aside;
+}
+
+} // namespace ncvet
