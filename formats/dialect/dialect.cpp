@@ -3,6 +3,8 @@
 
 #include "formats/dialect/code_name.h"
 
+#include <bit>
+
 namespace ncvet {
 
 CodeIndex Dialect::find(llvm::StringRef name) const {
@@ -60,9 +62,11 @@ std::string Dialect::alternatives(AddressMask mask) const {
 double Dialect::lengthsPerUnit(Axis axis) const {
   if (!isLathe()) // on a mill codes say where X is a diameter
     return 1;
-  for (const AddressInfo &address : addresses)
+  for (AddressMask left = axisWords; left; left &= left - 1) {
+    const AddressInfo &address = addresses[size_t(std::countr_zero(left))];
     if (address.kind == AddressKind::Axis && address.axis == axis && address.diameter)
       return 2;
+  }
   return 1;
 }
 

@@ -1,6 +1,7 @@
 // A code or word that is used as another control reads it.
 #include "analyzer/facts/foreign_block.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -26,8 +27,12 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::Code)
-      return ctx.reportNotices(id, event);
+    if (event.kind == EventKind::Code) {
+      ctx.reportNotices(id, event);
+      if (!asksNumbers(ctx.code(event), id))
+        sleepInShape();
+      return;
+    }
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = ctx.block().issues[event.issue()];
       const SourceRange range = ctx.range(issue);

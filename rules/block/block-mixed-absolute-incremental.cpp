@@ -1,5 +1,6 @@
 // One axis with an absolute and an incremental word in the same block.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -16,7 +17,7 @@ public:
     const Block &block = ctx.block();
     if (!block.hasAny(dialect.incrementWords) ||
         !block.hasAny(dialect.axisWords & ~dialect.incrementWords))
-      return;
+      return sleepInShape();
     const CodeInfo *cycle = event.code != noCode && ctx.code(event).action == Action::Cycle
                                 ? &ctx.code(event)
                                 : nullptr;

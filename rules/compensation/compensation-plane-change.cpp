@@ -1,5 +1,6 @@
 // The plane changed while radius compensation is on.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -15,8 +16,9 @@ public:
     const Dialect &dialect = ctx.dialect();
     const Truth was = ctx.before().compensationActive(dialect);
     const Truth is = ctx.after().compensationActive(dialect);
-    if (was == Truth::No || is == Truth::No ||
-        !ctx.after().origin.of(StatePart::Compensation).known() || code.group == noGroup)
+    if (was == Truth::No || is == Truth::No)
+      return sleepInShape();
+    if (!ctx.after().origin.of(StatePart::Compensation).known() || code.group == noGroup)
       return;
     const uint64_t planes = ctx.before().group(code.group), here = uint64_t(1) << code.bit;
     // Not stated so far: the machine's usual plane.

@@ -1,5 +1,6 @@
 // Inch and metric are mixed, or the unit is selected after motion.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -21,7 +22,7 @@ public:
     const CodeInfo *active = before.activeCode(ctx.dialect(), StandardGroup::Units);
     const CodeInfo &code = ctx.code(event);
     if (active && active->action == code.action)
-      return; // says the same again
+      return sleepInShape(); // says the same again
     if (stated) {
       if (!active)
         return;

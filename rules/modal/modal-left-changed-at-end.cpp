@@ -2,6 +2,7 @@
 // drilling cycle selected.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/switch_left_on.h"
 
 #include <set>
@@ -31,13 +32,13 @@ public:
     if (event.kind == EventKind::Motion &&
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
          event.motion == MotionKind::Skip))
-      return;
+      return sleepInShape();
     if (!event.axes || (event.axes & ~turning))
-      return;
+      return sleepInShape();
     const MachineState &state = ctx.after();
     const CodeInfo *plane = state.activeCode(ctx.dialect(), StandardGroup::Plane);
     if (!plane || plane->action == Action::PlaneZX || state.liveTool != spindleOff)
-      return;
+      return sleepInShape();
     // The plane was selected in the block of a drilling cycle, or for one.
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::Plane);
     if (!origin.known() || !origin.range().begin ||

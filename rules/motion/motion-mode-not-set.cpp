@@ -1,5 +1,6 @@
 // Axis words come before any motion code of the program.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -18,6 +19,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (implicit_ && !memory().reported)
       return powerOn(event, ctx);
+    if (!implicit_ && event.code != noCode)
+      return sleepInShape();
     // Only where the power-on mode is not documented and nothing at all was stated.
     if (event.code != noCode || event.motion == MotionKind::Reference || memory().reported ||
         ctx.dialect().group(StandardGroup::Motion) == noGroup ||

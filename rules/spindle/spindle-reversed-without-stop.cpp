@@ -1,5 +1,6 @@
 // The spindle reversed while it turns.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -27,7 +28,7 @@ public:
     const bool certain = ctx.before().spindle == other;
     if (!certain && (!(ctx.before().spindle & other) || ctx.before().may(Fact::UnknownCode) ||
                      ctx.before().spindle == spindleAny))
-      return;
+      return sleepInShape();
     if (auto finding = ctx.report(event, certain)) {
       finding
           .message("`{0}` reverses the spindle while it turns: chuck and drive take the load",

@@ -1,5 +1,6 @@
 // Work with a tool whose offset is cancelled.
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -30,7 +31,7 @@ public:
     if (state.toolOffset != 0 || state.tool <= 0 || event.inMachineCoordinates() ||
         event.motion == MotionKind::Reference || event.code == noCode ||
         ctx.before().toolOffset != 0)
-      return;
+      return sleepInShape();
     // Having cut, the tool may go home without it.
     const bool rapid = event.kind == EventKind::Motion && event.motion == MotionKind::Rapid;
     if (rapid && ctx.before().may(Fact::CutSinceTool))
