@@ -59,7 +59,8 @@ void addParts(Sum &sum, const StateUse &use, const MachineState &state) {
   part(StatePart::Feed, state.feed);
 }
 
-void addState(Sum &sum, const StateUse &use, const MachineState &state) {
+/// By value: a sum that might be a part of the state would be written back at each step.
+Sum withState(Sum sum, const StateUse &use, const MachineState &state) {
   for (uint64_t left = use.groups; left; left &= left - 1)
     sum.add(state.groups[size_t(std::countr_zero(left))]);
   sum.add(state.statedMay & use.groups);
@@ -78,6 +79,7 @@ void addState(Sum &sum, const StateUse &use, const MachineState &state) {
           uint64_t(bool(state.modalCalls)) << 18 | uint64_t(state.pendingCycle) << 32);
   sum.add(uint64_t(state.machineAxes) << 32 | std::bit_cast<uint32_t>(state.transforms));
   sum.add(state.cycle.present);
+  return sum;
 }
 
 /// Whether a condition asks for the value of a word.
@@ -129,10 +131,7 @@ uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outc
 }
 
 uint64_t modesOf(const StateUse &use, const MachineState &before, const MachineState &after) {
-  Sum sum(1);
-  addState(sum, use, before);
-  addState(sum, use, after);
-  return sum.get();
+  return withState(withState(Sum(1), use, before), use, after).get();
 }
 
 bool isSame(const StateUse &a, const StateUse &b) {

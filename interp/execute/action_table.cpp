@@ -219,7 +219,9 @@ void Execution::applyModes(const CodeUse &use) {
   if (stays && code.action != Action::Cycle && code.action != Action::CycleCancel)
     activate(code, use.word);
   carryOut(Phase::Modes, use);
-  const AxisWords words = Actions::of(code.action).axisWords;
+  const ActionRow &row = Actions::of(code.action);
+  actsLater_ |= row.phase == Phase::Late || row.phase == Phase::Flow;
+  const AxisWords words = row.axisWords;
   if (!actionCode_.word &&
       (words == AxisWords::Taken || (words == AxisWords::TakenInBlock && !stays)))
     actionCode_ = use;

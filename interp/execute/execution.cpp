@@ -263,10 +263,10 @@ void Execution::run(bool guardHolds) {
     forgetTargets();
   else
     moveAxes();
-  for (const CodeUse &use : outcome_.codes)
-    carryOut(Phase::Late, use);
-  for (const CodeUse &use : outcome_.codes)
-    carryOut(Phase::Flow, use);
+  if (actsLater_)
+    for (const Phase phase : {Phase::Late, Phase::Flow})
+      for (const CodeUse &use : outcome_.codes)
+        carryOut(phase, use);
   finish();
 }
 

@@ -291,8 +291,9 @@ private:
   /// Assignments that take effect after the block's words: the variable and its value.
   llvm::SmallVector<std::pair<int64_t, Value>, 2> pending_;
 
-  CodeUse motionCode_; ///< motion or modal cycle code of the block
-  CodeUse actionCode_; ///< one-shot code that takes the block's axis words
+  CodeUse motionCode_;     ///< motion or modal cycle code of the block
+  CodeUse actionCode_;     ///< one-shot code that takes the block's axis words
+  bool actsLater_ = false; ///< a code takes effect after the block's motion
   bool machineMove_ = false;
   bool cancelled_ = false;    ///< the block ends the active cycle
   bool callsModally_ = false; ///< the block makes a program run after every later move

@@ -21,6 +21,8 @@ public:
     if (event.kind == EventKind::Statement)
       return jump(ctx.block().items[event.item()], ctx);
     ctx.reportNotices(id, event);
+    if (!asksNumbers(ctx.code(event), id)) // the rest looks at codes and addresses alone
+      sleepInShape();
     if (ctx.code(event).action == Action::CycleCancel)
       cancelWithAxes(event, ctx);
   }
