@@ -46,6 +46,7 @@ private:
   void forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &)> work);
   void giveBack(Worker &worker);
   void openJob(Job &job);
+  FileOutcome outcomeOf(const SourceFile &file, Worker &worker);
   llvm::Error writeFix(const Job &job) const;
   void writeFixes();
   void dropUsedSuppressions(std::vector<CheckedFinding> &findings);
@@ -67,6 +68,7 @@ private:
   Session session_;
   CheckRound *round_; ///< null: checked once
   SourceSet sources_;
+  std::unique_ptr<CheckCache> cache_; ///< null: there is none
   std::vector<Job> jobs_;
   std::vector<RuleInfo> rules_;
   Comparisons compared_;
@@ -148,6 +150,12 @@ void Check::openJob(Job &job) {
   // A folder may hold anything under the ending of a program; who names a file means a program.
   job.skipped = !job.input.named && isBinary((*source)->text());
   job.outcome.error = job.input.display + ": not checked: " + why;
+}
+
+FileOutcome Check::outcomeOf(const SourceFile &file, Worker &worker) {
+  const std::atomic<bool> *cancel = round_ ? &round_->cancel : nullptr;
+  return cache_ ? cache_->check(file, cancel, worker.store, worker.opened)
+                : checkFile(session_, sources_, file, cancel, nullptr, &worker.store);
 }
 
 /// What the worker has kept of other inputs belongs to the input that found it.
@@ -374,7 +382,7 @@ void Check::writeLastLines() const {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   const bool forPeople = request_.forPeople();
   if (request_.stats)
-    writeStats(jobs_, report_, seconds);
+    writeStats(jobs_, report_, cache_ ? cache_->known() : 0, seconds);
   else if (forPeople && !failed_) // what went wrong comes first, and alone
     writeGuess(jobs_);
   if (forPeople)
@@ -406,13 +414,14 @@ int Check::run() {
     });
     writeFixes();
   }
+  if (request_.cache)
+    cache_ = CheckCache::open(request_.cacheDir, session_, sources_);
   const bool views = showsPrograms();
   forEachJob("check", [&](Job &job, Worker &worker) {
     openJob(job);
     if (!job.source)
       return;
-    job.outcome = checkFile(session_, sources_, *job.source, round_ ? &round_->cancel : nullptr,
-                            nullptr, &worker.store);
+    job.outcome = outcomeOf(*job.source, worker);
     worker.keep(job);
     if (views && job.outcome.error.empty())
       job.view = viewOf(session_, sources_, *job.source);
@@ -422,6 +431,8 @@ int Check::run() {
     return exitFailure;
   }
   noteRead();
+  if (cache_)
+    cache_->prune();
   buildReport();
   writeReports();
   writeLastLines();

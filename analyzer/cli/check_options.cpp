@@ -78,16 +78,27 @@ void CheckOptions::declare(OptionSet &options) {
       .implies("safe");
   options.add("--diff", &diff_, "show what --fix would change, and change nothing");
   options.add("--unsafe-fixes", &unsafeFixes_, "with --fix and --diff: fixes that need a look too");
+  declareRun(options);
+  options.operands("PATH", paths_, 0, size_t(-1));
+}
+
+void CheckOptions::declareRun(OptionSet &options) {
   options.section("Run");
   options.add("--watch", &watch_, "check again, and write the reports again, after each change");
   options.add("--jobs", &jobs_, "files at the same time; default: one for each processor")
       .valued("N", "a number from 1")
       .shortly('j')
       .environment();
+  options
+      .add("--no-cache", &noCache_,
+           "check all files, also those that rest on what they rested on before")
+      .environment();
+  options.add("--cache-dir", &cacheDir_, "keep what was found here, instead of in the user's cache")
+      .valued("DIR", "a folder")
+      .environment();
   options.add("--time-trace", &timeTrace_, "where the time went, for chrome://tracing")
       .valued("FILE")
       .hide();
-  options.operands("PATH", paths_, 0, size_t(-1));
 }
 
 void CheckOptions::declareReports(OptionSet &options) {
@@ -266,6 +277,9 @@ llvm::Expected<CheckRequest> CheckOptions::request(const OptionSet &options) con
   request.jobs = jobs_;
   request.quiet = quiet_;
   request.exitZero = exitZero_;
+  request.cache = !noCache_ && timeTrace_.empty(); // a trace is of what takes time
+  if (!cacheDir_.empty())
+    request.cacheDir = absolutePath(cacheDir_);
   request.statistics = statistics_;
   request.showSource = !hideSource_;
   request.changedSince = changedSince_;

@@ -28,6 +28,8 @@ struct CheckRequest {
   bool statistics = false, showSource = true;
   InputChoice inputs;
   bool fix = false, diff = false, unsafeFixes = false;
+  bool cache = false;               ///< outcomes are kept for later runs
+  std::string cacheDir;             ///< where; empty: where the user's are
   std::vector<std::string> watched; ///< further files whose text counts, from the root
 
   /// The report on standard output; null when there is none.
@@ -46,6 +48,7 @@ public:
 
 private:
   void declareReports(OptionSet &options);
+  void declareRun(OptionSet &options);
   llvm::Error checkWatch(bool writes) const;
   llvm::Error checkTogether(const OptionSet &options) const;
   llvm::Error readRules(RuleSettings &rules) const;
@@ -65,7 +68,8 @@ private:
   bool statistics_ = false, showSource_ = false, hideSource_ = false;
   InputChoice inputs_;
   std::string fix_;
-  bool diff_ = false, unsafeFixes_ = false, watch_ = false;
+  bool diff_ = false, unsafeFixes_ = false, watch_ = false, noCache_ = false;
+  std::string cacheDir_;
   std::string changedSince_, changedLines_, shard_, relativeTo_;
   std::string stdinFilename_, color_ = "auto", timeTrace_;
 };

@@ -139,7 +139,7 @@ void writeGuess(llvm::ArrayRef<Job> jobs) {
   out << "; --dialect names it\n";
 }
 
-void writeStats(llvm::ArrayRef<Job> jobs, const Report &report, double seconds) {
+void writeStats(llvm::ArrayRef<Job> jobs, const Report &report, size_t known, double seconds) {
   llvm::raw_ostream &out = llvm::errs();
   uint64_t blocks = 0;
   unsigned fixes = 0;
@@ -159,8 +159,10 @@ void writeStats(llvm::ArrayRef<Job> jobs, const Report &report, double seconds) 
     fixes += job.fixed.applied;
   }
   out << counted(jobs.size(), "file") << ", " << blocks << " blocks, " << report.findings.size()
-      << " findings, " << fixes << " fixes, "
-      << llvm::format("%.1f ms, %.0f blocks/s", seconds * 1e3, double(blocks) / seconds) << '\n';
+      << " findings, " << fixes << " fixes, ";
+  if (known)
+    out << known << " known, ";
+  out << llvm::format("%.1f ms, %.0f blocks/s", seconds * 1e3, double(blocks) / seconds) << '\n';
 }
 
 } // namespace ncvet::cli

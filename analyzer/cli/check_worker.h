@@ -1,6 +1,7 @@
 // What one of the threads of `ncvet check` keeps.
 #pragma once
 
+#include "analyzer/check/check_cache.h"
 #include "analyzer/check/check_store.h"
 #include "analyzer/cli/check_job.h"
 
@@ -12,6 +13,7 @@ namespace ncvet::cli {
 /// What the thread that checks some of the inputs keeps from one to the next.
 struct Worker {
   CheckStore store;
+  CheckCache::Opened opened;
   /// Findings in files that the inputs call, one for each rule and place: where every path breaks
   /// the rule first, then that of the first input. In a folder whose programs call one another each
   /// input finds them all again.

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/call_reading.h"
+#include "analyzer/program/lookups.h"
 #include "analyzer/program/program_names.h"
 #include "analyzer/program/references.h"
 #include "formats/text/file_uri.h"
@@ -53,12 +54,14 @@ std::vector<std::string> foldersRound(const FileUnit &unit) {
     if (!llvm::is_contained(folders, folder))
       folders.push_back(std::move(folder));
   };
+  noteLookup(Lookup::Kind::CheckedFolders, "");
   for (const std::string &folder : unit.project->foldersOfChecked())
     if (!llvm::is_contained(folders, folder) && !llvm::sys::fs::equivalent(folder, own))
       add(folder);
   if (parent.empty())
     return folders;
   if (isArchive) {
+    noteLookup(Lookup::Kind::Folders, parent);
     std::vector<std::string> beside;
     std::error_code error;
     for (llvm::sys::fs::directory_iterator i(parent, error), end; i != end && !error;
@@ -76,6 +79,7 @@ std::vector<std::string> foldersRound(const FileUnit &unit) {
 const FolderCalls &callsIn(const FileUnit &unit, const std::string &folder) {
   llvm::StringRef ending = llvm::sys::path::extension(unit.source.path());
   ending.consume_front(".");
+  noteLookup(Lookup::Kind::Files, folder);
   return unit.project->callsOfFolders().of({folder, ending.upper(), unit.dialect}, [&] {
     return readCalls(folder, ending, *unit.dialect);
   });

@@ -2,6 +2,7 @@
 #include "analyzer/program/project.h"
 
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/lookups.h"
 #include "analyzer/program/program_names.h"
 #include "analyzer/program/reference_reader.h"
 #include "formats/dialect/control_facts.h"
@@ -184,6 +185,7 @@ std::vector<std::string> Project::filesOf(const FileUnit &from, int64_t number) 
   const std::string folder = folderOf(from);
   if (folder.empty())
     return files;
+  noteLookup(Lookup::Kind::Programs, folder);
   const ProgramFolders::Programs &programs = folders_->programs(folder);
   if (const auto first = programs.byNumber.find(number); first != programs.byNumber.end())
     files.push_back(first->second);
@@ -207,21 +209,39 @@ std::vector<std::string> Project::searchedFolders(const FileUnit &from) {
   const std::vector<std::string> &names = dialect_->facts->program.folders;
   if (names.empty() || from.source.path().empty())
     return folders;
+  noteLookup(Lookup::Kind::Stores, folders.front(), llvm::join(names, "\n"));
   for (const std::string &store : folders_->stores(folders.front(), names).searched)
     if (!llvm::is_contained(folders, store))
       folders.push_back(store);
   return folders;
 }
 
+namespace {
+
+/// Notes what is known of a file that a check of another file may have opened already.
+FileUnit *noted(FileUnit *unit) {
+  LookupRecord *const record = LookupRecord::current();
+  if (!record)
+    return unit;
+  record->noteText(unit->source);
+  if (!unit->dialect->hiddenPrograms.empty()) // its blocks are read under what hides them
+    for (const std::string &folder : unit->project->foldersOf(*unit))
+      noteLookup(Lookup::Kind::Programs, folder);
+  return unit;
+}
+
+} // namespace
+
 /// A file of this project keeps its number. Others' files in the set are left alone: they may be at
 /// work on another thread.
 FileUnit *Project::open(const std::string &path) {
   if (const auto known = byPath_.find(path); known != byPath_.end())
-    return known->second;
+    return noted(known->second);
   auto opened = sources_.open(path);
   if (opened)
-    return &unit(**opened);
+    return noted(&unit(**opened));
   llvm::consumeError(opened.takeError());
+  noteLookup(Lookup::Kind::Text, path);
   return nullptr;
 }
 
@@ -230,6 +250,7 @@ Project::searchFolders(FileUnit &from,
                        llvm::function_ref<std::string(const ProgramFolders::Programs &)> fileOf,
                        llvm::function_ref<const ProgramInfo *(const FileIndex &)> programOf) {
   for (const std::string &path : searchedFolders(from)) {
+    noteLookup(Lookup::Kind::Programs, path);
     const std::string name = fileOf(folders_->programs(path));
     if (name.empty())
       continue;
@@ -259,12 +280,16 @@ std::vector<std::string> Project::filesElsewhere(const FileUnit &from, llvm::Str
     return files;
   const std::vector<std::string> &names = dialect_->facts->program.folders;
   const std::string key = name.upper();
-  if (!names.empty())
+  noteLookup(Lookup::Kind::Checked, key);
+  if (!names.empty()) {
+    noteLookup(Lookup::Kind::Stores, folderOf(from), llvm::join(names, "\n"));
     for (const std::string &folder : folders_->stores(folderOf(from), names).further) {
+      noteLookup(Lookup::Kind::Programs, folder);
       const ProgramFolders::Programs &programs = folders_->programs(folder);
       if (const auto file = programs.byName.find(key); file != programs.byName.end())
         files.push_back(file->second);
     }
+  }
   for (const std::string &file : folders_->checked(key))
     if (!llvm::is_contained(files, file))
       files.push_back(file);
@@ -278,7 +303,9 @@ std::vector<std::string> Project::filesElsewhere(const FileUnit &from, llvm::Str
 
 std::vector<std::string> Project::filesElsewhere(const FileUnit &from, int64_t number) {
   std::vector<std::string> files;
+  noteLookup(Lookup::Kind::CheckedFolders, "");
   for (const std::string &folder : folders_->checkedFolders()) {
+    noteLookup(Lookup::Kind::Programs, folder);
     const ProgramFolders::Programs &programs = folders_->programs(folder);
     const auto file = programs.byNumber.find(number);
     if (file != programs.byNumber.end() && file->second != from.source.path())
@@ -356,6 +383,7 @@ bool Project::hidesProgram(FileUnit &from, llvm::StringRef name) {
   for (const std::string &folder : foldersOf(from)) {
     if (hides)
       break;
+    noteLookup(Lookup::Kind::Programs, folder);
     const ProgramFolders::Programs &programs = folders_->programs(folder);
     const auto file = programs.byName.find(key);
     hides = file != programs.byName.end() && isProgramFile(file->second);

@@ -1,6 +1,7 @@
 // Codes that a machine's INI file makes: LinuxCNC's REMAP.
 #include "analyzer/setup/remaps.h"
 
+#include "analyzer/program/lookups.h"
 #include "formats/text/program_file.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -86,6 +87,16 @@ std::vector<std::string> iniFiles(llvm::StringRef folder) {
 }
 
 } // namespace
+
+void noteRemapsNear(llvm::StringRef folder) {
+  llvm::SmallString<256> at = folder;
+  if (!LookupRecord::current() || fs::make_absolute(at))
+    return;
+  for (unsigned up = 0; up <= foldersUp && !at.empty(); ++up) {
+    noteLookup(Lookup::Kind::Files, at, ".ini");
+    llvm::sys::path::remove_filename(at);
+  }
+}
 
 std::optional<MachineSource> remapsNear(llvm::StringRef folder, const Dialect &dialect) {
   Codes codes;

@@ -11,5 +11,8 @@ namespace ncvet {
 /// ngc=switch`), as the text of a machine profile; nothing when they make no code that `dialect`
 /// does not have. Only codes are made: a code of the control that is remapped stays as it is.
 std::optional<MachineSource> remapsNear(llvm::StringRef folder, const Dialect &dialect);
+/// Notes the files that `remapsNear` reads, where lookups are recorded: once for each file that
+/// rests on them, as what they make is kept.
+void noteRemapsNear(llvm::StringRef folder);
 
 } // namespace ncvet

@@ -434,6 +434,7 @@ llvm::Expected<FileSetup> Session::setup(llvm::StringRef fileName, llvm::StringR
     return withPlace(known.takeError(), setup, machine);
   if (known->dialect->facts->program.remapsInIni) {
     const llvm::StringRef folder = path::parent_path(fileName);
+    noteRemapsNear(folder.empty() ? "." : folder);
     known = withRemaps(std::move(*known), folder.empty() ? "." : folder);
     if (!known)
       return known.takeError();

@@ -54,7 +54,9 @@ public:
     const std::string in = (logs_.path() / "in").string(), err = (logs_.path() / "err").string();
     std::ofstream(in, std::ios::binary) << standardInput;
     std::filesystem::remove(err);
-    std::vector<llvm::StringRef> words = {"env", "-C", folderName_};
+    // What earlier runs found is kept for this folder alone.
+    const std::string cache = "NCVET_CACHE_DIR=" + (logs_.path() / "cache").string();
+    std::vector<llvm::StringRef> words = {"env", "-C", folderName_, cache, "NCVET_NO_CACHE=0"};
     words.insert(words.end(), environment_.begin(), environment_.end());
     words.push_back(binary_);
     words.insert(words.end(), arguments.begin(), arguments.end());

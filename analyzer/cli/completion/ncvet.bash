@@ -23,7 +23,7 @@ _ncvet() {
     _filedir
     return
     ;;
-  --relative-to)
+  --relative-to | --cache-dir)
     _filedir -d
     return
     ;;
