@@ -256,6 +256,8 @@ void Execution::run(bool guardHolds) {
   if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords |
                     dialect_.feedWords))
     settingWords();
+  for (const Item &item : block_.items)
+    speedOfOtherSpindle(item);
   for (const CodeUse &use : outcome_.codes)
     applyEarly(use);
   applyZeros();
@@ -413,6 +415,7 @@ void Execution::unknownCode(const Word &word) {
     // The machine's builder knows what it does: it may start or stop anything.
     state_.spindle = spindleAny;
     state_.liveTool = spindleAny;
+    state_.clear(Fact::SpindleStoppedByTap);
     stateUse.everything();
     state_.switches.may = ~0u;
     state_.switches.must = 0;

@@ -110,17 +110,18 @@ private:
   // technology.cpp: feed, speed, spindle and tool
   /// What the block's codes make of its technology words.
   struct TechnologyUse {
-    bool lead = false;        ///< F and E are leads of a thread
-    bool limit = false;       ///< S is a limit
-    bool cycleTakesD = false; ///< D is a word of a cycle
-    bool arguments = false;   ///< all of them are arguments of a macro
-    AddressMask dwell = 0;    ///< times, or revolutions
+    bool lead = false;       ///< F and E are leads of a thread
+    bool limit = false;      ///< S is a limit
+    bool arguments = false;  ///< all of them are arguments of a macro
+    AddressMask ofCycle = 0; ///< H and D that are words of a cycle
+    AddressMask dwell = 0;   ///< times, or revolutions
   };
   TechnologyUse technologyUse() const;
   void technologyWords();
   void feedWord(const Word &word, bool lead);
   void speedWord(const Word &word, bool limit);
-  void offsetWord(const Word &word, bool cycleTakesD);
+  void offsetWord(const Word &word, AddressMask ofCycle);
+  void speedOfOtherSpindle(const Item &item);
   void settingWords();
   bool startsSpindle() const;
   void setSpindle(uint8_t direction, const CodeUse &use);

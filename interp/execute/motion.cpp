@@ -311,10 +311,16 @@ void Execution::afterMove(bool rapid, uint16_t axes) {
   constexpr uint64_t asked =
       bitOf(Fact::InContour) | bitOf(Fact::PolarRadiusSet) | bitOf(Fact::PlungedUncompensated);
   stateUse.facts |= asked;
-  const uint64_t on =
-      movedFacts | (state_.factsMust & bitOf(Fact::InContour) ? bitOf(Fact::ContourBegun) : 0) |
-      (rapid ? bitOf(Fact::AwayFromPart) : bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool));
-  const uint64_t off = bitOf(Fact::AtMachinePosition) | (rapid ? 0 : bitOf(Fact::AwayFromPart));
+  // A rotary axis, or the slide of a second spindle, that moves alone leaves the tool where it is.
+  constexpr uint16_t others = bit(Axis::A) | bit(Axis::B) | bit(Axis::C);
+  const bool toolMoves = axes & ~others;
+  const bool cuts = toolMoves && !rapid;
+  const uint64_t on = movedFacts |
+                      (state_.factsMust & bitOf(Fact::InContour) ? bitOf(Fact::ContourBegun) : 0) |
+                      (rapid ? bitOf(Fact::AwayFromPart) : 0) |
+                      (cuts ? bitOf(Fact::Cut) | bitOf(Fact::CutSinceTool) : 0);
+  const uint64_t off = (toolMoves || rapid ? bitOf(Fact::AtMachinePosition) : 0) |
+                       (cuts ? bitOf(Fact::AwayFromPart) : 0);
   state_.put(on, off);
   // The word of the first plane axis is the radius, from the block on that begins polar input.
   if (masks_.polar != noGroup && !(state_.factsMust & bitOf(Fact::PolarRadiusSet)) &&

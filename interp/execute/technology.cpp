@@ -6,6 +6,17 @@
 
 namespace ncvet {
 
+/// Of H and D, those that a cycle takes for itself: a depth of cut, the number of spring passes.
+static AddressMask ownNumbers(const CodeInfo &code) {
+  if (code.action != Action::Cycle)
+    return 0;
+  AddressMask own = code.takes & maskOf('D');
+  for (const WordSpec &spec : code.words)
+    if (spec.role != Role::None && spec.role != Role::Offset)
+      own |= spec.any & maskOf('H');
+  return own;
+}
+
 /// What the block's codes make of its F, S, T, H, D and E.
 Execution::TechnologyUse Execution::technologyUse() const {
   TechnologyUse use;
@@ -17,7 +28,7 @@ Execution::TechnologyUse Execution::technologyUse() const {
     use.arguments |= code.action == Action::MacroCall || code.action == Action::MacroModal;
     use.lead |= code.action == Action::Thread || code.cycle == CycleKind::ThreadPass ||
                 code.cycle == CycleKind::ThreadMulti;
-    use.cycleTakesD |= code.action == Action::Cycle && (code.takes & maskOf('D'));
+    use.ofCycle |= ownNumbers(code);
   }
   if (!use.lead && !use.arguments)
     if (const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion))
@@ -53,7 +64,7 @@ void Execution::technologyWords() {
       break;
     case letterAddress('H'):
     case letterAddress('D'):
-      offsetWord(word, use.cycleTakesD);
+      offsetWord(word, use.ofCycle);
       break;
     default:
       break;
@@ -96,11 +107,11 @@ void Execution::speedWord(const Word &word, bool limit) {
 }
 
 /// H or D.
-void Execution::offsetWord(const Word &word, bool cycleTakesD) {
+void Execution::offsetWord(const Word &word, AddressMask ofCycle) {
   // A D that is a length says something of the tool's length only: D0 takes it away.
   const AddressInfo &address = dialect_.addresses[word.address];
   const bool isD = word.address == letterAddress('D') && address.unit != AddressUnit::Length;
-  if (isD && cycleTakesD)
+  if ((isD || word.address == letterAddress('H')) && (ofCycle & maskOf(word.address)))
     return;
   if (address.kind == AddressKind::Increment || address.kind == AddressKind::Unknown)
     return;
@@ -120,6 +131,17 @@ void Execution::offsetWord(const Word &word, bool cycleTakesD) {
   Event &event = outcome_.emit(EventKind::OffsetWord);
   event.word = &word;
   event.setWordValue(number);
+}
+
+/// `S3=2500`: where another spindle may have become the one that cuts, this is its speed.
+void Execution::speedOfOtherSpindle(const Item &item) {
+  if (item.kind != ItemKind::Output || item.target == noExpression || state_.spindle != spindleAny)
+    return;
+  outcome_.setupChanged = true;
+  state_.speed = Interval::unknown();
+  state_.origin.set(StatePart::Speed, {file_, item.begin, item.end});
+  state_.set(Fact::SpeedSet);
+  state_.set(Fact::SpeedSinceMode);
 }
 
 /// Words that set something without a code: a feed of a tooth, a limit of the speed, a position of
@@ -167,6 +189,7 @@ void Execution::orientSpindle(const CodeUse &use) {
 void Execution::turnAnything(const CodeUse &) {
   state_.spindle = spindleAny;
   state_.liveTool = spindleAny;
+  state_.clear(Fact::SpindleStoppedByTap);
 }
 
 /// Whether a code of the block sets the spindle going, before another one or after it.

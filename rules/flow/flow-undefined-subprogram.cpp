@@ -16,6 +16,11 @@ bool isProtected(const Flow &flow, int32_t first) {
          flow.target.number.value() >= first && flow.target.number.value() <= last;
 }
 
+/// A program that is called by its name, now or after every move from here on.
+bool isNamed(const Flow &flow) {
+  return flow.kind == FlowKind::CallNamed || flow.kind == FlowKind::CallModal;
+}
+
 class FlowUndefinedSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
@@ -34,8 +39,7 @@ public:
     if (isProtected(flow, ctx.dialect().limits.protectedPrograms))
       return;
     // A subprogram may belong to a set of the machine's builder, which lies on the control.
-    if (flow.kind == FlowKind::CallNamed &&
-        ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
+    if (isNamed(flow) && ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
       return;
     auto finding = ctx.report(ctx.flowRange(), event.certain && !builtIn);
     if (!finding)
@@ -53,7 +57,7 @@ public:
           .message("`{0}` calls a program that was not found: nothing is known of what it does",
                    ctx.text(ctx.flowRange()));
     else if (ctx.dialect().limits.protectedPrograms ||
-             (flow.kind == FlowKind::CallNamed && !ctx.dialect().facts->program.folders.empty()))
+             (isNamed(flow) && !ctx.dialect().facts->program.folders.empty()))
       // The builder's programs lie in folders of the control.
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: unless it lies on the control, this "

@@ -54,6 +54,9 @@ private:
         return; // a section that cycles and other programs name by its label
       if (block.isEmpty() || block.kind != BlockKind::Normal)
         continue;
+      // What a jump names is for other arguments than those of the calls in this file.
+      if (block.number >= 0 && llvm::is_contained(file.usedNumbers, block.number))
+        return;
       if (!file.isReached(block.begin) && !onlyEndsLoop(block) && !endsAfterLoop(block, ctx))
         if (auto finding = ctx.report(contentOf(block, file.source)))
           finding.message("no path leads to this block: it is never executed");

@@ -22,7 +22,9 @@ public:
     if (!implicit_ && event.code != noCode)
       return sleepInShape();
     // Only where the power-on mode is not documented and nothing at all was stated.
-    if (event.code != noCode || event.motion == MotionKind::Reference || memory().reported ||
+    // A move to a place of the machine is made at rapid, whatever is in force.
+    if (event.code != noCode || event.motion == MotionKind::Reference ||
+        event.inMachineCoordinates() || memory().reported ||
         ctx.dialect().group(StandardGroup::Motion) == noGroup ||
         ctx.after().active(ctx.dialect(), StandardGroup::Motion) != groupUnset ||
         ctx.after().may(Fact::UnknownCode))

@@ -72,7 +72,9 @@ private:
         return false;
       if (block.isEmpty() || isOnlyBracket(block) || isFurtherEnd(block, ctx))
         return true;
-      if (file.isReached(at))
+      // A guard of arguments that every call gives is named by a jump, taken or not.
+      if (file.isReached(at) ||
+          (block.number >= 0 && llvm::is_contained(file.usedNumbers, block.number)))
         return false;
       if (count++ == 0)
         dead = {file.source.id(), block.begin, block.end};

@@ -124,6 +124,8 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
   if (letter == 'S' || letter == 'M' || letter == 'T' || letter == 'H') {
     // Another spindle, or a function of the machine builder's: nothing of the tool that cuts.
     Item item = itemAt(ItemKind::Output, begin);
+    if (letter == 'S') // which spindle's speed it is
+      item.target = constant(begin, digits.end(), double(variableKey({begin, digits.size() + 1})));
     item.value = expression();
     return add(item);
   }
