@@ -102,7 +102,7 @@ TEST_F(CacheTest, OptionsAndConfigurationsCount) {
 
 TEST_F(CacheTest, TablesOfOnesOwnAndMachineProfilesCount) {
   shop.file("a.nc", programWithoutFeed())
-      .file("own.json", "{\"id\": \"own\", \"extends\": \"haas-lathe\"}")
+      .file("own.json", "{\"id\": \"own\", \"title\": \"Own\", \"extends\": \"haas-lathe\"}")
       .file("lathe.json", "{\"dialect\": \"haas-lathe\"}");
   for (const std::vector<std::string> &options :
        {std::vector<std::string>{"--dialect", "own.json", "a.nc"},
@@ -110,7 +110,7 @@ TEST_F(CacheTest, TablesOfOnesOwnAndMachineProfilesCount) {
     check(options);
     EXPECT_EQ("1", known(check(options))) << check(options).err;
   }
-  shop.file("own.json", "{\"id\": \"own\", \"extends\": \"haas-lathe\" }");
+  shop.file("own.json", "{\"id\": \"own\", \"title\": \"Own\", \"extends\": \"haas-lathe\" }");
   shop.file("lathe.json", "{\"dialect\": \"haas-lathe\" }");
   EXPECT_EQ("0", known(check({"--dialect", "own.json", "a.nc"})));
   EXPECT_EQ("0", known(check({"--machine", "lathe.json", "a.nc"})));
@@ -135,7 +135,8 @@ TEST_F(CacheTest, WhatIsDamagedIsCheckedAgain) {
 
 TEST_F(CacheTest, AFolderThatCannotBeWrittenIsNoFailure) {
   shop.file("a.nc", programWithoutFeed()).file("kept", "a file");
-  const ProcessResult result = check({"--cache-dir", "kept/below", "a.nc"});
+  const ProcessResult result =
+      check({"--dialect", "haas-lathe", "--cache-dir", "kept/below", "a.nc"});
   EXPECT_EQ(1, result.exitCode) << result.err;
   EXPECT_EQ("0", known(result));
 }
