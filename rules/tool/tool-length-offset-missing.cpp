@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <map>
+#include <string_view>
 
 namespace ncvet {
 namespace {
@@ -75,9 +76,10 @@ private:
     return entry->second;
   }
 
-  /// The system's search is several times as fast as LLVM's, which matters in a long text.
+  /// The library's search goes from one first letter to the next, several times as fast as LLVM's,
+  /// which matters in a long text.
   static bool holds(llvm::StringRef text, llvm::StringRef word) {
-    return ::memmem(text.data(), text.size(), word.data(), word.size()) != nullptr;
+    return std::string_view(text).find(std::string_view(word)) != std::string_view::npos;
   }
 };
 

@@ -111,6 +111,10 @@ void keepFreedMemory() {
 
 void giveBackFreeMemory() { ::malloc_trim(0); }
 
+llvm::ArrayRef<const char *> arguments(int count, const char *const *words) {
+  return {words, size_t(count)};
+}
+
 unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 namespace {

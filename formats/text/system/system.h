@@ -2,6 +2,7 @@
 // system has it all; the build picks one.
 #pragma once
 
+#include "llvm/ADT/ArrayRef.h"
 #include "llvm/Support/Error.h"
 #include "llvm/Support/MemoryBuffer.h"
 
@@ -31,6 +32,9 @@ bool writeAll(int descriptor, llvm::StringRef bytes);
 void keepFreedMemory();
 /// Gives memory that nobody holds back to the system.
 void giveBackFreeMemory();
+
+/// The words of the command line in UTF-8, the program's name first. Valid as long as it runs.
+llvm::ArrayRef<const char *> arguments(int count, const char *const *words);
 
 /// Threads that run at a time; 1 where the system has none but the first.
 unsigned processors();

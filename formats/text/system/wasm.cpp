@@ -37,6 +37,10 @@ bool writeAll(int descriptor, llvm::StringRef bytes) {
 void keepFreedMemory() {}
 void giveBackFreeMemory() {}
 
+llvm::ArrayRef<const char *> arguments(int count, const char *const *words) {
+  return {words, size_t(count)};
+}
+
 unsigned processors() { return 1; }
 
 /// A crash ends the module: its host is told, and nothing of it can go on.

@@ -1,13 +1,18 @@
 // The operating system: Windows.
 #include "formats/text/system/system.h"
 
+#include "llvm/Support/ConvertUTF.h"
 #include <fcntl.h>
 #include <io.h>
+#include <shellapi.h>
 #include <windows.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cwchar>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace ncvet::system {
 
@@ -53,6 +58,23 @@ bool writeAll(int descriptor, llvm::StringRef bytes) {
 
 void keepFreedMemory() {}
 void giveBackFreeMemory() {}
+
+/// The run time library gives them in the code page of the machine, which lacks most letters.
+llvm::ArrayRef<const char *> arguments(int, const char *const *) {
+  static std::vector<std::string> texts;
+  static std::vector<const char *> words;
+  int count = 0;
+  wchar_t **const wide = ::CommandLineToArgvW(::GetCommandLineW(), &count);
+  for (int i = 0; i < count; ++i) {
+    std::string &text = texts.emplace_back();
+    const auto *const bytes = reinterpret_cast<const char *>(wide[i]);
+    llvm::convertUTF16ToUTF8String(llvm::ArrayRef<char>(bytes, 2 * ::wcslen(wide[i])), text);
+  }
+  ::LocalFree(wide);
+  for (const std::string &text : texts)
+    words.push_back(text.c_str());
+  return words;
+}
 
 unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
