@@ -4,6 +4,7 @@
 #include "formats/text/file_uri.h"
 #include "lsp/features/writing/suppression_edit.h"
 #include "lsp/server/bindings.h"
+#include "lsp/server/rewriting_actions.h"
 
 namespace ncvet::lsp {
 
@@ -158,6 +159,11 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
             {{"title", "Explain"}, {"command", "ncvet.explain"}, {"arguments", {rule.id.str()}}}}});
     }
   }
+  constexpr llvm::StringLiteral rewrites = "refactor.rewrite.ncvet";
+  if (begin < end && wants(asked, rewrites))
+    rewritingsOf(view, begin, end, [&](std::string title, Json changes) {
+      actions.push_back(action(std::move(title), rewrites, std::move(changes)));
+    });
   if (wants(asked, "source.fixAll.ncvet")) {
     if (!view.client.resolvesEdits)
       fixAll(view, session, actions);
@@ -223,6 +229,8 @@ void bindActions(Context &context) {
     const std::string command = params.at("command");
     if (command == "ncvet.explain")
       return explain(context, params.at("arguments"), std::move(reply));
+    if (command == "ncvet.transform")
+      return transformRange(context, params.at("arguments"), std::move(reply));
     reply.fail(RpcError::InvalidParams, "there is no command " + command);
   });
 }

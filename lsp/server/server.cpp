@@ -105,9 +105,10 @@ Json capabilities(const Context &context) {
       {"semanticTokensProvider",
        {{"legend", tokensLegend()}, {"full", {{"delta", true}}}, {"range", true}}},
       {"codeActionProvider",
-       {{"codeActionKinds", {"quickfix", "source.fixAll.ncvet", "source.explain.ncvet"}},
+       {{"codeActionKinds",
+         {"quickfix", "refactor.rewrite.ncvet", "source.fixAll.ncvet", "source.explain.ncvet"}},
         {"resolveProvider", true}}},
-      {"executeCommandProvider", {{"commands", {"ncvet.explain"}}}},
+      {"executeCommandProvider", {{"commands", {"ncvet.explain", "ncvet.transform"}}}},
       {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
   };
   if (client.pullsDiagnostics && !client.registersDiagnostics)

@@ -60,26 +60,71 @@ private:
   bool number() {
     const double most = snapshot_.dialect().addresses[letterAddress('N')].most;
     uint32_t program = ~0u;
-    int64_t next = options_.first;
-    for (const Occurrence &one : names_.all()) {
+    int64_t next = options_.first, step = options_.step, before = 0;
+    bool isPlanned = !isPart();
+    for (size_t i = 0; i < names_.all().size(); ++i) {
+      const Occurrence &one = names_.all()[i];
       if (!isNumber(one) || one.use != NameUse::Definition)
         continue;
       if (const uint32_t own = names_.programAt(one.begin); own != program) {
         program = own;
         next = options_.first;
+        before = 0;
+        isPlanned = !isPart();
       }
       if (!isWhereTheControlLooks(one)) {
         refuse("the number of this block cannot be read for certain", names_.range(one));
         return false;
       }
+      if (!isSelected(one)) {
+        before = int64_t(one.key);
+        fresh_[one.begin] = before;
+        continue;
+      }
+      if (!std::exchange(isPlanned, true) && !findRoom(i, before, next, step))
+        return false;
       if (double(next) > most || next > mostNumber) {
         refuse("the numbers would grow larger than the control allows", names_.range(one));
         return false;
       }
       fresh_[one.begin] = next;
-      next += options_.step;
+      next += step;
     }
     return true;
+  }
+
+  bool isPart() const { return options_.begin > 0 || options_.end < snapshot_.text().size(); }
+  bool isSelected(const Occurrence &one) const {
+    return one.begin >= options_.begin && one.begin < options_.end;
+  }
+
+  /// The first number and the step of the selected blocks from the one at `index` on, which come
+  /// after the number `before`.
+  bool findRoom(size_t index, int64_t before, int64_t &first, int64_t &step) {
+    const uint32_t program = names_.programAt(names_.all()[index].begin);
+    int64_t count = 0, after = 0;
+    for (const Occurrence &one : names_.all().drop_front(index)) {
+      if (!isNumber(one) || one.use != NameUse::Definition)
+        continue;
+      if (names_.programAt(one.begin) != program)
+        break;
+      if (!isSelected(one)) {
+        after = int64_t(one.key);
+        break;
+      }
+      ++count;
+    }
+    for (const int64_t tried : {options_.step, int64_t(5), int64_t(2), int64_t(1)}) {
+      if (tried > options_.step)
+        continue;
+      step = tried;
+      first = before / tried * tried + tried;
+      if (after == 0 || first + (count - 1) * tried < after)
+        return true;
+    }
+    refuse("there are not enough numbers between those around the selection",
+           names_.range(names_.all()[index]));
+    return false;
   }
 
   /// Whether the number is digits alone and, where some place names a block, one that the control

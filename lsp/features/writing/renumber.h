@@ -7,6 +7,9 @@ namespace ncvet::lsp {
 
 struct NumberOptions {
   int64_t first = 10, step = 10; ///< both above zero; they begin anew in every program
+  /// Only blocks that begin in [begin, end) get other numbers. They lie between those around them:
+  /// `first` does not count, and steps are smaller where there is no room.
+  uint32_t begin = 0, end = 0xFFFFFFFF;
 };
 
 struct Renumbering {

@@ -1,0 +1,53 @@
+// Selected blocks of a document, and the proof that a rewriting of them is one.
+#pragma once
+
+#include "formats/text/edit.h"
+#include "lsp/features/snapshot.h"
+#include "lsp/features/writing/selection_run.h"
+
+namespace ncvet::lsp {
+
+/// A change of selected blocks that a user may choose.
+struct Rewriting {
+  std::string title;
+  std::vector<TextEdit> edits; ///< in the order of the text
+  std::string refused;         ///< not empty: why there are none, for the user
+};
+
+/// The whole blocks that a selection touches.
+class Selection {
+public:
+  /// `begin` and `end` are bytes; an end at the start of a line does not touch it. `open`: texts of
+  /// the editor, in which called programs are looked for first.
+  Selection(Snapshot &snapshot, uint32_t begin, uint32_t end,
+            std::shared_ptr<const SourceSet::Overlay> open, const std::atomic<bool> *cancel);
+
+  Snapshot &snapshot() const { return snapshot_; }
+  const Dialect &dialect() const { return snapshot_.dialect(); }
+  /// With content, in the order of the text.
+  llvm::ArrayRef<Block> blocks() const { return blocks_; }
+  uint32_t begin() const { return begin_; }
+  /// After the last block, with its line end.
+  uint32_t end() const { return end_; }
+  /// Number of the line, for messages.
+  std::string lineOf(uint32_t offset) const;
+  /// What the blocks do; `refused` says why nobody knows.
+  const SelectionRun &run(std::string &refused);
+
+  /// Refuses a rewriting after which the machine does something else: other than before, or than
+  /// `changes` say of the selected blocks.
+  void prove(Rewriting &rewriting, const AxisChanges &changes = {}, double tolerance = 1e-6);
+
+private:
+  SelectionRun follow(const AxisChanges &changes);
+  std::string whyNotKnown(const SelectionRun &run) const;
+
+  Snapshot &snapshot_;
+  const std::shared_ptr<const SourceSet::Overlay> open_;
+  const std::atomic<bool> *const cancel_;
+  uint32_t begin_ = 0, end_ = 0;
+  std::vector<Block> blocks_;
+  std::optional<SelectionRun> run_;
+};
+
+} // namespace ncvet::lsp

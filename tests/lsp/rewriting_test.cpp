@@ -1,0 +1,182 @@
+// Changes of selected blocks: the text is another, and the machine does what the title says.
+#include "lsp/features/writing/rewritings.h"
+#include "tests/support/marked_text.h"
+
+#include "gtest/gtest.h"
+
+namespace {
+
+using namespace ncvet;
+using lsp::AxisChanges;
+using lsp::Rewriting;
+using lsp::Selection;
+
+/// The text after a change of what is between both marks; `refused: WHY` where it is not made.
+std::string rewritten(llvm::StringRef dialect, llvm::StringRef program,
+                      llvm::function_ref<Rewriting(Selection &)> change) {
+  const auto text = test::markedText(dialect, program);
+  Selection selection(*text, text.marks[0], text.marks[1], nullptr, nullptr);
+  const Rewriting result = change(selection);
+  EXPECT_FALSE(result.title.empty());
+  EXPECT_NE(result.refused.empty(), result.edits.empty()) << result.refused;
+  return result.refused.empty() ? applyEdits(text->text(), result.edits)
+                                : "refused: " + result.refused;
+}
+
+std::string distances(llvm::StringRef dialect, llvm::StringRef program) {
+  return rewritten(dialect, program, lsp::toIncremental);
+}
+std::string places(llvm::StringRef dialect, llvm::StringRef program) {
+  return rewritten(dialect, program, lsp::toAbsolute);
+}
+std::string mirrored(llvm::StringRef dialect, llvm::StringRef program, Axis axis = Axis::X) {
+  AxisChanges changes;
+  changes[size_t(axis)].factor = -1;
+  return rewritten(dialect, program,
+                   [&](Selection &one) { return lsp::transform(one, changes, "mirror"); });
+}
+std::string shifted(llvm::StringRef dialect, llvm::StringRef program, double x, double y) {
+  AxisChanges changes;
+  changes[0].shift = x;
+  changes[1].shift = y;
+  return rewritten(dialect, program,
+                   [&](Selection &one) { return lsp::transform(one, changes, "shift"); });
+}
+std::string scaled(llvm::StringRef dialect, llvm::StringRef program, double factor) {
+  AxisChanges changes;
+  changes[0].factor = changes[1].factor = factor;
+  return rewritten(dialect, program,
+                   [&](Selection &one) { return lsp::transform(one, changes, "scale"); });
+}
+
+const std::string head = "O1\nG21 G17 G90 G40 G80\nG54 G00 X10. Y20.\n";
+
+TEST(Rewriting, PlacesBecomeDistances) {
+  EXPECT_EQ(
+      distances("fanuc-mill", head + "<|>G01 X12.5 Y20. F100.\nX15.\nY18.5<|>\nG00 X0. Y0.\nM30\n"),
+      head + "G91 G01 X2.5 Y0. F100.\nX2.5\nY-1.5\nG90\nG00 X0. Y0.\nM30\n");
+  EXPECT_EQ(distances("sinumerik", "G90 G0 X1 Y2\n<|>G1 X5 F100\nY2.5\n<|>G90 X0\nM30\n"),
+            "G90 G0 X1 Y2\nG91 G1 X4 F100\nY0.5\nG90 X0\nM30\n")
+      << "the next block says its mode itself";
+}
+
+TEST(Rewriting, DistancesBecomePlaces) {
+  EXPECT_EQ(places("fanuc-mill", head + "<|>G91 G01 X2.5 F100.\nY-1.5\n<|>G90 G00 X0. Y0.\nM30\n"),
+            head + "G90 G01 X12.5 F100.\nY18.5\nG90 G00 X0. Y0.\nM30\n");
+}
+
+TEST(Rewriting, ALatheHasWordsForDistances) {
+  const std::string before = "O1\nG21 G40 G97 G99\nT0101\nS800 M03\nG00 X60. Z2.\n";
+  const std::string absolute = before + "<|>G01 X58. F0.2\nZ-10.<|>\nG00 X100.\nM30\n";
+  const std::string incremental = before + "<|>G01 U-2. F0.2\nW-12.<|>\nG00 X100.\nM30\n";
+  const auto bare = [](std::string text) {
+    for (size_t at; (at = text.find("<|>")) != std::string::npos;)
+      text.erase(at, 3);
+    return text;
+  };
+  EXPECT_EQ(distances("fanuc-lathe", absolute), bare(incremental));
+  EXPECT_EQ(places("fanuc-lathe", incremental), bare(absolute));
+}
+
+TEST(Rewriting, WhatIsNotAPlaceIsNotChanged) {
+  EXPECT_EQ(distances("fanuc-mill", head + "#1=5.\n<|>G01 X#1 F100.\n<|>M30\n").substr(0, 8),
+            "refused:");
+  EXPECT_EQ(
+      distances("fanuc-mill", head + "<|>G81 X1. Y1. Z-5. R2. F100.\n<|>G80\nM30\n").substr(0, 8),
+      "refused:")
+      << "R and Z of a cycle mean something else under G91";
+  EXPECT_EQ(distances("fanuc-mill", head + "IF[#5041GT0]GOTO9\n<|>G01 X1. F100.\n<|>N9 M30\n")
+                .substr(0, 8),
+            "refused:")
+      << "nobody knows whether the program comes here";
+  EXPECT_EQ(distances("fanuc-mill", "O1\nG21 G90\n<|>G00 X1.\n<|>M30\n").substr(0, 8), "refused:")
+      << "where the tool is before is not known";
+}
+
+TEST(Rewriting, AContourIsMirrored) {
+  EXPECT_EQ(mirrored("fanuc-mill", head +
+                                       "<|>G00 X1. Y1.\nG41 D1 G01 X5. F100.\nG03 X8. Y4. I0. J3.\n"
+                                       "G02 X10. Y6. R2.\nG40 G01 X12.<|>\nG00 Y0.\nX0.\nM30\n"),
+            head + "G00 X-1. Y1.\nG42 D1 G01 X-5. F100.\nG02 X-8. Y4. I0. J3.\n"
+                   "G03 X-10. Y6. R2.\nG40 G01 X-12.\nG00 Y0.\nX0.\nM30\n");
+  EXPECT_EQ(mirrored("fanuc-mill",
+                     head + "<|>G91 G01 X5. F100.\nG02 X2. Y2. I2. J0.<|>\nG90 G00 X0. Y0.\nM30\n"),
+            head + "G91 G01 X-5. F100.\nG03 X-2. Y2. I-2. J0.\nG90 G00 X0. Y0.\nM30\n")
+      << "distances are mirrored where they begin";
+}
+
+TEST(Rewriting, AMirroredDirectionOfBlocksOutsideRefuses) {
+  EXPECT_EQ(mirrored("fanuc-mill",
+                     head + "G02 X12. Y22. I0. J2. F100.\n<|>X14. Y24. I2. J0.\n<|>G00 X0.\nM30\n")
+                .substr(0, 8),
+            "refused:")
+      << "G02 comes from before the selection";
+  EXPECT_EQ(mirrored("fanuc-mill", head + "G41 D1 G01 X12. F100.\n<|>X14.\nY30.\n<|>G40 X0.\nM30\n")
+                .substr(0, 8),
+            "refused:")
+      << "so does the compensation";
+}
+
+TEST(Rewriting, BlocksAreShifted) {
+  EXPECT_EQ(shifted("fanuc-mill",
+                    head + "<|>G01 X1. Y2. F100.\nG02 X3. Y4. I2. J0.<|>\nG00 Z5.\nX0. Y0.\nM30\n",
+                    10, -0.5),
+            head + "G01 X11. Y1.5 F100.\nG02 X13. Y3.5 I2. J0.\nG00 Z5.\nX0. Y0.\nM30\n");
+  EXPECT_EQ(shifted("fanuc-mill",
+                    "O1\nG20 G90 G17\nG54 G00 X1. Y1.\n<|>G01 X2. F10.\n<|>G00 X0.\nM30\n", 25.4,
+                    0),
+            "O1\nG20 G90 G17\nG54 G00 X1. Y1.\nG01 X3. F10.\nG00 X0.\nM30\n")
+      << "the shift is in mm, the program in inches";
+}
+
+TEST(Rewriting, BlocksAreScaled) {
+  EXPECT_EQ(scaled("fanuc-mill",
+                   head + "<|>G00 X1. Y1.\nG01 X3. F100.\nG02 X5. Y3. R2.<|>\nG00 X0. Y0.\nM30\n",
+                   1.5),
+            head + "G00 X1.5 Y1.5\nG01 X4.5 F100.\nG02 X7.5 Y4.5 R3.\nG00 X0. Y0.\nM30\n");
+}
+
+TEST(Rewriting, BlockSkipIsPutAndTakenAway) {
+  EXPECT_EQ(
+      rewritten("fanuc-mill", head + "<|>N5 G01 X1. F100.\nX2.<|>\nM30\n", lsp::toggleBlockSkip),
+      head + "/N5 G01 X1. F100.\n/X2.\nM30\n");
+  EXPECT_EQ(
+      rewritten("fanuc-mill", head + "<|>/N5 G01 X1. F100.\n/2X2.<|>\nM30\n", lsp::toggleBlockSkip),
+      head + "N5 G01 X1. F100.\nX2.\nM30\n");
+}
+
+TEST(Rewriting, NumbersOfASelectionLieBetweenThoseAroundIt) {
+  const auto renumbered = [](llvm::StringRef program) {
+    return rewritten("fanuc-mill", program,
+                     [](Selection &one) { return lsp::renumberSelection(one, 10); });
+  };
+  EXPECT_EQ(renumbered("O1\nN10 G21 G90\n<|>N11 G54 G00 X0.\nN12 X1.\nN13 X2.<|>\nN100 M30\n"),
+            "O1\nN10 G21 G90\nN20 G54 G00 X0.\nN30 X1.\nN40 X2.\nN100 M30\n");
+  EXPECT_EQ(
+      renumbered("O1\nN10 G21 G90\nGOTO12\n<|>N11 G54 G00 X0.\nN12 X1.\nN13 X2.<|>\nN20 M30\n"),
+      "refused: the program does not come to line 4: what it moves there is not known");
+  EXPECT_EQ(
+      renumbered("O1\nN10 G21 G90\n<|>N18 G54 G00 X0.\nN3 #1=1\nN4 IF[#1EQ1]GOTO18<|>\nN16 M30\n")
+          .substr(0, 8),
+      "refused:");
+  EXPECT_EQ(
+      renumbered(
+          "O1\nN10 G21 G90\n#1=0\n<|>N3 G54 G00 X#1\nN4 #1=#1+1\nIF[#1LT3]GOTO3<|>\nN16 M30\n"),
+      "O1\nN10 G21 G90\n#1=0\nN12 G54 G00 X#1\nN14 #1=#1+1\nIF[#1LT3]GOTO12\nN16 M30\n");
+}
+
+TEST(Rewriting, AnyTextIsRewritten) {
+  const llvm::StringRef broken =
+      "<|>N10 G1 X= Y[ #[ IF[ <MIR:; CYCLE81(,,\nG65 P ((\n%\nGOTO\n\"<|>";
+  AxisChanges changes;
+  changes[0] = {-2, 3};
+  for (const char *dialect : {"haas-lathe", "fanuc-0m", "sinumerik", "ecs", "mefi", "linuxcnc"}) {
+    distances(dialect, broken);
+    places(dialect, broken);
+    rewritten(dialect, broken, lsp::toggleBlockSkip);
+    rewritten(dialect, broken, [&](Selection &one) { return lsp::transform(one, changes, "x"); });
+    rewritten(dialect, broken, [](Selection &one) { return lsp::renumberSelection(one, 10); });
+  }
+}
+
+} // namespace
