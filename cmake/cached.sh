@@ -28,6 +28,7 @@ case " $* " in
 esac
 case $1 in
 *clang*) ;;
+*em++ | *em++.py) export CCACHE_COMPILERTYPE=clang ;; # a script that runs it
 *) set -- "$@" -fpch-preprocess ;;
 esac
 # Paths below the top are hashed as relative ones: clones and work trees share what they compile.

@@ -17,6 +17,7 @@
 #include "formats/text/plain_text.h"
 #include "formats/text/read_file.h"
 #include "formats/text/system/system.h"
+#include "formats/text/threads.h"
 
 #include "llvm/ADT/StringSet.h"
 #include "llvm/Support/FileSystem.h"
@@ -179,7 +180,7 @@ void Check::forEachJob(const char *what, llvm::function_ref<void(Job &, Worker &
     }
   };
   size_t count = request_.jobs ? request_.jobs : system::processors();
-  count = std::min(std::max<size_t>(1, count), jobs_.size());
+  count = hasThreads ? std::min(std::max<size_t>(1, count), jobs_.size()) : 1;
   std::vector<Worker> workers(std::max<size_t>(1, count));
   std::vector<std::thread> threads;
   for (Worker &worker : workers) {

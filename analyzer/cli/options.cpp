@@ -10,6 +10,8 @@
 #include "llvm/Support/raw_ostream.h"
 #include <CLI/CLI.hpp>
 
+#include <deque>
+
 namespace ncvet::cli {
 
 namespace {

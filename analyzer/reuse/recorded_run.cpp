@@ -1,6 +1,8 @@
 // A run of plain blocks: where it begins again, what it leaves alone, and what an edit does to it.
 #include "analyzer/reuse/recorded_run.h"
 
+#include <bit>
+
 namespace ncvet {
 
 namespace {

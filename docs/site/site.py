@@ -27,6 +27,7 @@ PAGES = [
     ("docs/reports.md", "Reports"),
     ("docs/ci.md", "CI and hooks"),
     ("docs/editors.md", "Editors"),
+    ("docs/webassembly.md", "WebAssembly"),
     ("docs/controls.md", "Controls"),
     ("docs/performance.md", "Speed"),
     ("docs/architecture.md", "Architecture"),

@@ -3,6 +3,9 @@
 
 #include "llvm/Support/Format.h"
 
+#include <map>
+#include <set>
+
 namespace ncvet {
 
 namespace {

@@ -6,6 +6,8 @@
 #include "interp/evaluate/program_operators.h"
 #include "interp/value/units.h"
 
+#include <bit>
+
 namespace ncvet {
 
 namespace {

@@ -5,6 +5,7 @@
 #include "interp/state/zero_point.h"
 #include "interp/value/units.h"
 
+#include <bit>
 #include <cmath>
 
 namespace ncvet {

@@ -3,6 +3,8 @@
 
 #include "interp/geometry/tolerance.h"
 
+#include <numbers>
+
 namespace ncvet {
 
 double turnBetween(double from, double to, bool clockwise) {

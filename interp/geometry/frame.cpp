@@ -5,9 +5,9 @@
 
 #include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/bit.h"
 #include <Eigen/Geometry>
 
-#include <bit>
 #include <cmath>
 
 namespace ncvet {
@@ -210,7 +210,7 @@ bool same(const std::optional<Frame> &a, const std::optional<Frame> &b) {
     return !a && !b;
   for (size_t i = 0; i < 3; ++i) // a shift that is not known equals itself
     if (a->turn[i] != b->turn[i] ||
-        std::bit_cast<uint64_t>(a->shift[i]) != std::bit_cast<uint64_t>(b->shift[i]))
+        llvm::bit_cast<uint64_t>(a->shift[i]) != llvm::bit_cast<uint64_t>(b->shift[i]))
       return false;
   return true;
 }
@@ -235,9 +235,9 @@ uint64_t FrameStack::hash() const {
       result = llvm::hash_combine(result, entry.name, entry.frame.has_value());
       if (entry.frame)
         for (size_t i = 0; i < 3; ++i) {
-          result = llvm::hash_combine(result, std::bit_cast<uint64_t>(entry.frame->shift[i]));
+          result = llvm::hash_combine(result, llvm::bit_cast<uint64_t>(entry.frame->shift[i]));
           for (const double x : entry.frame->turn[i])
-            result = llvm::hash_combine(result, std::bit_cast<uint64_t>(x));
+            result = llvm::hash_combine(result, llvm::bit_cast<uint64_t>(x));
         }
     }
   return result;

@@ -2,16 +2,15 @@
 #include "interp/state/modal_call.h"
 
 #include "llvm/ADT/Hashing.h"
-
-#include <bit>
+#include "llvm/ADT/bit.h"
 
 namespace ncvet {
 
 uint64_t ModalCall::hash() const {
   if (!known)
     return 1;
-  return llvm::hash_combine(file, at, program, std::bit_cast<uint64_t>(repeat.asNumber().lo),
-                            std::bit_cast<uint64_t>(repeat.asNumber().hi), arguments.hash(),
+  return llvm::hash_combine(file, at, program, llvm::bit_cast<uint64_t>(repeat.asNumber().lo),
+                            llvm::bit_cast<uint64_t>(repeat.asNumber().hi), arguments.hash(),
                             outer ? outer->hash() : uint64_t(0));
 }
 

@@ -2,8 +2,7 @@
 #include "interp/state/saved_modes.h"
 
 #include "llvm/ADT/Hashing.h"
-
-#include <bit>
+#include "llvm/ADT/bit.h"
 
 namespace ncvet {
 
@@ -26,11 +25,11 @@ uint64_t hash(const SavedModes &saved) {
   const KeptModes &kept = *saved.modes;
   return llvm::hash_combine(
       llvm::hash_combine_range(kept.modes.groups.begin(), kept.modes.groups.end()),
-      kept.modes.statedMay, kept.modes.statedMust, std::bit_cast<uint64_t>(kept.feed.lo),
-      std::bit_cast<uint64_t>(kept.feed.hi), std::bit_cast<uint64_t>(kept.speed.lo),
-      std::bit_cast<uint64_t>(kept.speed.hi), kept.factsMay, kept.factsMust, kept.switches.may,
+      kept.modes.statedMay, kept.modes.statedMust, llvm::bit_cast<uint64_t>(kept.feed.lo),
+      llvm::bit_cast<uint64_t>(kept.feed.hi), llvm::bit_cast<uint64_t>(kept.speed.lo),
+      llvm::bit_cast<uint64_t>(kept.speed.hi), kept.factsMay, kept.factsMust, kept.switches.may,
       kept.switches.must, kept.spindle, unsigned(kept.lengthOn),
-      std::bit_cast<uint64_t>(kept.presetOn.lo), std::bit_cast<uint64_t>(kept.presetOn.hi));
+      llvm::bit_cast<uint64_t>(kept.presetOn.lo), llvm::bit_cast<uint64_t>(kept.presetOn.hi));
 }
 
 } // namespace ncvet

@@ -2,6 +2,7 @@
 #include "interp/state/state.h"
 
 #include "llvm/ADT/Hashing.h"
+#include "llvm/ADT/bit.h"
 #include "llvm/Support/xxhash.h"
 
 #include <bit>
@@ -101,8 +102,8 @@ MachineState merge(const MachineState &a, const MachineState &b, bool wide) {
 template <typename Sink>
 void visitParts(const KnownState &s, Sink sink) {
   const auto interval = [&](const Interval &i) {
-    sink(std::bit_cast<uint64_t>(i.lo));
-    sink(std::bit_cast<uint64_t>(i.hi));
+    sink(llvm::bit_cast<uint64_t>(i.lo));
+    sink(llvm::bit_cast<uint64_t>(i.hi));
   };
   for (uint64_t g : s.groups)
     sink(g);
@@ -137,7 +138,7 @@ void visitParts(const KnownState &s, Sink sink) {
   sink(s.cycle.present);
   for (size_t i = 0; i < 26; ++i)
     if (s.cycle.present >> i & 1)
-      sink(std::bit_cast<uint64_t>(s.cycle.value[i]));
+      sink(llvm::bit_cast<uint64_t>(s.cycle.value[i]));
   sink(uint64_t(s.roughFirst));
   sink(uint64_t(s.roughLast));
   for (const Interval &i : s.roughStart)

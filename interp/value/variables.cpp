@@ -4,9 +4,9 @@
 #include "interp/value/access_log.h"
 
 #include "llvm/ADT/Hashing.h"
+#include "llvm/ADT/bit.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace ncvet {
 
@@ -157,8 +157,8 @@ uint64_t Variables::hash() const {
       if (!(entry.value == fallback_) || entry.given != othersGiven_)
         result = llvm::hash_combine(
             result, entry.number, unsigned(entry.given), unsigned(entry.value.kind),
-            llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.lo)),
-            llvm::hash_value(std::bit_cast<uint64_t>(entry.value.number.hi)));
+            llvm::hash_value(llvm::bit_cast<uint64_t>(entry.value.number.lo)),
+            llvm::hash_value(llvm::bit_cast<uint64_t>(entry.value.number.hi)));
   return result;
 }
 

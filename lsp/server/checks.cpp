@@ -3,6 +3,7 @@
 
 #include "analyzer/rule/rule_table.h"
 #include "formats/text/system/system.h"
+#include "formats/text/threads.h"
 #include "lsp/features/showing/document_states.h"
 #include "lsp/transport/rpc.h"
 
@@ -89,7 +90,10 @@ DocumentStates statesOf(const CheckJob &job, uint32_t offset, const std::atomic<
           offset,       cancelled,   document.memory->checks};
 }
 
-Checks::Checks(Done done) : done_(std::move(done)), thread_([this] { run(); }) {}
+Checks::Checks(Done done) : done_(std::move(done)) {
+  if (hasThreads)
+    thread_ = std::thread([this] { run(); });
+}
 
 Checks::~Checks() { stop(); }
 
@@ -156,7 +160,10 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
         changed_.notify_all();
       }
     if (coming) {
-      changed_.wait_for(lock, patience);
+      if (hasThreads)
+        changed_.wait_for(lock, patience);
+      else
+        runNext(lock);
       continue;
     }
     const auto known = results_.find(document.path);
@@ -167,49 +174,65 @@ std::shared_ptr<const CheckResult> Checks::wait(const Document &document,
   return nullptr;
 }
 
-std::shared_ptr<const CheckResult> Checks::runNext(const CheckJob &job) {
-  DocumentMemory &memory = *job.document.memory;
-  const std::lock_guard<std::mutex> lock(memory.mutex);
-  return check(job, &cancel_, &memory.checks);
+std::optional<Checks::Clock::time_point> Checks::nextDue() const {
+  std::optional<Clock::time_point> due;
+  for (const Waiting &waiting : waiting_)
+    due = std::min(due.value_or(waiting.due), waiting.due);
+  return due;
+}
+
+void Checks::runNext(std::unique_lock<std::mutex> &lock) {
+  const auto next =
+      std::min_element(waiting_.begin(), waiting_.end(),
+                       [](const Waiting &a, const Waiting &b) { return a.due < b.due; });
+  const CheckJob job = std::move(next->job);
+  waiting_.erase(next);
+  running_ = job.document.path;
+  runningText_ = job.document.text.bytes;
+  cancel_ = false;
+  lock.unlock();
+  std::shared_ptr<const CheckResult> result;
+  {
+    const std::lock_guard<std::mutex> memory(job.document.memory->mutex);
+    result = check(job, &cancel_, &job.document.memory->checks);
+  }
+  lock.lock();
+  const bool stale = cancel_;
+  running_.clear();
+  runningText_.reset();
+  if (result && !stale) {
+    results_[job.document.path] = result;
+    lock.unlock();
+    done_(std::move(result));
+    prepareNext(job, *job.document.memory);
+    if (++untrimmed_ % checksBetweenTrims == 0)
+      system::giveBackFreeMemory();
+    lock.lock();
+  }
+  changed_.notify_all();
 }
 
 void Checks::run() {
-  unsigned untrimmed = 0;
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
-    if (waiting_.empty()) {
+    const auto due = nextDue();
+    if (!due)
       changed_.wait(lock);
-      continue;
-    }
-    const auto next =
-        std::min_element(waiting_.begin(), waiting_.end(),
-                         [](const Waiting &a, const Waiting &b) { return a.due < b.due; });
-    if (next->due > Clock::now()) {
-      changed_.wait_until(lock, Clock::time_point(next->due));
-      continue;
-    }
-    const CheckJob job = std::move(next->job);
-    waiting_.erase(next);
-    running_ = job.document.path;
-    runningText_ = job.document.text.bytes;
-    cancel_ = false;
-    lock.unlock();
-    std::shared_ptr<const CheckResult> result = runNext(job);
-    lock.lock();
-    const bool stale = cancel_;
-    running_.clear();
-    runningText_.reset();
-    if (result && !stale) {
-      results_[job.document.path] = result;
-      lock.unlock();
-      done_(std::move(result));
-      prepareNext(job, *job.document.memory);
-      if (++untrimmed % checksBetweenTrims == 0)
-        system::giveBackFreeMemory();
-      lock.lock();
-    }
-    changed_.notify_all();
+    else if (*due > Clock::now())
+      changed_.wait_until(lock, *due);
+    else
+      runNext(lock);
   }
+}
+
+std::optional<Checks::Clock::duration> Checks::doNext() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (const auto due = nextDue(); due && *due <= Clock::now() && !stopping_)
+    runNext(lock);
+  const auto due = nextDue();
+  if (!due || stopping_)
+    return std::nullopt;
+  return std::max(Clock::duration::zero(), *due - Clock::now());
 }
 
 } // namespace ncvet::lsp

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <list>
+#include <optional>
 #include <thread>
 
 namespace ncvet::lsp {
@@ -78,15 +79,21 @@ public:
   std::shared_ptr<const CheckResult> wait(const Document &document,
                                           const std::atomic<bool> &cancelled);
   void stop();
+  using Clock = std::chrono::steady_clock;
+  /// Without threads: does the next check if it is time. How long it is until the one after it;
+  /// none: nothing waits.
+  std::optional<Clock::duration> doNext();
 
 private:
-  using Clock = std::chrono::steady_clock;
   struct Waiting {
     CheckJob job;
     Clock::time_point due;
   };
   void run();
-  std::shared_ptr<const CheckResult> runNext(const CheckJob &job);
+  /// When the next check may begin; none: nothing waits. The lock is held.
+  std::optional<Clock::time_point> nextDue() const;
+  /// Does the check that is due first. The lock is held before and after, not meanwhile.
+  void runNext(std::unique_lock<std::mutex> &lock);
   static Clock::duration delayAfter(double seconds);
 
   Done done_;
@@ -97,6 +104,7 @@ private:
   std::shared_ptr<const std::string> runningText_;
   std::atomic<bool> cancel_ = false;
   bool stopping_ = false;
+  unsigned untrimmed_ = 0; ///< checks since free memory was given back
   std::map<std::string, std::shared_ptr<const CheckResult>> results_; ///< the last of each path
   std::thread thread_; // last: it uses all of the above
 };

@@ -51,6 +51,17 @@ Context::Context(MessageWriter &writer)
   });
 }
 
+/// What the user waits for comes first, what concerns all programs last.
+std::optional<Checks::Clock::duration> Context::doNext() {
+  constexpr auto atOnce = Checks::Clock::duration::zero();
+  if (features->doNext())
+    return atOnce;
+  const auto until = checks->doNext();
+  if (until == atOnce || workspace->doNext())
+    return atOnce;
+  return until;
+}
+
 void Context::tellControl(const CheckResult &result) {
   if (client.showsControl && !result.dialect.empty())
     rpc.notify("ncvet/control", {{"uri", result.document.uri},

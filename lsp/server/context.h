@@ -9,6 +9,10 @@
 #include "lsp/server/worker.h"
 #include "lsp/transport/rpc.h"
 
+#include <list>
+#include <map>
+#include <set>
+
 namespace ncvet::lsp {
 
 /// What the client said at the start that the server's answers depend on.
@@ -100,6 +104,9 @@ public:
   CheckJob job(const Document &document);
   /// The document is closed: what is kept of it is given back.
   void forget(const std::string &path);
+  /// Without threads: does the next piece of what threads do elsewhere. How long it is until there
+  /// is more; none: until a message comes.
+  std::optional<Checks::Clock::duration> doNext();
   void log(const llvm::Twine &line) const;
   /// Why a document has no setup. The user is told, once.
   void tellSetup(llvm::StringRef error);

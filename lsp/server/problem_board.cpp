@@ -4,6 +4,8 @@
 
 #include "lsp/transport/rpc.h"
 
+#include <set>
+
 namespace ncvet::lsp {
 
 namespace {

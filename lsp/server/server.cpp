@@ -9,6 +9,9 @@ namespace ncvet::lsp {
 
 namespace {
 
+constexpr int nobody =
+    -1; ///< a descriptor from which nothing is read, or to which nothing is written
+
 /// A member of nested objects; null when one of them is absent.
 Json lookUp(const Json &object, std::initializer_list<const char *> names) {
   const Json *at = &object;
@@ -116,6 +119,8 @@ Json capabilities(const Context &context) {
   return can;
 }
 
+} // namespace
+
 class Server {
 public:
   Server(int in, int out, llvm::StringRef version)
@@ -132,12 +137,27 @@ public:
 
   std::vector<std::string> requestMethods() const { return context_.rpc.requestMethods(); }
 
+  void take(llvm::StringRef body) { context_.rpc.handle(body); }
+
+  std::optional<std::chrono::milliseconds> work() {
+    const auto until = context_.doNext();
+    if (!until)
+      return std::nullopt;
+    return std::chrono::ceil<std::chrono::milliseconds>(*until);
+  }
+
+  std::optional<int> exitCode() const {
+    if (!exited_ && !writer_.isBroken())
+      return std::nullopt;
+    return shutdown_ ? 0 : 1;
+  }
+
   int run() {
     std::string body;
     while (!exited_) {
       switch (reader_.read(body)) {
       case MessageReader::Result::Message:
-        context_.rpc.handle(body);
+        take(body);
         break;
       case MessageReader::Result::Bad:
         context_.rpc.complain(RpcError::ParseError, body);
@@ -221,7 +241,16 @@ private:
   bool initialized_ = false, shutdown_ = false, exited_ = false;
 };
 
-} // namespace
+EventServer::EventServer(int out, llvm::StringRef version)
+    : server_(std::make_unique<Server>(nobody, out, version)) {}
+
+EventServer::~EventServer() = default;
+
+void EventServer::take(llvm::StringRef body) { server_->take(body); }
+
+std::optional<std::chrono::milliseconds> EventServer::work() { return server_->work(); }
+
+std::optional<int> EventServer::exitCode() const { return server_->exitCode(); }
 
 int serve(int in, int out, llvm::StringRef version) {
   // A client that goes away is seen when it is written to.
@@ -229,9 +258,6 @@ int serve(int in, int out, llvm::StringRef version) {
   return Server(in, out, version).run();
 }
 
-std::vector<std::string> answeredRequests() {
-  constexpr int nobody = -1; // no message is read or written
-  return Server(nobody, nobody, "").requestMethods();
-}
+std::vector<std::string> answeredRequests() { return Server(nobody, nobody, "").requestMethods(); }
 
 } // namespace ncvet::lsp

@@ -1,4 +1,4 @@
-// A thread that does one task after the other.
+// A thread that does one task after the other; without threads, tasks that wait to be done.
 #include "lsp/server/worker.h"
 
 namespace ncvet::lsp {
@@ -11,6 +11,19 @@ void Worker::post(Task task) {
     tasks_.push_back(std::move(task));
   }
   wake_.notify_one();
+}
+
+bool Worker::doNext() {
+  Task task;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (stopping_ || tasks_.empty())
+      return false;
+    task = std::move(tasks_.front());
+    tasks_.pop_front();
+  }
+  task();
+  return true;
 }
 
 void Worker::stop() {

@@ -1,5 +1,7 @@
-// A thread that does one task after the other.
+// A thread that does one task after the other; without threads, tasks that wait to be done.
 #pragma once
+
+#include "formats/text/threads.h"
 
 #include <condition_variable>
 #include <deque>
@@ -14,12 +16,17 @@ class Worker {
 public:
   using Task = std::function<void()>;
 
-  Worker() : thread_([this] { run(); }) {}
+  Worker() {
+    if (hasThreads)
+      thread_ = std::thread([this] { run(); });
+  }
   ~Worker() { stop(); }
   Worker(const Worker &) = delete;
   Worker &operator=(const Worker &) = delete;
 
   void post(Task task);
+  /// Without threads: does the next task; false when there is none.
+  bool doNext();
   /// Waits for the running task; nothing is done after it.
   void stop();
 

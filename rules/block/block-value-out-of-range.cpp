@@ -97,7 +97,7 @@ private:
     for (const Word &word : ctx.block().words) {
       if (word.offset != issue.begin || !word.isNumber() || word.has(wordMalformed) ||
           ctx.block().endOf(word) != issue.end ||
-          llvm::count_if(ctx.text(word), llvm::isDigit) <= digits_)
+          size_t(llvm::count_if(ctx.text(word), llvm::isDigit)) <= digits_)
         continue;
       if (auto finding = ctx.report(word))
         finding.message("`{0}` has more than {1} digits in least increments: the control stops "

@@ -235,7 +235,8 @@ TEST(VscodeExtension, ItKnowsAProgramByItsFirstLines) {
   EXPECT_EQ(contentsOf(log), due);
 }
 
-/// The program is the one that the setting names, else the one in the extension, else that of PATH.
+/// The program is the one that the setting names, else the one in the extension, else that of PATH,
+/// else the WebAssembly module of the extension.
 TEST(VscodeExtension, ItFindsItsServer) {
   const auto modules = nodeModules(extension);
   if (!modules)
@@ -255,20 +256,26 @@ TEST(VscodeExtension, ItFindsItsServer) {
          "process.chdir(__dirname);\n"
          "const ask = (setting, extension, path) => {\n"
          "  process.env.PATH = path;\n"
-         "  const { file, lookedFor } = findServer(setting, extension);\n"
-         "  console.log(file ?? lookedFor);\n"
+         "  const { file, needsNode, lookedFor } = findServer(setting, extension);\n"
+         "  console.log(file ? (needsNode ? 'node ' : '') + file : lookedFor);\n"
          "};\n"
          "ask('./chosen/ncvet', 'full', 'path');\n"
          "ask('', 'full', 'path');\n"
          "ask('', 'empty', 'empty:path');\n"
          "ask('ncvet', 'full', 'path');\n"
          "ask('./empty/ncvet', 'full', 'path');\n"
-         "ask('', 'empty', 'empty');\n";
+         "ask('', 'empty', 'empty');\n"
+         "ask('', 'module', 'empty');\n"
+         "ask('', 'module', 'path');\n";
+  fs::create_directories(root / "module/server/bin");
+  std::ofstream(root / "module/server/bin/ncvet.js") << "\n";
   const fs::path log = root / "log";
   ASSERT_EQ(runOuter({"node", (root / "ask.js").string()}, log, 60), 0) << contentsOf(log);
   EXPECT_EQ(contentsOf(log), "./chosen/ncvet\nfull/bin/ncvet\npath/ncvet\npath/ncvet\n"
                              "The setting ncvet.path names ./empty/ncvet, which is no program.\n"
-                             "It is neither in the extension nor in PATH.\n");
+                             "It is neither in the extension nor in PATH.\n"
+                             "node module/server/bin/ncvet.js\n"
+                             "path/ncvet\n");
 }
 
 /// Names and sizes of the files in a zip archive, from its directory.

@@ -23,7 +23,7 @@ inline std::optional<std::filesystem::path> packExtension(const std::filesystem:
   fs::create_directories(copy.parent_path());
   fs::create_directory_symlink(fs::path(NCVET_SOURCE_DIR) / "rulesets", folder / "rulesets");
   fs::copy(extensionFolder, copy, fs::copy_options::recursive | fs::copy_options::skip_symlinks);
-  for (const char *made : {"bin", "dist", "node_modules", "schema"})
+  for (const char *made : {"bin", "dist", "node_modules", "schema", "server"})
     fs::remove_all(copy / made);
   fs::create_directory_symlink(*modules, copy / "node_modules");
   if (runOuter({"npm", "--prefix", copy.string(), "run", "package"}, log, 300) != 0)

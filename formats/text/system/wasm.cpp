@@ -1,9 +1,12 @@
 // The operating system: what a WebAssembly module gets from Node or a browser.
 #include "formats/text/system/system.h"
 
+#include <sys/resource.h>
+#include <sys/types.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 
 namespace ncvet::system {
 
@@ -50,3 +53,9 @@ CrashStack::~CrashStack() = default;
 std::string lastCrash() { return "abort"; }
 
 } // namespace ncvet::system
+
+/// LLVM waits for other programs by it; there are none, and emscripten does not have it.
+extern "C" pid_t wait4(pid_t, int *, int, struct rusage *) {
+  errno = ECHILD;
+  return -1;
+}

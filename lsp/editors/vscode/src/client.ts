@@ -2,9 +2,11 @@
 import * as vscode from 'vscode';
 import {
   type ClientCapabilities, type FeatureState, LanguageClient, type LanguageClientOptions, type MessageSignature, type ServerOptions, type StaticFeature,
+  TransportKind,
 } from 'vscode-languageclient/node';
 import type { ControlNotice, ControlPicker } from './control_picker';
 import { documentOf, isPage, showPage } from './explain';
+import type { Server } from './server_path';
 
 export const section = 'ncvet';
 
@@ -44,8 +46,10 @@ function withPages(findings: vscode.Diagnostic[]): vscode.Diagnostic[] {
   return findings;
 }
 
-export function makeClient(file: string, languages: string[], picker: ControlPicker): QuietClient {
-  const server: ServerOptions = { command: file, args: ['lsp'] };
+export function makeClient({ file, needsNode }: Server, languages: string[], picker: ControlPicker): QuietClient {
+  const server: ServerOptions = needsNode
+    ? { module: file, args: ['lsp'], transport: TransportKind.stdio }
+    : { command: file, args: ['lsp'] };
   const options: LanguageClientOptions = {
     documentSelector: languages.flatMap((language) => [
       { scheme: 'file', language },

@@ -36,7 +36,7 @@ async function start(context: vscode.ExtensionContext, picker: ControlPicker): P
   const found = findServer(setting, context.extensionPath);
   let problem = 'lookedFor' in found ? found.lookedFor : undefined;
   if ('file' in found) {
-    client = makeClient(found.file, languageIds(context), picker);
+    client = makeClient(found, languageIds(context), picker);
     try {
       await client.start();
       client.started = true;

@@ -1,4 +1,5 @@
-// Where the program `ncvet` is: as the setting says, in the extension, or in PATH.
+// Where the server is: the program that the setting names, the one in the extension, the one in PATH, or
+// the WebAssembly module that the extension brings.
 import * as fs from 'node:fs';
 import * as os from 'node:os';
 import * as path from 'node:path';
@@ -21,8 +22,14 @@ function inPath(name: string): string | undefined {
   return folders.flatMap((folder) => names.map((one) => path.join(folder, one))).find(isProgram);
 }
 
-/** The program's path, or where it was looked for in vain. */
-export function findServer(setting: string, extensionPath: string): { file: string } | { lookedFor: string } {
+/** A program, or a script that Node runs. */
+export interface Server {
+  file: string;
+  needsNode?: boolean;
+}
+
+/** The server, or where it was looked for in vain. */
+export function findServer(setting: string, extensionPath: string): Server | { lookedFor: string } {
   const wanted = setting.trim().replace(/^~(?=[/\\])/, os.homedir());
   if (wanted !== '') {
     const file = /[/\\]/.test(wanted) ? (isProgram(wanted) ? wanted : undefined) : inPath(wanted);
@@ -30,5 +37,9 @@ export function findServer(setting: string, extensionPath: string): { file: stri
   }
   const bundled = path.join(extensionPath, 'bin', fileName);
   const file = isProgram(bundled) ? bundled : inPath(fileName);
-  return file ? { file } : { lookedFor: 'It is neither in the extension nor in PATH.' };
+  if (file) {
+    return { file };
+  }
+  const script = path.join(extensionPath, 'server', 'bin', 'ncvet.js');
+  return fs.existsSync(script) ? { file: script, needsNode: true } : { lookedFor: 'It is neither in the extension nor in PATH.' };
 }
