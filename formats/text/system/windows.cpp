@@ -4,8 +4,7 @@
 #include "llvm/Support/ConvertUTF.h"
 #include <fcntl.h>
 #include <io.h>
-#include <shellapi.h>
-#include <windows.h>
+#include <windows.h> // with the shell
 
 #include <algorithm>
 #include <cerrno>
