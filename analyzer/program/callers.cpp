@@ -49,7 +49,7 @@ std::vector<std::string> foldersRound(const FileUnit &unit) {
   std::vector<std::string> folders = unit.project->foldersOf(unit);
   if (unit.source.path().empty())
     return folders;
-  const std::string &own = folders.front();
+  const std::string own = folders.front(); // the list grows
   const bool isArchive = isArchiveFolder(own);
   const std::string parent = isArchive || isForSubprograms(own) ? parentOf(own) : "";
   const auto add = [&](std::string folder) {
