@@ -43,8 +43,8 @@ Measured measure(const std::vector<std::string> &command, const fs::path &out) {
   return result;
 }
 
-/// The package may take so many times as long as the program.
-constexpr double mostTimes = 8;
+/// The package may take so many times as long as the program. Measured are 5; 3 is the aim.
+constexpr double mostTimes = 6;
 
 class WasmPackageOverPrograms : public WasmPackage {
 protected:
