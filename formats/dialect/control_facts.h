@@ -179,6 +179,20 @@ struct LimitFacts {
   double greatestAlarm = 0;
 };
 
+/// About texts that a program shows to the operator.
+struct MessageFacts {
+  /// Words with which a comment begins that is shown: `MSG` of `(MSG, text)`.
+  std::vector<std::string> comments;
+  /// Those in whose text the names of variables mean their values.
+  std::vector<std::string> withValues;
+  /// Instructions whose arguments are shown: `MSG` of `MSG("text")`.
+  std::vector<std::string> instructions;
+  /// Variables: when the program gives one a value, the comment after that is shown.
+  std::vector<int> variables;
+  /// Those of them that also stop the program as M00 does.
+  std::vector<int> stops;
+};
+
 /// About measuring.
 struct ProbeFacts {
   /// Measurements correct origins by their number.
@@ -371,6 +385,7 @@ struct ControlFacts {
   CycleFacts cycles;
   FeedFacts feed;
   LimitFacts limits;
+  MessageFacts messages;
   ProbeFacts probe;
   ProgramFacts program;
   SpindleFacts spindle;

@@ -221,6 +221,27 @@ constexpr RecordOf<LimitFacts> limitsRecord =
                          limitsFields}
         .overlay();
 
+constexpr Field messagesFields[] = {
+    field<&MessageFacts::comments>("comments", texts,
+                                   "words with which a comment begins that the operator sees",
+                                   R"(["MSG"])"),
+    field<&MessageFacts::withValues>("withValues", texts,
+                                     "those in whose text the names of variables mean their values",
+                                     R"(["DEBUG"])"),
+    field<&MessageFacts::instructions>(
+        "instructions", texts, "instructions whose arguments the operator sees", R"(["MSG"])"),
+    field<&MessageFacts::variables>(
+        "variables", listOf(count),
+        "variables: the comment after a value that is given to one of them is shown",
+        "[3000, 3006]"),
+    field<&MessageFacts::stops>("stops", listOf(count),
+                                "those of them that stop the program as M00 does", "[3006]"),
+};
+constexpr RecordOf<MessageFacts> messagesRecord =
+    RecordOf<MessageFacts>{"facts of messages", "texts that a program shows to the operator",
+                           messagesFields}
+        .overlay();
+
 constexpr Field probeFields[] = {
     flag<&ProbeFacts::correctsOrigins>("correctsOrigins",
                                        "measurements correct origins by their number"),
@@ -443,6 +464,8 @@ constexpr Field factFields[] = {
     field<&ControlFacts::cycles>("cycles", object(cyclesRecord), "drilling cycles"),
     field<&ControlFacts::feed>("feed", object(feedRecord), "feed"),
     field<&ControlFacts::limits>("limits", object(limitsRecord), "how much the control takes"),
+    field<&ControlFacts::messages>("messages", object(messagesRecord),
+                                   "texts that a program shows to the operator"),
     field<&ControlFacts::probe>("probe", object(probeRecord), "measuring"),
     field<&ControlFacts::program>("program", object(programRecord), "programs and their ends"),
     field<&ControlFacts::spindle>("spindle", object(spindleRecord), "the spindle"),

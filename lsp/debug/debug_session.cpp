@@ -30,13 +30,13 @@ Json exceptionFilters() {
 
 Json capabilities() {
   Json can = Json::object();
-  for (const char *name :
-       {"supportsConfigurationDoneRequest", "supportsFunctionBreakpoints",
-        "supportsConditionalBreakpoints", "supportsHitConditionalBreakpoints", "supportsLogPoints",
-        "supportsEvaluateForHovers", "supportsStepBack", "supportsSetVariable",
-        "supportsSetExpression", "supportsRestartRequest", "supportsExceptionInfoRequest",
-        "supportsTerminateRequest", "supportsLoadedSourcesRequest",
-        "supportsBreakpointLocationsRequest", "supportsDelayedStackTraceLoading"})
+  for (const char *name : {"supportsConfigurationDoneRequest", "supportsFunctionBreakpoints",
+                           "supportsConditionalBreakpoints", "supportsHitConditionalBreakpoints",
+                           "supportsLogPoints", "supportsEvaluateForHovers", "supportsStepBack",
+                           "supportsSetVariable", "supportsSetExpression", "supportsRestartRequest",
+                           "supportsExceptionInfoRequest", "supportsTerminateRequest",
+                           "supportsLoadedSourcesRequest", "supportsBreakpointLocationsRequest",
+                           "supportsDelayedStackTraceLoading", "supportsGotoTargetsRequest"})
     can[name] = true;
   can["exceptionBreakpointFilters"] = exceptionFilters();
   return can;
@@ -109,6 +109,7 @@ DebugSession::DebugSession(DebugChannel &channel) : channel_(channel) {
   bindLifeCycle();
   bindBreakpoints();
   bindMovement();
+  bindGoto();
   bindInspection();
 }
 
@@ -213,6 +214,7 @@ llvm::Error DebugSession::load() {
       return wrong;
   program_ = std::move(*program);
   names_.clear();
+  targets_.clear();
   return llvm::Error::success();
 }
 

@@ -27,6 +27,7 @@ private:
   void bindLifeCycle();
   void bindBreakpoints();
   void bindMovement();
+  void bindGoto();
   void bindInspection();
 
   Json initialize(const Json &arguments);
@@ -38,6 +39,7 @@ private:
   llvm::Expected<Json> setFunctionBreakpoints(const Json &arguments);
   llvm::Expected<Json> setExceptionBreakpoints(const Json &arguments);
   llvm::Expected<Json> breakpointLocations(const Json &arguments);
+  llvm::Expected<Json> gotoTargets(const Json &arguments);
   Json placeBreakpoint(FileUnit *unit, const Json &wanted, int id);
   Json placeFunction(const Json &wanted, int id);
   Json placeAll(const std::string &path);
@@ -81,6 +83,8 @@ private:
   };
   std::map<std::string, Wishes> wishes_; ///< by path
   Wishes functions_;
+  /// Blocks that the run can be sent to, by the ids that the client was given less one.
+  std::vector<Breakpoints::Place> targets_;
   Stop lastStop_;
   std::map<FileId, std::unique_ptr<lsp::Names>> names_; ///< of files whose variables were asked for
 };

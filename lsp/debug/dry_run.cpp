@@ -55,10 +55,20 @@ void DryRun::go(Go how) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!waits_)
       return;
+    if (how != Go::On) // the user wants to see what comes now
+      goTo_.reset();
     waits_ = pause_ = false;
     sentOn_ = how;
   }
   wake_.notify_all();
+}
+
+void DryRun::goTo(Breakpoints::Place block) {
+  if (!isStopped())
+    return;
+  goTo_ = block;
+  goFrom_ = count_;
+  go(Go::On);
 }
 
 void DryRun::stepBack() {
@@ -74,6 +84,7 @@ void DryRun::goBack() {
 /// The same run once more. What the user did at the goal or after it is to be done anew.
 void DryRun::replay(uint64_t goal, uint64_t scanTo) {
   end();
+  goTo_.reset();
   goal_ = goal;
   scanTo_ = scanTo;
   launch();
@@ -119,6 +130,12 @@ void DryRun::runThread() {
     scanTo_ = 0;
     runOnce();
   }
+  if (goTo_ && !ending_) {
+    tellNotReached();
+    goal_ = std::max<uint64_t>(goFrom_, 1);
+    goTo_.reset();
+    runOnce();
+  }
   const bool tells = !ending_;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -127,6 +144,14 @@ void DryRun::runThread() {
   served_.notify_all();
   if (tells)
     observer_.ended(!lost_);
+}
+
+void DryRun::tellNotReached() {
+  const SourceFile &source = program_.project().sources().get(goTo_->first);
+  observer_.said("important",
+                 "the run does not come to line " +
+                     std::to_string(source.lines().lineOf(goTo_->second)) + " from here",
+                 program_.project().unit(source), goTo_->second);
 }
 
 void DryRun::runOnce() {
@@ -226,12 +251,15 @@ Truth DryRun::arrives(const Arrival &arrival) {
   if (again) {
     answer = comeAgain(arrival, entered);
   } else {
+    tellPassed(arrival);
     isOpen_ = look(arrival);
     std::optional<Stop> stop = whyStop(arrival, entered);
     if (count_ == goal_)
       stop = Stop{"step", "back", "", {}};
     goal_ = 0;
     answer = decide(arrival, std::move(stop));
+    if (!ending_)
+      tellMessages(arrival, answer);
   }
   last_ = arrival.state;
   state_ = &last_;
@@ -269,7 +297,7 @@ void DryRun::pathLost(SourceRange where, llvm::StringRef why) {
   lost_ = true;
   const FileUnit &unit = program_.project().unit(program_.project().sources().get(where.file));
   observer_.said("important", "the run ends here: " + why.str(), unit, where.begin);
-  if (!frames_.empty())
+  if (!frames_.empty() && !goTo_)
     wait({"exception", "the run ends here", why.str(), {}}, last_);
 }
 

@@ -40,6 +40,7 @@ struct Frame {
   RunningRegion region{};
   const Region *identity = nullptr;
   uint32_t begin = 0, end = 0; ///< of the block
+  uint32_t next = 0;           ///< after it; of one that has just begun: its first block
   std::string name;
   MachineState state; ///< before the block; of the innermost frame `DryRun::state` counts
 };
@@ -78,6 +79,9 @@ public:
   void stepBack();
   /// Back to the breakpoint that was hit last, else to the start.
   void goBack();
+  /// Goes on to that block, past all breakpoints. Where the run ends without coming there it is
+  /// made again up to where it waits now, and that is said.
+  void goTo(Breakpoints::Place block);
   /// Stops a run that does not wait before its next block.
   void pause() { pause_ = true; }
   /// Runs `task` while the run does not: at once, or before its next block.
@@ -110,10 +114,12 @@ private:
   void serve();
   bool look(const Arrival &arrival);
   void tellReached(const Arrival &arrival, bool aloud);
-  void tellMessages(const Arrival &arrival) const;
+  void tellMessages(const Arrival &arrival, Truth answer) const;
+  void tellPassed(const Arrival &arrival) const;
+  void tellNotReached();
   std::optional<Stop> whyStop(const Arrival &arrival, bool entered);
   std::optional<Stop> atBreakpoint(const Arrival &arrival, bool entered, bool aloud);
-  std::optional<Stop> atEvent(const FileUnit &unit) const;
+  std::optional<Stop> atEvent(const Arrival &arrival) const;
   std::optional<Stop> atFinding() const;
   bool stepEnds() const;
   void wait(const Stop &stop, MachineState &state);
@@ -149,12 +155,16 @@ private:
   uint64_t goal_ = 0;    ///< the block at which a run that is made again stops; 0: it is the first
   uint64_t scanTo_ = 0;  ///< it is made again up to here to find the breakpoint that was hit last
   uint64_t lastHit_ = 0; ///< its block; 0: none
+  std::optional<Breakpoints::Place> goTo_; ///< the block that the run goes on to
+  uint64_t goFrom_ = 0;                    ///< number of the block at which it was sent there
   std::vector<Frame> frames_;
-  MachineState last_; ///< before the block that was come to last
+  uint32_t passedFrom_ = 0; ///< end of the block before the current one, in its frame
+  MachineState last_;       ///< before the block that was come to last
   MachineState *state_ = &last_;
   Go how_ = Go::On;
   size_t depth_ = 0; ///< frames when the run was sent on
   bool isOpen_ = false;
+  Truth guard_ = Truth::Yes; ///< of the block that is executed next
   Truth answer_ = Truth::Unknown;
   Outcome peek_; ///< of the block that is executed next
   bool lost_ = false;

@@ -1,6 +1,7 @@
 // A dry run: what it comes to at each block, and why it stops there.
 #include "interp/execute/execute.h"
 #include "lsp/debug/dry_run.h"
+#include "lsp/debug/operator_messages.h"
 
 #include "llvm/Support/Path.h"
 
@@ -42,9 +43,6 @@ bool targetIsOpen(const Block &block, const Flow &flow) {
          !flow.target.isVacant();
 }
 
-/// The text of a comment without its marks.
-llvm::StringRef inner(llvm::StringRef comment) { return comment.trim("(); \t\r\n"); }
-
 } // namespace
 
 /// Puts the frames in order; true: a program or part of one begins.
@@ -67,10 +65,12 @@ bool DryRun::enter(const Arrival &arrival) {
     frame.region = key;
     frame.identity = &region;
     frame.name = nameOf(region);
+    frame.next = region.start;
     frames_.push_back(std::move(frame));
   }
   frames_.back().begin = arrival.block.begin;
   frames_.back().end = arrival.block.end;
+  passedFrom_ = std::exchange(frames_.back().next, arrival.block.next);
   return isNew;
 }
 
@@ -78,11 +78,11 @@ bool DryRun::enter(const Arrival &arrival) {
 bool DryRun::look(const Arrival &arrival) {
   const Executor &executor = arrival.region.unit.executor();
   const Block &block = arrival.block;
-  const Truth guard = block.items.empty() ? Truth::Yes : executor.guard(block, arrival.state);
+  guard_ = block.items.empty() ? Truth::Yes : executor.guard(block, arrival.state);
   MachineState after = arrival.state;
-  executor.execute(block, arrival.state, after, peek_, guard != Truth::No);
+  executor.execute(block, arrival.state, after, peek_, guard_ != Truth::No);
   const Flow &flow = peek_.flow;
-  if (guard == Truth::Unknown || flow.kind == FlowKind::Branch)
+  if (guard_ == Truth::Unknown || flow.kind == FlowKind::Branch)
     return true;
   if (flow.kind == FlowKind::Next)
     return false;
@@ -105,29 +105,52 @@ void DryRun::tellReached(const Arrival &arrival, bool aloud) {
     observer_.said(finding.severity == Severity::Error ? "stderr" : "console", finding.text, unit,
                    finding.range.begin);
   }
-  tellMessages(arrival);
 }
 
-/// What the program shows to the operator.
-void DryRun::tellMessages(const Arrival &arrival) const {
+/// What the program shows to the operator, of a block that is executed now.
+void DryRun::tellMessages(const Arrival &arrival, Truth answer) const {
+  if ((guard_ == Truth::Unknown ? answer : guard_) == Truth::No)
+    return;
   const FileUnit &unit = arrival.region.unit;
-  for (const Comment &comment : arrival.block.comments)
-    if (comment.shown)
-      observer_.said("stdout",
-                     unit.source.displayText(inner(unit.source.text(comment.begin, comment.end))),
-                     unit, comment.begin);
+  for (const OperatorMessage &message : messagesOf(unit, arrival.block, arrival.state))
+    observer_.said("stdout", message.text, unit, message.offset);
+}
+
+/// Blocks without content before this one, which hold nothing but comments. Nothing is told after a
+/// jump: there they are not passed.
+void DryRun::tellPassed(const Arrival &arrival) const {
+  const FileUnit &unit = arrival.region.unit;
+  std::vector<OperatorMessage> messages;
+  Block block;
+  for (uint32_t at = passedFrom_; at < arrival.block.begin; at = block.next) {
+    unit.reader->read(at, block);
+    if (!block.isEmpty())
+      return;
+    llvm::append_range(messages, messagesOf(unit, block, arrival.state));
+  }
+  for (const OperatorMessage &message : messages)
+    observer_.said("stdout", message.text, unit, message.offset);
 }
 
 std::optional<Stop> DryRun::whyStop(const Arrival &arrival, bool entered) {
-  if (pause_)
+  if (pause_) {
+    goTo_.reset();
     return Stop{"pause", "", "", {}};
+  }
   if (settings_.stopsNowhere)
     return std::nullopt;
+  if (goTo_) {
+    const FileUnit &unit = arrival.region.unit;
+    if (*goTo_ != Breakpoints::Place(unit.source.id(), arrival.block.begin) || count_ <= goFrom_)
+      return std::nullopt;
+    goTo_.reset();
+    return Stop{"goto", "", "", {}};
+  }
   if (auto stop = atBreakpoint(arrival, entered, /*aloud=*/true))
     return stop;
   if (auto stop = atFinding())
     return stop;
-  if (auto stop = atEvent(arrival.region.unit))
+  if (auto stop = atEvent(arrival))
     return stop;
   if (count_ == 1 && settings_.stopOnEntry)
     return Stop{"entry", "", "", {}};
@@ -174,18 +197,33 @@ std::optional<Stop> DryRun::atFinding() const {
 }
 
 /// What the block would do, where somebody wants to stop at such a thing.
-std::optional<Stop> DryRun::atEvent(const FileUnit &unit) const {
+std::optional<Stop> DryRun::atEvent(const Arrival &arrival) const {
   const ExceptionFilters &filters = breakpoints_.filters;
-  if (peek_.flow.kind == FlowKind::Alarm)
-    return Stop{"exception", "alarm", "the program stops itself with an alarm", {}};
+  const FileUnit &unit = arrival.region.unit;
+  const auto said = [&] {
+    std::string text;
+    for (const OperatorMessage &message : messagesOf(unit, arrival.block, arrival.state))
+      text += (text.empty() ? "" : ", ") + message.text;
+    return text;
+  };
+  if (peek_.flow.kind == FlowKind::Alarm) {
+    const std::string text = said();
+    return Stop{"exception",
+                "alarm",
+                "the program stops itself with an alarm" + (text.empty() ? "" : ": " + text),
+                {}};
+  }
   if (filters.toolChange && peek_.kinds & bitOf(EventKind::ToolChange))
     return Stop{"exception", "tool change", "", {}};
-  if (filters.programStop)
-    for (const CodeUse &use : peek_.codes) {
-      const CodeInfo &code = unit.dialect->codes[use.code];
-      if (code.action == Action::ProgramStop || code.action == Action::OptionalStop)
-        return Stop{"exception", "program stop", code.name + " " + code.title, {}};
-    }
+  if (!filters.programStop)
+    return std::nullopt;
+  for (const CodeUse &use : peek_.codes) {
+    const CodeInfo &code = unit.dialect->codes[use.code];
+    if (code.action == Action::ProgramStop || code.action == Action::OptionalStop)
+      return Stop{"exception", "program stop", code.name + " " + code.title, {}};
+  }
+  if (guard_ != Truth::No && stopsWithMessage(unit, arrival.block))
+    return Stop{"exception", "program stop", said(), {}};
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <regex>
 #include <sstream>
 
 using namespace ncvet::test;
@@ -183,6 +184,75 @@ TEST(DryRun, StopsBeforeABlockWithAFinding) {
   EXPECT_EQ(run.request("exceptionInfo", {{"threadId", 1}})["exceptionId"], "finding");
   run.request("continue", {{"threadId", 1}});
   run.event("terminated");
+}
+
+/// What a program of this control shows to the operator, up to its end.
+std::string shownBy(const std::string &dialect, const std::string &program) {
+  Debugged run(program, {{"dialect", dialect}});
+  run.filters(Json::array());
+  run.begin();
+  std::string shown;
+  while (true) {
+    run.request("stepIn", {{"threadId", 1}});
+    const Json next = run.eventOf({"stopped", "terminated"});
+    for (const Json &said : run.takeOutputs("stdout"))
+      shown += std::to_string(said["line"].get<int>()) + ": " + said["output"].get<std::string>();
+    if (!next.contains("reason"))
+      break;
+  }
+  return shown;
+}
+
+TEST(DryRun, ShowsTheMessagesOfTheProgram) {
+  EXPECT_EQ(shownBy("fanuc-mill", "O1\nG21 G90\n#3006=1(TURN PART)\n(NO MESSAGE)\n"
+                                  "IF[1EQ2]THEN #3000=1(NOT THIS)\nG00 X1.\nM30\n"),
+            "3: TURN PART\n");
+  EXPECT_EQ(shownBy("linuxcnc", "G21 G90\n#<depth>=4\n(msg, hello)\n(DEBUG, depth is #<depth>)\n"
+                                "(a comment)\nG0 X1\nM2\n"),
+            "3: hello\n4: depth is 4\n");
+  EXPECT_EQ(
+      shownBy("sinumerik", "R1=3\nMSG(\"Part \" << R1 << \" of 4\")\nMSG(\"GO\")\nMSG()\nM30\n"),
+      "2: Part 3 of 4\n3: GO\n");
+  EXPECT_EQ(shownBy("ecs", "N1 G0 X1 (shown)\nN2 M30\n"), "1: shown\n");
+}
+
+TEST(DryRun, AStopWithAMessageIsAProgramStop) {
+  Debugged run("O1\nG90 G21\n#3006=1(TURN PART)\n#3000=7(NO TOOL)\nM30\n");
+  run.filters({"programStop"});
+  run.begin();
+  const Json stop = run.go("continue");
+  EXPECT_EQ(stop["description"], "program stop");
+  EXPECT_EQ(stop["text"], "TURN PART");
+  EXPECT_EQ(run.line(), 3);
+  const Json alarm = run.go("continue");
+  EXPECT_EQ(alarm["description"], "alarm");
+  EXPECT_EQ(alarm["text"], "the program stops itself with an alarm: NO TOOL");
+}
+
+TEST(DryRun, RunsToALine) {
+  Debugged run(plate);
+  run.breakpoints({{{"line", 16}}});
+  run.begin();
+  const auto target = [&](int line) {
+    return run.request("gotoTargets",
+                       {{"source", {{"path", run.path()}}}, {"line", line}})["targets"][0];
+  };
+  const auto goTo = [&](const Json &to) {
+    run.request("goto", {{"threadId", 1}, {"targetId", to["id"]}});
+    return run.event("stopped");
+  };
+  const Json hole = target(15);
+  EXPECT_EQ(hole["line"], 16) << "the block at the line, or the next one";
+  EXPECT_EQ(goTo(target(12))["reason"], "goto");
+  EXPECT_EQ(run.line(), 12) << "past the breakpoint";
+  EXPECT_EQ(run.evaluate("#101"), "3");
+  goTo(hole);
+  EXPECT_EQ(run.line(), 12) << "the program does not come there any more";
+  EXPECT_EQ(run.evaluate("#101"), "3");
+  EXPECT_NE(run.outputs().find("does not come to line 16"), std::string::npos) << run.outputs();
+  EXPECT_NE(run.refusal("goto", {{"threadId", 1}, {"targetId", 99}}), "");
+  EXPECT_EQ(run.go("next")["reason"], "step");
+  EXPECT_EQ(run.line(), 13);
 }
 
 TEST(DryRun, AVariableIsGivenAnotherValue) {
@@ -480,6 +550,46 @@ INSTANTIATE_TEST_SUITE_P(Controls, LongDryRun, testing::ValuesIn(longRuns()), []
   return name;
 });
 
+/// `G00` and `G0` are one code.
+std::string bareCode(const std::string &code) {
+  const size_t zeros = code.find_first_not_of('0', 1);
+  return code.substr(0, 1) + (zeros == std::string::npos ? "0" : code.substr(zeros));
+}
+
+/// Codes that are in force for certain.
+std::set<std::string> codesInForce(Debugged &run) {
+  std::set<std::string> codes;
+  for (const auto &[group, code] : run.scope("Modes"))
+    codes.insert(bareCode(code));
+  return codes;
+}
+
+/// The code of the motion that the trace tells.
+std::set<std::string> codesOf(const Json &motion) {
+  const std::string kind = motion["kind"];
+  if (kind == "rapid" || kind == "linear")
+    return {kind == "rapid" ? "G0" : "G1"};
+  if (kind != "arc")
+    return {};
+  return {motion["direction"] == "cw" ? "G2" : "G3"};
+}
+
+/// Codes of one group each, of which a block that names one puts it in the place of the others.
+const std::vector<std::set<std::string>> exclusiveCodes = {
+    {"G17", "G18", "G19"}, {"G90", "G91"}, {"G40", "G41", "G42"}, {"G20", "G21"}};
+
+/// Puts the codes that the text of a block names into those that are due.
+void takeCodes(const std::string &block, std::set<std::string> &due) {
+  static const std::regex word("G[0-9]+");
+  for (std::sregex_iterator i(block.begin(), block.end(), word), end; i != end; ++i)
+    for (const std::set<std::string> &group : exclusiveCodes)
+      if (const std::string code = bareCode(i->str()); group.count(code)) {
+        for (const std::string &other : group)
+          due.erase(other);
+        due.insert(code);
+      }
+}
+
 /// What was executed between two stops is the block of the first one: where the trace says that
 /// its motions end, the machine is at the second.
 TEST_P(LongDryRun, TwoHundredStopsEqualTheTrace) {
@@ -493,12 +603,19 @@ TEST_P(LongDryRun, TwoHundredStopsEqualTheTrace) {
     motions.push_back(Json::parse(line));
   run.filters(Json::array());
   run.begin();
+  std::vector<std::string> lines;
+  std::istringstream text(program);
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line);
+  std::set<std::string> named;
   Json last, cut;
   constexpr int stops = 200;
   for (int stop = 0; stop < stops; ++stop) {
     const int line = run.line();
     ASSERT_EQ(run.go("stepIn")["reason"], "step") << "stop " << stop << ", line " << line;
+    std::vector<std::set<std::string>> moved;
     for (; !motions.empty() && motions[0]["line"] == line; motions.pop_front()) {
+      moved.push_back(codesOf(motions[0]));
       if (motions[0].contains("to"))
         last = motions[0]["to"];
       if (motions[0]["kind"] == "linear" || motions[0]["kind"] == "arc")
@@ -513,6 +630,13 @@ TEST_P(LongDryRun, TwoHundredStopsEqualTheTrace) {
       EXPECT_NEAR(std::atof(position[axis].c_str()), value.get<double>(), 1e-5)
           << "after line " << line << ", axis " << axis << ": " << position[axis];
     }
+    const std::set<std::string> codes = codesInForce(run);
+    takeCodes(lines.at(size_t(line - 1)), named);
+    std::set<std::string> due = named;
+    if (moved.size() == 1) // a cycle makes several motions, and its code is another
+      due.insert(moved[0].begin(), moved[0].end());
+    for (const std::string &code : due)
+      EXPECT_TRUE(codes.count(code)) << "after line " << line << ", " << code;
     if (cut.is_number()) {
       EXPECT_NEAR(std::stod(run.scope("Spindle and feed")["F"]), cut.get<double>(), 1e-5)
           << "after line " << line;

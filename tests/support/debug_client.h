@@ -8,6 +8,8 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <set>
+#include <vector>
 
 namespace ncvet::test {
 
@@ -49,6 +51,11 @@ public:
   /// The body of the next event of this name.
   Json event(const std::string &name) {
     const Json message = next([&](const Json &m) { return m.value("event", "") == name; });
+    return message.is_object() ? message.value("body", Json::object()) : Json();
+  }
+  /// The body of the next event of one of these names.
+  Json eventOf(const std::set<std::string> &names) {
+    const Json message = next([&](const Json &m) { return names.count(m.value("event", "")) > 0; });
     return message.is_object() ? message.value("body", Json::object()) : Json();
   }
   /// `initialize` and `launch`, up to where breakpoints may be set.
@@ -97,6 +104,19 @@ public:
       if (message.value("event", "") == "output")
         all += message["body"]["output"].get<std::string>();
     return all;
+  }
+
+  /// Bodies of the outputs of a category so far; they are not given again.
+  std::vector<Json> takeOutputs(const std::string &category) {
+    std::vector<Json> bodies;
+    std::erase_if(kept_, [&](const Json &message) {
+      const bool is = message.value("event", "") == "output" &&
+                      message["body"].value("category", "") == category;
+      if (is)
+        bodies.push_back(message["body"]);
+      return is;
+    });
+    return bodies;
   }
 
 private:
