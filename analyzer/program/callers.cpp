@@ -115,8 +115,9 @@ public:
   CallSearch(FileUnit &unit, const ProgramInfo &program)
       : unit_(unit), program_(program), keys_(keysOf(unit, program)), references_(*unit.dialect) {}
 
-  Callers run() {
-    lookThrough(unit_);
+  Callers run(bool inOwnFile) {
+    if (inOwnFile)
+      lookThrough(unit_);
     if (!unit_.project || unit_.source.path().empty())
       return std::move(callers_);
     for (const std::string &folder : foldersRound(unit_)) {
@@ -185,7 +186,11 @@ private:
 } // namespace
 
 Callers callersOf(FileUnit &unit, const ProgramInfo &program) {
-  return CallSearch(unit, program).run();
+  return CallSearch(unit, program).run(/*inOwnFile=*/true);
+}
+
+Callers callersInOtherFiles(FileUnit &unit, const ProgramInfo &program) {
+  return CallSearch(unit, program).run(/*inOwnFile=*/false);
 }
 
 std::vector<std::string> uncalledFilesBeside(FileUnit &unit) {

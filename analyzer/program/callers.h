@@ -23,6 +23,8 @@ struct Callers {
 /// for subprograms (`subs`) the one above counts too, of one of a control's archive (`SPF.DIR`)
 /// those beside it as well.
 Callers callersOf(FileUnit &unit, const ProgramInfo &program);
+/// The same without the calls in its own file.
+Callers callersInOtherFiles(FileUnit &unit, const ProgramInfo &program);
 
 /// The files beside `unit` that only return to a caller, and that no file there calls. Nothing
 /// where the texts do not tell it.

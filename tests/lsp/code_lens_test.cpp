@@ -1,8 +1,12 @@
 // Code lenses over programs, contours and tools.
 #include "lsp/features/showing/code_lens.h"
 #include "tests/support/marked_text.h"
+#include "tests/support/run_program.h"
 
 #include "gtest/gtest.h"
+
+#include <fstream>
+#include <map>
 
 namespace {
 
@@ -20,11 +24,36 @@ std::string lensesOf(llvm::StringRef dialect, llvm::StringRef program) {
 
 TEST(CodeLens, ProgramsCountTheirCallers) {
   EXPECT_EQ(lensesOf("fanuc-0m", "O1\nM98 P20\nG65 P20 A1.\nM30\nO20\nM99\nO30\nM99\n"),
-            "5: 2 callers\n7: no callers in this file\n");
+            "5: 2 callers\n7: no callers found\n");
   EXPECT_EQ(lensesOf("nct-104m", "%O0001\nM98 P30020\nM30\n%O0020\nM99\n"), "4: 1 caller\n");
   EXPECT_EQ(lensesOf("sinumerik", "%_N_MAIN_MPF\nPART\nM30\n%_N_PART_SPF\nRET\n"), "4: 1 caller\n");
   EXPECT_EQ(lensesOf("linuxcnc", "o<a> sub\nG0 X1\no<a> endsub\no<a> call\nM2\n"), "1: 1 caller\n");
   EXPECT_EQ(lensesOf("haas-lathe", "O1\nM97 P100\nM30\nN100 G00 X1.\nM99\n"), "4: 1 caller\n");
+}
+
+TEST(CodeLens, CallersInOtherFilesCount) {
+  const test::TemporaryFolder folder;
+  const std::map<std::string, std::string> files = {
+      {"O0001.nc", "%\nO0001\nM98 P20\nM98 P20\nM30\n%\n"},
+      {"O0020.nc", "%\nO0020\nG00 X1.\nM99\n%\n"},
+      {"SHAFT.MPF", "G90\nPART\nM30\n"},
+      {"PART.SPF", "G0 X1\nRET\n"}};
+  for (const auto &[name, text] : files)
+    std::ofstream(folder.path() / name) << text;
+  const auto lenses = [&](llvm::StringRef dialect, const std::string &file) {
+    const auto text = test::markedText(dialect, files.at(file), (folder.path() / file).string());
+    std::string out;
+    for (const lsp::CodeLens &lens : lsp::codeLenses(*text)) {
+      out += std::to_string(text->source().position(lens.range.begin).line) + ": " + lens.title;
+      for (const SourceRange &place : lens.places) {
+        const SourceFile &caller = text->project().sources().get(place.file);
+        out += " " + std::to_string(caller.position(place.begin).line);
+      }
+    }
+    return out;
+  };
+  EXPECT_EQ(lenses("fanuc-0m", "O0020.nc"), "2: 2 callers 3 4");
+  EXPECT_EQ(lenses("sinumerik", "PART.SPF"), "1: 1 caller 2") << "it has no head of its own";
 }
 
 TEST(CodeLens, ToolsCountTheirBlocks) {

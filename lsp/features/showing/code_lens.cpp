@@ -2,6 +2,7 @@
 #include "lsp/features/showing/code_lens.h"
 
 #include "analyzer/check/contour_report.h"
+#include "analyzer/program/callers.h"
 #include "analyzer/program/references.h"
 #include "formats/dialect/packed_call.h"
 #include "interp/evaluate/condition.h"
@@ -47,10 +48,14 @@ public:
     const ProgramInfo &main = index.programs().front();
     for (const ProgramInfo &program : index.programs()) {
       std::vector<SourceRange> places = placesOf(program);
+      addPlacesElsewhere(program, places);
       if (&program == &main && places.empty() && program.kind != ProgramKind::Subprogram)
         continue;
       if (program.hasHeader())
         add(lenses, {file_, program.headerBegin, program.headerEnd}, std::move(places));
+      else if (!places.empty())
+        add(lenses, {file_, program.body, snapshot_.source().lines().lineEnd(program.body)},
+            std::move(places));
     }
     for (auto &[target, places] : local_)
       add(lenses, {file_, target, snapshot_.source().lines().lineEnd(target)}, std::move(places));
@@ -73,7 +78,7 @@ private:
     if (lenses.size() < mostLenses)
       lenses.push_back(
           {range, LensKind::Callers,
-           places.empty() ? "no callers in this file" : counted(places.size(), "caller", "callers"),
+           places.empty() ? "no callers found" : counted(places.size(), "caller", "callers"),
            std::move(places)});
   }
 
@@ -86,6 +91,15 @@ private:
       places.insert(places.end(), byName.begin(), byName.end());
     }
     return places;
+  }
+
+  /// Calls of the program in the files round this one.
+  void addPlacesElsewhere(const ProgramInfo &program, std::vector<SourceRange> &places) {
+    Block block;
+    for (const CallPlace &call : callersInOtherFiles(snapshot_.unit(), program).places) {
+      call.unit->reader->read(call.block, block);
+      note(places, {call.unit->source.id(), block.begin, block.end});
+    }
   }
 
   /// `o100 sub`, `o<name> sub`: what a call of it names.

@@ -6,7 +6,7 @@
 namespace ncvet::lsp {
 
 enum class LensKind : uint8_t {
-  Callers, ///< over a program or subprogram: the calls of it in this file
+  Callers, ///< over a program or subprogram: its calls, in this file and the files round it
   Contour, ///< over the block that begins compensation: up to which radius the contour stays whole
   Tool,    ///< over a tool change: the tool, and the blocks up to the next one
   Count
