@@ -1,10 +1,15 @@
 // Edits that the user asks for: renaming, formatting, and the number of a new block.
 #include "formats/text/failure.h"
+#include "formats/text/file_uri.h"
+#include "lsp/features/navigation/definition.h"
 #include "lsp/features/writing/format.h"
 #include "lsp/features/writing/on_type.h"
 #include "lsp/features/writing/rename.h"
+#include "lsp/features/writing/rename_program.h"
 #include "lsp/features/writing/renumber.h"
 #include "lsp/server/bindings.h"
+
+#include "llvm/Support/MemoryBuffer.h"
 
 namespace ncvet::lsp {
 
@@ -44,6 +49,30 @@ Json formattedWhole(Context &context, View &view) {
   return editsJson(view.positions, edits);
 }
 
+/// Whether a program is named there that its file, or one round it, defines.
+bool isProgramAt(View &view, uint32_t offset) {
+  const Occurrence *const one = view.snapshot.names().at(offset);
+  return one && isShared(*one) && targetOf(view.snapshot, view.snapshot.unit(), *one).has_value();
+}
+
+/// `WorkspaceEdit` of a rename; that of a file comes last.
+Json editOf(View &view, const ProgramRename &renamed) {
+  const Json changes = view.places.changes(renamed.edits);
+  if (renamed.from.empty())
+    return {{"changes", changes}};
+  Json steps = Json::array();
+  for (const auto &[uri, edits] : changes.items()) {
+    Json version = nullptr; // of files that are not open
+    if (uri == view.document.uri)
+      version = view.document.version;
+    steps.push_back(
+        {{"textDocument", {{"uri", uri}, {"version", std::move(version)}}}, {"edits", edits}});
+  }
+  steps.push_back(
+      {{"kind", "rename"}, {"oldUri", uriOfPath(renamed.from)}, {"newUri", uriOfPath(renamed.to)}});
+  return {{"documentChanges", std::move(steps)}};
+}
+
 /// Binds a request for a rename: what refuses it is an error that the user reads.
 void bindRename(Context &context) {
   const auto bind =
@@ -65,17 +94,57 @@ void bindRename(Context &context) {
       };
   bind("textDocument/prepareRename",
        [](View &view, const Json &params, std::string &refused) -> Json {
-         const RenameSpot spot = prepareRename(view.snapshot, view.offset(params));
+         const uint32_t offset = view.offset(params);
+         RenameSpot spot = prepareRename(view.snapshot, offset);
          if (spot.range.empty() && spot.refused.empty())
            return nullptr;
+         if (isProgramAt(view, offset))
+           spot.refused.clear();
          refused = spot.refused;
          return {{"range", view.places.range(spot.range)}, {"placeholder", spot.name}};
        });
   bind("textDocument/rename", [](View &view, const Json &params, std::string &refused) -> Json {
     const std::string name = params.at("newName");
-    RenameEdits renamed = rename(view.snapshot, view.offset(params), name);
+    const uint32_t offset = view.offset(params);
+    if (isProgramAt(view, offset)) {
+      const ProgramRename renamed = renameProgram(view.snapshot, offset, name, view.programs());
+      refused = renamed.refused;
+      if (!renamed.from.empty() && !view.client.renamesFiles)
+        refused = "the file is named after the program, and this editor does not rename it as well";
+      return editOf(view, renamed);
+    }
+    RenameEdits renamed = rename(view.snapshot, offset, name);
     refused = renamed.refused;
     return {{"changes", view.places.changes(renamed.edits)}};
+  });
+}
+
+/// A file is to have another name: its program gets it too, and so do the calls of it.
+void bindFileRename(Context &context) {
+  context.rpc.onRequest("workspace/willRenameFiles", [&context](const Json &params, Reply reply) {
+    const Json &files = params.at("files");
+    if (!files.is_array() || files.size() != 1) // of several each could be the other's caller
+      return reply(nullptr);
+    const std::string uri = files[0].at("oldUri");
+    const std::string to = pathOfUri(files[0].at("newUri").get<std::string>());
+    const Document *document = context.documents.find(uri);
+    Document closed{uri, pathOfUri(uri), "", 0, {}};
+    if (!document) {
+      auto text = llvm::MemoryBuffer::getFile(closed.path, /*IsText=*/false,
+                                              /*RequiresNullTerminator=*/false);
+      if (!text)
+        return reply(nullptr);
+      closed.text = textOf((*text)->getBuffer().str());
+    }
+    context.answerFor(
+        document ? *document : closed, std::move(reply), [&context, to](View &view) -> Json {
+          const ProgramRename renamed = renameWithFile(view.snapshot, to, view.programs());
+          if (!renamed.refused.empty())
+            context.warn("the calls of the program keep its name: " + renamed.refused);
+          if (renamed.edits.empty())
+            return nullptr;
+          return editOf(view, renamed);
+        });
   });
 }
 
@@ -83,6 +152,7 @@ void bindRename(Context &context) {
 
 void bindEditing(Context &context) {
   bindRename(context);
+  bindFileRename(context);
   context.onDocument("textDocument/formatting", [&context](View &view, const Json &) {
     return formattedWhole(context, view);
   });

@@ -34,6 +34,7 @@ struct ClientSupport {
   bool markdown = false;
   bool nestedSymbols = false;
   bool lineFoldingOnly = false;
+  bool renamesFiles = false; ///< in a `WorkspaceEdit`
   bool refreshesTokens = false, refreshesHints = false, refreshesLenses = false;
 };
 

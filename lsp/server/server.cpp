@@ -1,9 +1,14 @@
 // The language server: initialization, what it can do, and the loop that takes messages.
 #include "lsp/server/server.h"
 
+#include "formats/dialect/loader.h"
 #include "formats/text/file_uri.h"
 #include "formats/text/system/system.h"
 #include "lsp/server/bindings.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+#include <set>
 
 namespace ncvet::lsp {
 
@@ -73,10 +78,25 @@ ClientSupport readSupport(const Json &capabilities) {
   client.nestedSymbols =
       has({"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
   client.lineFoldingOnly = has({"textDocument", "foldingRange", "lineFoldingOnly"});
+  if (has({"workspace", "workspaceEdit", "documentChanges"}))
+    for (const Json &name :
+         lookUp(capabilities, {"workspace", "workspaceEdit", "resourceOperations"}))
+      client.renamesFiles |= name == "rename";
   client.refreshesTokens = has({"workspace", "semanticTokens", "refreshSupport"});
   client.refreshesHints = has({"workspace", "inlayHint", "refreshSupport"});
   client.refreshesLenses = has({"workspace", "codeLens", "refreshSupport"});
   return client;
+}
+
+/// Files that may be named after the program in them.
+Json filesOfPrograms() {
+  std::set<std::string> endings;
+  for (const DialectSummary &dialect : listDialects())
+    endings.insert(dialect.extensions.begin(), dialect.extensions.end());
+  const std::string glob = "**/*.{" + llvm::join(endings, ",") + "}";
+  return {
+      {{"scheme", "file"},
+       {"pattern", {{"glob", glob}, {"matches", "file"}, {"options", {{"ignoreCase", true}}}}}}};
 }
 
 Json capabilities(const Context &context) {
@@ -109,10 +129,13 @@ Json capabilities(const Context &context) {
        {{"legend", tokensLegend()}, {"full", {{"delta", true}}}, {"range", true}}},
       {"codeActionProvider",
        {{"codeActionKinds",
-         {"quickfix", "refactor.rewrite.ncvet", "source.fixAll.ncvet", "source.explain.ncvet"}},
+         {"quickfix", "refactor.rewrite.ncvet", "refactor.inline.ncvet", "refactor.extract.ncvet",
+          "source.fixAll.ncvet", "source.explain.ncvet"}},
         {"resolveProvider", true}}},
       {"executeCommandProvider", {{"commands", {"ncvet.explain", "ncvet.transform"}}}},
-      {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
+      {"workspace",
+       {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}},
+        {"fileOperations", {{"willRename", {{"filters", filesOfPrograms()}}}}}}},
   };
   if (client.pullsDiagnostics && !client.registersDiagnostics)
     can["diagnosticProvider"] = context.diagnosticOptions();

@@ -167,7 +167,7 @@ TEST(Rename, SubprogramsBetweenBrackets) {
 
 TEST(Rename, ProgramsOfTheFile) {
   EXPECT_EQ(renamed("fanuc-0m", "O1\nM98 P0<|>002\nG65 P2\nM30\nO0002\nG0 X1.\nM99\n", "30"),
-            "O1\nM98 P30\nG65 P30\nM30\nO30\nG0 X1.\nM99\n");
+            "O1\nM98 P30\nG65 P30\nM30\nO0030\nG0 X1.\nM99\n");
   EXPECT_EQ(renamed("nct-104m", "%O0001\nM98 P30002\nM30\n%\n%O0<|>002\nG0 X1.\nM99\n%\n", "30"),
             "%O0001\nM98 P30030\nM30\n%\n%O0030\nG0 X1.\nM99\n%\n");
   EXPECT_EQ(renamed("sinumerik", "%_N_A_MPF\nHOLE\nM30\n%_N_HO<|>LE_SPF\nPROC HOLE\nG0 X1\nM17\n",

@@ -1,5 +1,6 @@
 // Rewritings of selected blocks, as a client of the language server gets them.
 #include "tests/support/language_client.h"
+#include "tests/support/process.h"
 
 using namespace ncvet::test;
 
@@ -57,6 +58,61 @@ TEST(RewritingActions, ACommandShiftsASelection) {
   EXPECT_TRUE(client.answer(command({{"Z", {{"shift", 5}}}})).contains("error"))
       << "the selection has no Z";
   EXPECT_TRUE(client.answer(command({{"Q", {{"shift", 5}}}})).contains("error"));
+}
+
+/// Two programs on disk; the one that calls is open.
+class Renamed : public testing::Test {
+protected:
+  void start(Json capabilities) {
+    shop.file("O0001.nc", "%\nO0001\nM98 P20\nM30\n%\n")
+        .file("O0020.nc", "%\nO0020\nG00 X1.\nM99\n%\n");
+    client.initialize(std::move(capabilities), {{"dialect", "fanuc-mill"}},
+                      Json::array({{{"uri", uri("")}, {"name", "shop"}}}));
+    client.open(path("O0001.nc"), "%\nO0001\nM98 P20\nM30\n%\n");
+  }
+  std::string path(const std::string &name) const { return (shop.path() / name).string(); }
+  std::string uri(const std::string &name) const { return "file://" + path(name); }
+
+  Shop shop;
+  LanguageClient client;
+};
+
+TEST_F(Renamed, AProgramWithItsFile) {
+  start({{"workspace",
+          {{"workspaceEdit", {{"documentChanges", true}, {"resourceOperations", {"rename"}}}}}}});
+  const Json edit = client.request(
+      "textDocument/rename",
+      {{"textDocument", documentOf(path("O0001.nc"))}, {"position", at(2, 5)}, {"newName", "25"}});
+  const Json steps = edit["documentChanges"];
+  ASSERT_EQ(steps.size(), 3u) << edit.dump();
+  EXPECT_EQ(steps[0]["textDocument"]["uri"], uri("O0001.nc"));
+  EXPECT_EQ(steps[0]["edits"][0]["newText"], "25");
+  EXPECT_EQ(steps[1]["textDocument"]["uri"], uri("O0020.nc"));
+  EXPECT_TRUE(steps[1]["textDocument"]["version"].is_null()) << "it is not open";
+  EXPECT_EQ(steps[1]["edits"][0]["newText"], "0025");
+  EXPECT_EQ(steps[2],
+            (Json{{"kind", "rename"}, {"oldUri", uri("O0020.nc")}, {"newUri", uri("O0025.nc")}}));
+}
+
+TEST_F(Renamed, NotWhereTheEditorRenamesNoFiles) {
+  start(Json::object());
+  const Json answer = client.answer(client.ask(
+      "textDocument/rename",
+      {{"textDocument", documentOf(path("O0001.nc"))}, {"position", at(2, 5)}, {"newName", "25"}}));
+  EXPECT_NE(answer["error"]["message"].get<std::string>().find("file"), std::string::npos);
+}
+
+TEST_F(Renamed, AFileTakesItsProgramAlong) {
+  start(Json::object());
+  const Json edit =
+      client.request("workspace/willRenameFiles",
+                     {{"files", {{{"oldUri", uri("O0020.nc")}, {"newUri", uri("O0025.nc")}}}}});
+  EXPECT_EQ(edit["changes"][uri("O0001.nc")][0]["newText"], "25") << edit.dump();
+  EXPECT_EQ(edit["changes"][uri("O0020.nc")][0]["newText"], "0025");
+  EXPECT_TRUE(client
+                  .request("workspace/willRenameFiles",
+                           {{"files", {{{"oldUri", uri("x.py")}, {"newUri", uri("y.py")}}}}})
+                  .is_null());
 }
 
 } // namespace

@@ -21,7 +21,8 @@ const fs::path extension = fs::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vsc
 /// Suites in which a `LanguageClient` talks to the server.
 constexpr const char *journeys =
     "LanguageServer.*:Features.*:FeaturesOfMills.*:Completions.*:*Settings*:PullDiagnostics.*:"
-    "CallingPrograms.*:BrokenConfiguration.*:CodeActions.*-LanguageServer.ALong*:*ComesInParts";
+    "CallingPrograms.*:BrokenConfiguration.*:CodeActions.*:Renamed.*-LanguageServer.ALong*:*"
+    "ComesInParts";
 
 /// A type for each method: what a request answers, what a notification tells.
 constexpr const char *typesOfMethods = R"TS(

@@ -21,7 +21,6 @@ public:
 
 private:
   void edit();
-  std::string spelled(const Occurrence &place) const;
   std::string whyNotSame();
   std::string compare(const Names &after) const;
   bool readsAlike(const FileUnit &after);
@@ -40,35 +39,12 @@ private:
   std::vector<TextEdit> edits_;
 };
 
-/// The new name as it is written in one place.
-std::string Renaming::spelled(const Occurrence &place) const {
-  const llvm::StringRef text = snapshot_.text();
-  const Limits &limits = snapshot_.dialect().limits;
-  std::string name = name_.str();
-  if (place.kind == NameKind::Program && place.key < firstNamedVariable) {
-    // A header's number has as many digits as the control wants; so has one after a count.
-    const bool packed =
-        place.use == NameUse::Call && place.begin > 0 && llvm::isDigit(text[place.begin - 1]);
-    const size_t digits = place.use == NameUse::Definition ? limits.programDigitsMin
-                          : packed                         ? place.end - place.begin
-                                                           : 0;
-    if (name.size() < digits)
-      name.insert(0, digits - name.size(), '0');
-  }
-  // `o100` becomes `o<name>`.
-  const bool bracket = place.kind == NameKind::Subprogram || place.kind == NameKind::Bracket;
-  if (bracket && !llvm::all_of(name_, llvm::isDigit) && place.begin > 0 &&
-      text[place.begin - 1] != '<')
-    name = "<" + name + ">";
-  return name;
-}
-
 void Renaming::edit() {
   for (const uint32_t i : names_.same(one_)) {
     const Occurrence &place = names_.all()[i];
     if (!edits_.empty() && edits_.back().range.begin == place.begin)
       continue;
-    edits_.push_back({names_.range(place), spelled(place)});
+    edits_.push_back({names_.range(place), spelledName(snapshot_.unit(), place, name_)});
   }
 }
 
@@ -158,6 +134,29 @@ RenameEdits Renaming::run() {
 constexpr llvm::StringLiteral noName("there is no name here");
 
 } // namespace
+
+std::string spelledName(const FileUnit &unit, const Occurrence &place, llvm::StringRef wanted) {
+  const llvm::StringRef text = unit.source.text();
+  std::string name = wanted.str();
+  if (place.kind == NameKind::Program && place.key < firstNamedVariable) {
+    // A header's number has as many digits as the control wants, and leading zeros where it had
+    // some; one after a count has as many as before.
+    const bool packed =
+        place.use == NameUse::Call && place.begin > 0 && llvm::isDigit(text[place.begin - 1]);
+    size_t digits = packed ? place.end - place.begin : 0;
+    if (place.use == NameUse::Definition)
+      digits = std::max<size_t>(unit.dialect->limits.programDigitsMin,
+                                text[place.begin] == '0' ? place.end - place.begin : 0);
+    if (name.size() < digits)
+      name.insert(0, digits - name.size(), '0');
+  }
+  // `o100` becomes `o<name>`.
+  const bool bracket = place.kind == NameKind::Subprogram || place.kind == NameKind::Bracket;
+  if (bracket && !llvm::all_of(wanted, llvm::isDigit) && place.begin > 0 &&
+      text[place.begin - 1] != '<')
+    name = "<" + name + ">";
+  return name;
+}
 
 RenameSpot prepareRename(Snapshot &snapshot, uint32_t offset) {
   const Names &names = snapshot.names();

@@ -27,4 +27,7 @@ struct RenameEdits {
 /// this file. The new text means the same as the old one: it is read again before it is given.
 RenameEdits rename(Snapshot &snapshot, uint32_t offset, llvm::StringRef name);
 
+/// The new name as it is written in one place of a file.
+std::string spelledName(const FileUnit &unit, const Occurrence &place, llvm::StringRef name);
+
 } // namespace ncvet::lsp
