@@ -268,8 +268,9 @@ export const steps = {
     await until('the control', () => editor.control());
     await editor.ask(`vscode.debug.addBreakpoints([new vscode.SourceBreakpoint(new vscode.Location(${editor.file('run.nc')}, new vscode.Position(7, 0)))])`);
     await editor.command('ncvet.dryRun');
+    // What is asked before the first stop is refused, and the editor tells the user so.
     const frame = () => editor.ask(`const session = vscode.debug.activeDebugSession;
-      return session && (await session.customRequest('stackTrace', { threadId: 1 })).stackFrames[0]`);
+      return session && vscode.debug.activeStackItem && (await session.customRequest('stackTrace', { threadId: 1 })).stackFrames[0]`);
     await until('the first block', async () => (await frame())?.line === 3);
     await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.continue')`);
     await until('the breakpoint', async () => (await frame())?.line === 8);
@@ -281,6 +282,7 @@ export const steps = {
     await until('the next block', async () => (await frame())?.line === 9);
     await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.stop'); vscode.debug.removeBreakpoints(vscode.debug.breakpoints)`);
     await until('the end', () => editor.ask('return !vscode.debug.activeDebugSession'));
+    same(await editor.toasts(), [], 'nothing was refused');
   },
 
   async 'the walk-through opens'(editor) {
