@@ -159,11 +159,12 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
             {{"title", "Explain"}, {"command", "ncvet.explain"}, {"arguments", {rule.id.str()}}}}});
     }
   }
-  constexpr llvm::StringLiteral rewrites = "refactor.rewrite.ncvet";
-  if (begin < end && wants(asked, rewrites))
-    rewritingsOf(view, begin, end, [&](std::string title, Json changes) {
-      actions.push_back(action(std::move(title), rewrites, std::move(changes)));
-    });
+  if (begin < end)
+    rewritingsOf(
+        view, begin, end, [&](llvm::StringRef kind) { return wants(asked, kind); },
+        [&](std::string title, llvm::StringRef kind, Json changes) {
+          actions.push_back(action(std::move(title), kind, std::move(changes)));
+        });
   if (wants(asked, "source.fixAll.ncvet")) {
     if (!view.client.resolvesEdits)
       fixAll(view, session, actions);

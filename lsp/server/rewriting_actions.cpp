@@ -40,23 +40,34 @@ llvm::Expected<AxisChanges> changesOf(const Json &axes) {
 } // namespace
 
 void rewritingsOf(View &view, uint32_t begin, uint32_t end,
-                  llvm::function_ref<void(std::string, Json)> add) {
+                  llvm::function_ref<bool(llvm::StringRef)> wants,
+                  llvm::function_ref<void(std::string, llvm::StringRef, Json)> add) {
   if (view.snapshot.text().size() > mostText)
     return;
   Selection selection(view.snapshot, begin, end, view.job.overlay, &view.cancelled);
+  selection.checkBy(view.session);
   const unsigned step = view.settings.format.renumber ? view.settings.format.renumber : usualStep;
   const bool lathe = selection.dialect().isLathe();
-  const auto offer = [&](Rewriting rewriting) {
-    if (rewriting.refused.empty() && !view.cancelled)
-      add(std::move(rewriting.title),
-          {{view.document.uri, editsJson(view.positions, rewriting.edits)}});
+  const auto offer = [&](llvm::StringRef kind, llvm::function_ref<Rewriting()> make) {
+    if (view.cancelled || !wants(kind))
+      return;
+    Rewriting made = make();
+    if (made.refused.empty() && !view.cancelled)
+      add(std::move(made.title), kind,
+          {{view.document.uri, editsJson(view.positions, made.edits)}});
   };
-  offer(renumberSelection(selection, step));
-  offer(toIncremental(selection));
-  offer(toAbsolute(selection));
+  constexpr llvm::StringLiteral rewrite = "refactor.rewrite.ncvet";
+  offer(rewrite, [&] { return renumberSelection(selection, step); });
+  offer(rewrite, [&] { return toIncremental(selection); });
+  offer(rewrite, [&] { return toAbsolute(selection); });
   for (const size_t axis : {size_t(lathe ? Axis::Z : Axis::X), size_t(lathe ? Axis::X : Axis::Y)})
-    offer(mirrored(selection, axis));
-  offer(toggleBlockSkip(selection));
+    offer(rewrite, [&] { return mirrored(selection, axis); });
+  offer(rewrite, [&] { return toggleBlockSkip(selection); });
+  offer(rewrite, [&] { return unroll(selection); });
+  offer(rewrite, [&] { return cyclesToMoves(selection); });
+  offer(rewrite, [&] { return movesToCycle(selection); });
+  offer("refactor.inline.ncvet", [&] { return inlineCall(selection); });
+  offer("refactor.extract.ncvet", [&] { return extractSubprogram(selection); });
 }
 
 void transformRange(Context &context, const Json &arguments, Reply reply) {

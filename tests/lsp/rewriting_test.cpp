@@ -16,6 +16,7 @@ std::string rewritten(llvm::StringRef dialect, llvm::StringRef program,
                       llvm::function_ref<Rewriting(Selection &)> change) {
   const auto text = test::markedText(dialect, program);
   Selection selection(*text, text.marks[0], text.marks[1], nullptr, nullptr);
+  selection.checkBy(*text.session);
   const Rewriting result = change(selection);
   EXPECT_FALSE(result.title.empty());
   EXPECT_NE(result.refused.empty(), result.edits.empty()) << result.refused;
@@ -165,6 +166,155 @@ TEST(Rewriting, NumbersOfASelectionLieBetweenThoseAroundIt) {
       "O1\nN10 G21 G90\n#1=0\nN12 G54 G00 X#1\nN14 #1=#1+1\nIF[#1LT3]GOTO12\nN16 M30\n");
 }
 
+std::string unrolled(llvm::StringRef dialect, llvm::StringRef program) {
+  return rewritten(dialect, program, lsp::unroll);
+}
+std::string inlined(llvm::StringRef dialect, llvm::StringRef program) {
+  return rewritten(dialect, program, lsp::inlineCall);
+}
+std::string extracted(llvm::StringRef dialect, llvm::StringRef program) {
+  return rewritten(dialect, program, lsp::extractSubprogram);
+}
+
+TEST(Rewriting, ALoopOfMacroStatementsIsUnrolled) {
+  for (const char *dialect : {"fanuc-mill", "fanuc-0m", "haas-mill", "nct-104m"})
+    EXPECT_EQ(unrolled(dialect, head +
+                                    "#1=0\n<|>WHILE[#1LT3]DO1\n(ONE HOLE)\nN50 G01 X[#1*5.] F100."
+                                    "\n#1=#1+1\nEND1\n<|>G00 X0. Y0.\nM30\n"),
+              head + "#1=0\n(ONE HOLE)\nN50 G01 X[#1*5.] F100.\n#1=#1+1\nG01 X[#1*5.] F100.\n"
+                     "#1=#1+1\nG01 X[#1*5.] F100.\n#1=#1+1\nG00 X0. Y0.\nM30\n")
+        << dialect;
+}
+
+TEST(Rewriting, JumpsBackAndBranchesAreUnrolled) {
+  EXPECT_EQ(unrolled("fanuc-mill",
+                     head + "#1=0\n<|>N20 #1=#1+1\nIF[#1EQ2]GOTO30\nG00 X[#1]\nN30 IF[#1LT3]GOTO20"
+                            "<|>\nM30\n"),
+            head + "#1=0\nN20 #1=#1+1\nG00 X[#1]\n#1=#1+1\n#1=#1+1\nG00 X[#1]\nM30\n")
+      << "the second pass goes past the move";
+}
+
+TEST(Rewriting, LoopsAndRepeatsOfOtherControlsAreUnrolled) {
+  EXPECT_EQ(unrolled("sinumerik", "G90 G0 X0 Y0\n<|>FOR R1=1 TO 3\nG0 X=R1\nENDFOR\n<|>M30\n"),
+            "G90 G0 X0 Y0\nR1=1\nG0 X=R1\nR1=R1+1\nG0 X=R1\nR1=R1+1\nG0 X=R1\nR1=R1+1\nM30\n");
+  EXPECT_EQ(unrolled("sinumerik", "G90 G0 X0 Y0\n<|>A: G91 X1\nY2\nE:\nREPEAT A E P=2\n<|>M30\n"),
+            "G90 G0 X0 Y0\nA: G91 X1\nY2\nE:\nG91 X1\nY2\nG91 X1\nY2\nM30\n");
+  EXPECT_EQ(
+      unrolled("linuxcnc", "G21 G90 G17\nG0 X0 Y0\n#<i>=0\n<|>o100 while [#<i> LT 2]\n"
+                           "G0 X#<i>\n#<i>=[#<i>+1]\no100 endwhile\n<|>M2\n"),
+      "G21 G90 G17\nG0 X0 Y0\n#<i>=0\nG0 X#<i>\n#<i>=[#<i>+1]\nG0 X#<i>\n#<i>=[#<i>+1]\nM2\n");
+  EXPECT_EQ(unrolled("linuxcnc", "G21 G91 G17\n<|>o100 repeat [3]\nG0 X1\no100 endrepeat\n<|>M2\n"),
+            "G21 G91 G17\nG0 X1\nG0 X1\nG0 X1\nM2\n");
+  EXPECT_EQ(unrolled("ecs", "N10 G0 X1 Y2\nN20 G91\n<|>N30 X1\nN40 Y1\nN50 <RPT:N30;N40;2>\n<|>N90 "
+                            "G90\nN100 M30\n"),
+            "N10 G0 X1 Y2\nN20 G91\nN30 X1\nN40 Y1\nN50 X1\nN60 Y1\nN70 X1\nN80 Y1\nN90 G90\nN100 "
+            "M30\n")
+      << "every block of this control has a number";
+}
+
+TEST(Rewriting, OnlyAWholeLoopIsUnrolled) {
+  const auto refused = [](llvm::StringRef program) {
+    return unrolled("fanuc-mill", head + program.str()).substr(0, 8) == "refused:";
+  };
+  EXPECT_TRUE(refused("#1=0\nWHILE[#1LT3]DO1\n<|>G00 X[#1]\n#1=#1+1\n<|>END1\nM30\n"))
+      << "its head is not selected";
+  EXPECT_TRUE(refused("<|>G00 X1.\nX2.\n<|>M30\n")) << "there is none";
+  EXPECT_TRUE(refused("<|>WHILE[#5041LT3]DO1\nG00 X1.\nEND1\n<|>M30\n")) << "nobody knows";
+  EXPECT_TRUE(refused("#1=0\n<|>WHILE[#1LT90000]DO1\nG00 X[#1]\n#1=#1+1\nEND1\n<|>M30\n"))
+      << "the text would be too long";
+}
+
+TEST(Rewriting, ACalledProgramIsWrittenInPlaceOfItsCall) {
+  const std::string main = "O1\nG21 G17 G90 G40 G80\nG54 G00 X10. Y20.\n";
+  const std::string hole = "O2 (HOLE)\nN10 G91 G01 Z-1. F100.\nG90 G00 Z50.\nM99\n";
+  EXPECT_EQ(inlined("fanuc-mill", main + "<|>N30 M98 P2<|>\nM30\n" + hole),
+            main + "G91 G01 Z-1. F100.\nG90 G00 Z50.\nM30\n" + hole);
+  EXPECT_EQ(inlined("fanuc-0m", main + "<|>M98 P2 L2\n<|>M30\n" + hole),
+            main + "G91 G01 Z-1. F100.\nG90 G00 Z50.\nG91 G01 Z-1. F100.\nG90 G00 Z50.\nM30\n" +
+                hole)
+      << "as often as it runs";
+  EXPECT_EQ(inlined("haas-mill", main + "<|>M97 P100\n<|>M30\nN100 G00 X5.\nX6. M99\n"),
+            main + "G00 X5.\nX6.\nM30\nN100 G00 X5.\nX6. M99\n");
+  EXPECT_EQ(inlined("linuxcnc", "o<a> sub\nG0 X5\nX6\no<a> endsub\nG21 G90\n<|>o<a> call\n<|>M2\n"),
+            "o<a> sub\nG0 X5\nX6\no<a> endsub\nG21 G90\nG0 X5\nX6\nM2\n");
+}
+
+TEST(Rewriting, WhatIsOnlyRightInTheCalledProgramIsNotWrittenElsewhere) {
+  const auto refused = [](llvm::StringRef call, llvm::StringRef called) {
+    return inlined("fanuc-mill", (head + "<|>" + call + "\n<|>M30\nO2\n" + called).str())
+               .substr(0, 8) == "refused:";
+  };
+  EXPECT_FALSE(refused("M98 P2", "G00 X1.\nM99\n"));
+  EXPECT_TRUE(refused("G65 P2 A1.", "G00 X#1\nM99\n")) << "its variables are its own";
+  EXPECT_TRUE(refused("M98 P2", "#1=1\nN10 #1=#1+1\nIF[#1LT4]GOTO10\nG00 X1.\nM99\n"))
+      << "a block names another one";
+  EXPECT_TRUE(refused("M98 P2", "G00 X1.\nM99\nG00 X2.\nM99\n")) << "nothing leads there";
+  EXPECT_TRUE(refused("M98 P3", "G00 X1.\nM99\n")) << "it is not there";
+  EXPECT_TRUE(refused("M98 P2", "G00 X1.\nM30\n")) << "it does not return";
+}
+
+std::string movesOf(llvm::StringRef dialect, llvm::StringRef program) {
+  return rewritten(dialect, program, lsp::cyclesToMoves);
+}
+std::string cycleOf(llvm::StringRef dialect, llvm::StringRef program) {
+  return rewritten(dialect, program, lsp::movesToCycle);
+}
+
+const std::string drillHead = "O1\nG21 G17 G90 G40 G80 G94\nT1 M06\nS800 M03\nG54 G00 X0. Y0.\n"
+                              "G43 H1 Z50.\n";
+
+TEST(Rewriting, ACycleIsWrittenAsItsMoves) {
+  for (const char *dialect : {"fanuc-mill", "fanuc-0m", "haas-mill", "nct-104m"})
+    EXPECT_EQ(movesOf(dialect, drillHead + "<|>G99 G81 X10. Y5. Z-4. R2. F200.\nX30. (LAST)\nG80\n"
+                                           "<|>G00 Z50.\nM30\n"),
+              drillHead + "G99 F200. G00 X10. Y5.\nZ2.\nG01 Z-4.\nG00 Z2.\n(LAST)\nG00 X30.\nG01 "
+                          "Z-4.\nG00 Z2.\nG80\nG00 Z50.\nM30\n")
+        << dialect;
+  const auto refused = [](const std::string &blocks) {
+    return movesOf("fanuc-mill", drillHead + "<|>" + blocks + "<|>G00 Z50.\nM30\n").substr(0, 8) ==
+           "refused:";
+  };
+  EXPECT_TRUE(refused("G82 X10. Y5. Z-4. R2. P500 F200.\nG80\n")) << "a dwell is no move";
+  EXPECT_TRUE(refused("G91 G81 X10. Z-4. R-48. F200.\nG80 G90\n")) << "distances";
+  EXPECT_TRUE(refused("G00 X10.\nX20.\n")) << "no cycle runs";
+}
+
+TEST(Rewriting, ARowOfHolesBecomesACycle) {
+  for (const char *dialect : {"fanuc-mill", "fanuc-0m", "haas-mill", "nct-104m"})
+    EXPECT_EQ(cycleOf(dialect, drillHead + "<|>G00 X10. Y5.\nZ2.\nG01 Z-4. F200.\nG00 Z2.\nX30.\n"
+                                           "G01 Z-4.\nG00 Z2.\n<|>G00 Z50.\nM30\n"),
+              drillHead + "G99 G81 X10. Y5. Z-4. R2. F200.\nX30. Y5.\nG80\nG00 Z50.\nM30\n")
+        << dialect;
+  EXPECT_EQ(cycleOf("fanuc-mill", drillHead + "<|>G00 X10. Y5.\nZ2.\nG01 Z-4. F200.\nG00 Z50.\nX30."
+                                              "\nZ2.\nG01 Z-4.\nG00 Z50.\n<|>X0.\nM30\n"),
+            drillHead + "G98 G81 X10. Y5. Z-4. R2. F200.\nX30. Y5.\nG80\nX0.\nM30\n")
+      << "up to where the row began";
+  EXPECT_EQ(cycleOf("fanuc-mill", drillHead + "<|>G00 X10. Y5.\nZ2.\nG01 Z-4. F200.\nG00 Z2.\nX30."
+                                              "\nG01 Z-5.\nG00 Z2.\n<|>G00 Z50.\nM30\n"),
+            "refused: the holes are not alike");
+}
+
+TEST(Rewriting, SelectedBlocksBecomeASubprogram) {
+  for (const char *dialect : {"fanuc-mill", "fanuc-0m", "haas-mill", "nct-104m"})
+    EXPECT_EQ(extracted(dialect, "%\nO0001\nG21 G17 G90 G40 G80\nG54 G00 X10. Y20.\n<|>N30 G91 G01 "
+                                 "X5. F100.\nY5. (SIDE)\nG90<|>\nG00 Z50.\nM30\n%\n"),
+              "%\nO0001\nG21 G17 G90 G40 G80\nG54 G00 X10. Y20.\nN30 M98 P0002\nG00 Z50.\nM30\n"
+              "O0002\nN30 G91 G01 X5. F100.\nY5. (SIDE)\nG90\nM99\n%\n")
+        << dialect;
+  EXPECT_EQ(extracted("linuxcnc", "G21 G90\nG0 X0 Y0\n<|>G0 X5\nX6\n<|>M2\n"),
+            "o<part1> sub\nG0 X5\nX6\no<part1> endsub\nG21 G90\nG0 X0 Y0\no<part1> call\nM2\n");
+}
+
+TEST(Rewriting, BlocksThatLeadElsewhereAreNoSubprogram) {
+  const auto refused = [](llvm::StringRef program) {
+    return extracted("fanuc-mill", head + program.str()).substr(0, 8) == "refused:";
+  };
+  EXPECT_TRUE(refused("#1=1\n<|>G00 X1.\nIF[#1EQ1]GOTO50\n<|>G00 X2.\nN50 M30\n"));
+  EXPECT_TRUE(refused("#1=1\nGOTO40\n<|>G00 X1.\nN40 G00 X2.\n<|>M30\n"));
+  EXPECT_TRUE(refused("<|>G00 X1.\nM30\n<|>"));
+  EXPECT_TRUE(refused("<|>G00 X1.\n<|>M30\n")) << "one block";
+}
+
 TEST(Rewriting, AnyTextIsRewritten) {
   const llvm::StringRef broken =
       "<|>N10 G1 X= Y[ #[ IF[ <MIR:; CYCLE81(,,\nG65 P ((\n%\nGOTO\n\"<|>";
@@ -176,6 +326,11 @@ TEST(Rewriting, AnyTextIsRewritten) {
     rewritten(dialect, broken, lsp::toggleBlockSkip);
     rewritten(dialect, broken, [&](Selection &one) { return lsp::transform(one, changes, "x"); });
     rewritten(dialect, broken, [](Selection &one) { return lsp::renumberSelection(one, 10); });
+    unrolled(dialect, broken);
+    inlined(dialect, broken);
+    extracted(dialect, broken);
+    movesOf(dialect, broken);
+    cycleOf(dialect, broken);
   }
 }
 

@@ -6,14 +6,6 @@ namespace ncvet::lsp {
 
 namespace {
 
-/// Words of other addresses that lathes have for distances: U of X.
-AddressId addressOf(const Dialect &dialect, AddressKind kind, Axis axis) {
-  for (size_t i = 0; i < dialect.addresses.size(); ++i)
-    if (dialect.addresses[i].kind == kind && dialect.addresses[i].axis == axis)
-      return AddressId(i);
-  return noAddress;
-}
-
 class DistanceRewriter {
 public:
   DistanceRewriter(Selection &selection, bool incremental)
@@ -73,7 +65,7 @@ private:
     }
     bool isNamed = false;
     for (const Word &word : block.words) {
-      const CodeInfo *code = codeOf(dialect_, word);
+      const CodeInfo *code = gCodeOf(dialect_, word);
       if (code && (code->action == Action::Absolute || code->action == Action::Incremental)) {
         isNamed = true;
         modeIsWanted_ = true;
@@ -147,7 +139,7 @@ private:
     if (at < text_.size()) {
       selection_.snapshot().unit().reader->read(at, next);
       for (const Word &word : next.words)
-        if (const CodeInfo *code = codeOf(dialect_, word))
+        if (const CodeInfo *code = gCodeOf(dialect_, word))
           if (code->action == Action::Absolute || code->action == Action::Incremental)
             return;
     }

@@ -41,7 +41,7 @@ private:
       return;
     }
     for (const Word &word : block.words) {
-      if (const CodeInfo *code = codeOf(dialect_, word)) {
+      if (const CodeInfo *code = gCodeOf(dialect_, word)) {
         if (mirrors_)
           turnRound(block, word, *code);
         continue;

@@ -9,7 +9,9 @@
 
 namespace ncvet::lsp {
 
-std::string coordinateText(const Dialect &dialect, const Word &word, double value) {
+namespace {
+
+std::string decimalText(double value, bool wantsPoint) {
   constexpr unsigned mostDecimals = 6, usualDecimals = 4;
   constexpr double rounding = 1e-9; // of sums of decimal numbers
   unsigned decimals = 0;
@@ -30,13 +32,42 @@ std::string coordinateText(const Dialect &dialect, const Word &word, double valu
   }
   if (text == "-0")
     text = "0";
-  const bool wantsPoint = word.has(wordPoint) || dialect.addresses[word.address].pointAdvised;
   if (wantsPoint && text.find('.') == std::string::npos)
     text += '.';
   return text;
 }
 
-const CodeInfo *codeOf(const Dialect &dialect, const Word &word) {
+} // namespace
+
+std::string coordinateText(const Dialect &dialect, const Word &word, double value) {
+  return decimalText(value, word.has(wordPoint) || dialect.addresses[word.address].pointAdvised);
+}
+
+std::string coordinateText(const Dialect &dialect, AddressId address, double value, bool pointed) {
+  return decimalText(value, pointed || dialect.addresses[address].pointAdvised);
+}
+
+AddressId addressOf(const Dialect &dialect, AddressKind kind, Axis axis) {
+  for (size_t i = 0; i < dialect.addresses.size(); ++i)
+    if (dialect.addresses[i].kind == kind && dialect.addresses[i].axis == axis)
+      return AddressId(i);
+  return noAddress;
+}
+
+const CodeInfo *codeFor(const Dialect &dialect, StandardGroup which, Action action) {
+  const GroupIndex group = dialect.group(which);
+  if (group == noGroup)
+    return nullptr;
+  const CodeInfo *least = nullptr;
+  for (const CodeIndex index : dialect.groups[group].members) {
+    const CodeInfo &code = dialect.codes[index];
+    if (code.letter == 'G' && code.action == action && (!least || code.number < least->number))
+      least = &code;
+  }
+  return least;
+}
+
+const CodeInfo *gCodeOf(const Dialect &dialect, const Word &word) {
   if (word.address != letterAddress('G') || !word.isNumber())
     return nullptr;
   const CodeIndex code = dialect.find('G', word.codeNumber());

@@ -20,4 +20,17 @@ Rewriting toAbsolute(Selection &selection);
 /// direction and the side of the compensation. What is incremental is not shifted.
 Rewriting transform(Selection &selection, const AxisChanges &changes, std::string title);
 
+/// The rest is proved as well: the machine does exactly the same.
+
+/// Writes the loops and repeats of the selection out, each pass after the other.
+Rewriting unroll(Selection &selection);
+/// Writes the blocks of the program that the selected block calls in the place of the call.
+Rewriting inlineCall(Selection &selection);
+/// Writes the moves of the selection's canned cycles in the place of the cycles.
+Rewriting cyclesToMoves(Selection &selection);
+/// Makes a row of holes of the selection, each drilled in one move, a canned cycle.
+Rewriting movesToCycle(Selection &selection);
+/// Makes the selected blocks a subprogram, and calls it in their place.
+Rewriting extractSubprogram(Selection &selection);
+
 } // namespace ncvet::lsp

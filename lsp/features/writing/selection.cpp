@@ -1,7 +1,7 @@
 // Selected blocks of a document, and the proof that a rewriting of them is one.
 #include "lsp/features/writing/selection.h"
 
-#include "formats/text/crash_guard.h"
+#include "analyzer/rule/rule_table.h"
 
 namespace ncvet::lsp {
 
@@ -34,11 +34,17 @@ SelectionRun Selection::follow(const AxisChanges &changes) {
                       snapshot_.setup().limits, cancel_);
 }
 
-std::string Selection::whyNotKnown(const SelectionRun &run) const {
+std::string Selection::whyNotWhole(const SelectionRun &run) {
   if (run.isTooLong)
     return "the program is too long to be compared";
   if (run.isLost)
     return "the program does not say how it goes on to its end: what it moves cannot be compared";
+  return {};
+}
+
+std::string Selection::whyNotKnown(const SelectionRun &run) const {
+  if (std::string why = whyNotWhole(run); !why.empty())
+    return why;
   for (const Block &block : blocks_)
     if (!run.blocks.count(block.begin))
       return "the program does not come to " + lineOf(block.begin) +
@@ -53,6 +59,25 @@ const SelectionRun &Selection::run(std::string &refused) {
   return *run_;
 }
 
+const SelectionRun &Selection::wholeRun(std::string &refused) {
+  if (!run_)
+    run_ = follow({});
+  refused = whyNotWhole(*run_);
+  return *run_;
+}
+
+/// The run of the text after the edits.
+SelectionRun Selection::followAfter(const Rewriting &rewriting) {
+  const SourceFile &source = snapshot_.source();
+  const std::string text = applyEdits(source.text(), rewriting.edits);
+  SourceSet sources(open_);
+  const SourceFile &file = sources.add(source.display(), text, source.path());
+  const FileSetup &setup = snapshot_.setup();
+  Project project(sources, setup.dialect, *setup.machine, setup.config->searchFolders,
+                  setup.folders);
+  return runSelection(project, project.unit(file), 0, 0, {}, setup.limits, cancel_);
+}
+
 void Selection::prove(Rewriting &rewriting, const AxisChanges &changes, double tolerance) {
   if (!rewriting.refused.empty() || rewriting.edits.empty())
     return;
@@ -63,19 +88,46 @@ void Selection::prove(Rewriting &rewriting, const AxisChanges &changes, double t
   const SelectionRun &due = isChanged ? *changed : run(rewriting.refused);
   rewriting.refused = whyNotKnown(due);
   if (rewriting.refused.empty()) {
-    const SourceFile &source = snapshot_.source();
-    const std::string text = applyEdits(source.text(), rewriting.edits);
-    SourceSet sources(open_);
-    const SourceFile &file = sources.add(source.display(), text, source.path());
-    const FileSetup &setup = snapshot_.setup();
-    Project project(sources, setup.dialect, *setup.machine, setup.config->searchFolders,
-                    setup.folders);
-    const SelectionRun now =
-        runSelection(project, project.unit(file), 0, 0, {}, setup.limits, cancel_);
+    const SelectionRun now = followAfter(rewriting);
     if (now.isLost || now.isTooLong)
       rewriting.refused = "the program would not come to its end";
     else if (const auto at = firstDifference(due, now, tolerance))
       rewriting.refused = lineOf(*at) + " would not move as it should";
+  }
+  if (!rewriting.refused.empty())
+    rewriting.edits.clear();
+}
+
+std::set<RuleId> Selection::rulesThatReport(llvm::StringRef text) const {
+  const SourceFile &source = snapshot_.source();
+  SourceSet sources(open_);
+  const SourceFile &file = sources.add(source.display(), text, source.path());
+  std::set<RuleId> rules;
+  for (const CheckedFinding &checked : checkFile(*session_, sources, file, cancel_).findings)
+    if (!checked.finding.suppressed && checked.finding.severity != Severity::Style)
+      rules.insert(checked.finding.rule);
+  return rules;
+}
+
+void Selection::proveSame(Rewriting &rewriting) {
+  if (rewriting.refused.empty() && !rewriting.edits.empty()) {
+    const SelectionRun &due = wholeRun(rewriting.refused);
+    if (rewriting.refused.empty()) {
+      const SelectionRun now = followAfter(rewriting);
+      if (now.isLost || now.isTooLong)
+        rewriting.refused = "the program would not come to its end";
+      else if (const auto at = firstDifference(due, now, 1e-6))
+        rewriting.refused = lineOf(*at) + " would not move as it should";
+      else if (!endAlike(dialect(), due, now))
+        rewriting.refused = "the program would end in another state";
+    }
+  }
+  if (rewriting.refused.empty() && !rewriting.edits.empty() && session_) {
+    const llvm::StringRef text = snapshot_.text();
+    const std::set<RuleId> before = rulesThatReport(text);
+    for (const RuleId rule : rulesThatReport(applyEdits(text, rewriting.edits)))
+      if (!before.count(rule) && rewriting.refused.empty())
+        rewriting.refused = ("there would be a finding of " + allRules()[rule].info.id).str();
   }
   if (!rewriting.refused.empty())
     rewriting.edits.clear();

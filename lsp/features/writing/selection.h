@@ -5,6 +5,8 @@
 #include "lsp/features/snapshot.h"
 #include "lsp/features/writing/selection_run.h"
 
+#include <set>
+
 namespace ncvet::lsp {
 
 /// A change of selected blocks that a user may choose.
@@ -21,6 +23,8 @@ public:
   /// the editor, in which called programs are looked for first.
   Selection(Snapshot &snapshot, uint32_t begin, uint32_t end,
             std::shared_ptr<const SourceSet::Overlay> open, const std::atomic<bool> *cancel);
+  /// With it, `proveSame` looks at findings too.
+  void checkBy(Session &session) { session_ = &session; }
 
   Snapshot &snapshot() const { return snapshot_; }
   const Dialect &dialect() const { return snapshot_.dialect(); }
@@ -34,17 +38,27 @@ public:
   /// What the blocks do; `refused` says why nobody knows.
   const SelectionRun &run(std::string &refused);
 
+  /// The same where not every selected block need be executed.
+  const SelectionRun &wholeRun(std::string &refused);
+
   /// Refuses a rewriting after which the machine does something else: other than before, or than
   /// `changes` say of the selected blocks.
   void prove(Rewriting &rewriting, const AxisChanges &changes = {}, double tolerance = 1e-6);
+  /// Refuses one after which the machine does not do exactly the same, ends in another state, or a
+  /// rule reports an error or a warning that reported none before.
+  void proveSame(Rewriting &rewriting);
 
 private:
   SelectionRun follow(const AxisChanges &changes);
+  SelectionRun followAfter(const Rewriting &rewriting);
+  static std::string whyNotWhole(const SelectionRun &run);
   std::string whyNotKnown(const SelectionRun &run) const;
+  std::set<RuleId> rulesThatReport(llvm::StringRef text) const;
 
   Snapshot &snapshot_;
   const std::shared_ptr<const SourceSet::Overlay> open_;
   const std::atomic<bool> *const cancel_;
+  Session *session_ = nullptr;
   uint32_t begin_ = 0, end_ = 0;
   std::vector<Block> blocks_;
   std::optional<SelectionRun> run_;

@@ -3,6 +3,7 @@
 
 #include "analyzer/flow/activation.h"
 #include "analyzer/flow/trace.h"
+#include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/Hashing.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 /// A program with more moves is not rewritten: both lists would take a gigabyte.
 constexpr size_t mostMoves = 2'000'000;
+/// Steps of the selection that are kept: more than anybody would want to read one after the other.
+constexpr size_t mostSteps = 100'000;
 
 double number(const Interval &value) {
   return value.isConstant() ? value.value() : std::numeric_limits<double>::quiet_NaN();
@@ -34,11 +37,26 @@ bool isFlow(const CodeInfo &code) {
   return namesTarget(code.action) || code.action == Action::Jump;
 }
 
+/// Whether a block says which one comes next, and nothing else.
+bool onlyDecides(const Step &step) {
+  switch (step.outcome.flow.kind) {
+  case FlowKind::Jump:
+  case FlowKind::LoopBegin:
+  case FlowKind::LoopEnd:
+  case FlowKind::Structure:
+  case FlowKind::Repeat:
+    return true;
+  default:
+    return false;
+  }
+}
+
 class Recorder final : public TraceSink {
 public:
   Recorder(SelectionRun &run, const FileUnit &unit, uint32_t begin, uint32_t end,
            const AxisChanges &changes)
-      : run_(run), unit_(unit), begin_(begin), end_(end), changes_(changes),
+      : run_(run), unit_(unit), program_(unit.index.programAt(begin)), begin_(begin), end_(end),
+        changes_(changes),
         isChanged_(llvm::any_of(changes, [](const AxisChange &one) { return !one.isNone(); })) {}
 
   uint32_t markOf(const Step &step) override {
@@ -51,6 +69,11 @@ public:
     const bool isSelected = &step.unit() == &unit_ && begin_ <= step.at && step.at < end_;
     if (isSelected)
       note(step);
+    keepStep(step, isSelected);
+    if (step.outcome.flow.kind == FlowKind::End || step.outcome.flow.kind == FlowKind::Return) {
+      run_.ending = step.live.state;
+      run_.returns = step.outcome.flow.kind == FlowKind::Return;
+    }
     return isChanged_ ? change(step, isSelected) : 0;
   }
 
@@ -64,6 +87,7 @@ public:
     const BlockChange &change = move.mark ? blocks_[move.mark - 1] : none;
     SelectionRun::KeptMove kept;
     kept.begin = traced.begin;
+    kept.kind = move.kind;
     kept.inFile = traced.unit == &unit_;
     for (size_t i = 0; i < axisCount; ++i) {
       const bool onMachine = move.machineAxes >> i & 1;
@@ -72,8 +96,9 @@ public:
     }
     const int side = change.mirrors ? -move.side : move.side;
     llvm::hash_code rest =
-        llvm::hash_combine(move.kind, move.machineAxes, side, move.feedMode, move.spindle,
-                           rounded(move.feed), rounded(move.value));
+        llvm::hash_combine(move.kind, move.machineAxes, side, move.spindle, rounded(move.value));
+    if (move.kind != MoveKind::Rapid) // which has no feed
+      rest = llvm::hash_combine(rest, move.feedMode, rounded(move.feed));
     if (move.kind == MoveKind::Arc) {
       for (size_t i = 0; i < 2; ++i) {
         const AxisChange &axis = change.centres[size_t(move.plane[i])];
@@ -107,12 +132,29 @@ private:
     now.motion = after.activeAction(dialect, StandardGroup::Motion);
     now.arcDistance = after.activeAction(dialect, StandardGroup::ArcDistance);
     now.unit = after.activeAction(dialect, StandardGroup::Units) == Action::Inch ? 25.4 : 1;
+    now.runsCycle = step.outcome.kinds & bitOf(EventKind::CycleRun);
     now.leaves = step.outcome.flow.kind != FlowKind::Next;
     now.times = known.times + 1;
     now.isAlike = known.times == 0 ||
                   (known.isAlike && known.distance == now.distance && known.motion == now.motion &&
                    known.arcDistance == now.arcDistance && known.unit == now.unit);
     known = now;
+  }
+
+  /// Blocks of the selection's own program that are not selected end a visit; called programs and
+  /// other files do not.
+  void keepStep(const Step &step, bool isSelected) {
+    if (!isSelected) {
+      if (&step.unit() == &unit_ && program_.begin <= step.at && step.at < program_.end)
+        isInside_ = false;
+      return;
+    }
+    if (!std::exchange(isInside_, true))
+      run_.visits.emplace_back();
+    if (++steps_ > mostSteps)
+      run_.visitsAreWhole = false;
+    else
+      run_.visits.back().push_back({step.at, onlyDecides(step)});
   }
 
   /// How the block's own words and those before it change where its moves end.
@@ -168,9 +210,12 @@ private:
 
   SelectionRun &run_;
   const FileUnit &unit_;
+  const ProgramInfo &program_; ///< that holds the selection
   const uint32_t begin_, end_;
   const AxisChanges changes_;
   const bool isChanged_;
+  bool isInside_ = false;
+  size_t steps_ = 0;
   std::vector<BlockChange> blocks_; ///< by the mark of the moves, from 1
   /// Where each axis is with the changes; NaN: not known.
   std::array<double, axisCount> due_ = [] {
@@ -216,6 +261,31 @@ std::optional<uint32_t> firstDifference(const SelectionRun &before, const Select
   if (before.functions != after.functions)
     return before.moves.empty() ? 0 : before.moves.front().begin;
   return std::nullopt;
+}
+
+/// Without what the last subprogram gave back: nothing reads it after the end.
+static Variables keptVariables(const MachineState &state) {
+  Variables variables = state.commons;
+  for (const char *const name : {"_value", "_value_returned"})
+    variables.erase(sharedVariableKey(name));
+  return variables;
+}
+
+bool endAlike(const Dialect &dialect, const SelectionRun &a, const SelectionRun &b) {
+  if (!a.ending || !b.ending)
+    return !a.ending && !b.ending;
+  const MachineState &one = *a.ending, &other = *b.ending;
+  const bool modesCount = a.returns || dialect.facts->program.modesOutliveEnd;
+  for (size_t i = 0; i < dialect.groups.size() && modesCount; ++i)
+    if (!dialect.groups[i].oneShot && one.group(i) != other.group(i))
+      return false;
+  for (size_t i = 0; i < axisCount; ++i)
+    if (!isSame(number(one.position[i]), number(other.position[i]), 1e-6))
+      return false;
+  return one.tool == other.tool && one.toolOffset == other.toolOffset &&
+         one.lengthOffset == other.lengthOffset && one.radiusOffset == other.radiusOffset &&
+         one.spindle == other.spindle && a.returns == b.returns &&
+         (!a.returns || one.locals == other.locals) && keptVariables(one) == keptVariables(other);
 }
 
 } // namespace ncvet::lsp
