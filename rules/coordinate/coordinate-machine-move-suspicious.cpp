@@ -22,7 +22,9 @@ public:
     if (!use)
       return;
     if (const char *how =
-            feed_ && event.code != noCode && event.certain ? wayOf(ctx.code(event)) : nullptr) {
+            feed_ && event.code != noCode && event.certain && !ctx.find({Action::Linear})
+            ? wayOf(ctx.code(event))
+            : nullptr) {
       if (auto finding = ctx.report(*use->word))
         finding
             .message("`{0}` moves by the active code `{1}`: {2}", ctx.text(*use->word),

@@ -1,5 +1,6 @@
 // A condition has always the same result.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/expression.h"
 
@@ -158,6 +159,8 @@ private:
     for (uint32_t i = 0; i < value.count; ++i)
       if (const Op op = before.operations[value.first + i].op; op != Op::Number && op != Op::Negate)
         return;
+    if (isChoice(key, ctx))
+      return;
     const Truth truth = truthOf(evaluate(ctx.block(), item.condition, ctx.before(), nullptr));
     Memory::Decided &decided = memory().decided[{ctx.source().id(), condition.begin}];
     decided.other |=
@@ -167,6 +170,31 @@ private:
     decided.number = ctx.block().number;
     decided.truth = truth == Truth::Yes;
     decided.loops = item.kind == ItemKind::Structure && item.structure == Structure::While;
+  }
+
+  /// A further condition of the next blocks asks for the same variable: its value chooses one part
+  /// of a family, and whoever sets up the machine changes it.
+  static bool isChoice(uint64_t variable, const RuleContext &ctx) {
+    constexpr unsigned furthest = 40; // blocks
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &next :
+         blocks(ctx.index().reader(), ctx.block().next, program.end, furthest)) {
+      for (const Item &item : next.items) {
+        if (item.kind == ItemKind::Assignment && next.keyOf(item.target) == variable)
+          return false;
+        if (item.kind == ItemKind::If && item.condition < next.expressions.size() &&
+            names(next, next.expressions[item.condition], variable))
+          return true;
+      }
+    }
+    return false;
+  }
+  static bool names(const Block &block, const Expression &expression, uint64_t variable) {
+    const auto operations =
+        llvm::makeArrayRef(block.operations).slice(expression.first, expression.count);
+    return llvm::any_of(operations, [&](const ExpressionOp &op) {
+      return op.op == Op::Variable && uint64_t(op.value) == variable;
+    });
   }
 
   /// The block before gives the variable a number.

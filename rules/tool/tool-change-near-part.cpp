@@ -1,5 +1,6 @@
 // A tool change while the tool is in the work or too low.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "formats/text/number_text.h"
 
 #include <cmath>
@@ -164,7 +165,7 @@ private:
     SourceRange last;
     const Place cut = lastCut(ctx, last);
     if (!cut.x || !cut.z || last.empty() || std::fabs(x.value() - *cut.x * *unit) > nearX ||
-        std::fabs(z.value() - *cut.z * *unit) > nearZ)
+        std::fabs(z.value() - *cut.z * *unit) > nearZ || !goesAway(ctx, *unit))
       return;
     if (auto finding = ctx.report(event, false))
       finding
@@ -172,6 +173,38 @@ private:
                    "part, chuck or clamps",
                    shortNumber(*cut.x), shortNumber(*cut.z))
           .note(last, "this move ends there");
+  }
+
+  /// Somewhere the program takes its tools away from the part: home, to a machine position, or far
+  /// off. Where it never does, the tools are side by side on the slide, and a change turns nothing.
+  static bool goesAway(const RuleContext &ctx, double unit) {
+    constexpr double far = 40;        // mm before the zero point
+    constexpr double farX = 60;       // mm of the diameter beyond the widest cut
+    constexpr unsigned most = 20'000; // blocks; a longer program is for no gang of tools
+    const Dialect &dialect = ctx.dialect();
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    double widest = 0, cut = 0;
+    bool rapid = true;
+    unsigned seen = 0;
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end, most)) {
+      if (++seen == most || findCode(dialect, block, {Action::ReferenceReturn}) ||
+          findCode(dialect, block, {Action::MachineMove}) ||
+          findCode(dialect, block, {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
+        return true;
+      if (findCode(dialect, block, {Action::Rapid}))
+        rapid = true;
+      else if (hasMotionCode(dialect, block))
+        rapid = false;
+      if (block.hasAny(dialect.incrementWords))
+        continue;
+      if (const Word *word = block.find('Z'); word && word->value() * unit >= far)
+        return true;
+      if (const Word *word = block.find('X')) {
+        double &largest = rapid ? widest : cut;
+        largest = std::max(largest, word->value() * unit);
+      }
+    }
+    return widest > cut + farX;
   }
 
   /// Where the last cut by a straight line or an arc ended, and the rapid move that is the last one

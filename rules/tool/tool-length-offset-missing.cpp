@@ -1,4 +1,6 @@
 // A move along the tool axis after a tool change, before length compensation is on.
+#include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
@@ -42,7 +44,7 @@ public:
     const bool certain =
         event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
     const Origin &origin = state.origin.of(StatePart::Tool);
-    if (!memory().once.speaks(origin, ctx))
+    if (!memory().once.speaks(origin, ctx) || isMeasured(ctx))
       return;
     // A program that never speaks of length offsets may be for a machine without any, and with one
     // tool the zero is where this tool touched the work.
@@ -62,6 +64,20 @@ public:
   }
 
 private:
+  /// The tool goes to its setter: it is measured before it cuts anything.
+  static bool isMeasured(const RuleContext &ctx) {
+    constexpr unsigned furthest = 12; // blocks
+    BlocksAhead ahead(ctx);
+    Block block;
+    for (unsigned i = 0; i < furthest && ahead.next(block); ++i) {
+      if (findCode(ctx.dialect(), block, {Action::SkipMove}))
+        return true;
+      if (findCode(ctx.dialect(), block, {Action::Linear, Action::Cycle, Action::ToolChange}))
+        return false;
+    }
+    return false;
+  }
+
   /// Whether the file names a code of the length offset's group anywhere; looked up once a file.
   bool programUsesOffsets(RuleContext &ctx) const {
     const auto [entry, fresh] = memory().uses.look().try_emplace(ctx.source().id(), false);

@@ -9,6 +9,7 @@ namespace {
 struct ToolNotChangedMemory {
   NamelessChanges nameless;
   SourceRange named;
+  SourceRange first; ///< the first tool that the program names
   int64_t number = 0;
 };
 
@@ -33,6 +34,8 @@ public:
     if (event.kind == EventKind::ToolWord && event.word) {
       forgotten(event, ctx);
       memory().named = ctx.range(*event.word);
+      if (!memory().first.end)
+        memory().first = memory().named;
       memory().number = numberOf(event);
     } else if (event.kind == EventKind::ToolChange) {
       memory().named = {};
@@ -40,7 +43,8 @@ public:
     } else if (event.kind == EventKind::Motion) {
       atCut(event, ctx);
     } else if (event.kind == EventKind::ProgramEnd && memory().named.end &&
-               !ctx.after().may(Fact::UnknownCode) && (!mayChangeByT_ || changesTools(ctx))) {
+               !ctx.after().may(Fact::UnknownCode) && (!mayChangeByT_ || changesTools(ctx)) &&
+               !waitsForNextPart(ctx)) {
       if (auto finding = ctx.report(memory().named))
         finding.message("`{0}` names a tool that nothing changes in: the program cuts with the one "
                         "before",
@@ -49,6 +53,12 @@ public:
   }
 
 private:
+  /// The first tool of the program is got ready for the next part.
+  bool waitsForNextPart(const RuleContext &ctx) const {
+    return memory().first.begin != memory().named.begin &&
+           ctx.text(memory().first) == ctx.text(memory().named);
+  }
+
   /// A program that never changes a tool by a code may be for a machine where T does it.
   static bool changesTools(const RuleContext &ctx) {
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
