@@ -4,6 +4,7 @@
 #include "analyzer/facts/codes_in_force.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/program/references.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -246,8 +247,25 @@ private:
       finding.message("the contour ends in N{0} with {1} still on: the cycle returns under "
                       "compensation",
                       found->second.second, nameOf(ctx));
+      if (endsNext(ctx))
+        finding.severity(Severity::Style);
       describe(finding, ctx);
     }
+  }
+
+  /// The first move after the contour, which is the one away from the part, switches it off.
+  static bool endsNext(const RuleContext &ctx) {
+    constexpr unsigned furthest = 10; // blocks: the finishing cycle, the coolant, the spindle
+    const Dialect &dialect = ctx.dialect();
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    for (const Block &next :
+         blocks(ctx.index().reader(), ctx.block().next, program.end, furthest)) {
+      if (findCode(dialect, next, {Action::CompensationOff}))
+        return true;
+      if (next.hasAny(dialect.axisWords))
+        return false;
+    }
+    return false;
   }
 };
 

@@ -29,7 +29,7 @@ public:
       if (event.code == noCode)
         return;
       if (taps(ctx.code(event).cycle))
-        memory().tap = ctx.blockRange();
+        tapped(ctx);
       else if (ctx.code(event).group != noGroup) // a call has a feed of its own
         pitchLeftOn(event, ctx);
       return;
@@ -46,6 +46,15 @@ public:
   }
 
 private:
+  /// Further holes of a cycle follow the block that switched the unit on.
+  void tapped(const RuleContext &ctx) const {
+    const Origin since = ctx.after().originOf(ctx.dialect(), StandardGroup::FeedMode);
+    SourceRange &tap = memory().tap;
+    if (tap.end == 0 || !since.known() || since.file != tap.file || since.begin < tap.begin ||
+        since.begin >= tap.end)
+      tap = ctx.blockRange();
+  }
+
   /// A hole is made at feed too; that of a tap goes with its pitch.
   void hole(const Event &event, RuleContext &ctx) const {
     if (event.code == noCode || forgets_ || !event.axes)
