@@ -23,8 +23,8 @@ public:
       return;
     if (const char *how =
             feed_ && event.code != noCode && event.certain && !ctx.find({Action::Linear})
-            ? wayOf(ctx.code(event))
-            : nullptr) {
+                ? wayOf(ctx.code(event))
+                : nullptr) {
       if (auto finding = ctx.report(*use->word))
         finding
             .message("`{0}` moves by the active code `{1}`: {2}", ctx.text(*use->word),
