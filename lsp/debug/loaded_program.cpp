@@ -4,6 +4,7 @@
 #include "analyzer/check/checker.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule_table.h"
+#include "formats/finding/plain_message.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
@@ -51,7 +52,7 @@ void LoadedProgram::check() {
       continue;
     findings_.push_back({{unit->source.id(), finding.range.begin, finding.range.end},
                          finding.severity,
-                         (toString(finding.severity) + ": " + finding.message + " [" +
+                         (toString(finding.severity) + ": " + plainMessage(finding.message) + " [" +
                           allRules()[finding.rule].info.id + "]")
                              .str()});
   }

@@ -2,6 +2,7 @@
 #include "lsp/protocol/diagnostic.h"
 
 #include "formats/finding/page_text.h"
+#include "formats/finding/plain_message.h"
 #include "formats/text/file_uri.h"
 
 #include "llvm/Support/FileSystem.h"
@@ -38,11 +39,12 @@ std::string DiagnosticWriter::lineOf(SourceRange range) {
 }
 
 Json DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) {
-  std::string message = finding.message;
+  std::string message = plainMessage(finding.message);
   if (finding.certainty == Certainty::Possible)
     message += " (on some of the paths that lead here)";
   Json related = Json::array();
-  const auto further = [&](SourceRange range, const std::string &text) {
+  const auto further = [&](SourceRange range, const std::string &marked) {
+    const std::string text = plainMessage(marked);
     if (support_.related)
       related.push_back({{"location", places_.location(range)}, {"message", text}});
     else

@@ -11,6 +11,8 @@
 
 #include "llvm/Support/MemoryBuffer.h"
 
+#include <mutex>
+
 namespace ncvet::lsp {
 
 namespace {
@@ -73,8 +75,30 @@ Json editOf(View &view, const ProgramRename &renamed) {
   return {{"documentChanges", std::move(steps)}};
 }
 
+/// The file that a rename of a program moves. The editor asks of that move too, whose changes are
+/// made already.
+class OwnMove {
+public:
+  void set(std::string from, std::string to) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    move_ = {std::move(from), std::move(to)};
+  }
+  /// True once for the move that was set last.
+  bool take(const std::string &from, const std::string &to) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (move_ != std::pair(from, to))
+      return false;
+    move_ = {};
+    return true;
+  }
+
+private:
+  std::mutex mutex_; ///< a rename is found on the thread of features
+  std::pair<std::string, std::string> move_;
+};
+
 /// Binds a request for a rename: what refuses it is an error that the user reads.
-void bindRename(Context &context) {
+void bindRename(Context &context, std::shared_ptr<OwnMove> own) {
   const auto bind =
       [&context](llvm::StringRef method,
                  std::function<Json(View &, const Json &, std::string &refused)> ask) {
@@ -103,7 +127,7 @@ void bindRename(Context &context) {
          refused = spot.refused;
          return {{"range", view.places.range(spot.range)}, {"placeholder", spot.name}};
        });
-  bind("textDocument/rename", [](View &view, const Json &params, std::string &refused) -> Json {
+  bind("textDocument/rename", [own](View &view, const Json &params, std::string &refused) -> Json {
     const std::string name = params.at("newName");
     const uint32_t offset = view.offset(params);
     if (isProgramAt(view, offset)) {
@@ -111,6 +135,8 @@ void bindRename(Context &context) {
       refused = renamed.refused;
       if (!renamed.from.empty() && !view.client.renamesFiles)
         refused = "the file is named after the program, and this editor does not rename it as well";
+      if (refused.empty() && !renamed.from.empty())
+        own->set(renamed.from, renamed.to);
       return editOf(view, renamed);
     }
     RenameEdits renamed = rename(view.snapshot, offset, name);
@@ -120,39 +146,43 @@ void bindRename(Context &context) {
 }
 
 /// A file is to have another name: its program gets it too, and so do the calls of it.
-void bindFileRename(Context &context) {
-  context.rpc.onRequest("workspace/willRenameFiles", [&context](const Json &params, Reply reply) {
-    const Json &files = params.at("files");
-    if (!files.is_array() || files.size() != 1) // of several each could be the other's caller
-      return reply(nullptr);
-    const std::string uri = files[0].at("oldUri");
-    const std::string to = pathOfUri(files[0].at("newUri").get<std::string>());
-    const Document *document = context.documents.find(uri);
-    Document closed{uri, pathOfUri(uri), "", 0, {}};
-    if (!document) {
-      auto text = llvm::MemoryBuffer::getFile(closed.path, /*IsText=*/false,
-                                              /*RequiresNullTerminator=*/false);
-      if (!text)
-        return reply(nullptr);
-      closed.text = textOf((*text)->getBuffer().str());
-    }
-    context.answerFor(
-        document ? *document : closed, std::move(reply), [&context, to](View &view) -> Json {
-          const ProgramRename renamed = renameWithFile(view.snapshot, to, view.programs());
-          if (!renamed.refused.empty())
-            context.warn("the calls of the program keep its name: " + renamed.refused);
-          if (renamed.edits.empty())
-            return nullptr;
-          return editOf(view, renamed);
-        });
-  });
+void bindFileRename(Context &context, std::shared_ptr<OwnMove> own) {
+  context.rpc.onRequest(
+      "workspace/willRenameFiles", [&context, own](const Json &params, Reply reply) {
+        const Json &files = params.at("files");
+        if (!files.is_array() || files.size() != 1) // of several each could be the other's caller
+          return reply(nullptr);
+        const std::string uri = files[0].at("oldUri");
+        const std::string to = pathOfUri(files[0].at("newUri").get<std::string>());
+        if (own->take(pathOfUri(uri), to))
+          return reply(nullptr);
+        const Document *document = context.documents.find(uri);
+        Document closed{uri, pathOfUri(uri), "", 0, {}};
+        if (!document) {
+          auto text = llvm::MemoryBuffer::getFile(closed.path, /*IsText=*/false,
+                                                  /*RequiresNullTerminator=*/false);
+          if (!text)
+            return reply(nullptr);
+          closed.text = textOf((*text)->getBuffer().str());
+        }
+        context.answerFor(
+            document ? *document : closed, std::move(reply), [&context, to](View &view) -> Json {
+              const ProgramRename renamed = renameWithFile(view.snapshot, to, view.programs());
+              if (!renamed.refused.empty())
+                context.warn("the calls of the program keep its name: " + renamed.refused);
+              if (renamed.edits.empty())
+                return nullptr;
+              return editOf(view, renamed);
+            });
+      });
 }
 
 } // namespace
 
 void bindEditing(Context &context) {
-  bindRename(context);
-  bindFileRename(context);
+  const auto own = std::make_shared<OwnMove>();
+  bindRename(context, own);
+  bindFileRename(context, own);
   context.onDocument("textDocument/formatting", [&context](View &view, const Json &) {
     return formattedWhole(context, view);
   });

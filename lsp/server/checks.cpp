@@ -2,6 +2,7 @@
 #include "lsp/server/checks.h"
 
 #include "analyzer/rule/rule_table.h"
+#include "formats/finding/plain_message.h"
 #include "formats/text/system/system.h"
 #include "formats/text/threads.h"
 #include "lsp/features/showing/document_states.h"
@@ -28,7 +29,7 @@ Problem problemOf(const Finding &finding, const SourceSet &sources, DiagnosticWr
   problem.rule = finding.rule;
   problem.diagnostic = jsonText(writer.diagnostic(finding, rule));
   if (finding.fix) {
-    problem.fixTitle = finding.fix->description;
+    problem.fixTitle = plainMessage(finding.fix->description);
     problem.safe = finding.fix->safety == FixSafety::Safe;
     problem.changes = writer.changes(*finding.fix);
   }

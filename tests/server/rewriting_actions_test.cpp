@@ -92,6 +92,9 @@ TEST_F(Renamed, AProgramWithItsFile) {
   EXPECT_EQ(steps[1]["edits"][0]["newText"], "0025");
   EXPECT_EQ(steps[2],
             (Json{{"kind", "rename"}, {"oldUri", uri("O0020.nc")}, {"newUri", uri("O0025.nc")}}));
+  const Json move = {{"files", {{{"oldUri", uri("O0020.nc")}, {"newUri", uri("O0025.nc")}}}}};
+  EXPECT_TRUE(client.request("workspace/willRenameFiles", move).is_null())
+      << "its changes are those of the rename";
 }
 
 TEST_F(Renamed, NotWhereTheEditorRenamesNoFiles) {

@@ -1,6 +1,7 @@
 // Canned cycles of drilling as moves, and moves as a cycle.
 #include "lsp/features/writing/new_lines.h"
 #include "lsp/features/writing/rewrite_words.h"
+#include "lsp/features/writing/rewriter.h"
 #include "lsp/features/writing/rewritings.h"
 
 namespace ncvet::lsp {
@@ -57,27 +58,22 @@ private:
   const CodeInfo *const rapid_, *const linear_;
 };
 
-class CycleExpander {
+class CycleExpander : Rewriter {
 public:
   explicit CycleExpander(Selection &selection)
-      : selection_(selection), dialect_(selection.dialect()), text_(selection.snapshot().text()),
-        spelling_(selection) {}
+      : Rewriter(selection, "Write the cycles of the selection as moves"), spelling_(selection) {}
 
   Rewriting run() {
-    result_.title = "Write the cycles of the selection as moves";
     if (dialect_.lexical.blocksSpanLines || !spelling_.isComplete())
       result_.refused = "the control has no blocks for single moves";
     else
       write();
-    if (!result_.refused.empty())
-      result_.edits.clear();
-    selection_.proveSame(result_);
-    return std::move(result_);
+    return finish();
   }
 
 private:
   void refuse(const Block &block, const char *why) {
-    result_.refused = selection_.lineOf(block.begin) + why;
+    Rewriter::refuse(selection_.lineOf(block.begin) + why);
   }
 
   void write() {
@@ -108,10 +104,7 @@ private:
       result_.refused = "no cycle of the selection runs";
       return;
     }
-    const std::string text = lines.text(result_.refused);
-    result_.edits.push_back({{selection_.snapshot().source().id(),
-                              selection_.blocks().front().begin, selection_.blocks().back().end},
-                             text});
+    replaceBlocks(lines.text(result_.refused));
   }
 
   /// Words of the block that count beside the cycle: modes of other groups, and the feed.
@@ -161,11 +154,7 @@ private:
       refuse(block, ": its moves are not known");
   }
 
-  Selection &selection_;
-  const Dialect &dialect_;
-  const llvm::StringRef text_;
   const Spelling spelling_;
-  Rewriting result_;
 };
 
 /// A hole: to its place, down to the retract level, down at feed, and up again.
@@ -173,30 +162,21 @@ struct Hole {
   double x = 0, y = 0, retract = 0, depth = 0, up = 0;
 };
 
-class CycleMaker {
+class CycleMaker : Rewriter {
 public:
   explicit CycleMaker(Selection &selection)
-      : selection_(selection), dialect_(selection.dialect()), spelling_(selection) {}
+      : Rewriter(selection, "Make the holes of the selection a cycle"), spelling_(selection) {}
 
   Rewriting run() {
-    result_.title = "Make the holes of the selection a cycle";
     findCodes();
     if (!drill_ || !cancel_ || dialect_.lexical.blocksSpanLines || dialect_.isLathe())
       result_.refused = "the control has no cycle of that kind";
     else if (readHoles())
       write();
-    if (!result_.refused.empty())
-      result_.edits.clear();
-    selection_.proveSame(result_);
-    return std::move(result_);
+    return finish();
   }
 
 private:
-  bool refuse(std::string why) {
-    result_.refused = std::move(why);
-    return false;
-  }
-
   void findCodes() {
     for (const CodeInfo &code : dialect_.codes) {
       if (code.letter != 'G')
@@ -319,20 +299,14 @@ private:
     for (const Hole &hole : llvm::makeArrayRef(holes_).drop_front())
       lines.add(place(hole));
     lines.add(spelling_.code(*cancel_));
-    const std::string text = lines.text(result_.refused);
-    result_.edits.push_back({{selection_.snapshot().source().id(),
-                              selection_.blocks().front().begin, selection_.blocks().back().end},
-                             text});
+    replaceBlocks(lines.text(result_.refused));
   }
 
-  Selection &selection_;
-  const Dialect &dialect_;
   const Spelling spelling_;
   const CodeInfo *drill_ = nullptr, *cancel_ = nullptr, *toLevel_ = nullptr, *toStart_ = nullptr;
   std::vector<Hole> holes_;
   double unit_ = 1;
   std::string feed_;
-  Rewriting result_;
 };
 
 } // namespace

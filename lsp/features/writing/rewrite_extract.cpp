@@ -2,6 +2,7 @@
 #include "formats/dialect/control_facts.h"
 #include "lsp/features/writing/new_lines.h"
 #include "lsp/features/writing/rewrite_words.h"
+#include "lsp/features/writing/rewriter.h"
 #include "lsp/features/writing/rewritings.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -38,28 +39,22 @@ CallCodes callCodes(const Dialect &dialect) {
   return codes;
 }
 
-class Extractor {
+class Extractor : Rewriter {
 public:
   explicit Extractor(Selection &selection)
-      : selection_(selection), dialect_(selection.dialect()), text_(selection.snapshot().text()) {}
+      : Rewriter(selection, "Make the selection a subprogram") {}
 
   Rewriting run() {
-    result_.title = "Make the selection a subprogram";
     if (isExtractable()) {
       if (dialect_.lexical.arithmetic == Arithmetic::Ngc)
         betweenBrackets();
       else
         asProgram();
     }
-    if (!result_.refused.empty())
-      result_.edits.clear();
-    selection_.proveSame(result_);
-    return std::move(result_);
+    return finish();
   }
 
 private:
-  void refuse(std::string why) { result_.refused = std::move(why); }
-
   bool isExtractable() {
     if (dialect_.lexical.blocksSpanLines)
       refuse("blocks of this control span lines");
@@ -76,15 +71,12 @@ private:
     return (text_.slice(begin, end) + lineEndOf(text_)).str();
   }
   void replaceBy(const std::string &call) {
-    const Block &first = selection_.blocks().front(), &last = selection_.blocks().back();
+    const Block &first = selection_.blocks().front();
     // The call has the number of the first block: what leads there leads to the call.
     const std::string number = first.numberEnd > first.numberBegin
                                    ? (text_.slice(first.numberBegin, first.numberEnd) + " ").str()
                                    : "";
-    edit(first.begin, last.end, number + call);
-  }
-  void edit(uint32_t begin, uint32_t end, std::string text) {
-    result_.edits.push_back({{selection_.snapshot().source().id(), begin, end}, std::move(text)});
+    replaceBlocks(number + call);
   }
 
   /// `M98 P2`, and a program O0002 after the others of the file.
@@ -93,17 +85,17 @@ private:
     FileUnit &unit = selection_.snapshot().unit();
     const ProgramInfo &own = unit.index.programAt(selection_.begin());
     if (!codes.areKnown() || own.number < 0 || !own.hasHeader())
-      return refuse("the control calls no program of the same file by its number");
+      return void(refuse("the control calls no program of the same file by its number"));
     const llvm::StringRef head = text_.slice(own.headerBegin, own.headerEnd).trim();
     const llvm::StringRef address = head.take_until(llvm::isDigit);
     if (address != "O" && address != ":")
-      return refuse("the head of the program is not one that another program could have");
+      return void(refuse("the head of the program is not one that another program could have"));
     int64_t number = own.number + 1;
     const int64_t past = number + mostTries;
     while (number < past && isTaken(number))
       ++number;
     if (number == past)
-      return refuse("no number is free");
+      return void(refuse("no number is free"));
     const llvm::StringRef lineEnd = lineEndOf(text_);
     std::string digits = std::to_string(number);
     const size_t width = head.size() - address.size();
@@ -144,18 +136,13 @@ private:
     }
     const uint32_t at = index.programAt(selection_.begin()).body;
     if (llvm::any_of(index.subprograms(), [&](uint32_t head) { return head < selection_.begin(); }))
-      return refuse("there are subprograms before the selection");
+      return void(refuse("there are subprograms before the selection"));
     const llvm::StringRef lineEnd = lineEndOf(text_);
     if (at == selection_.blocks().front().begin)
-      return refuse("the selection begins with the program");
+      return void(refuse("the selection begins with the program"));
     edit(at, at, (name + " sub" + lineEnd + body() + name + " endsub" + lineEnd).str());
     replaceBy(name + " call");
   }
-
-  Selection &selection_;
-  const Dialect &dialect_;
-  const llvm::StringRef text_;
-  Rewriting result_;
 };
 
 } // namespace

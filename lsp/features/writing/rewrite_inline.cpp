@@ -2,34 +2,26 @@
 #include "analyzer/program/references.h"
 #include "formats/readers/table_words.h"
 #include "lsp/features/writing/new_lines.h"
+#include "lsp/features/writing/rewriter.h"
 #include "lsp/features/writing/rewritings.h"
 
 namespace ncvet::lsp {
 
 namespace {
 
-class Inliner {
+class Inliner : Rewriter {
 public:
-  explicit Inliner(Selection &selection) : selection_(selection) {}
+  explicit Inliner(Selection &selection) : Rewriter(selection, "Write the called program here") {}
 
   Rewriting run() {
-    result_.title = "Write the called program here";
-    if (selection_.dialect().lexical.blocksSpanLines)
+    if (dialect_.lexical.blocksSpanLines)
       result_.refused = "blocks of this control span lines";
     else if (findCall() && findProgram() && readBody())
       write();
-    if (!result_.refused.empty())
-      result_.edits.clear();
-    selection_.proveSame(result_);
-    return std::move(result_);
+    return finish();
   }
 
 private:
-  bool refuse(std::string why) {
-    result_.refused = std::move(why);
-    return false;
-  }
-
   /// The one selected block with its one call, which is all that the block does.
   bool findCall() {
     if (selection_.blocks().size() != 1)
@@ -174,18 +166,15 @@ private:
     for (int64_t run = 0; run < runs; ++run)
       for (const std::string &line : body_)
         lines.add(line);
-    result_.edits.push_back({{selection_.snapshot().source().id(), call_->begin, call_->end},
-                             lines.text(result_.refused)});
+    replaceBlocks(lines.text(result_.refused));
   }
 
-  Selection &selection_;
   const Block *call_ = nullptr;
   Reference reference_;
   ReferredPlace place_;
   bool isLocal_ = false;  ///< a part of a program, which other parts may follow
   bool isClosed_ = false; ///< the block that returns was read
   std::vector<std::string> body_;
-  Rewriting result_;
 };
 
 } // namespace

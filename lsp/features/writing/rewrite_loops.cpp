@@ -1,6 +1,7 @@
 // Loops and repeats of selected blocks, written out.
 #include "analyzer/program/flow_shape.h"
 #include "lsp/features/writing/new_lines.h"
+#include "lsp/features/writing/rewriter.h"
 #include "lsp/features/writing/rewritings.h"
 
 #include "llvm/ADT/DenseMap.h"
@@ -10,29 +11,19 @@ namespace ncvet::lsp {
 
 namespace {
 
-class Unroller {
+class Unroller : Rewriter {
 public:
-  explicit Unroller(Selection &selection)
-      : selection_(selection), text_(selection.snapshot().text()) {}
+  explicit Unroller(Selection &selection) : Rewriter(selection, "Unroll the selection") {}
 
   Rewriting run() {
-    result_.title = "Unroll the selection";
-    if (selection_.dialect().lexical.blocksSpanLines)
+    if (dialect_.lexical.blocksSpanLines)
       result_.refused = "blocks of this control span lines";
     else if (isUnrollable(selection_.wholeRun(result_.refused)))
       write(selection_.wholeRun(result_.refused).visits.front());
-    if (!result_.refused.empty())
-      result_.edits.clear();
-    selection_.proveSame(result_);
-    return std::move(result_);
+    return finish();
   }
 
 private:
-  bool refuse(std::string why) {
-    result_.refused = std::move(why);
-    return false;
-  }
-
   bool isUnrollable(const SelectionRun &run) {
     if (!result_.refused.empty())
       return false;
@@ -88,10 +79,7 @@ private:
         return;
       }
     }
-    const Block &last = selection_.blocks().back();
-    const std::string text = lines.text(result_.refused);
-    result_.edits.push_back(
-        {{selection_.snapshot().source().id(), selection_.blocks().front().begin, last.end}, text});
+    replaceBlocks(lines.text(result_.refused));
   }
 
   /// Begin of the comments and empty lines before `block`, from `past` on: after the last block
@@ -146,11 +134,8 @@ private:
     return *shape_;
   }
 
-  Selection &selection_;
-  const llvm::StringRef text_;
   llvm::DenseMap<uint32_t, const Block *> blocks_;
   std::optional<FlowShape> shape_;
-  Rewriting result_;
 };
 
 } // namespace

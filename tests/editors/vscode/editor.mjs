@@ -53,10 +53,13 @@ export class Editor {
     return fs.readFileSync(path.join(this.workspace, name), 'utf8');
   }
 
+  /** Those of the user, and of the machine on which the server is: what belongs to a machine counts there alone. */
   settings(settings) {
-    const file = path.join(this.folder, 'user', 'User', 'settings.json');
-    fs.mkdirSync(path.dirname(file), { recursive: true });
-    fs.writeFileSync(file, JSON.stringify(settings, null, 2));
+    for (const of of ['User', 'Machine']) {
+      const file = path.join(this.folder, 'user', of, 'settings.json');
+      fs.mkdirSync(path.dirname(file), { recursive: true });
+      fs.writeFileSync(file, JSON.stringify(settings, null, 2));
+    }
   }
 
   get options() {
@@ -115,7 +118,11 @@ export class Editor {
     await this.ask(`await vscode.window.showTextDocument(${this.file(name)}, { preview: false })`);
   }
   async closeAll() {
-    await this.ask(`await vscode.commands.executeCommand('workbench.action.revertAndCloseActiveEditor');
+    // Of a text that is not saved the editor would ask, and wait.
+    await this.ask(`for (const one of vscode.workspace.textDocuments.filter((document) => document.isDirty)) {
+        await vscode.window.showTextDocument(one);
+        await vscode.commands.executeCommand('workbench.action.files.revert');
+      }
       await vscode.commands.executeCommand('workbench.action.closeAllEditors')`);
   }
   language() {

@@ -196,6 +196,62 @@ export const steps = {
     await until('a caller', async () => (await rows()).some((row) => /called by 1/.test(row)));
   },
 
+  async 'a lens counts the callers in other files'(editor) {
+    await editor.open('calls/O0200.nc');
+    const titles = () => editor.ask(`return (await vscode.commands.executeCommand('vscode.executeCodeLensProvider', ${editor.file('calls/O0200.nc')}, 20))
+      .map((lens) => lens.command?.title)`);
+    await until('the lens', async () => (await titles()).includes('1 caller'));
+  },
+
+  async 'a program is renamed with its calls and its file'(editor) {
+    editor.write('named/O0300.nc', ['%', 'O0300 (MAIN, FANUC 0I-MF)', 'N10 G17 G21 G40 G80 G90 G94', 'N20 M98 P0310', 'N30 M30', '%']);
+    editor.write('named/O0310.nc', ['%', 'O0310 (SUB)', 'N10 G00 X20. Y20.', 'N20 M99', '%']);
+    await editor.open('named/O0300.nc');
+    await until('the control', () => editor.control());
+    await editor.page.click('.monaco-editor .view-lines');
+    await editor.ask(`const at = new vscode.Position(3, 11); vscode.window.activeTextEditor.selection = new vscode.Selection(at, at)`);
+    await sleep(300); // the page learns of it
+    await editor.page.keyboard.press('F2');
+    await until('the box for the name', () => editor.page.evaluate(() => document.activeElement?.closest('.rename-box') !== null));
+    await editor.page.keyboard.type('320');
+    await editor.page.keyboard.press('Enter');
+    await until('the texts', () => editor.ask(`return vscode.workspace.textDocuments.filter((one) => /P320|O0320/.test(one.getText())).length === 2`));
+    await editor.ask('await vscode.workspace.saveAll()');
+    holds(editor.read('named/O0300.nc').includes('M98 P320'), editor.read('named/O0300.nc'));
+    await until('the file', () => editor.read('named/O0320.nc').includes('O0320 (SUB)'));
+  },
+
+  async 'a program follows when its file is renamed'(editor) {
+    await editor.open('named/O0300.nc');
+    await until('the control', () => editor.control());
+    const edit = `const edit = new vscode.WorkspaceEdit(); edit.renameFile(${editor.file('named/O0320.nc')}, ${editor.file('named/O0330.nc')});`;
+    await editor.ask(`${edit} void vscode.workspace.applyEdit(edit)`);
+    // The editor asks whether the extension may change texts with it.
+    await until('the question', () => editor.page.evaluate(() => {
+      const button = [...document.querySelectorAll('.monaco-dialog-box .monaco-button')].find((one) => one.textContent === 'OK');
+      button?.click();
+      return Boolean(button);
+    }));
+    await until('the call', () => editor.ask(`return vscode.workspace.textDocuments.some((one) => one.getText().includes('M98 P330'))`));
+    await until('the file', async () => {
+      await editor.ask('await vscode.workspace.saveAll()');
+      return editor.read('named/O0330.nc').includes('O0330 (SUB)');
+    });
+  },
+
+  async 'a loop of the selection is written out'(editor) {
+    editor.write('loop.nc', [...drilling.slice(0, 6), '#1=0', 'WHILE[#1LT3]DO1', 'G00 X[#1*10.]', '#1=#1+1', 'END1', ...drilling.slice(10)]);
+    await editor.open('loop.nc');
+    await until('the control', () => editor.control());
+    const title = 'Unroll the selection';
+    const actions = `const range = new vscode.Range(7, 0, 11, 0); vscode.window.activeTextEditor.selection = new vscode.Selection(range.start, range.end);
+      const actions = await vscode.commands.executeCommand('vscode.executeCodeActionProvider', ${editor.file('loop.nc')}, range, 'refactor', 20);`;
+    await until('the action', () => editor.ask(`${actions} return actions.some((one) => one.title === '${title}')`));
+    await editor.ask(`${actions} await vscode.workspace.applyEdit(actions.find((one) => one.title === '${title}').edit)`);
+    const lines = await editor.ask(`return vscode.window.activeTextEditor.document.getText().split('\\n').slice(7, 13)`);
+    same(lines, ['G00 X[#1*10.]', '#1=#1+1', 'G00 X[#1*10.]', '#1=#1+1', 'G00 X[#1*10.]', '#1=#1+1'], 'the passes');
+  },
+
   async 'a new block has its number'(editor) {
     editor.write('typed.nc', drilling);
     await editor.open('typed.nc');
@@ -268,9 +324,10 @@ export const steps = {
     await until('the control', () => editor.control());
     await editor.ask(`vscode.debug.addBreakpoints([new vscode.SourceBreakpoint(new vscode.Location(${editor.file('run.nc')}, new vscode.Position(7, 0)))])`);
     await editor.command('ncvet.dryRun');
-    // What is asked before the first stop is refused, and the editor tells the user so.
     const frame = () => editor.ask(`const session = vscode.debug.activeDebugSession;
-      return session && vscode.debug.activeStackItem && (await session.customRequest('stackTrace', { threadId: 1 })).stackFrames[0]`);
+      return session && (await session.customRequest('stackTrace', { threadId: 1 })).stackFrames[0]`);
+    // What is asked before that is refused, and the editor tells the user so.
+    await until('the mark of the block', () => editor.page.$('.debug-top-stack-frame-line'));
     await until('the first block', async () => (await frame())?.line === 3);
     await editor.ask(`await vscode.commands.executeCommand('workbench.action.debug.continue')`);
     await until('the breakpoint', async () => (await frame())?.line === 8);

@@ -18,6 +18,11 @@ const configurationFile = '.ncvet.json';
 const section = 'ncvet';
 const shownLines = 200;
 
+/** A list shows the marks of code as they are. */
+function plain(text: string | undefined): string {
+  return (text ?? '').replaceAll('`', '');
+}
+
 export class ControlPicker {
   private readonly controls: Control[];
   private readonly notices = new Map<string, ControlNotice>();
@@ -104,12 +109,12 @@ export class ControlPicker {
     const notice = this.notices.get(document.uri.toString());
     const rows = this.controls.map((control) => ({ control, ...marksIn(control, head) }));
     rows.sort((a, b) => b.score - a.score);
-    const automatic = { id: 'auto', label: '$(search) Automatic', description: 'found out from the text', detail: notice?.reason };
+    const automatic = { id: 'auto', label: '$(search) Automatic', description: 'found out from the text', detail: plain(notice?.reason) };
     const items = rows.map(({ control, reasons }) => ({
       id: control.id,
       label: control.short,
       description: control.id === notice?.dialect ? `${control.id} · now in force` : control.id,
-      detail: reasons.length > 0 ? `${control.title}. In this text: ${reasons.slice(0, 3).join('; ')}` : control.title,
+      detail: reasons.length > 0 ? `${control.title}. In this text: ${plain(reasons.slice(0, 3).join('; '))}` : control.title,
     }));
     const options = { title: 'The control of this program', matchOnDescription: true, matchOnDetail: true };
     return (await vscode.window.showQuickPick([automatic, ...items], options))?.id;

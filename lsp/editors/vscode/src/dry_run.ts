@@ -48,6 +48,9 @@ export function registerDryRun(context: vscode.ExtensionContext, controlOf: (doc
       if ('lookedFor' in found) {
         throw new Error(`ncvet did not start. ${found.lookedFor}`);
       }
+      if (found.needsNode) {
+        throw new Error('A dry run needs the program ncvet: the one in the extension is without threads, and only checks.');
+      }
       return new vscode.DebugAdapterExecutable(found.file, ['dap']);
     },
   };
