@@ -2,6 +2,7 @@
 #include "formats/readers/table_words.h"
 #include "lsp/features/showing/code_lens.h"
 #include "lsp/features/showing/document_states.h"
+#include "lsp/features/showing/inline_values.h"
 #include "lsp/features/showing/machine_state.h"
 #include "lsp/features/showing/word_help.h"
 #include "lsp/server/bindings.h"
@@ -29,6 +30,16 @@ std::string contourAt(Snapshot &snapshot, const Block &block) {
 } // namespace
 
 void bindHover(Context &context) {
+  context.onDocument("textDocument/inlineValue", [](View &view, const Json &params) {
+    const auto [begin, end] = view.range(params);
+    // What comes after the block at which the program waits has not been executed yet.
+    const Json &stop = params.at("context").at("stoppedLocation").at("end");
+    const uint32_t last = view.positions.offset(positionOf(stop));
+    Json list = Json::array();
+    for (const InlineValue &value : inlineValues(view.snapshot, begin, std::min(end, last)))
+      list.push_back({{"range", view.places.range(value.range)}, {"expression", value.expression}});
+    return list;
+  });
   context.onDocument("textDocument/hover", [](View &view, const Json &params) -> Json {
     const uint32_t offset = view.offset(params);
     Block block;

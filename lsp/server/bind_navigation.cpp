@@ -55,6 +55,13 @@ Json defined(View &view, const Json &params) {
   return view.places.location(place->name);
 }
 
+Json declared(View &view, const Json &params) {
+  const auto place = declaration(view.snapshot, view.offset(params));
+  if (!place)
+    return nullptr;
+  return view.places.location(*place);
+}
+
 Json used(View &view, const Json &params) {
   const bool declaration = params.at("context").at("includeDeclaration");
   Json list = Json::array();
@@ -237,6 +244,9 @@ int symbolKind(PartKind kind) {
 
 void bindNavigation(Context &context) {
   context.onDocument("textDocument/definition", defined);
+  // The text of a program is its definition and its implementation.
+  context.onDocument("textDocument/implementation", defined);
+  context.onDocument("textDocument/declaration", declared);
   context.onDocument("textDocument/references", used);
   context.onDocument("textDocument/documentHighlight", highlighted);
   context.onDocument("textDocument/documentSymbol",

@@ -105,6 +105,39 @@ TEST_F(Features, HoverTellsTheWordAndTheState) {
   EXPECT_NE(text.find("X 60, Z 2"), std::string::npos) << text;
 }
 
+TEST(FeaturesOfMills, VariablesHaveTheirValuesBesideThemWhileTheProgramWaits) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
+  const std::string path = "/nowhere/loop.nc";
+  client.open(path, "O1\n#101=1\nG00 X#101 Y[#101+#2]\n#3=#101\nM30\n");
+  const Json values = client.request(
+      "textDocument/inlineValue",
+      {{"textDocument", documentOf(path)},
+       {"range", {{"start", at(0, 0)}, {"end", at(4, 0)}}},
+       {"context",
+        {{"frameId", 1}, {"stoppedLocation", {{"start", at(2, 0)}, {"end", at(2, 23)}}}}}});
+  std::vector<std::string> asked;
+  for (const Json &value : values)
+    asked.push_back(std::to_string(value["range"]["start"]["line"].get<int>()) + " " +
+                    value["expression"].get<std::string>());
+  EXPECT_EQ(asked, (std::vector<std::string>{"1 #101", "2 #101", "2 #2"}))
+      << "the block after that has not been executed";
+  EXPECT_EQ(values[0]["range"]["start"]["character"], 0) << "with its mark";
+}
+
+TEST(FeaturesOfMills, WhereANameIsDeclared) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "sinumerik"}});
+  const std::string path = "/nowhere/SHAFT.MPF";
+  client.open(path, "%_N_SHAFT_MPF\nEXTERN HOLE(REAL)\nHOLE(5)\nM30\n%_N_HOLE_SPF\n"
+                    "PROC HOLE(REAL DEPTH)\nG0 X=DEPTH\nRET\n");
+  const auto ask = [&](const char *method) {
+    return client.request(method, {{"textDocument", documentOf(path)}, {"position", at(2, 1)}});
+  };
+  EXPECT_EQ(ask("textDocument/declaration")["range"]["start"]["line"], 1);
+  EXPECT_EQ(ask("textDocument/implementation")["range"]["start"]["line"], 4);
+}
+
 TEST(FeaturesOfMills, HoverOnACompensatedContourTellsItsLargestTool) {
   LanguageClient client;
   client.initialize(Json::object(), {{"dialect", "haas-mill"}});

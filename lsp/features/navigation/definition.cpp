@@ -144,4 +144,16 @@ std::optional<DefinedPlace> definition(Snapshot &snapshot, uint32_t offset) {
                       {target->name.file, block.begin, std::max(block.end, target->name.end)}};
 }
 
+std::optional<SourceRange> declaration(Snapshot &snapshot, uint32_t offset) {
+  const Names &names = snapshot.names();
+  const Occurrence *const one = names.at(offset);
+  if (!one)
+    return std::nullopt;
+  for (const uint32_t i : names.same(*one))
+    if (names.all()[i].use == NameUse::Declaration)
+      return names.range(names.all()[i]);
+  const auto target = targetOf(snapshot, snapshot.unit(), *one);
+  return target ? std::optional(target->name) : std::nullopt;
+}
+
 } // namespace ncvet::lsp

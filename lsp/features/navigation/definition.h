@@ -31,4 +31,7 @@ struct DefinedPlace {
 /// means only the run decides (`GOTO #1`).
 std::optional<DefinedPlace> definition(Snapshot &snapshot, uint32_t offset);
 
+/// Where this file says that the name exists elsewhere, `EXTERN HOLE`; else its definition.
+std::optional<SourceRange> declaration(Snapshot &snapshot, uint32_t offset);
+
 } // namespace ncvet::lsp
