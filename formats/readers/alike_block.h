@@ -21,7 +21,7 @@ struct AlikeGrammar {
 enum AlikeClass : uint8_t { alikeBlank = 1, alikeLineEnd = 2, alikeLetter = 4 };
 
 template <bool (*Blank)(char)>
-inline std::array<uint8_t, 256> makeAlikeClasses() {
+constexpr std::array<uint8_t, 256> makeAlikeClasses() {
   std::array<uint8_t, 256> classes{};
   for (unsigned c = 0; c < classes.size(); ++c)
     classes[c] =
@@ -30,78 +30,157 @@ inline std::array<uint8_t, 256> makeAlikeClasses() {
   return classes;
 }
 
-/// Whether a block may be the pattern of `readAlike`: plain words alone, perhaps with a number.
+/// Whether a block may be the pattern of `readAlike`: plain words alone, perhaps with a number
+/// before them and a comment after them.
 inline bool isAlikePattern(const Block &block) {
   return block.kind == BlockKind::Normal && block.skip < 0 && !block.lowerCase &&
          !block.tapeInside && !block.mainBlock && !block.hasLabel() && block.program < 0 &&
          block.headerEnd == 0 && block.nameEnd == 0 && !block.words.empty() &&
-         block.items.empty() && block.comments.empty() && block.issues.empty() &&
-         block.expressions.empty();
+         block.items.empty() && block.issues.empty() && block.expressions.empty() &&
+         (block.comments.empty() ||
+          (block.comments.size() == 1 && block.comments[0].begin > block.words.back().offset));
 }
 
-/// Reads the block at `offset` over the one that `block` holds, when it has the same words in the
-/// same order, each a plain number with a point where that one has a point: of the addresses
-/// `free` any number, of the others the same. `block` must be an `isAlikePattern` of this text.
-/// False, with nothing of use in `block`: the text is another, or only the reader can tell.
+/// A place in the text at which a block is read over another one.
 template <bool (*Blank)(char), AlikeGrammar grammar>
-bool readAlike(llvm::StringRef text, uint32_t offset, AddressMask free, Block &block) {
-  const char *const base = text.begin(), *const end = text.end();
-  const char *at = base + offset;
-  static const std::array<uint8_t, 256> classes = makeAlikeClasses<Blank>();
-  constexpr uint8_t breaks = alikeBlank | alikeLineEnd | (grammar.wordsMeet ? alikeLetter : 0);
-  const auto isBreak = [&](const char *p) { return p == end || classes[uint8_t(*p)] & breaks; };
-  const auto skipBlanks = [&] {
-    while (at < end && classes[uint8_t(*at)] & alikeBlank)
-      ++at;
-  };
-  block.begin = offset;
-  skipBlanks();
-  if (block.number >= 0) {
+class AlikeCursor {
+public:
+  AlikeCursor(llvm::StringRef text, uint32_t offset)
+      : base_(text.begin()), at_(base_ + offset), end_(text.end()) {}
+
+  void skipBlanks() {
+    while (at_ < end_ && classes[uint8_t(*at_)] & alikeBlank)
+      ++at_;
+  }
+
+  /// The number of the block; false: it has none, or one that is not as usual.
+  bool readNumber(Block &block) {
     Word number;
-    if (end - at < 2 || *at != 'N' || !isNumberDigit(at[1]))
+    if (end_ - at_ < 2 || *at_ != 'N' || !isNumberDigit(at_[1]))
       return false;
-    const char *const after = readPlainNumber(at + 1, end, number);
+    const char *const after = readPlainNumber(at_ + 1, end_, number);
     if (!after || number.has(wordPoint) || number.mantissa > mostAlikeNumber || !isBreak(after))
       return false;
     block.number = number.mantissa;
-    block.numberBegin = uint32_t(at - base);
-    block.numberEnd = uint32_t(after - base);
-    at = after;
-    skipBlanks();
+    block.numberBegin = offset(at_);
+    block.numberEnd = offset(after);
+    at_ = after;
+    return true;
   }
-  for (Word &word : block.words) {
+
+  /// A word with another number.
+  bool readFree(Word &word) {
+    constexpr uint8_t usual = wordPoint | wordMinus | wordLeadingZero;
     // The letter is the same byte as in the text of the pattern.
-    if (end - at < 2 || *at != base[word.offset] || word.address != letterAddress(*at) ||
-        !(isNumberDigit(at[1]) || at[1] == '-' || (grammar.beginsByPoint && at[1] == '.')))
+    if (end_ - at_ < 2 || *at_ != base_[word.offset] || word.address != letterAddress(*at_) ||
+        !(isNumberDigit(at_[1]) || at_[1] == '-' || (grammar.beginsByPoint && at_[1] == '.')))
       return false;
     Word next;
-    const char *const after = readPlainNumber(at + 1, end, next);
-    constexpr uint8_t usual = wordPoint | wordMinus | wordLeadingZero;
+    const char *const after = readPlainNumber(at_ + 1, end_, next);
     if (!after || next.mantissa > mostAlikeNumber || next.mantissa < -mostAlikeNumber ||
-        (word.flags & ~usual) || ((next.flags ^ word.flags) & wordPoint) ||
+        (word.flags & ~usual) || ((next.flags ^ word.flags) & (wordPoint | wordLeadingZero)) ||
         (!(next.flags & wordPoint) && !next.mantissa != !word.mantissa) || !isBreak(after))
-      return false;
-    if (!(free & maskOf(word.address)) &&
-        (next.mantissa != word.mantissa || next.decimals != word.decimals ||
-         next.flags != word.flags))
       return false;
     word.flags = next.flags;
     word.decimals = next.decimals;
     word.mantissa = next.mantissa;
-    word.offset = uint32_t(at - base);
-    word.length = uint8_t(after - at);
-    at = after;
-    block.end = uint32_t(at - base);
-    skipBlanks();
+    word.offset = offset(at_);
+    word.length = uint8_t(after - at_);
+    at_ = after;
+    return true;
   }
-  if (at < end && !isLineEnd(*at))
-    return false;
-  if (grammar.blanksBelong)
-    block.end = uint32_t(at - base);
-  if (at < end && *at++ == '\r' && at < end && *at == '\n')
-    ++at;
-  block.next = uint32_t(at - base);
-  return true;
+
+  /// The same word, spelled in the same bytes.
+  bool readSame(Word &word) {
+    constexpr uint8_t usual = wordPoint | wordMinus | wordLeadingZero;
+    const char *const before = base_ + word.offset;
+    if ((word.flags & ~usual) || word.length < 2 || word.length == 255 ||
+        word.length > end_ - at_ || word.address != letterAddress(*at_) ||
+        !isEqual(before, at_, word.length) || !isBreak(at_ + word.length))
+      return false;
+    word.offset = offset(at_);
+    at_ += word.length;
+    return true;
+  }
+
+  /// The comment at the end of the block.
+  template <typename Find>
+  bool readComment(Comment &comment, Find find) {
+    const char *const after = at_ < end_ ? find(at_) : at_;
+    if (after == at_)
+      return false;
+    comment.begin = offset(at_);
+    comment.end = offset(after);
+    at_ = after;
+    return true;
+  }
+
+  /// The end of the line.
+  bool readEnd(Block &block) {
+    skipBlanks();
+    if (at_ < end_ && !isLineEnd(*at_))
+      return false;
+    if (grammar.blanksBelong)
+      block.end = offset(at_);
+    if (at_ < end_ && *at_++ == '\r' && at_ < end_ && *at_ == '\n')
+      ++at_;
+    block.next = offset(at_);
+    return true;
+  }
+
+private:
+  static constexpr std::array<uint8_t, 256> classes = makeAlikeClasses<Blank>();
+
+  uint32_t offset(const char *p) const { return uint32_t(p - base_); }
+  bool isBreak(const char *p) const {
+    constexpr uint8_t breaks = alikeBlank | alikeLineEnd | (grammar.wordsMeet ? alikeLetter : 0);
+    return p == end_ || classes[uint8_t(*p)] & breaks;
+  }
+  bool isEqual(const char *a, const char *b, unsigned length) const {
+    uint64_t left, right;
+    if (std::endian::native != std::endian::little || length > sizeof left ||
+        end_ - std::max(a, b) < ptrdiff_t(sizeof left))
+      return std::memcmp(a, b, length) == 0;
+    std::memcpy(&left, a, sizeof left);
+    std::memcpy(&right, b, sizeof right);
+    return ((left ^ right) << (64 - 8 * length)) == 0;
+  }
+
+  const char *const base_;
+  const char *at_;
+  const char *const end_;
+};
+
+/// Reads the block at `offset` over the one that `block` holds, when it has the same words in the
+/// same order, each a plain number with a point where that one has a point: of the addresses
+/// `free` any number, of the others the same. `block` must be an `isAlikePattern` of this text.
+/// `comment` gives the place after the comment at a place, or the place
+/// itself where none is that only says something. False: the text is another, or only the reader
+/// can tell; `block` then holds no block, but is the same pattern still.
+template <bool (*Blank)(char), AlikeGrammar grammar, typename Find>
+bool readAlike(llvm::StringRef text, uint32_t offset, AddressMask free, Block &block,
+               Find comment) {
+  AlikeCursor<Blank, grammar> cursor(text, offset);
+  block.begin = offset;
+  cursor.skipBlanks();
+  if (block.number >= 0) {
+    if (!cursor.readNumber(block))
+      return false;
+    cursor.skipBlanks();
+  }
+  for (Word &word : block.words) {
+    if (!(free & maskOf(word.address) ? cursor.readFree(word) : cursor.readSame(word)))
+      return false;
+    cursor.skipBlanks();
+  }
+  const Word &last = block.words.back();
+  block.end = last.offset + last.length;
+  if (!block.comments.empty()) {
+    if (!cursor.readComment(block.comments[0], comment))
+      return false;
+    block.end = block.comments[0].end;
+  }
+  return cursor.readEnd(block);
 }
 
 } // namespace ncvet

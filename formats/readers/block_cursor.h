@@ -7,7 +7,7 @@
 
 namespace ncvet {
 
-inline bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+constexpr bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
 /// A place in the text and the block that grows. Readers and parsers derive from it; a copy reads
 /// on from the same place into the same block.

@@ -10,7 +10,7 @@
 namespace ncvet {
 
 /// Blanks of a line that every control passes over.
-inline bool isLineBlank(char c) {
+constexpr bool isLineBlank(char c) {
   return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f';
 }
 

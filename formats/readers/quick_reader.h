@@ -15,8 +15,9 @@ class QuickReader : public Reader {
 public:
   /// Reads the block at `offset` over the one that `block` holds, a block of this text, when it is
   /// spelled as that one save for its numbers: plain numbers, of the addresses `free` any, of the
-  /// others the same. What it then gives is what `read` gives. False, with nothing of use in
-  /// `block`: it is not, or only `read` can tell.
+  /// others the same, and of a comment at the end of its line. What it then gives is what `read`
+  /// gives. False: it is not, or only `read` can tell. `block` then holds no block, but further
+  /// ones can be read over it that are spelled as the one it held.
   virtual bool readAlike(uint32_t offset, AddressMask free, Block &block) const = 0;
   /// Goes from `offset`, where a block begins, over blocks in which there is nothing but blanks and
   /// comments with which nothing is wrong, at most to `limit`, a block's beginning or the end of

@@ -258,10 +258,27 @@ void IsoReader::read(uint32_t offset, Block &block) const {
     collapseProse(block);
 }
 
+/// After the comment at `at`, which is closed and holds no other; `at`: it is none.
+static const char *afterComment(const char *at, const char *end) {
+  if (*at != '(')
+    return at;
+  const char *const mark = findAny(at + 1, end, '(', ')', '\n', '\r');
+  return mark < end && *mark == ')' ? mark + 1 : at;
+}
+
+/// Whether a comment after the words of `block` may mean something: what it calls, or an end.
+bool IsoReader::maySay(const Block &block) const {
+  constexpr AddressMask codes = maskOf('G') | maskOf('M');
+  return !lexical_.abortMark.empty() ||
+         (lexical_.fileInComment && (codes & maskOf(block.words.back().address)));
+}
+
 bool IsoReader::readAlike(uint32_t offset, AddressMask free, Block &block) const {
   constexpr AlikeGrammar grammar{true, true, true};
-  return isAlikePattern(block) &&
-         ncvet::readAlike<isLineBlank, grammar>(text_, offset, free, block);
+  return isAlikePattern(block) && (block.comments.empty() || !maySay(block)) &&
+         ncvet::readAlike<isLineBlank, grammar>(text_, offset, free, block, [&](const char *at) {
+           return afterComment(at, text_.end());
+         });
 }
 
 EmptyLines IsoReader::emptyLines(uint32_t offset, uint32_t limit) const {
@@ -269,13 +286,7 @@ EmptyLines IsoReader::emptyLines(uint32_t offset, uint32_t limit) const {
     return {offset, 0};
   const char *const base = text_.begin(), *const end = base + limit;
   return passEmptyLines<isLineBlank>(base, offset, limit, [&](const char *at) {
-    if (*at == ';')
-      return findAny(at, end, '\n', '\r', '\n', '\r');
-    if (*at != '(')
-      return at;
-    // A comment that is closed, and holds no other.
-    const char *const mark = findAny(at + 1, end, '(', ')', '\n', '\r');
-    return mark < end && *mark == ')' ? mark + 1 : at;
+    return *at == ';' ? findAny(at, end, '\n', '\r', '\n', '\r') : afterComment(at, end);
   });
 }
 

@@ -15,6 +15,8 @@ public:
   std::string labelKey(llvm::StringRef label) const override;
 
 private:
+  bool maySay(const Block &block) const;
+
   const Lexical &lexical_;
   IsoSymbols symbols_;
 };

@@ -312,18 +312,25 @@ void SinumerikReader::read(uint32_t offset, Block &block) const {
     markSteps(block);
 }
 
+/// After the comment at `at`; `at`: it is none.
+static const char *afterComment(const char *at, const char *end) {
+  return *at == ';' ? findAny(at, end, '\n', '\r', '\n', '\r') : at;
+}
+
 bool SinumerikReader::readAlike(uint32_t offset, AddressMask free, Block &block) const {
   // `X10EX5` is a number with an exponent, `X1 =5` an address of two characters.
+  // Without a sign `R5.2` is a variable and no word: only addresses take other numbers.
   constexpr AlikeGrammar grammar{false, false, false};
   return isAlikePattern(block) &&
-         ncvet::readAlike<isSinumerikBlank, grammar>(text_, offset, free, block);
+         ncvet::readAlike<isSinumerikBlank, grammar>(
+             text_, offset, free & dialect_.known, block,
+             [&](const char *at) { return afterComment(at, text_.end()); });
 }
 
 EmptyLines SinumerikReader::emptyLines(uint32_t offset, uint32_t limit) const {
   const char *const base = text_.begin(), *const end = base + limit;
-  return passEmptyLines<isSinumerikBlank>(base, offset, limit, [&](const char *at) {
-    return *at == ';' ? findAny(at, end, '\n', '\r', '\n', '\r') : at;
-  });
+  return passEmptyLines<isSinumerikBlank>(base, offset, limit,
+                                          [&](const char *at) { return afterComment(at, end); });
 }
 
 } // namespace ncvet

@@ -13,7 +13,7 @@ namespace ncvet {
 
 /// Characters that do not print count as blanks, as those that punch tapes and old editors leave in
 /// a text (Ctrl-Z, DC1, DC3); `&` does too.
-inline bool isSinumerikBlank(char c) {
+constexpr bool isSinumerikBlank(char c) {
   return isLineBlank(c) || c == '&' || (uint8_t(c) < 0x20 && !isLineEnd(c));
 }
 
