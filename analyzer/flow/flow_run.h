@@ -91,6 +91,7 @@ struct FlowRun {
   std::vector<RunningRegion> callStack;
   uint64_t steps = 0;         ///< blocks executed
   uint64_t stretch = 0;       ///< number of the stretch of blocks that only go on
+  uint64_t knownBlocks = 0;   ///< kinds of blocks of which it is known what they do
   unsigned stops = 0;         ///< programmed stops so far: at each one the operator decides
   unsigned forks = 0;         ///< times that a path went on in more than one direction
   uint64_t repeated = 0;      ///< blocks executed again, by what they cost

@@ -145,6 +145,8 @@ bool RegionRun::takeOver() {
   endStretch();
   before_ = lives_[0].state;
   synced_ = &lives_[0].state;
+  done_ = nullptr;
+  modes_ = 0;
   plainRun_ = present;
   at_ = known->end;
   refused_ = ~0u;
@@ -185,11 +187,11 @@ bool RegionRun::read() {
   // What is executed again, and what is called, may be executed often.
   if (at_ < activation_.high || !run_.callStack.empty()) {
     block_ = &run_.readBlocks.at(unit_, at_, own_);
+    pattern_ = block_ == &own_ ? &own_ : nullptr;
+    spelling_ = nullptr;
   } else {
-    unit_.reader->read(at_, own_);
-    block_ = &own_;
+    readStraight();
   }
-  isPattern_ = block_ == &own_;
   return noteRead();
 }
 
@@ -323,7 +325,7 @@ void RegionRun::announce() {
 
 /// What the state leaves open goes as the operator has decided.
 void RegionRun::decide() {
-  Flow &flow = outcome_.flow;
+  Flow &flow = outcome_->flow;
   if (flow.kind == FlowKind::Branch) {
     if (decision_ == Truth::Yes)
       flow.kind = FlowKind::Jump;
@@ -364,7 +366,7 @@ void RegionRun::executeBlock() {
       continue;
     }
     stays = true;
-    if (!outcome_.setupChanged)
+    if (done_ || !outcome_->setupChanged)
       synced_ = &live.state;
   }
   run_.endStop();
@@ -379,52 +381,54 @@ void RegionRun::executeBlock() {
   synced_ = nullptr;
 }
 
-/// Makes `before_` the state, from which it only differs by what the block before did, a plain
-/// move.
-void RegionRun::keepBefore(const MachineState &state) {
-  static_cast<MotionState &>(before_) = state;
-  for (const CodeUse &use : outcome_.codes) { // which it has named though they were in force
-    const GroupIndex group = unit_.dialect->codes[use.code].group;
-    before_.origin.all()[group] = state.origin.all()[group];
-  }
-}
-
 void RegionRun::executeFor(Live &live) {
   if (synced_ == &live.state) {
     keepBefore(live.state);
-    if (!outcome_.plainMove) // what the block before did
-      static_cast<ModeState &>(before_) = live.state;
   } else {
     before_ = live.state;
     plainRun_ = {};
+    modes_ = 0;
   }
   synced_ = nullptr;
+  if (spelling_ && doAsKnown(live))
+    return;
+  execute(live);
+  if (spelling_ && modes_)
+    learn(live);
+  else
+    modes_ = 0;
+}
+
+/// Executes the block in full.
+void RegionRun::execute(Live &live) {
+  outcome_ = &ownOutcome_;
+  done_ = nullptr;
   bool guardHolds = true;
   if (!block_->items.empty()) {
     const Truth guard = unit_.executor().guard(*block_, live.state);
     guardHolds = (guard == Truth::Unknown ? decision_ : guard) != Truth::No;
   }
   const StateUse used = std::exchange(stateUse, StateUse());
-  unit_.executor().execute(*block_, before_, live.state, outcome_, guardHolds);
+  unit_.executor().execute(*block_, before_, live.state, *outcome_, guardHolds);
   blockUse_ = stateUse;
   stateUse |= used;
   if (decision_ != Truth::Unknown)
     decide();
   if (!activation_.heads.empty() || !run_.callStack.empty())
-    run_.stops += asksOperator(outcome_, *unit_.dialect);
+    run_.stops += asksOperator(*outcome_, *unit_.dialect);
   // A cycle among the blocks of a contour reads none of its own.
-  if (region_.kind == RegionKind::Profile && outcome_.flow.kind == FlowKind::Profile)
-    outcome_.flow = Flow();
+  if (region_.kind == RegionKind::Profile && outcome_->flow.kind == FlowKind::Profile)
+    outcome_->flow = Flow();
 }
 
 void RegionRun::tell(Live &live) {
   run_.visits.visit(live.path);
   if (block_->number >= 0 && region_.kind == RegionKind::Main && &unit_ == &run_.unit)
     runsInto(live);
-  const bool same = plainRun_.goesOn(*block_, outcome_, before_);
+  const bool same = plainRun_.goesOn(*block_, *outcome_, before_);
   if (!same)
     endStretch();
-  goesOn_ = same && (outcome_.codes.empty() || (plainRun_.settled && !run_.inFull));
+  goesOn_ = same && (outcome_->codes.empty() || (plainRun_.settled && !run_.inFull));
   if (recorder_ && !goesOn_)
     recorder_->goesOnNoMore(before_);
   // Whether it is enough to tell some of it is asked of the first, second, fourth, … such block.
@@ -442,17 +446,17 @@ void RegionRun::runsInto(Live &live) {
   const auto finished = run_.used.finishedAhead.find(at_);
   if (finished == run_.used.finishedAhead.end())
     return;
-  const Flow flow = std::exchange(outcome_.flow, finished->second.first);
+  const Flow flow = std::exchange(outcome_->flow, finished->second.first);
   run_.issue(FlowIssue::ProfileReached, stepOf(live), finished->second.second,
              {unit_.source.id(), at_, at_ + 1});
-  outcome_.flow = flow;
+  outcome_->flow = flow;
 }
 
 /// The state leaves the block as its flow says; true: it goes on with the next block, and stays
 /// where it is.
 bool RegionRun::goesOnWithNext(Live &live) {
-  const Truth modal = outcome_.callsModally;
-  Flow &flow = outcome_.flow;
+  const Truth modal = outcome_->callsModally;
+  Flow &flow = outcome_->flow;
   if (at_ == region_.lastBlock) {
     activation_.exit(std::move(live));
     return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/block_flow.h"
+#include "analyzer/flow/known_blocks.h"
 #include "analyzer/reuse/run_recorder.h"
 #include "analyzer/reuse/run_replay.h"
 #include "formats/readers/quick_reader.h"
@@ -43,6 +44,9 @@ private:
   void follow(const RunPlace &known);
   bool isCancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
   bool read();
+  void readStraight();
+  bool doAsKnown(Live &live);
+  void learn(Live &live);
   bool noteRead();
   bool countSteps(uint64_t blocks);
   void noteText(uint32_t end);
@@ -55,7 +59,9 @@ private:
   void forkAtGuards();
   void executeBlock();
   void executeFor(Live &live);
+  void execute(Live &live);
   void keepBefore(const MachineState &state);
+  void keepMotion(const MachineState &state);
   void tell(Live &live);
   void interruptRecord() {
     if (recorder_)
@@ -66,7 +72,7 @@ private:
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
   Step stepOf(Live &live) {
-    return {activation_, live, at_, before_, *block_, outcome_, run_.stretch};
+    return {activation_, live, at_, before_, *block_, *outcome_, run_.stretch};
   }
   SourceRange blockRange() const { return {unit_.source.id(), block_->begin, block_->end}; }
 
@@ -85,10 +91,11 @@ private:
   uint32_t refused_ = ~0u;     ///< the block from which on no run is known to be taken over
   bool firstTime_ = false;     ///< the block was not executed before
   bool goesOn_ = false;        ///< the block only goes on as the one before
-  bool isPattern_ = false;     ///< `own_` is the block that was executed last, whole
   const Block *block_ = &own_; ///< that is executed
+  Block *pattern_ = nullptr;   ///< the same, where another may be read over it
   Block own_;                  ///< where it is read when the run does not keep it
-  Outcome outcome_;
+  Outcome *outcome_ = &ownOutcome_;
+  Outcome ownOutcome_;                   ///< of a block of which it is not known
   Truth decision_ = Truth::Unknown;      ///< of the operator, for what the block leaves open
   MachineState before_;                  ///< before the block
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
@@ -97,7 +104,11 @@ private:
   StateUse blockUse_;    ///< what executing the block has looked at
   std::optional<ModeMasks> masks_; ///< made when they are first asked for
   std::optional<PlainMove> move_;  ///< of the stretch; nothing: its blocks are executed in full
-  uint64_t moveStretch_ = ~uint64_t(0); ///< for which stretch `move_` was made out
+  uint64_t moveStretch_ = ~uint64_t(0);       ///< for which stretch `move_` was made out
+  std::unique_ptr<KnownBlocks> known_;        ///< made when a block is read for the first time
+  KnownBlocks::Spelling *spelling_ = nullptr; ///< of the block; null: it is not known
+  const KnownBlocks::Known *done_ = nullptr;  ///< what the last block did; null: it was executed
+  uint64_t modes_ = 0; ///< of the state, see `modesNumber`; 0: they are not made out
 };
 
 } // namespace ncvet

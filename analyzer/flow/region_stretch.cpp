@@ -14,7 +14,7 @@ void RegionRun::endStretch() {
 /// Blocks that only go on as the one before and are spelled as it: they are read and made without
 /// finding out again what they are. False: there is none, at least not here.
 bool RegionRun::goOnInStretch() {
-  if (!quick_ || !goesOn_ || !isPattern_ || run_.inFull || !mayGoOn())
+  if (!quick_ || !goesOn_ || !pattern_ || run_.inFull || !mayGoOn())
     return false;
   Live &live = lives_[0];
   if (moveStretch_ != run_.stretch) {
@@ -22,7 +22,7 @@ bool RegionRun::goOnInStretch() {
     if (!masks_)
       masks_.emplace(*unit_.dialect, unit_.machine);
     move_ = makePlainMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), *block_,
-                          live.state, outcome_);
+                          live.state, *outcome_);
   }
   if (!move_)
     return false;
@@ -30,8 +30,8 @@ bool RegionRun::goOnInStretch() {
   while (!run_.stopped && mayGoOn() && !takeOver()) {
     if (passEmptyLines())
       continue;
-    if (!quick_->readAlike(at_, unit_.dialect->axisWords, own_)) {
-      isPattern_ = false;
+    if (!quick_->readAlike(at_, unit_.dialect->axisWords, *pattern_)) {
+      pattern_ = nullptr;
       break;
     }
     if (noteRead() && spend())
@@ -52,6 +52,7 @@ bool RegionRun::mayGoOn() const {
 void RegionRun::goOnOnce(Live &live) {
   run_.visits.begin();
   keepBefore(live.state);
+  done_ = nullptr;
   move_->make(*block_, unit_.source.id(), before_, live.state);
   stateUse |= blockUse_;
   run_.visits.visit(live.path);

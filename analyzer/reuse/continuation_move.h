@@ -18,8 +18,7 @@ struct PlainRun {
 
   bool goesOn(const Block &block, const Outcome &outcome, const MachineState &before) {
     if (!outcome.plainMove) {
-      addresses = 0;
-      settled = false;
+      *this = {};
       return false;
     }
     const uint64_t named = hashOf(outcome);

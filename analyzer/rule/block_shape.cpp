@@ -2,31 +2,13 @@
 #include "analyzer/rule/block_shape.h"
 
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "interp/value/sum.h"
 
 #include <bit>
 
 namespace ncvet {
 
 namespace {
-
-/// Folds numbers into one. Two sums are equal by chance once in 2^64: nobody checks so many blocks.
-class Sum {
-public:
-  explicit Sum(uint64_t first) : sum_(first) {}
-  void add(uint64_t number) {
-    constexpr uint64_t odd = 0x9E3779B97F4A7C15; // the golden ratio: spreads small numbers
-    sum_ = (sum_ ^ number) * odd;
-    sum_ ^= sum_ >> 29;
-  }
-  void add(const Interval &value) {
-    add(std::bit_cast<uint64_t>(value.lo));
-    add(std::bit_cast<uint64_t>(value.hi));
-  }
-  uint64_t get() const { return sum_ ? sum_ : 1; }
-
-private:
-  uint64_t sum_;
-};
 
 /// The words of the block whose numbers are coordinates.
 AddressMask coordinatesOf(const Dialect &dialect, const Outcome &outcome) {
@@ -80,11 +62,6 @@ Sum withState(Sum sum, const StateUse &use, const MachineState &state) {
   sum.add(uint64_t(state.machineAxes) << 32 | std::bit_cast<uint32_t>(state.transforms));
   sum.add(state.cycle.present);
   return sum;
-}
-
-/// Whether a condition asks for the value of a word.
-bool asksNumber(const Condition &condition) {
-  return !condition.broken.empty() || !condition.formula.empty();
 }
 
 } // namespace

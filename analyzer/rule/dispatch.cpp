@@ -132,8 +132,23 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
   if (!(outcome.kinds & kinds_))
     return;
   prepare(unit, block, outcome, before, after, caller);
-  if (!shapes_ || caller || !tellKnown(block, outcome))
+  if (!shapes_ || caller || !(tellAgain(outcome) || tellKnown(block, outcome)))
     tellAll(outcome);
+}
+
+/// Tells those that are told of such blocks; false: it is not known who they are.
+bool Dispatcher::tellAgain(const Outcome &outcome) {
+  const KnownModes &known = shapes_->again[outcome.known % shapes_->again.size()];
+  if (!outcome.known || known.modes != outcome.known)
+    return false;
+  tellAwake(known, outcome);
+  return true;
+}
+
+void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {
+  stateUse |= modes.asleepUse;
+  for (const auto &[event, listener] : modes.awake)
+    tellOne(outcome.events[event], listener);
 }
 
 /// Tells those that have not said that blocks of this shape do not interest them; false: that is
@@ -154,9 +169,12 @@ bool Dispatcher::tellKnown(const Block &block, const Outcome &outcome) {
   const uint64_t modes = modesOf(known.use, context_.before(), context_.after());
   for (const KnownModes &there : known.modes)
     if (there.modes == modes) {
-      stateUse |= there.asleepUse;
-      for (const auto &[event, listener] : there.awake)
-        tellOne(outcome.events[event], listener);
+      if (outcome.known) {
+        KnownModes &again = shapes_->again[outcome.known % shapes_->again.size()];
+        again = there;
+        again.modes = outcome.known;
+      }
+      tellAwake(there, outcome);
       return true;
     }
   findOut(known, outcome);

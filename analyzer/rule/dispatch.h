@@ -85,7 +85,7 @@ private:
   };
   /// What was found out of blocks of one shape in some modes.
   struct KnownModes {
-    uint64_t modes = 0; ///< see `modesOf`; 0: nothing is known
+    uint64_t modes = 0; ///< see `modesOf`, or `Outcome::known`; 0: nothing is known
     std::vector<Awake> awake;
     StateUse asleepUse; ///< what the others looked at
   };
@@ -103,8 +103,12 @@ private:
     unsigned next = 0;                  ///< which of them is given up next
     std::array<uint64_t, places> met{}; ///< by place: the shape that was met there last
     std::array<uint8_t, places> at{};   ///< which of `all` it may be
+    /// The same by `Outcome::known`, which says shape and modes.
+    std::array<KnownModes, 256> again;
   };
+  bool tellAgain(const Outcome &outcome);
   bool tellKnown(const Block &block, const Outcome &outcome);
+  void tellAwake(const KnownModes &modes, const Outcome &outcome);
   void makeRoom(uint64_t shape);
   void findOut(KnownShape &shape, const Outcome &outcome);
   void tellAll(const Outcome &outcome);

@@ -69,11 +69,6 @@ inline CodeIndex Execution::plainMoveCode() const {
 }
 
 namespace {
-/// Whether a condition asks for no number of the block.
-bool asksNoNumber(const Condition &condition) {
-  return condition.broken.empty() && condition.formula.empty();
-}
-
 /// Whether a modal code that is in force already does nothing when it is named again, whatever the
 /// numbers of the block.
 bool isBare(const Dialect &dialect, const CodeInfo &code) {
@@ -93,10 +88,10 @@ bool isBare(const Dialect &dialect, const CodeInfo &code) {
   }
   const GroupInfo &group = dialect.groups[code.group];
   return !group.oneShot && !group.forgetsFeed &&
-         llvm::all_of(code.variants,
-                      [](const Variant &variant) { return asksNoNumber(variant.when); }) &&
-         llvm::all_of(code.notices,
-                      [](const Notice &notice) { return asksNoNumber(notice.when); }) &&
+         llvm::none_of(code.variants,
+                       [](const Variant &variant) { return asksNumber(variant.when); }) &&
+         llvm::none_of(code.notices,
+                       [](const Notice &notice) { return asksNumber(notice.when); }) &&
          code.stores.empty() && code.effect.index == 0xFF && code.places[0].empty() &&
          !code.ownMove && !code.returns && !code.leavesNoSpeed && !code.traits;
 }

@@ -3,8 +3,8 @@
 
 #include "interp/evaluate/condition.h"
 #include "interp/evaluate/expression.h"
+#include "interp/execute/known_move.h"
 #include "interp/execute/mode_masks.h"
-#include "interp/execute/plain_move.h"
 #include "interp/geometry/plane_place.h"
 #include "interp/state/event.h"
 #include "interp/state/modes.h"
@@ -36,6 +36,9 @@ public:
   /// The block, which has just been executed, as a plain move that may follow itself; nothing when
   /// its numbers decide more than where it leads.
   std::optional<PlainMove> asPlainMove() const;
+  /// The same of a block that is spelled as this one, in the same modes. `use`: what executing it
+  /// has looked at.
+  std::optional<KnownMove> asKnownMove(const StateUse &use) const;
 
 private:
   // execution.cpp: the order of things
@@ -58,6 +61,13 @@ private:
   void forgetTargets();
   void unsetReads();
   void finish();
+
+  // make_known_move.cpp
+  bool isKnownCode(const CodeUse &use) const;
+  bool isKnownKind() const;
+  bool isKnownMotion(KnownMove &move) const;
+  bool isKnownHole(KnownMove &move) const;
+  bool knownPlaces(KnownMove &move, const StateUse &use) const;
 
   // statements.cpp: Macro B
   /// The IF of the block, as far as its items have been run.

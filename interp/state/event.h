@@ -241,6 +241,9 @@ struct Outcome {
   bool plainMove = false;
   Truth callsModally = Truth::No; ///< whether the modal call in force runs after this block
   bool foreign = false;           ///< the block is another control's language: nothing is known
+  /// Blocks of the same number in one run do the same in the same modes but for their coordinates,
+  /// and leave the same modes. 0: nothing is known of it.
+  uint64_t known = 0;
   /// The point that the words give where the motion does not end there: on the path to the
   /// reference point, and of a line by its angle. Of no meaning in other blocks.
   std::array<Interval, axisCount> via;
@@ -258,6 +261,7 @@ struct Outcome {
     plainMove = false;
     callsModally = Truth::No;
     foreign = false;
+    known = 0;
   }
   Event &emit(EventKind kind) {
     kinds |= bitOf(kind);

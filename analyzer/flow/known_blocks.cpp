@@ -1,0 +1,78 @@
+// Blocks that are spelled as one before them: how they are read, and what they do.
+#include "analyzer/flow/known_blocks.h"
+
+#include "formats/readers/spelling.h"
+
+namespace ncvet {
+
+/// Notes which spelling comes after that of the block before.
+void KnownBlocks::follow(Spelling *spelling) {
+  if (last_ && spelling && last_->followers[0] != spelling) {
+    last_->followers[1] = last_->followers[0];
+    last_->followers[0] = spelling;
+  }
+  last_ = spelling;
+}
+
+KnownBlocks::Spelling *KnownBlocks::read(uint32_t offset) {
+  if (!last_)
+    return nullptr;
+  for (Spelling *const follower : last_->followers)
+    if (follower && reader_.readAlike(offset, free_, follower->block)) {
+      follow(follower);
+      return follower;
+    }
+  return nullptr;
+}
+
+/// Room for a further spelling, perhaps that of an older one.
+KnownBlocks::Spelling &KnownBlocks::makeRoom(uint64_t number) {
+  if (spellings_.size() < mostSpellings)
+    spellings_.push_back(std::make_unique<Spelling>());
+  Spelling &room = *spellings_[serial_ % spellings_.size()];
+  room.number = number;
+  room.serial = ++serial_;
+  room.followers = {};
+  room.refused = 0;
+  return room;
+}
+
+KnownBlocks::Spelling *KnownBlocks::find(const Block &block) {
+  const uint64_t number = spellingOf(block, free_);
+  const size_t place = number % mostMet;
+  Spelling *spelling = nullptr;
+  if (number && std::exchange(met_[place], number) == number) {
+    spelling = at_[place];
+    if (!spelling || spelling->number != number)
+      at_[place] = spelling = &makeRoom(number);
+    spelling->block = block;
+  }
+  follow(spelling);
+  return spelling;
+}
+
+KnownBlocks::Known *KnownBlocks::find(const Spelling &spelling, uint64_t before) const {
+  for (const std::unique_ptr<Known> &known : known_[placeOf(spelling, before) % rows].known)
+    if (known && known->spelling == spelling.serial && known->before == before)
+      return known.get();
+  return nullptr;
+}
+
+bool KnownBlocks::meetsAgain(const Spelling &spelling, uint64_t before) {
+  const size_t place = placeOf(spelling, before) % mostMet;
+  const uint64_t both = spelling.number ^ before;
+  return std::exchange(metModes_[place], both) == both;
+}
+
+KnownBlocks::Known &KnownBlocks::add(const Spelling &spelling, uint64_t before) {
+  Row &row = known_[placeOf(spelling, before) % rows];
+  std::unique_ptr<Known> &known = row.known[row.next];
+  row.next = (row.next + 1) % places;
+  if (!known)
+    known = std::make_unique<Known>();
+  known->spelling = spelling.serial;
+  known->before = before;
+  return *known;
+}
+
+} // namespace ncvet

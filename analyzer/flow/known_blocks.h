@@ -1,0 +1,79 @@
+// Blocks that are spelled as one before them: how they are read, and what they do.
+#pragma once
+
+#include "formats/readers/quick_reader.h"
+#include "interp/execute/known_move.h"
+
+#include <memory>
+#include <vector>
+
+namespace ncvet {
+
+/// Remembers the spellings of blocks of one text that were met more than once, and what such blocks
+/// do in the modes in which they were executed. Belongs to one run of a region.
+class KnownBlocks {
+public:
+  /// A spelling, and the block that was read in it last.
+  struct Spelling {
+    uint64_t number = 0; ///< see `spellingOf`
+    uint64_t serial = 0; ///< another one when a further spelling takes the place of this one
+    Block block;
+    std::array<Spelling *, 2> followers{}; ///< of the blocks that came after such a one, the last
+                                           ///< one first; null: none
+    unsigned refused = 0;                  ///< how often such a block did more than is known
+  };
+  /// What a block of a spelling does in some modes.
+  struct Known {
+    uint64_t spelling = 0; ///< its serial number
+    uint64_t before = 0;   ///< the modes before it, see `modesNumber`
+    uint64_t after = 0;    ///< and after it
+    StateUse use;          ///< what executing it looks at
+    KnownMove move;
+    Outcome outcome; ///< whose words are those of the spelling's block
+  };
+
+  /// `free`: the words whose numbers may be any.
+  KnownBlocks(const QuickReader &reader, AddressMask free) : reader_(reader), free_(free) {}
+
+  /// Reads the block at `offset` where it is spelled as one that came after such a block as the one
+  /// before; null: it is not.
+  Spelling *read(uint32_t offset);
+  /// The spelling of a block that was read, which then holds the block; null: it is met for the
+  /// first time, or has none.
+  Spelling *find(const Block &block);
+  /// What such a block does in these modes; null: it is not known.
+  Known *find(const Spelling &spelling, uint64_t before) const;
+  /// Whether a block of the spelling is met in these modes again: then it is worth while to find
+  /// out what it does.
+  bool meetsAgain(const Spelling &spelling, uint64_t before);
+  /// Where to put what is found out.
+  Known &add(const Spelling &spelling, uint64_t before);
+
+private:
+  void follow(Spelling *spelling);
+  Spelling &makeRoom(uint64_t number);
+  static size_t placeOf(const Spelling &spelling, uint64_t modes) {
+    return size_t((spelling.number ^ modes) >> 32);
+  }
+
+  /// A program has some dozens of spellings, and perhaps many more that come once.
+  static constexpr size_t mostSpellings = 96, mostMet = 2048;
+  /// What is known is looked for in one of so many rows, each of so many places.
+  static constexpr size_t rows = 64, places = 4;
+  struct Row {
+    std::array<std::unique_ptr<Known>, places> known;
+    size_t next = 0; ///< which of them is given up next
+  };
+
+  const QuickReader &reader_;
+  const AddressMask free_;
+  Spelling *last_ = nullptr;                         ///< of the block before; null: it has none
+  std::vector<std::unique_ptr<Spelling>> spellings_; ///< one of them is given up for a further one
+  uint64_t serial_ = 0;                              ///< of the spelling met last
+  std::array<uint64_t, mostMet> met_{};      ///< by place: the spelling that was met there last
+  std::array<uint64_t, mostMet> metModes_{}; ///< the same of spellings and modes
+  std::array<Spelling *, mostMet> at_{};     ///< by place: the spelling that may be there
+  std::array<Row, rows> known_;
+};
+
+} // namespace ncvet

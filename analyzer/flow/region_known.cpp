@@ -1,0 +1,86 @@
+// Blocks of a region that are spelled as one before them: what they do is done again with their
+// numbers, where the modes are the same. It is what the general way in region_run.cpp does.
+#include "analyzer/flow/region_run.h"
+#include "interp/execute/make_known_move.h"
+#include "interp/state/modes_number.h"
+
+namespace ncvet {
+
+/// Reads the next block of the text, which is executed for the first time.
+void RegionRun::readStraight() {
+  if (!quick_ || run_.inFull) {
+    unit_.reader->read(at_, own_);
+    block_ = pattern_ = &own_;
+    return;
+  }
+  if (!known_)
+    known_ = std::make_unique<KnownBlocks>(*quick_, knownCoordinates(*unit_.dialect));
+  spelling_ = known_->read(at_);
+  if (!spelling_) {
+    unit_.reader->read(at_, own_);
+    spelling_ = known_->find(own_);
+  }
+  block_ = pattern_ = spelling_ ? &spelling_->block : &own_;
+}
+
+/// Makes `before_` the state, from which it only differs by what the block before did.
+void RegionRun::keepBefore(const MachineState &state) {
+  if (done_)
+    return done_->move.catchUp(state, before_);
+  keepMotion(state);
+  if (!outcome_->plainMove)
+    static_cast<ModeState &>(before_) = state;
+}
+
+/// The same after a block that has changed no modes.
+void RegionRun::keepMotion(const MachineState &state) {
+  static_cast<MotionState &>(before_) = state;
+  for (const CodeUse &use : outcome_->codes) { // which it has named though they were in force
+    const GroupIndex group = unit_.dialect->codes[use.code].group;
+    before_.origin.all()[group] = state.origin.all()[group];
+  }
+}
+
+/// Does what such blocks do in these modes; false: it is not known.
+bool RegionRun::doAsKnown(Live &live) {
+  constexpr unsigned hopeless = 8; // blocks of the spelling of which nothing could be known
+  if (lives_.size() != 1 || decision_ != Truth::Unknown || spelling_->refused >= hopeless) {
+    modes_ = 0;
+    return false;
+  }
+  if (!modes_)
+    modes_ = modesNumber(*unit_.dialect, live.state);
+  KnownBlocks::Known *const known = known_->find(*spelling_, modes_);
+  if (!known)
+    return false;
+  done_ = known;
+  outcome_ = &known->outcome;
+  modes_ = known->after;
+  blockUse_ = known->use;
+  stateUse |= blockUse_;
+  known->move.make(*block_, unit_.source.id(), before_, live.state, known->outcome);
+  return true;
+}
+
+/// The block was executed in full, in `modes_`: finds out what others like it do.
+void RegionRun::learn(Live &live) {
+  const uint64_t modes = std::exchange(modes_, 0);
+  if (!known_->meetsAgain(*spelling_, modes))
+    return;
+  if (!masks_)
+    masks_.emplace(*unit_.dialect, unit_.machine);
+  auto move = makeKnownMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), *block_,
+                            before_, live.state, *outcome_, blockUse_);
+  if (!move) {
+    ++spelling_->refused;
+    return;
+  }
+  KnownBlocks::Known &known = known_->add(*spelling_, modes);
+  known.move = std::move(*move);
+  known.outcome = *outcome_;
+  known.outcome.known = ++run_.knownBlocks;
+  known.use = blockUse_;
+  modes_ = known.after = modesNumber(*unit_.dialect, live.state);
+}
+
+} // namespace ncvet

@@ -1,0 +1,76 @@
+// A move or a hole whose block is spelled as one before it, in the modes in which that was
+// executed.
+#include "interp/execute/known_move.h"
+
+#include <cmath>
+
+namespace ncvet {
+
+void KnownMove::make(const Block &block, FileId file, const MachineState &before,
+                     MachineState &state, Outcome &outcome) const {
+  for (const Place &place : places) {
+    const Word &word = block.words[place.word];
+    state.origin.all()[place.part] = {file, word.offset, block.endOf(word)};
+  }
+  for (const Code &code : codes)
+    state.groups[code.group] = code.members;
+  state.statedMay = statedMay;
+  state.statedMust = statedMust;
+  state.factsMay = factsMay;
+  state.factsMust = factsMust;
+  state.feed.peek() = feed;
+  state.idleBlocks = idleBlocks;
+  if (forgetsLevel)
+    state.fedFrom.forget();
+  if (losesTool)
+    state.at(tool) = Interval::unknown();
+  for (const PlainMove::Step &step : steps)
+    step.target.move(block.words[step.word], unit, state);
+  state.machineAxes = machineAxes;
+  if (hole != HoleEnd::None)
+    drill(block, state, outcome);
+  else if (tracksDepth)
+    trackDepth(before, state, isRapid);
+}
+
+void KnownMove::drill(const Block &block, MachineState &state, Outcome &outcome) const {
+  CycleWords &cycle = state.cycle;
+  for (const PlainMove::Step &step : steps) {
+    const Word &word = block.words[step.word];
+    cycle.value[word.address] = word.value();
+  }
+  cycle.present = cycleWords;
+  outcome.holes[0] = state.position;
+  if (tracksDepth)
+    for (unsigned i = 0; i < 2; ++i)
+      state.cutArea.add(i, state.position[i]);
+  const Interval &initial = state.initialLevel;
+  if (hole == HoleEnd::Initial) {
+    state.at(tool) = initial;
+    return;
+  }
+  const double height = cycle.get('R');
+  const Interval approach =
+      std::isnan(height) ? Interval::unknown() : Interval::exactly(height * unit);
+  if (hole == HoleEnd::Approach)
+    state.at(tool) = approach;
+  else if (initial.isConstant() && approach.isConstant())
+    state.at(tool) = Interval::exactly(std::max(initial.value(), approach.value()));
+  else
+    state.at(tool) = Interval::unknown();
+}
+
+void KnownMove::catchUp(const MachineState &after, MachineState &before) const {
+  static_cast<MotionState &>(before) = after;
+  for (const Place &place : places)
+    before.origin.all()[place.part] = after.origin.all()[place.part];
+  for (const Code &code : codes)
+    before.groups[code.group] = code.members;
+  before.statedMay = statedMay;
+  before.statedMust = statedMust;
+  before.idleBlocks = idleBlocks;
+  if (hole != HoleEnd::None)
+    before.cycle = after.cycle;
+}
+
+} // namespace ncvet

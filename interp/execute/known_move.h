@@ -1,0 +1,60 @@
+// A move or a hole whose block is spelled as one before it, in the modes in which that was
+// executed.
+#pragma once
+
+#include "interp/execute/plain_move.h"
+
+#include <optional>
+
+namespace ncvet {
+
+/// Where a hole leaves the tool along its axis.
+enum class HoleEnd : uint8_t {
+  None,     ///< it is no hole, but a move
+  Initial,  ///< at the level where the cycle began
+  Approach, ///< at its level of approach
+  Higher    ///< at the higher one of both
+};
+
+/// All that executing such a block does: what its numbers do not decide as it was the last time,
+/// and where they lead.
+struct KnownMove {
+  struct Code {
+    uint8_t group;
+    uint64_t members; ///< in force after the block
+  };
+  /// A part of the state that a word of the block has set.
+  struct Place {
+    uint8_t part; ///< index in `OriginState::all`
+    uint8_t word; ///< index in `Block::words`
+  };
+  llvm::SmallVector<PlainMove::Step, 6> steps;
+  llvm::SmallVector<Code, 2> codes; ///< of groups in which others were in force before it
+  llvm::SmallVector<Place, 4> places;
+  double unit = 1; ///< millimetres per programmed unit of length
+  bool isRapid = false;
+  bool tracksDepth = false;  ///< of a mill
+  bool forgetsLevel = false; ///< from which the tool was fed down
+  bool losesTool = false;    ///< where it is along its axis is not known before the move
+  HoleEnd hole = HoleEnd::None;
+  Axis tool = Axis::Z; ///< the axis along which it drills
+  // As they are after the block.
+  uint64_t statedMay = 0, statedMust = 0;
+  uint64_t factsMay = 0, factsMust = 0;
+  uint32_t machineAxes = 0;
+  uint32_t cycleWords = 0;
+  uint8_t idleBlocks = 0;
+  Interval feed;
+
+  /// Does to `state`, which equals `before`, what executing the block does, and puts the hole into
+  /// `outcome`.
+  void make(const Block &block, FileId file, const MachineState &before, MachineState &state,
+            Outcome &outcome) const;
+  /// Makes `before`, the state before such a move, what `after` is.
+  void catchUp(const MachineState &after, MachineState &before) const;
+
+private:
+  void drill(const Block &block, MachineState &state, Outcome &outcome) const;
+};
+
+} // namespace ncvet

@@ -1,0 +1,13 @@
+// All modes of a state as one number.
+#pragma once
+
+#include "interp/state/state.h"
+
+namespace ncvet {
+
+/// A number for all that the state knows but for coordinates, levels, the words of the cycle in
+/// force, and variables: codes in force, facts of the past, tool and technology, switches,
+/// compensation. Nothing is noted as looked at.
+uint64_t modesNumber(const Dialect &dialect, const MachineState &state);
+
+} // namespace ncvet
