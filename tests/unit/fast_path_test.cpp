@@ -123,12 +123,93 @@ std::string randomMilling(unsigned seed) {
   return text + "M99\n%\n";
 }
 
+/// A few spellings in turn, again and again, with other numbers each time, in modes that change
+/// between them.
+std::string randomRows(unsigned seed) {
+  std::mt19937 dice(seed);
+  const auto one = [&](std::initializer_list<const char *> list) {
+    return std::string(list.begin()[dice() % list.size()]);
+  };
+  std::string text = "%\nO1000\nG21 G17 G90 G94 G40 G49 G80\nT1 M6\nG54 S1000 M3\nG0 X0. Y0. Z5.\n"
+                     "G1 Z-1. F200.\n";
+  for (unsigned piece = 0; piece < 12; ++piece) {
+    text += one({"",
+                 "G91\n",
+                 "G90\n",
+                 "G18\n",
+                 "G17\n",
+                 "G20\n",
+                 "G21\n",
+                 "G41 D1 X1. Y1.\n",
+                 "G40 X0. Y0.\n",
+                 "G98 G81 X1. Z-2. R1. F100.\n",
+                 "G99 G73 X1. Z-5. R1. Q1.\n",
+                 "G80\n",
+                 "F77.\n",
+                 "M5\n",
+                 "S900 M3\n",
+                 "G55\n",
+                 "G53 G0 Z0.\n",
+                 "T2 M6\n",
+                 "G95\n",
+                 "G68 X0. Y0. R10.\n",
+                 "G69\n",
+                 "G52 X1.\n",
+                 "G0 Z5.\n",
+                 "G16\n",
+                 "G15\n",
+                 "G84 R1.\n"});
+    std::vector<std::string> spellings;
+    for (unsigned i = dice() % 4 + 1; i > 0; --i)
+      spellings.push_back(one({"X@ Y@",
+                               "X@",
+                               "Z@",
+                               "G1 X@ Y@",
+                               "G0 X@ Y@ Z@",
+                               "G2 X@ Y@ R@",
+                               "G3 X@ Y@ I@ J@",
+                               "G2 I@",
+                               "X@ Y@ (CORNER)",
+                               "N7 G1 X@",
+                               "G90 G94 G17 G1 X@ Y@ F200.",
+                               "G91 X@",
+                               "G49 X@ Z@",
+                               "G54 G80 X@ Y@",
+                               "G1 X@ Y@ S1000 M3 D2 F200.",
+                               "G98 X@",
+                               "U@",
+                               "G1 X@ A@",
+                               "X@ R@",
+                               "G40 X@",
+                               "G41 X@ Y@ D1",
+                               "G18 G49 X@",
+                               "M8 X@",
+                               "G4 P@",
+                               "X@ K@",
+                               "G1 X@ ,R@"}));
+    for (unsigned round = dice() % 6 + 2; round > 0; --round)
+      for (const std::string &spelling : spellings) {
+        for (const char c : spelling)
+          text += c == '@' ? std::to_string(int(dice() % 200) - 100) + "." +
+                                 std::to_string(dice() % 1000)
+                           : std::string(1, c);
+        text += "\n";
+      }
+  }
+  return text + "M30\n%\n";
+}
+
 std::vector<Sample> randomPrograms() {
   std::vector<Sample> all;
   for (unsigned seed = 0; seed < 120; ++seed)
     for (const char *dialect : {"fanuc-0m", "haas-mill", "nct-104m", "linuxcnc", "fanuc-mill"})
       if (seed % 5 == 0 || std::string(dialect) == "haas-mill")
         all.push_back({dialect, "random " + std::to_string(seed), randomMilling(seed), ""});
+  for (unsigned seed = 0; seed < 200; ++seed)
+    for (const char *dialect :
+         {"fanuc-0m", "haas-mill", "nct-104m", "linuxcnc", "sinumerik", "fanuc-0t"})
+      if (seed % 4 == 0 || std::string(dialect) == "fanuc-0m")
+        all.push_back({dialect, "rows " + std::to_string(seed), randomRows(seed), ""});
   return all;
 }
 
