@@ -39,7 +39,7 @@ public:
         nearCut(event, ctx);
       return;
     }
-    if (isFedClear(ctx))
+    if (isFedClear(ctx) || (ctx.dialect().isLathe() && !goesAway(ctx, 3)))
       return;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding.message(
@@ -165,7 +165,7 @@ private:
     SourceRange last;
     const Place cut = lastCut(ctx, last);
     if (!cut.x || !cut.z || last.empty() || std::fabs(x.value() - *cut.x * *unit) > nearX ||
-        std::fabs(z.value() - *cut.z * *unit) > nearZ || !goesAway(ctx, *unit))
+        std::fabs(z.value() - *cut.z * *unit) > nearZ || !goesAway(ctx, 2))
       return;
     if (auto finding = ctx.report(event, false))
       finding
@@ -175,36 +175,48 @@ private:
           .note(last, "this move ends there");
   }
 
+  /// How far a program goes at rapid and at feed, in mm and mm of the diameter.
+  struct Reach {
+    double x = 0, z = 0;
+
+    void take(const Reach &place) {
+      x = std::max(x, place.x);
+      z = std::max(z, place.z);
+    }
+  };
+
   /// Somewhere the program takes its tools away from the part: home, to a machine position, or far
-  /// off. Where it never does, the tools are side by side on the slide, and a change turns nothing.
-  static bool goesAway(const RuleContext &ctx, double unit) {
-    constexpr double far = 40;        // mm before the zero point
-    constexpr double farX = 60;       // mm of the diameter beyond the widest cut
-    constexpr unsigned most = 20'000; // blocks; a longer program is for no gang of tools
+  /// off. Where it never does, the tools are side by side on the slide, and a change turns nothing:
+  /// so it is taken to be from `fewest` words of tools on.
+  static bool goesAway(const RuleContext &ctx, unsigned fewest) {
+    constexpr double farZ = 40, farX = 60; // mm beyond what is cut; X of the diameter
+    constexpr unsigned most = 20'000;      // blocks; a longer program is for no gang of tools
     const Dialect &dialect = ctx.dialect();
+    const auto unit = millimetresPer(dialect, ctx.before());
+    if (!unit)
+      return true;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    double widest = 0, cut = 0;
+    Reach at, moved, cut;
     bool rapid = true;
-    unsigned seen = 0;
+    unsigned seen = 0, tools = 0;
     for (const Block &block : blocks(ctx.index().reader(), program.body, program.end, most)) {
       if (++seen == most || findCode(dialect, block, {Action::ReferenceReturn}) ||
-          findCode(dialect, block, {Action::MachineMove}) ||
-          findCode(dialect, block, {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
+          findCode(dialect, block, {Action::MachineMove}))
         return true;
+      tools += block.has(letterAddress('T'));
       if (findCode(dialect, block, {Action::Rapid}))
         rapid = true;
       else if (hasMotionCode(dialect, block))
         rapid = false;
-      if (block.hasAny(dialect.incrementWords))
+      if (!block.hasAny(dialect.axisWords) || findCode(dialect, block, {Action::PresetPosition}))
         continue;
-      if (const Word *word = block.find('Z'); word && word->value() * unit >= far)
-        return true;
-      if (const Word *word = block.find('X')) {
-        double &largest = rapid ? widest : cut;
-        largest = std::max(largest, word->value() * unit);
-      }
+      if (const Word *word = block.find('X'))
+        at.x = word->value() * *unit;
+      if (const Word *word = block.find('Z'))
+        at.z = word->value() * *unit;
+      (rapid ? moved : cut).take(at);
     }
-    return widest > cut + farX;
+    return tools < fewest || moved.x > cut.x + farX || moved.z > cut.z + farZ;
   }
 
   /// Where the last cut by a straight line or an arc ended, and the rapid move that is the last one
