@@ -165,7 +165,7 @@ private:
     SourceRange last;
     const Place cut = lastCut(ctx, last);
     if (!cut.x || !cut.z || last.empty() || std::fabs(x.value() - *cut.x * *unit) > nearX ||
-        std::fabs(z.value() - *cut.z * *unit) > nearZ || !goesAway(ctx, 2))
+        std::fabs(z.value() - *cut.z * *unit) > nearZ || !goesAway(ctx, 3))
       return;
     if (auto finding = ctx.report(event, false))
       finding
