@@ -12,8 +12,6 @@ namespace ncvet {
 namespace {
 
 constexpr double tolerance = 0.01; // mm
-/// Directions are parallel when their sine is below this.
-constexpr double parallel = 1e-6;
 
 /// The number after an address in the words of a definition, which the reader keeps as one text;
 /// none where it is missing or computed.
@@ -58,7 +56,7 @@ bool lineMeets(const ElementGeometry &line, const ElementGeometry &other) {
   case ElementGeometry::Kind::Line:
     break;
   }
-  return std::fabs(sineOf(line.size - other.size)) > parallel ||
+  return std::fabs(sineOf(line.size - other.size)) > parallelSine ||
          distanceFrom(line, other.x, other.y) <= tolerance;
 }
 

@@ -1,6 +1,7 @@
 // The path after the current block, followed in the text for rules that look at two elements.
 #include "analyzer/facts/path_ahead.h"
 
+#include "interp/geometry/line.h"
 #include "interp/path/arc_block.h"
 
 #include <cmath>
@@ -13,8 +14,6 @@ namespace {
 /// Blocks without a move that may be between two elements.
 constexpr unsigned blocksBetween = 3;
 constexpr double shortest = 1e-6; // mm
-/// Directions are parallel when their sine is below this.
-constexpr double parallel = 1e-6;
 
 /// Whether what comes after the block runs in the state that the block leaves.
 bool goesOn(const Outcome &outcome) {
@@ -152,7 +151,7 @@ std::optional<std::array<double, 2>> takenByRounding(double radius, const Contou
                                                      const ContourElement &out) {
   constexpr double nowhere = std::numeric_limits<double>::infinity();
   const double turn = cross(in.direction(in.to), out.direction(out.from));
-  if (std::fabs(turn) < parallel)
+  if (std::fabs(turn) < parallelSine)
     return std::nullopt;
   const double left = turn > 0 ? radius : -radius;
   if ((in.arc && in.radiusBeside(left) <= 0) || (out.arc && out.radiusBeside(left) <= 0))
@@ -168,7 +167,7 @@ std::optional<double> takenByCorner(const CornerRequest &corner, const StraightE
                                     const StraightElement &out) {
   const Vector a = in.direction(), b = out.direction();
   const double sine = std::fabs(cross(a, b)), cosine = a.dot(b);
-  if (sine < parallel)
+  if (sine < parallelSine)
     return std::nullopt;
   switch (corner.kind) {
   case CornerRequest::Kind::Rounding:

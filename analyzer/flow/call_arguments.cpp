@@ -7,20 +7,6 @@ namespace ncvet {
 
 namespace {
 
-/// The block of a program that says what it takes; none when it takes nothing.
-std::optional<Block> parametersOf(const Callee &callee) {
-  Block head;
-  uint32_t at = callee.program->body;
-  for (; at < callee.program->end; at = head.next) {
-    callee.unit->reader->read(at, head);
-    if (!head.isEmpty())
-      break;
-  }
-  if (llvm::any_of(head.items, [](const Item &i) { return i.kind == ItemKind::Parameters; }))
-    return head;
-  return std::nullopt;
-}
-
 /// Whether an argument is a variable, so that a value can come back in it. An element of an array
 /// with several indices is one whose value is not followed.
 bool isVariable(const Block &block, uint16_t expression) {
@@ -46,7 +32,7 @@ std::optional<FlowIssue> wrongWith(const Block &block, llvm::ArrayRef<Argument> 
         (type == VariableType::Integer || type == VariableType::Real ||
          type == VariableType::Boolean))
       return FlowIssue::ArgumentType;
-    if (left && taken[i].expression == noExpression && !taken[i].byReference && given.size() > 0)
+    if (left && taken[i].expression == noExpression && !taken[i].byReference && !given.empty())
       return FlowIssue::ArgumentLeftOut;
   }
   return std::nullopt;
@@ -105,15 +91,14 @@ void checkArguments(FlowRun &run, const Step &step, const Callee &callee, const 
   if (!run.listeners.want(EventKind::FlowIssue))
     return;
   const SourceRange where{step.unit().source.id(), call.begin, call.end};
-  const std::optional<Block> head = parametersOf(callee);
+  const Block head = headOf(*callee.unit->reader, *callee.program);
   llvm::ArrayRef<Argument> taken;
   SourceRange related;
-  if (head)
-    for (const Item &item : head->items)
-      if (item.kind == ItemKind::Parameters) {
-        taken = head->argumentsOf(item);
-        related = {callee.unit->source.id(), item.begin, item.end};
-      }
+  for (const Item &item : head.items)
+    if (item.kind == ItemKind::Parameters) {
+      taken = head.argumentsOf(item);
+      related = {callee.unit->source.id(), item.begin, item.end};
+    }
   if (const auto wrong = wrongWith(step.block, step.block.argumentsOf(call), taken))
     return run.issue(*wrong, step, where, related);
   for (unsigned i = mismatches(step, call, taken); i > 0; --i)
@@ -139,11 +124,7 @@ void bindPositions(const Block &block, const Item &call, const MachineState &cal
 
 void bindArguments(const Callee &callee, llvm::ArrayRef<GivenArgument> given,
                    const MachineState &caller, MachineState &state, Passes &passes) {
-  Block head;
-  callee.unit->reader->read(callee.program->body, head);
-  for (uint32_t at = callee.program->body;
-       head.isEmpty() && head.next < callee.program->end && head.next > at; at = head.next)
-    callee.unit->reader->read(head.next, head);
+  const Block head = headOf(*callee.unit->reader, *callee.program);
   for (const Item &item : head.items) {
     if (item.kind != ItemKind::Parameters)
       continue;

@@ -25,7 +25,6 @@ static void keepModes(const MachineState &before, MachineState &after, const Dia
   after.compensation = before.compensation;
   after.cycle = before.cycle;
   after.initialLevel = before.initialLevel;
-  after.modalCalls = before.modalCalls;
 }
 
 /// Compensation that is off stays off: what is called ends what it begins itself.
@@ -50,7 +49,8 @@ void Calls::goOnUnknown(Step &step) {
     keepModes(before, step.live.state, dialect);
   else
     keepCompensationOff(before, step.live.state, dialect);
-  if (dialect.variableRanges.namedLocal) // no call changes those of its caller
+  step.live.state.modalCalls = before.modalCalls; // nobody leaves one on for a caller
+  if (dialect.variableRanges.namedLocal)          // no call changes those of its caller
     step.live.state.locals = locals;
   step.goOn();
 }

@@ -138,4 +138,8 @@ private:
   mutable std::optional<std::vector<Suppression>> suppressions_;
 };
 
+/// Reads the first block of the program that holds more than a comment: the one that says what the
+/// program takes, where it does. An empty block: there is none.
+Block headOf(const Reader &reader, const ProgramInfo &program);
+
 } // namespace ncvet

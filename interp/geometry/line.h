@@ -7,6 +7,9 @@
 
 namespace ncvet {
 
+/// Directions are parallel when their sine is below this.
+constexpr double parallelSine = 1e-6;
+
 /// Where two lines meet, each given by a point and a direction; none when they are parallel.
 std::optional<Point> intersection(const Point &p, const Vector &d, const Point &q, const Vector &e);
 

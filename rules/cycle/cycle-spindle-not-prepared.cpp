@@ -1,6 +1,7 @@
 // A cycle needs something of the spindle that the machine does not have or that was not prepared.
+#include "analyzer/facts/blocks_since.h"
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 #include "analyzer/rule/rule.h"
 
 namespace ncvet {
@@ -16,9 +17,9 @@ public:
     if (to.dialect().orientWords)
       to.onCode([](const CodeInfo &code) { return tapsByMove(code); });
     tapDirectly_ = to.flag("tapDirectly");
-    for (GroupIndex i = 0; i < to.dialect().groups.size(); ++i)
+    for (size_t i = 0; i < to.dialect().groups.size(); ++i)
       if (to.dialect().groups[i].id == "tapping-mode")
-        tapping_ = i;
+        tapping_ = GroupIndex(i);
     if (tapDirectly_ && tapping_ != noGroup)
       to.onCode([](const CodeInfo &code) { return taps(code); });
   }
@@ -50,23 +51,21 @@ private:
   /// Moves and speeds between the code that prepares rigid tapping and its cycle.
   void between(const Event &event, RuleContext &ctx) const {
     const Origin &origin = ctx.before().origin.ofGroup(tapping_);
-    if (!origin.known() || origin.file != ctx.source().id() || origin.begin >= ctx.block().begin)
+    if (!origin.known())
       return;
     SourceRange moved;
-    bool certain = event.certain, first = true;
-    for (const Block &block :
-         blocks(ctx.index().reader(), lineBegin(origin, ctx), ctx.block().begin)) {
-      if (std::exchange(first, false))
-        continue; // the block of the code itself
+    bool certain = event.certain;
+    const auto look = [&](const FileUnit &unit, const Block &block) {
       // The spindle is free again: another code prepares the next cycle.
       if (block.hasLabel() || findCode(ctx.dialect(), block, {Action::CycleCancel, Action::Cycle}))
-        return;
+        return false;
       if (!moved.end && block.hasAny(ctx.dialect().axisWords | maskOf(letterAddress('S')))) {
-        moved = {ctx.source().id(), block.begin, block.next};
+        moved = {unit.source.id(), block.begin, block.next};
         certain &= block.skip < 0;
       }
-    }
-    if (!moved.end)
+      return true;
+    };
+    if (!blocksSince(origin, ctx, look) || !moved.end)
       return;
     if (auto finding = ctx.report(event, certain))
       finding
@@ -75,12 +74,6 @@ private:
                    ctx.text(*event.word), ctx.text(origin.range()))
           .severity(Severity::Error)
           .note(origin, "rigid tapping is prepared here");
-  }
-
-  static uint32_t lineBegin(const Origin &origin, const RuleContext &ctx) {
-    const llvm::StringRef text = ctx.source().text();
-    const size_t end = text.rfind('\n', origin.begin);
-    return end == llvm::StringRef::npos ? 0 : uint32_t(end + 1);
   }
 
   static bool tapsByMove(const CodeInfo &code) {

@@ -112,12 +112,7 @@ private:
 
   /// `SAVE`: the caller gets its modes back.
   static bool givesBack(const ProgramInfo &program, const RuleContext &ctx) {
-    Block head;
-    for (uint32_t at = program.body; at < program.end; at = head.next) {
-      ctx.index().read(at, head);
-      if (!head.isEmpty() || head.next <= at)
-        break;
-    }
+    const Block head = headOf(ctx.index().reader(), program);
     return llvm::any_of(head.items, [](const Item &item) { return item.restores; });
   }
 

@@ -1,0 +1,62 @@
+// The blocks between a cause and the current block, as far as the text tells the way.
+#include "analyzer/facts/blocks_since.h"
+
+#include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
+
+namespace ncvet {
+
+namespace {
+
+/// Part of a program that was executed on the way.
+struct Stretch {
+  FileUnit *unit = nullptr;
+  uint32_t begin = 0, end = 0;
+  bool isCall = false; ///< its last block is the call of the next one
+};
+
+uint32_t lineBegin(const SourceFile &source, uint32_t offset) {
+  const size_t end = source.text().rfind('\n', offset);
+  return end == llvm::StringRef::npos ? 0 : uint32_t(end + 1);
+}
+
+/// The innermost program first; empty: the origin is in none of them.
+llvm::SmallVector<Stretch, 4> wayFrom(const Origin &origin, const RuleContext &ctx) {
+  llvm::SmallVector<Stretch, 4> way;
+  FileUnit *unit = &ctx.unit();
+  const ProgramInfo *program = &ctx.index().programAt(ctx.block().begin);
+  uint32_t end = ctx.block().begin;
+  const CallSite *caller = ctx.caller();
+  for (;;) {
+    const bool isHere =
+        origin.file == unit->source.id() && origin.begin >= program->begin && origin.begin < end;
+    way.push_back({unit, isHere ? lineBegin(unit->source, origin.begin) : program->body, end,
+                   unit != &ctx.unit() || end != ctx.block().begin});
+    if (isHere)
+      return way;
+    if (!caller || !caller->unit)
+      return {};
+    unit = caller->unit;
+    program = caller->program;
+    end = caller->next;
+    caller = caller->before;
+  }
+}
+
+} // namespace
+
+bool blocksSince(const Origin &origin, const RuleContext &ctx,
+                 llvm::function_ref<bool(const FileUnit &, const Block &)> look) {
+  const llvm::SmallVector<Stretch, 4> way = wayFrom(origin, ctx);
+  bool isFirst = true;
+  for (const Stretch &part : llvm::reverse(way))
+    for (const Block &block : blocks(*part.unit->reader, part.begin, part.end)) {
+      if (std::exchange(isFirst, false) || (part.isCall && block.next >= part.end))
+        continue;
+      if (!look(*part.unit, block))
+        return false;
+    }
+  return !way.empty();
+}
+
+} // namespace ncvet
