@@ -18,6 +18,8 @@ public:
       return;
     if (ctx.after().lengthOffset != notSet)
       return ofToolBefore(event, ctx);
+    if (ctx.dialect().offsetsOfTool) // without a number the length is that of the tool
+      return;
     if (auto finding = ctx.report(event, !ctx.after().may(Fact::UnknownCode)))
       finding.message(
           "`{0}` without an H, and none was programmed before: the length offset is zero",
