@@ -382,10 +382,12 @@ void Check::writeLastLines() const {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   const bool forPeople = request_.forPeople();
-  if (request_.stats)
+  if (request_.stats) {
     writeStats(jobs_, report_, cache_ ? cache_->known() : 0, seconds);
-  else if (forPeople && !failed_) // what went wrong comes first, and alone
+  } else if (forPeople && !failed_) { // what went wrong comes first, and alone
+    writeCuts(jobs_);
     writeGuess(jobs_);
+  }
   if (forPeople)
     writeSummary(request_, jobs_, report_);
 }

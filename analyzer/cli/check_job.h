@@ -25,6 +25,8 @@ struct Job {
 void writeSummary(const CheckRequest &request, llvm::ArrayRef<Job> jobs, const Report &report);
 /// Which controls were guessed, in one line; nothing when none was.
 void writeGuess(llvm::ArrayRef<Job> jobs);
+/// Which programs could not be followed to the end, in one line; nothing when none was.
+void writeCuts(llvm::ArrayRef<Job> jobs);
 /// `--stats`: of each file its control and its blocks, and the speed of all, of which so many were
 /// known from an earlier run.
 void writeStats(llvm::ArrayRef<Job> jobs, const Report &report, size_t known, double seconds);

@@ -139,6 +139,25 @@ void writeGuess(llvm::ArrayRef<Job> jobs) {
   out << "; --dialect names it\n";
 }
 
+void writeCuts(llvm::ArrayRef<Job> jobs) {
+  const Job *one = nullptr;
+  size_t files = 0;
+  for (const Job &job : jobs)
+    if (!job.outcome.cuts.empty()) {
+      one = &job;
+      ++files;
+    }
+  if (!one)
+    return;
+  llvm::raw_ostream &out = llvm::errs();
+  if (files == 1)
+    out << one->input.display
+        << ": cut short, findings may be missing: " << one->outcome.cuts.front() << '\n';
+  else
+    out << "cut short, findings may be missing: " << counted(files, "file")
+        << "; --stats names them\n";
+}
+
 void writeStats(llvm::ArrayRef<Job> jobs, const Report &report, size_t known, double seconds) {
   llvm::raw_ostream &out = llvm::errs();
   uint64_t blocks = 0;

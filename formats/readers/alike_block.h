@@ -154,9 +154,9 @@ private:
 /// Reads the block at `offset` over the one that `block` holds, when it has the same words in the
 /// same order, each a plain number with a point where that one has a point: of the addresses
 /// `free` any number, of the others the same. `block` must be an `isAlikePattern` of this text.
-/// `comment` gives the place after the comment at a place, or the place
-/// itself where none is that only says something. False: the text is another, or only the reader
-/// can tell; `block` then holds no block, but is the same pattern still.
+/// `comment` gives for a place in the text the place after the comment there, or the same place
+/// when there is none, or one that may mean something. False: the text is another, or only the
+/// reader can tell; `block` then holds no block, but is the same pattern still.
 template <bool (*Blank)(char), AlikeGrammar grammar, typename Find>
 bool readAlike(llvm::StringRef text, uint32_t offset, AddressMask free, Block &block,
                Find comment) {

@@ -8,7 +8,12 @@
 namespace ncvet {
 namespace {
 
-class ToolChangeNearPart final : public Rule {
+struct ToolChangeNearPartMemory {
+  /// By the begin of a program: it takes its tools away from the part.
+  Aside<std::map<TextPlace, bool>> goesAway;
+};
+
+class ToolChangeNearPart final : public StatefulRule<ToolChangeNearPartMemory> {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::ToolChange); }
 
@@ -39,7 +44,7 @@ public:
         nearCut(event, ctx);
       return;
     }
-    if (isFedClear(ctx) || (ctx.dialect().isLathe() && !goesAway(ctx, 3)))
+    if (isFedClear(ctx) || (ctx.dialect().isLathe() && isForGang(ctx)))
       return;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding.message(
@@ -150,7 +155,7 @@ private:
 
   /// On a lathe the last rapid move ends close to where the tool has cut last, whatever it did
   /// between: it went away and came back.
-  static void nearCut(const Event &event, RuleContext &ctx) {
+  void nearCut(const Event &event, RuleContext &ctx) const {
     constexpr double nearX = 10, nearZ = 20; // mm, X of the diameter
     const MachineState &before = ctx.before();
     const Interval &x = before.at(Axis::X), &z = before.at(Axis::Z);
@@ -165,7 +170,7 @@ private:
     SourceRange last;
     const Place cut = lastCut(ctx, last);
     if (!cut.x || !cut.z || last.empty() || std::fabs(x.value() - *cut.x * *unit) > nearX ||
-        std::fabs(z.value() - *cut.z * *unit) > nearZ || !goesAway(ctx, 3))
+        std::fabs(z.value() - *cut.z * *unit) > nearZ || isForGang(ctx))
       return;
     if (auto finding = ctx.report(event, false))
       finding
@@ -185,12 +190,23 @@ private:
     }
   };
 
+  /// The tools are side by side on the slide, and a change turns nothing: there are three or more,
+  /// and nowhere does the program take one away from the part. Found out once a program.
+  bool isForGang(const RuleContext &ctx) const {
+    const uint32_t begin = ctx.index().programAt(ctx.block().begin).begin;
+    const auto [known, fresh] =
+        memory().goesAway.look().try_emplace(TextPlace{ctx.source().id(), begin}, false);
+    if (fresh)
+      known->second = goesAway(ctx);
+    return !known->second;
+  }
+
   /// Somewhere the program takes its tools away from the part: home, to a machine position, or far
-  /// off. Where it never does, the tools are side by side on the slide, and a change turns nothing:
-  /// so it is taken to be from `fewest` words of tools on.
-  static bool goesAway(const RuleContext &ctx, unsigned fewest) {
+  /// off; or it has too few of them for a gang.
+  static bool goesAway(const RuleContext &ctx) {
     constexpr double farZ = 40, farX = 60; // mm beyond what is cut; X of the diameter
     constexpr unsigned most = 20'000;      // blocks; a longer program is for no gang of tools
+    constexpr unsigned fewest = 3;         // words of tools
     const Dialect &dialect = ctx.dialect();
     const auto unit = millimetresPer(dialect, ctx.before());
     if (!unit)

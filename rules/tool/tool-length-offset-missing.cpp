@@ -44,7 +44,8 @@ public:
     const bool certain =
         event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
     const Origin &origin = state.origin.of(StatePart::Tool);
-    if (!memory().once.speaks(origin, ctx) || isMeasured(ctx))
+    if (!memory().once.maySpeak(origin, ctx) || isMeasured(ctx) ||
+        !memory().once.speaks(origin, ctx))
       return;
     // A program that never speaks of length offsets may be for a machine without any, and with one
     // tool the zero is where this tool touched the work.

@@ -68,6 +68,20 @@ TEST(CheckCommand, AGuessIsAFieldOfTheJsonReport) {
               HasSubstr("\"guess\":null"));
 }
 
+TEST(CheckCommand, SaysInOneLineWhatCouldNotBeFollowedToTheEnd) {
+  std::string program = "%\nO1\nG21 G90 G54\nS100 M3\nGOTO #100\n";
+  for (unsigned i = 1; i < 100; ++i)
+    program += "N" + std::to_string(i) + " G1 X" + std::to_string(i) + ". F100.\n";
+  Shop shop;
+  shop.file("a.nc", program + "M30\n%\n");
+  const ProcessResult one = shop.run({"check", "--dialect", "fanuc-mill", "a.nc"});
+  EXPECT_THAT(one.err, HasSubstr("a.nc: cut short, findings may be missing: a computed jump may "
+                                 "lead to too many blocks\n"));
+  shop.file("b.nc", program + "M30\n%\n");
+  EXPECT_THAT(shop.run({"check", "--dialect", "fanuc-mill", "a.nc", "b.nc"}).err,
+              HasSubstr("cut short, findings may be missing: 2 files; --stats names them\n"));
+}
+
 TEST(CheckCommand, ExitsWithOneWhenSomethingIsFound) {
   Shop shop;
   shop.file("a.nc", programWithoutFeed());

@@ -67,6 +67,23 @@ TEST(Bounds, BracketsWithLabelsCostInProportion) {
   EXPECT_LT(secondsToCheck("linuxcnc", loops + "M2\n"), generous);
 }
 
+/// What a rule finds out of a whole program it finds out once, not at each change.
+TEST(Bounds, AProgramOfManyToolChangesIsFollowedToItsEnd) {
+  constexpr unsigned changes = 1'500;
+  const std::string turned = "T0202\nG0 X20. Z1.\nG1 Z-10. F.1\nG1 X24.\nT0101\nG0 X25. Z-9.\n";
+  for (const char *dialect : {"fanuc-lathe", "fanuc-0t", "haas-lathe", "haas-ngc-lathe"})
+    EXPECT_TRUE(check(dialect, "%\nO1\nG21 G40 G99 G54\nG97 S1000 M3\n" + repeat(turned, changes) +
+                                   "M30\n%\n")
+                    .complete)
+        << dialect;
+  const std::string milled = "T1 M6\nG43 H1 Z9.\nG0 X0 Y0\nG1 Z-1. F100.\nG0 Z9.\n";
+  for (const char *dialect : {"fanuc-mill", "haas-mill", "linuxcnc"})
+    EXPECT_TRUE(
+        check(dialect, "%\nO1\nG21 G90 G54 S1000 M3\n" + repeat(milled, changes) + "M30\n%\n")
+            .complete)
+        << dialect;
+}
+
 /// An editor checks at every key: here a repeat whose last number is still to be typed.
 TEST(Bounds, AHalfTypedRepeatIsNoHang) {
   EXPECT_LT(secondsToCheck("ecs", "N80 G1 X10 Y10 F100\nN20 G1 X20\n<RPT:N80;N\nN90 G0 X0\n"),
