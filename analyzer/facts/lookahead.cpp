@@ -46,7 +46,7 @@ namespace {
 
 /// Reads the block with content that is before `at`.
 bool readBackFrom(const RuleContext &ctx, uint32_t at, Block &block) {
-  const uint32_t first = ctx.index().programAt(ctx.block().begin).body, limit = at;
+  const uint32_t first = ctx.index().programAt(at).body, limit = at;
   while (at > first) {
     at = std::max(first, ctx.source().lines().lineBegin(at - 1));
     ctx.index().read(at, block);

@@ -1,6 +1,6 @@
 // The feed's unit was changed, and the next feed move has no F of its own.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -133,26 +133,40 @@ private:
   /// Whether the code at `mode` was not in force already: there is another one between F and it, or
   /// the program had stated another before.
   static bool changed(const Origin &mode, const RuleContext &ctx) {
-    // What holds at the start counts as stated where the table knows it.
-    const GroupInfo &group = ctx.dialect().groups[ctx.dialect().group(StandardGroup::FeedMode)];
-    CodeIndex last = group.initial < group.members.size() ? group.members[group.initial] : noCode;
-    const uint32_t body = ctx.index().programAt(mode.begin).body;
-    for (const Block &block : blocks(ctx.index().reader(), body, mode.begin + 1)) {
-      for (const Word &word : block.words) {
-        const CodeIndex code = codeOf(ctx.dialect(), word);
-        const GroupInfo &modes = ctx.dialect().groups[ctx.dialect().group(StandardGroup::FeedMode)];
-        if (code != noCode && ctx.dialect().codes[code].action == Action::Reset &&
-            modes.initial < modes.members.size())
-          last = modes.members[modes.initial];
-        if (code == noCode ||
-            ctx.dialect().codes[code].group != ctx.dialect().group(StandardGroup::FeedMode))
-          continue;
-        if (word.offset == mode.begin)
-          return last != noCode && otherUnit(ctx.dialect(), last, code);
-        last = code;
-      }
-    }
-    return false;
+    const Dialect &dialect = ctx.dialect();
+    Block block;
+    readBlockOf(ctx, mode, block);
+    const auto *const word =
+        llvm::find_if(block.words, [&](const Word &one) { return one.offset == mode.begin; });
+    const CodeIndex code = word == block.words.end() ? noCode : codeOf(dialect, *word);
+    if (code == noCode)
+      return false;
+    do
+      for (const Word &before : llvm::reverse(block.words))
+        if (before.offset < mode.begin)
+          if (const auto last = stated(dialect, before))
+            return otherUnit(dialect, *last, code);
+    while (readBack(ctx, block));
+    const CodeIndex first = initial(dialect);
+    return first != noCode && otherUnit(dialect, first, code);
+  }
+
+  /// What holds at the start counts as stated where the table knows it.
+  static CodeIndex initial(const Dialect &dialect) {
+    const GroupInfo &modes = dialect.groups[dialect.group(StandardGroup::FeedMode)];
+    return modes.initial < modes.members.size() ? modes.members[modes.initial] : noCode;
+  }
+
+  /// The unit of the feed that a word states, by its own code or by one that resets all.
+  static std::optional<CodeIndex> stated(const Dialect &dialect, const Word &word) {
+    const CodeIndex code = codeOf(dialect, word);
+    if (code == noCode)
+      return std::nullopt;
+    if (dialect.codes[code].group == dialect.group(StandardGroup::FeedMode))
+      return code;
+    const CodeIndex first = initial(dialect);
+    return dialect.codes[code].action == Action::Reset && first != noCode ? std::optional(first)
+                                                                          : std::nullopt;
   }
 
   /// Whether the number of F counts otherwise under `b` than under `a`. Where the table says which

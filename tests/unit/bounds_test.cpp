@@ -84,6 +84,14 @@ TEST(Bounds, AProgramOfManyToolChangesIsFollowedToItsEnd) {
         << dialect;
 }
 
+TEST(Bounds, AProgramOfManyFeedModesIsFollowedToItsEnd) {
+  constexpr unsigned changes = 1'500;
+  const std::string cut = "G94\nX80 F120\nZ2\nG95\nX20\nG0 Z100\nG1 Z-4\n";
+  EXPECT_TRUE(check("sinumerik", "G54 G17 G71 G90 G94\nT4 D1 M6\nS1800 M3\nG1 X0 F100\n" +
+                                     repeat(cut, changes) + "M30\n")
+                  .complete);
+}
+
 /// An editor checks at every key: here a repeat whose last number is still to be typed.
 TEST(Bounds, AHalfTypedRepeatIsNoHang) {
   EXPECT_LT(secondsToCheck("ecs", "N80 G1 X10 Y10 F100\nN20 G1 X20\n<RPT:N80;N\nN90 G0 X0\n"),
