@@ -15,11 +15,6 @@ struct Stretch {
   bool isCall = false; ///< its last block is the call of the next one
 };
 
-uint32_t lineBegin(const SourceFile &source, uint32_t offset) {
-  const size_t end = source.text().rfind('\n', offset);
-  return end == llvm::StringRef::npos ? 0 : uint32_t(end + 1);
-}
-
 /// The innermost program first; empty: the origin is in none of them.
 llvm::SmallVector<Stretch, 4> wayFrom(const Origin &origin, const RuleContext &ctx) {
   llvm::SmallVector<Stretch, 4> way;
@@ -30,7 +25,7 @@ llvm::SmallVector<Stretch, 4> wayFrom(const Origin &origin, const RuleContext &c
   for (;;) {
     const bool isHere =
         origin.file == unit->source.id() && origin.begin >= program->begin && origin.begin < end;
-    way.push_back({unit, isHere ? lineBegin(unit->source, origin.begin) : program->body, end,
+    way.push_back({unit, isHere ? unit->source.lines().lineBegin(origin.begin) : program->body, end,
                    unit != &ctx.unit() || end != ctx.block().begin});
     if (isHere)
       return way;
@@ -50,7 +45,7 @@ bool blocksSince(const Origin &origin, const RuleContext &ctx,
   const llvm::SmallVector<Stretch, 4> way = wayFrom(origin, ctx);
   bool isFirst = true;
   for (const Stretch &part : llvm::reverse(way))
-    for (const Block &block : blocks(*part.unit->reader, part.begin, part.end)) {
+    for (const Block &block : blocks(part.unit->index, part.begin, part.end)) {
       if (std::exchange(isFirst, false) || (part.isCall && block.next >= part.end))
         continue;
       if (!look(*part.unit, block))

@@ -91,7 +91,7 @@ void checkArguments(FlowRun &run, const Step &step, const Callee &callee, const 
   if (!run.listeners.want(EventKind::FlowIssue))
     return;
   const SourceRange where{step.unit().source.id(), call.begin, call.end};
-  const Block head = headOf(*callee.unit->reader, *callee.program);
+  const Block head = headOf(callee.unit->index, *callee.program);
   llvm::ArrayRef<Argument> taken;
   SourceRange related;
   for (const Item &item : head.items)
@@ -124,7 +124,7 @@ void bindPositions(const Block &block, const Item &call, const MachineState &cal
 
 void bindArguments(const Callee &callee, llvm::ArrayRef<GivenArgument> given,
                    const MachineState &caller, MachineState &state, Passes &passes) {
-  const Block head = headOf(*callee.unit->reader, *callee.program);
+  const Block head = headOf(callee.unit->index, *callee.program);
   for (const Item &item : head.items) {
     if (item.kind != ItemKind::Parameters)
       continue;

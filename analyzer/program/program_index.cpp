@@ -273,9 +273,9 @@ void FileIndex::eachPlaceOf(char c, llvm::function_ref<void(uint32_t)> visit) co
     source_.eachPlaceOf(c, visit);
 }
 
-Block headOf(const Reader &reader, const ProgramInfo &program) {
+Block headOf(const FileIndex &index, const ProgramInfo &program) {
   Block head;
-  for (const Block &block : blocks(reader, program.body, program.end))
+  for (const Block &block : blocks(index, program.body, program.end))
     if (!block.isEmpty()) {
       head = block;
       break;

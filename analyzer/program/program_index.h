@@ -140,6 +140,6 @@ private:
 
 /// Reads the first block of the program that holds more than a comment: the one that says what the
 /// program takes, where it does. An empty block: there is none.
-Block headOf(const Reader &reader, const ProgramInfo &program);
+Block headOf(const FileIndex &index, const ProgramInfo &program);
 
 } // namespace ncvet

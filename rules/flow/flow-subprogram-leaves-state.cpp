@@ -112,7 +112,7 @@ private:
 
   /// `SAVE`: the caller gets its modes back.
   static bool givesBack(const ProgramInfo &program, const RuleContext &ctx) {
-    const Block head = headOf(ctx.index().reader(), program);
+    const Block head = headOf(ctx.index(), program);
     return llvm::any_of(head.items, [](const Item &item) { return item.restores; });
   }
 

@@ -17,7 +17,7 @@ std::string bareText(llvm::StringRef text, const Block &block) {
   };
   leaveOut(block.numberBegin, block.numberEnd);
   if (block.hasLabel()) // with its colon
-    leaveOut(block.labelBegin, block.labelEnd + (text[block.labelEnd] == ':' ? 1 : 0));
+    leaveOut(block.labelBegin, block.labelEnd + text.substr(block.labelEnd).startswith(":"));
   bare += text.slice(from, block.end);
   return llvm::StringRef(bare).trim(" \t\r\n").str();
 }
