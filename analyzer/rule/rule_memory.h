@@ -7,10 +7,10 @@
 
 #include "llvm/ADT/Hashing.h"
 #include "llvm/ADT/StringMap.h"
+#include "llvm/ADT/bit.h"
 #include "llvm/Support/xxhash.h"
 
 #include <array>
-#include <bit>
 #include <map>
 #include <set>
 #include <type_traits>
@@ -51,7 +51,7 @@ public:
   void add(const T &item) {
     items_.push_back(item);
     for (const double number : item)
-      sum_ = llvm::hash_combine(sum_, std::bit_cast<uint64_t>(number));
+      sum_ = llvm::hash_combine(sum_, llvm::bit_cast<uint64_t>(number));
   }
 
 private:
@@ -180,7 +180,7 @@ private:
   template <typename T>
   void add(const T &value) {
     if constexpr (std::is_floating_point_v<T>) {
-      words().all.push_back(std::bit_cast<uint64_t>(double(value)));
+      words().all.push_back(llvm::bit_cast<uint64_t>(double(value)));
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
       words().all.push_back(uint64_t(value));
     } else if constexpr (hasMembers<T>) {

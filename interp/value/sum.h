@@ -3,7 +3,8 @@
 
 #include "interp/value/value.h"
 
-#include <bit>
+#include "llvm/ADT/bit.h"
+
 #include <cstdint>
 
 namespace ncvet {
@@ -19,8 +20,8 @@ public:
     sum_ ^= sum_ >> 29;
   }
   void add(const Interval &value) {
-    add(std::bit_cast<uint64_t>(value.lo));
-    add(std::bit_cast<uint64_t>(value.hi));
+    add(llvm::bit_cast<uint64_t>(value.lo));
+    add(llvm::bit_cast<uint64_t>(value.hi));
   }
   /// Never 0.
   uint64_t get() const { return sum_ ? sum_ : 1; }

@@ -16,10 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The cycle of line 7 is left on and drills again in line 8.
-constexpr const char *leftOver = "%\nO1200 (FLANGE)\nG21 G17 G40 G49 G80 G90 G94\nT3 M6\n"
-                                 "G54 G0 X-20. Y-15. S1400 M3\nG43 H3 Z50.\n"
-                                 "G98 G83 X-20. Y-15. Z-22. R2. Q5. F120.\nX30. Y0. (TO CLAMP)\n"
-                                 "M5\nG80\nM30\n%\n";
+constexpr const char *leftOver =
+    "%\nO1200 (FLANGE, FANUC 0-M)\nG21 G17 G40 G49 G80 G90 G94\nT3 M6\n"
+    "G54 G0 X-20. Y-15. S1400 M3\nG43 H3 Z50.\n"
+    "G98 G83 X-20. Y-15. Z-22. R2. Q5. F120.\nX30. Y0. (TO CLAMP)\n"
+    "M5\nG80\nM30\n%\n";
 
 struct Measured {
   int status = -1;
@@ -68,7 +69,7 @@ protected:
         << given.out.substr(size_t(other - given.out.begin()), 300);
     std::printf("%s: the program %.2f s, the package %.2f s of the processor\n",
                 folder.filename().string().c_str(), expected.seconds, given.seconds);
-    EXPECT_LT(given.seconds, expected.seconds * mostTimes + 0.5); // until it runs at all
+    EXPECT_LT(given.seconds, expected.seconds * mostTimes + 2); // until it is compiled
   }
 };
 
