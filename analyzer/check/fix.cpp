@@ -26,11 +26,12 @@ struct Attempt {
   FileOutcome outcome;
   MotionRecord motions;
 
-  /// Findings by rule, those in other files too: a fix must not break a caller's program.
-  std::map<RuleId, unsigned> counts() const {
+  /// Findings by rule that are as severe as that, those in other files too: a fix must not break a
+  /// caller's program.
+  std::map<RuleId, unsigned> counts(Severity least) const {
     std::map<RuleId, unsigned> counts;
     for (const CheckedFinding &checked : outcome.findings)
-      if (!checked.finding.suppressed)
+      if (!checked.finding.suppressed && checked.finding.severity >= least)
         ++counts[checked.finding.rule];
     return counts;
   }
@@ -61,7 +62,7 @@ public:
       const std::vector<TextEdit> edits = editsOf(chosen);
       Attempt next = check(applyEdits(current.file->text(), edits));
       next.motions = record(next);
-      if (isWorse(current, next) || !mends(next, chosen, edits) ||
+      if (isWorse(current, next, chosen) || !mends(next, chosen, edits) ||
           !keepsItsPromise(current, next, chosen, edits)) {
         ++refusals;
         refuse(chosen);
@@ -205,9 +206,15 @@ private:
     return edits;
   }
 
-  static bool isWorse(const Attempt &before, const Attempt &after) {
-    const std::map<RuleId, unsigned> old = before.counts();
-    for (const auto &[rule, count] : after.counts()) {
+  /// More findings of a rule than before. What is mended may leave advice on the text as it then
+  /// is, where it was more than advice itself.
+  static bool isWorse(const Attempt &before, const Attempt &after,
+                      llvm::ArrayRef<const Finding *> chosen) {
+    const bool adviceAlone = llvm::any_of(
+        chosen, [](const Finding *finding) { return finding->severity == Severity::Style; });
+    const Severity least = adviceAlone ? Severity::Style : Severity::Warning;
+    const std::map<RuleId, unsigned> old = before.counts(least);
+    for (const auto &[rule, count] : after.counts(least)) {
       const auto known = old.find(rule);
       if (count > (known == old.end() ? 0 : known->second))
         return true;

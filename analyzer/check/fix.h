@@ -18,8 +18,9 @@ struct FixedText {
 /// Applies the safe fixes to the text of `file`, with `unsafe` the others too; suppressed findings
 /// are left alone. Fixes that touch each other, and fixes of several rules on one line, are applied
 /// one after the other, each on the text that the one before left. Fixes after which there are more
-/// findings of any rule than before are not applied, and neither are those that change what the
-/// machine does otherwise than they say: see `keepsItsPromise`. A text whose control is a guess is
+/// findings of any rule than before are not applied (new advice does not count when an error or a
+/// warning is mended), and neither are those that change what the machine does otherwise than they
+/// say: see `keepsItsPromise`. A text whose control is a guess is
 /// left alone. At most a hundred rounds. Called programs are those of `open` before those on disk.
 FixedText fixText(Session &session, const SourceFile &file, bool unsafe,
                   const std::shared_ptr<const SourceSet::Overlay> &open = nullptr);

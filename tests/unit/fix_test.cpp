@@ -1,4 +1,5 @@
-// Fixes: applying all safe ones gives no new finding, and a second time changes nothing.
+// Fixes: applying all safe ones gives no new finding, but advice where a mistake is mended, and a
+// second time changes nothing.
 #include "analyzer/check/fix.h"
 #include "tests/support/rule_pages.h"
 
@@ -18,9 +19,26 @@ Session sessionFor(const PageProgram &program) {
 }
 
 struct Found {
-  std::map<RuleId, unsigned> counts; ///< of findings
-  bool fixable = false;              ///< one of them has a fix
+  std::map<RuleId, unsigned> mistakes, advice; ///< errors and warnings by rule, and the others
+  bool fixable = false;                        ///< one of them has a fix
+
+  unsigned mistakesInAll() const {
+    unsigned all = 0;
+    for (const auto &[rule, count] : mistakes)
+      all += count;
+    return all;
+  }
 };
+
+void expectNoMore(const std::map<RuleId, unsigned> &before, const std::map<RuleId, unsigned> &after,
+                  const std::string &text) {
+  for (const auto &[rule, count] : after) {
+    const auto old = before.find(rule);
+    EXPECT_LE(count, old == before.end() ? 0 : old->second)
+        << allRules()[rule].info.id.str() << "\n"
+        << text;
+  }
+}
 
 Found check(Session &session, const std::string &text) {
   SourceSet sources;
@@ -28,7 +46,8 @@ Found check(Session &session, const std::string &text) {
   EXPECT_EQ("", outcome.error);
   Found found;
   for (const CheckedFinding &checked : outcome.findings) {
-    ++found.counts[checked.finding.rule];
+    ++(checked.finding.severity == Severity::Style ? found.advice
+                                                   : found.mistakes)[checked.finding.rule];
     found.fixable |= checked.finding.fix.has_value();
   }
   return found;
@@ -52,12 +71,10 @@ TEST_P(FixLaws, NoNewFindingAndNothingLeftForASecondTime) {
     const std::string once = fixed(session, text, unsafe);
     if (once == text)
       continue;
-    for (const auto &[rule, count] : check(session, once).counts) {
-      const auto old = before.counts.find(rule);
-      EXPECT_LE(count, old == before.counts.end() ? 0 : old->second)
-          << allRules()[rule].info.id.str() << "\n"
-          << once;
-    }
+    const Found after = check(session, once);
+    expectNoMore(before.mistakes, after.mistakes, once);
+    if (after.mistakesInAll() == before.mistakesInAll())
+      expectNoMore(before.advice, after.advice, once);
     EXPECT_EQ(once, fixed(session, once, unsafe));
   }
 }
@@ -103,6 +120,18 @@ TEST(FixPromises, ACycleIsEndedOnceForAllThatItCauses) {
   const std::string once = fixed(session, bore, /*unsafe=*/true);
   EXPECT_EQ(2u, timesIn("G80", once)) << once;
   EXPECT_NE(std::string::npos, once.find("G80\nX30. Y0. (TO CLAMP)")) << once;
+}
+
+TEST(FixPromises, AMistakeIsMendedThoughTheTextThenDeservesAdvice) {
+  Session session = sessionOf("fanuc-0m", {});
+  const std::string bore =
+      "%\nO1200\nG21 G17 G40 G49 G80 G90 G94\nT3 M6\nG54 G0 X-20. Y-15. S1400 M3\n"
+      "G43 H3 Z50.\nG98 G83 X-20. Y-15. Z-22. R2. Q5. F120.\nX20. Y-15.\nX20. Y15.\n"
+      "X30. Y0. (TO CLAMP)\nM9\nM5\nG49\nT5 M6\nG54 G0 X0. Y0. S900 M3\n"
+      "G43 H5 Z50.\nM5\nG49\nM30\n%\n";
+  const std::string once = fixed(session, bore, /*unsafe=*/true);
+  EXPECT_NE(std::string::npos, once.find("G80\nX30. Y0. (TO CLAMP)")) << once;
+  EXPECT_EQ(0u, check(session, once).mistakesInAll()) << once;
 }
 
 TEST(FixPromises, ACycleThatACallerGoesOnWithIsNotEnded) {
