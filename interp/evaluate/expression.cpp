@@ -12,6 +12,8 @@
 namespace ncvet {
 
 namespace {
+/// A variable may be written with any number of digits; no control has so many.
+constexpr double pastNumbers = 0x1p63;
 
 /// Extended common variables of larger controls.
 constexpr int64_t firstExtended = 98000, lastExtended = 98499;
@@ -72,7 +74,8 @@ void ExpressionEvaluator::operand(const ExpressionOp &op) {
   case Op::Variable:
     if (outcome_)
       emitUnsetRead(state_, op, *outcome_);
-    return stack_.push(readVariable(state_, int64_t(op.value)));
+    return stack_.push(op.value < pastNumbers ? readVariable(state_, int64_t(op.value))
+                                              : Value::unknown());
   case Op::ElementAt:
   case Op::ElementKey: {
     const Value index = stack_.pop();
@@ -277,8 +280,10 @@ Value readVariable(const MachineState &state, int64_t number) {
 }
 
 Truth isUnset(const MachineState &state, double number) {
+  if (number < double(firstNamedVariable) || number >= pastNumbers)
+    return Truth::No;
   const auto key = uint64_t(number);
-  if (number < double(firstNamedVariable) || state.locals.given(key) != Truth::No)
+  if (state.locals.given(key) != Truth::No)
     return Truth::No;
   return state.commons.given(key) == Truth::No ? Truth::Yes
          : state.commons.givenOnSomePaths(key) ? Truth::Unknown
