@@ -113,6 +113,31 @@ void Collector::settle() {
   }
 }
 
+namespace {
+
+/// Whether the words of a finding are ones that the control cannot read, or a value that it does
+/// not take: whatever else is said of them follows from that.
+bool refusesItsWords(const Finding &finding, const RuleInfo &rule) {
+  return finding.severity == Severity::Error &&
+         (rule.category == "syntax" || llvm::is_contained(rule.subsumes, "*"));
+}
+
+/// Whether `finding` only says what follows from `cause`, of another rule and in the same block.
+bool isConsequence(const Finding &finding, const Finding &cause) {
+  const RuleInfo &rule = allRules()[finding.rule].info, &ofCause = allRules()[cause.rule].info;
+  if (llvm::is_contained(ofCause.subsumes, rule.id))
+    return true;
+  // What is said of a whole program is not about the words where it is reported.
+  const bool within =
+      finding.range.begin >= cause.range.begin && finding.range.end <= cause.range.end;
+  const bool same =
+      within && finding.range.begin == cause.range.begin && finding.range.end == cause.range.end;
+  return within && rule.category != "program" && refusesItsWords(cause, ofCause) &&
+         !(same && refusesItsWords(finding, rule));
+}
+
+} // namespace
+
 /// Whether the control, looking for the end of a body that it does not run, stops at what the rule
 /// reports.
 bool Collector::stopsUncalled(RuleId rule) const {
@@ -153,11 +178,9 @@ std::vector<Finding> Collector::take(const SourceSet &sources) {
            lineOf(all[end]) == line)
       ++end;
     for (size_t i = begin; i < end; ++i) {
-      const llvm::StringRef id = allRules()[all[i].rule].info.id;
       bool consequence = false;
       for (size_t j = begin; j < end && !consequence; ++j)
-        consequence = j != i && all[j].rule != all[i].rule &&
-                      llvm::is_contained(allRules()[all[j].rule].info.subsumes, id);
+        consequence = all[j].rule != all[i].rule && isConsequence(all[i], all[j]);
       if (!consequence)
         kept.push_back(std::move(all[i]));
     }

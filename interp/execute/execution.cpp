@@ -219,13 +219,43 @@ bool Execution::countIdle(uint16_t axes) {
   return true;
 }
 
+/// Whether reading was lost at such an issue: what comes next to it may be read as what it is not.
+static bool isLost(SyntaxIssueKind kind) {
+  switch (kind) {
+  case SyntaxIssueKind::InvalidCharacter:
+  case SyntaxIssueKind::UnbalancedBracket:
+  case SyntaxIssueKind::BadExpression:
+  case SyntaxIssueKind::BadStatement:
+  case SyntaxIssueKind::UnknownAttribute:
+    return true;
+  default:
+    return false;
+  }
+}
+
+/// Those that only follow from the one before them are not told.
+void Execution::syntaxIssues() {
+  constexpr uint32_t blank = 1; // between two that are next to each other
+  bool lost = false;
+  uint32_t end = 0;
+  for (size_t i = 0; i < block_.issues.size(); ++i) {
+    const SyntaxIssue &issue = block_.issues[i];
+    const bool unread = isLost(issue.kind) || issue.kind == SyntaxIssueKind::MissingAddress;
+    const bool follows = lost && unread && issue.begin >= end && issue.begin - end <= blank;
+    if (!follows)
+      outcome_.emit(EventKind::Syntax).setIssue(i);
+    lost = follows || isLost(issue.kind);
+    end = issue.end;
+  }
+}
+
 void Execution::run(bool guardHolds) {
   stateUse.groups |= masks_.everyBlock;
   if (inForeignLanguage())
     return foreignBlock();
   outcome_.emit(EventKind::Block);
-  for (size_t i = 0; i < block_.issues.size(); ++i)
-    outcome_.emit(EventKind::Syntax).setIssue(i);
+  if (!block_.issues.empty())
+    syntaxIssues();
   if ((block_.addresses & ~dialect_.plain) | (block_.repeated & ~dialect_.repeatable) |
           (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole) ||
       block_.skip > int8_t(dialect_.lexical.skipLevels))

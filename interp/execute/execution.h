@@ -50,6 +50,7 @@ private:
   bool runPlainMove();
   bool countIdle(uint16_t axes);
   void wordIssues();
+  void syntaxIssues();
   void wordDomains();
   bool runsEmpty() const;
   void resolveCodes();

@@ -59,6 +59,8 @@ public:
       if (!why)
         continue;
       const Word &first = *use.word;
+      if (code.group != noGroup && code.group == other.group && isTold(use, event, ctx))
+        return;
       if (auto finding = ctx.report(event)) {
         finding.message(why, ctx.text(first), ctx.text(*event.word));
         finding.note(ctx.range(first), "the first of the two")
@@ -70,6 +72,16 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-modal-group-conflict"};
+
+  /// Whether a code between the two has told of the group already: `M3 M4 M5` has one cause.
+  bool isTold(const CodeUse &first, const Event &event, const RuleContext &ctx) const {
+    return llvm::any_of(ctx.codes(), [&](const CodeUse &between) {
+      return between.word->offset > first.word->offset &&
+             between.word->offset < event.word->offset &&
+             ctx.code(between).group == ctx.code(first).group &&
+             conflict(ctx.dialect(), ctx.code(first), ctx.code(between), sameTwice_);
+    });
+  }
 
   /// Whether the code does nothing but become the active one of its group: then it excludes only
   /// other codes of the group.

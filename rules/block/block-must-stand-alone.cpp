@@ -121,6 +121,10 @@ private:
   static void noAction(const SyntaxIssue &issue, RuleContext &ctx) {
     if (issue.kind != SyntaxIssueKind::NoAction)
       return;
+    // The words of one action: the first speaks for the others.
+    for (const SyntaxIssue &other : ctx.block().issues)
+      if (other.kind == issue.kind && other.begin < issue.begin)
+        return;
     const SourceRange range = ctx.range(issue);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` belongs to the path and wants a block of the program: no synchronised "
@@ -140,15 +144,13 @@ private:
   /// with nothing.
   static void atStatement(const Item &item, size_t index, RuleContext &ctx) {
     const Block &block = ctx.block();
-    if (item.kind == ItemKind::Call && isMacro(item, ctx))
+    if (!wantsOwnBlock(index, ctx))
       return;
-    const bool jump = item.kind == ItemKind::Jump && item.jump != JumpKind::ByValue &&
-                      item.jump != JumpKind::BySign && item.arguments &&
-                      (index == 0 || block.items[index - 1].kind != ItemKind::If);
-    const bool call = item.kind == ItemKind::Call && !item.modal;
+    // The first of several speaks for the others.
+    for (size_t before = 0; before < index; ++before)
+      if (wantsOwnBlock(before, ctx))
+        return;
     const bool bracket = item.kind == ItemKind::Structure;
-    if (!jump && !call && !bracket)
-      return;
     const SourceRange range = ctx.range(item);
     const bool marked = bracket && (block.hasLabel() || block.skip >= 0);
     if (block.words.empty() && block.items.size() == 1 && !marked)
@@ -160,6 +162,16 @@ private:
                           : "`{0}` shares its block with other words: it wants a block of its "
                             "own",
                       ctx.text(range));
+  }
+
+  static bool wantsOwnBlock(size_t index, const RuleContext &ctx) {
+    const Block &block = ctx.block();
+    const Item &item = block.items[index];
+    if (item.kind == ItemKind::Jump)
+      return item.jump != JumpKind::ByValue && item.jump != JumpKind::BySign && item.arguments &&
+             (index == 0 || block.items[index - 1].kind != ItemKind::If);
+    return item.kind == ItemKind::Structure ||
+           (item.kind == ItemKind::Call && !item.modal && !isMacro(item, ctx));
   }
 
   /// A name that the program defines as words: they take its place.

@@ -164,11 +164,13 @@ private:
     const uint16_t plane = planeAxes(dialect, ctx.after());
     for (const Word &word : ctx.block().words) {
       const AddressInfo &address = dialect.addresses[word.address];
-      if (address.kind == AddressKind::Axis && (plane >> unsigned(address.axis) & 1))
-        if (auto finding = ctx.report(word))
-          finding.message("`{0}` beside `{1}`: an end point is given by angle and radius or by "
-                          "coordinates, not by both",
-                          ctx.text(word), ctx.text(*polar));
+      if (address.kind != AddressKind::Axis || !(plane >> unsigned(address.axis) & 1))
+        continue;
+      if (auto finding = ctx.report(word))
+        finding.message("`{0}` beside `{1}`: an end point is given by angle and radius or by "
+                        "coordinates, not by both",
+                        ctx.text(word), ctx.text(*polar));
+      break; // the other axis has the same cause
     }
     if (aboutZero_)
       return fromZero(event, *polar, ctx);
