@@ -3,23 +3,39 @@
 
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 
 namespace ncvet {
 
-/// Whether the program of the current block names neither tool nor speed, and neither turns nor
-/// stops a spindle: it may be for a machine without one, as a printer, a laser or a grinder whose
-/// wheels the builder's programs start. Reads the whole program.
+/// Whether no block of the current program, nor of those that have called it, is as `is` says.
+/// Reads them whole.
+inline bool noRunningProgramHas(const RuleContext &ctx,
+                                llvm::function_ref<bool(const Block &)> is) {
+  const FileUnit *unit = &ctx.unit();
+  const ProgramInfo *program = &ctx.index().programAt(ctx.block().begin);
+  for (const CallSite *caller = ctx.caller();; caller = caller->before) {
+    for (const Block &block : blocks(unit->index.reader(), program->body, program->end))
+      if (is(block))
+        return false;
+    if (!caller || !caller->unit)
+      return true;
+    unit = caller->unit;
+    program = caller->program;
+  }
+}
+
+/// Whether the program of the current block, and those that have called it, name neither tool nor
+/// speed, and neither turn nor stop a spindle: it may be for a machine without one, as a printer, a
+/// laser or a grinder whose wheels the builder's programs start.
 inline bool saysNothingOfTools(const RuleContext &ctx) {
   const Dialect &dialect = ctx.dialect();
-  const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
   constexpr AddressMask words = maskOf(letterAddress('T')) | maskOf(letterAddress('S'));
-  for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
-    if (block.hasAny(words | dialect.orientWords) ||
-        findCode(dialect, block,
-                 {Action::ToolChange, Action::SpindleCw, Action::SpindleCcw, Action::SpindleStop,
-                  Action::SpindleOrient, Action::LiveToolCw, Action::LiveToolCcw}))
-      return false;
-  return true;
+  return noRunningProgramHas(ctx, [&](const Block &block) {
+    return block.hasAny(words | dialect.orientWords) ||
+           findCode(dialect, block,
+                    {Action::ToolChange, Action::SpindleCw, Action::SpindleCcw, Action::SpindleStop,
+                     Action::SpindleOrient, Action::LiveToolCw, Action::LiveToolCcw});
+  });
 }
 
 /// Whether no block of the current program ends the job: it may be called by a program that is not
@@ -38,15 +54,14 @@ inline bool onlyReturns(const RuleContext &ctx) {
   return returns;
 }
 
-/// Whether the current program starts no spindle: what turns it is the builder's.
+/// Whether the current program, and those that have called it, start no spindle: what turns it is
+/// the builder's.
 inline bool startsNoSpindle(const RuleContext &ctx) {
-  const Dialect &dialect = ctx.dialect();
-  const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-  for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
-    if (findCode(dialect, block,
-                 {Action::SpindleCw, Action::SpindleCcw, Action::LiveToolCw, Action::LiveToolCcw}))
-      return false;
-  return true;
+  return noRunningProgramHas(ctx, [&](const Block &block) {
+    return findCode(
+        ctx.dialect(), block,
+        {Action::SpindleCw, Action::SpindleCcw, Action::LiveToolCw, Action::LiveToolCcw});
+  });
 }
 
 } // namespace ncvet

@@ -1,7 +1,9 @@
 // Incremental dimensions are still on when the program ends.
+#include "analyzer/facts/block_before.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
@@ -90,8 +92,8 @@ private:
   /// `G91 G28 Z0` and then a rapid move in the plane whose words look like places of the work.
   bool afterHome(const Event &event, const Origin &on, RuleContext &ctx) const {
     if (!home_ || event.kind != EventKind::Motion || event.motion != MotionKind::Rapid ||
-        event.inMachineCoordinates() || !isHere(ctx, on) || ctx.find({Action::Incremental}) ||
-        on.begin >= ctx.block().begin)
+        event.inMachineCoordinates() || !on.known() || ctx.find({Action::Incremental}) ||
+        (isHere(ctx, on) && on.begin >= ctx.block().begin && on.begin < ctx.block().next))
       return false;
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     bool looks = false;
@@ -100,16 +102,17 @@ private:
         looks |= word.isNumber() && word.value() * unit.value_or(1) > longest_;
     if (!looks)
       return false;
-    Block block;
-    ctx.index().read(ctx.source().lines().lineBegin(on.begin), block);
-    if (!findCode(ctx.dialect(), block, {Action::ReferenceReturn}))
-      return false;
     // The first move after it that is none to the reference point.
-    for (const Block &between : blocks(ctx.index(), block.next, ctx.block().begin))
-      if (between.hasAny(ctx.dialect().axisWords) &&
-          !findCode(ctx.dialect(), between, {Action::ReferenceReturn}))
+    BlocksBefore before(ctx);
+    Block block;
+    while (before.next(block)) {
+      const bool home = findCode(ctx.dialect(), block, {Action::ReferenceReturn});
+      if (before.unit().source.id() == on.file && block.begin <= on.begin && on.begin < block.next)
+        return home;
+      if (block.hasAny(ctx.dialect().axisWords) && !home)
         return false;
-    return true;
+    }
+    return false;
   }
 
   /// A cycle is called, or the first move with another tool made, under what was on before.

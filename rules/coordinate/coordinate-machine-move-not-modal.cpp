@@ -1,5 +1,7 @@
 // A block looks as if the machine coordinates of the block before were still in force.
+#include "analyzer/facts/block_before.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/project.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
@@ -42,9 +44,10 @@ private:
   /// The very next block goes on with another axis, as far as no work goes.
   void afterMachineMove(const Event &event, RuleContext &ctx) const {
     Block previous;
+    BlocksBefore before(ctx);
     if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
-        !ctx.codes().empty() || !readPrevious(ctx, previous) ||
-        !findCode(ctx.dialect(), previous, {Action::MachineMove}) ||
+        !ctx.codes().empty() || !ctx.before().must(Fact::AtMachinePosition) ||
+        !before.next(previous) || !findCode(ctx.dialect(), previous, {Action::MachineMove}) ||
         (axesOf(ctx.dialect(), previous) & event.axes))
       return;
     for (unsigned axis = 0; axis < axisCount; ++axis)
@@ -56,7 +59,8 @@ private:
           .message("machine coordinates held for the block before only: `{0}` is driven in work "
                    "coordinates",
                    ctx.text(ctx.blockRange()))
-          .note(ctx.range(previous), "the block before");
+          .note(SourceRange{before.unit().source.id(), previous.begin, previous.end},
+                "the block before");
   }
 
   double least_ = 100;

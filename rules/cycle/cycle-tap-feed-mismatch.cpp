@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/named_thread.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
@@ -45,8 +46,11 @@ public:
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const auto unit = millimetresPer(dialect, state);
-    if (!unit || !state.feed->isConstant() || !state.must(Fact::FeedSet) ||
-        state.active(dialect, StandardGroup::FeedMode) == groupUnset)
+    if (!unit || !state.feed->isConstant() || !state.must(Fact::FeedSet))
+      return;
+    // A mill whose program states no unit feeds per minute, and such a number is no pitch.
+    const bool unstated = state.active(dialect, StandardGroup::FeedMode) == groupUnset;
+    if (unstated && (dialect.isLathe() || state.feed->value() * *unit <= greatestPitch_))
       return;
     const Word *word = ctx.block().find('F');
     if (!word)
@@ -73,7 +77,9 @@ public:
     }
     tapping.at = word ? ctx.range(*word) : named ? ctx.range(*named) : ctx.blockRange();
     const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
-    if (mode == Action::FeedPerRevolution)
+    if (unstated && hasSpeed(ctx))
+      laterHole(event, tapping, ctx);
+    else if (mode == Action::FeedPerRevolution)
       perRevolution(event, tapping, ctx);
     else if (mode == Action::FeedPerMinute && hasSpeed(ctx) && !perMinute(event, tapping, ctx))
       laterHole(event, tapping, ctx);
@@ -101,16 +107,29 @@ private:
   /// was changed, or one that names the tool.
   static std::optional<double> readLead(const RuleContext &ctx) {
     constexpr uint32_t readable = 1u << 20;
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    // The tool was changed in this program, or in one that has called it: its comments name it.
     const Origin &tool = ctx.after().origin.of(StatePart::Tool);
-    const uint32_t since = tool.known() && tool.file == ctx.source().id() ? tool.begin : 0;
+    const FileUnit *unit = &ctx.unit();
+    const ProgramInfo *program = &ctx.index().programAt(ctx.block().begin);
+    uint32_t end = ctx.block().next;
+    const auto isOfTool = [&] {
+      return tool.file == unit->source.id() && tool.begin >= program->begin &&
+             tool.begin < program->end;
+    };
+    for (const CallSite *caller = ctx.caller(); caller && caller->unit && !isOfTool();
+         caller = caller->before) {
+      unit = caller->unit;
+      program = caller->program;
+      end = caller->next;
+    }
+    const uint32_t since = tool.known() && isOfTool() ? tool.begin : 0;
     const std::string own = "T" + std::to_string(ctx.after().tool);
     std::optional<double> lead;
-    if (ctx.block().begin - program.begin > readable)
+    if (end - program->begin > readable)
       return lead;
-    for (const Block &block : blocks(ctx.index(), program.begin, ctx.block().next))
+    for (const Block &block : blocks(unit->index, program->begin, end))
       for (const Comment &comment : block.comments) {
-        llvm::StringRef text = ctx.text(ctx.range(comment));
+        llvm::StringRef text = unit->source.text(comment.begin, comment.end);
         text = text.ltrim("( ");
         const bool ofTool =
             text.startswith(own) && !(text.size() > own.size() && llvm::isDigit(text[own.size()]));

@@ -1,6 +1,10 @@
 // The feed's unit was changed, and the next feed move has no F of its own.
+#include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -9,6 +13,7 @@ namespace {
 struct FeedModeChangeWithoutFeedMemory {
   SourceRange tap{}; ///< block of the last tapped hole
   uint32_t reported = ~0u;
+  std::pair<Origin, Origin> acrossCalls; ///< F and unit of the last report of two programs
 };
 
 class FeedModeChangeWithoutFeed final : public StatefulRule<FeedModeChangeWithoutFeedMemory> {
@@ -67,17 +72,23 @@ private:
   /// F was programmed for the other unit.
   void carried(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
-    if (!state.must(Fact::FeedCarried) || !state.must(Fact::FeedSet) ||
-        state.may(Fact::UnknownCode))
+    if (!state.must(Fact::FeedSet) || state.may(Fact::UnknownCode))
       return;
     const Origin mode = state.originOf(ctx.dialect(), StandardGroup::FeedMode);
     const Origin &feed = state.origin.of(StatePart::Feed);
-    if (!mode.known() || !feed.known() || mode.file != feed.file ||
-        mode.file != ctx.source().id() || feed.begin > mode.begin || !changed(mode, ctx) ||
+    if (!mode.known() || !feed.known())
+      return;
+    if (mode.file != feed.file || mode.file != ctx.source().id())
+      return ofOtherProgram(event, mode, feed, ctx);
+    if (!state.must(Fact::FeedCarried) || feed.begin > mode.begin || !changed(mode, ctx) ||
         mode.begin == memory().reported)
       return;
     memory().reported = mode.begin;
-    const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
+    report(event, mode, feed, ctx);
+  }
+
+  static void report(const Event &event, const Origin &mode, const Origin &feed, RuleContext &ctx) {
+    const CodeInfo *code = ctx.after().activeCode(ctx.dialect(), StandardGroup::FeedMode);
     if (auto finding = event.word ? ctx.report(event) : ctx.report(ctx.blockRange(), event.certain))
       finding
           .message("this move feeds with the F of before `{0}`: the number now counts in another "
@@ -85,6 +96,98 @@ private:
                    code ? code->name : "the change")
           .note(mode, "the unit changes here")
           .note(feed, "the feed is programmed here");
+  }
+
+  /// F, the unit and the move are not all in one file: one program called the other. F counts in
+  /// the unit that its own program had stated before it.
+  void ofOtherProgram(const Event &event, const Origin &mode, const Origin &feed,
+                      RuleContext &ctx) const {
+    const MachineState &state = ctx.after();
+    const CodeInfo *const now = state.activeCode(ctx.dialect(), StandardGroup::FeedMode);
+    if (!now || state.may(Fact::FeedIsLead) ||
+        (!state.must(Fact::FeedCarried) && isOfRunningProgram(feed, ctx)))
+      return;
+    const CodeIndex then = unitOf(feed, ctx);
+    if (then == noCode || !otherUnit(ctx.dialect(), then, codeIndex(*now, ctx.dialect())) ||
+        memory().acrossCalls == std::pair(feed, mode))
+      return;
+    memory().acrossCalls = {feed, mode};
+    report(event, mode, feed, ctx);
+  }
+
+  /// Whether the place is in the current program or in one that has called it. What another one has
+  /// left was programmed under its own unit, which its return may have taken back.
+  static bool isOfRunningProgram(const Origin &place, const RuleContext &ctx) {
+    if (isIn(ctx, place, ctx.index().programAt(ctx.block().begin)))
+      return true;
+    for (const CallSite *call = ctx.caller(); call && call->unit; call = call->before)
+      if (place.file == call->unit->source.id() && place.begin >= call->program->begin &&
+          place.begin < call->program->end)
+        return true;
+    return false;
+  }
+
+  static CodeIndex codeIndex(const CodeInfo &code, const Dialect &dialect) {
+    return CodeIndex(&code - dialect.codes.data());
+  }
+
+  /// A block that states the unit of the feed.
+  struct Stated {
+    uint32_t block; ///< its begin
+    CodeIndex unit; ///< `noCode`: a program that was called before it may have stated another one
+  };
+
+  /// What the text of a program states of the unit, in its order.
+  const std::vector<Stated> &statedIn(FileId file, const ProgramInfo &program,
+                                      const RuleContext &ctx) const {
+    const Reader &reader = ctx.indexOf(file).reader(); // all of the program's text counts
+    return units_.of({file, program.body}, [&] {
+      std::vector<Stated> units;
+      for (const Block &block : blocks(reader, program.body, program.end)) {
+        if (entersProgram(block))
+          units.push_back({block.next, noCode});
+        for (const Word &word : block.words)
+          if (const auto unit = stated(ctx.dialect(), word))
+            units.push_back({block.begin, *unit});
+      }
+      return units;
+    });
+  }
+
+  /// The unit that the program of `feed` had stated in its text up to the block of F. A main
+  /// program that had stated none began with that of the table; `noCode`: it is that of a caller or
+  /// of a called program.
+  CodeIndex unitOf(const Origin &feed, const RuleContext &ctx) const {
+    const ProgramInfo &program = ctx.indexOf(feed.file).programAt(feed.begin);
+    const std::vector<Stated> &all = statedIn(feed.file, program, ctx);
+    const auto after =
+        llvm::partition_point(all, [&](const Stated &one) { return one.block <= feed.begin; });
+    if (after != all.begin())
+      return std::prev(after)->unit;
+    if (!isOfRunningProgram(feed, ctx))
+      return unitBeforeCall(ctx);
+    return isMain(program, ctx) ? initial(ctx.dialect()) : noCode;
+  }
+
+  /// The unit that the current program had stated before the one call that it has made since.
+  CodeIndex unitBeforeCall(const RuleContext &ctx) const {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const std::vector<Stated> &all = statedIn(ctx.source().id(), program, ctx);
+    auto last = llvm::partition_point(
+        all, [&](const Stated &one) { return one.block <= ctx.block().begin; });
+    if (last == all.begin() || (--last)->unit != noCode)
+      return noCode;
+    if (last == all.begin())
+      return isMain(program, ctx) ? initial(ctx.dialect()) : noCode;
+    return std::prev(last)->unit;
+  }
+
+  static bool isMain(const ProgramInfo &program, const RuleContext &ctx) {
+    const CallSite *first = ctx.caller();
+    while (first && first->before)
+      first = first->before;
+    return first ? first->program == &program
+                 : &ctx.index().programAt(ctx.block().begin) == &program;
   }
 
   /// The control forgets F at the code of the feed's unit, be it the one in force.
@@ -127,6 +230,8 @@ private:
     memory().tap = {};
   }
 
+  /// By program: those of its text.
+  TextAnswers<std::pair<FileId, uint32_t>, std::vector<Stated>> units_;
   bool afterTap_ = false;
   bool forgets_ = false; ///< see `GroupInfo::forgetsFeed`
 

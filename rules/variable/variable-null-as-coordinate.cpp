@@ -1,7 +1,11 @@
 // An axis word whose variable was never set.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
+#include "analyzer/program/callers.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "analyzer/rule/text_answers.h"
 #include "interp/evaluate/expression.h"
+#include "interp/value/macro_argument.h"
 
 namespace ncvet {
 namespace {
@@ -11,19 +15,81 @@ public:
   void listen(Subscriptions &to) override { to.onChange({EventKind::Motion, EventKind::CycleRun}); }
 
   void on(const Event &, RuleContext &ctx) const override {
-    // In a called macro a word without an argument is left out on purpose.
-    if (ctx.callDepth() > 0)
-      return;
     if (ctx.block().expressions.empty())
       return sleepInShape();
-    for (const Word &word : ctx.block().words)
-      if ((ctx.dialect().axisWords & maskOf(word.address)) && word.has(wordExpression) &&
-          evaluate(ctx.block(), uint16_t(word.mantissa), ctx.before(), nullptr).isVacant())
+    for (const Word &word : ctx.block().words) {
+      if (!(ctx.dialect().axisWords & maskOf(word.address)) || !word.has(wordExpression) ||
+          !evaluate(ctx.block(), uint16_t(word.mantissa), ctx.before(), nullptr).isVacant())
+        continue;
+      if (ctx.callDepth() == 0) {
         if (auto finding = ctx.report(word))
           finding.message("the variable of `{0}` was never set: the control leaves the word out "
                           "and the axis stays",
                           ctx.text(word));
+      } else if (neverGiven(word, ctx)) {
+        if (auto finding = ctx.report(word))
+          finding.severity(Severity::Warning)
+              .message("no call of this macro gives the argument of `{0}`: the control leaves "
+                       "the word out and the axis stays",
+                       ctx.text(word));
+      }
+    }
   }
+
+private:
+  /// Whether the word is an argument of the macro that no call gives. A macro whose argument some
+  /// of them leave out, or that asks for it, leaves the word out on purpose.
+  bool neverGiven(const Word &word, const RuleContext &ctx) const {
+    const Expression &e = ctx.block().expressions[size_t(word.mantissa)];
+    const ExpressionOp &op = ctx.block().operations[e.first];
+    if (e.count != 1 || op.op != Op::Variable || !ctx.caller() || !ctx.caller()->macro)
+      return false;
+    const auto number = uint32_t(op.value);
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    return answers_.of({{ctx.source().id(), program.begin}, number},
+                       [&] { return noCallGives(number, program, ctx); });
+  }
+
+  static bool noCallGives(uint32_t number, const ProgramInfo &program, const RuleContext &ctx) {
+    char letter = 'A';
+    while (letter <= 'Z' && macroArgument(letter) != number)
+      ++letter;
+    if (letter > 'Z')
+      return false;
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+      if (looksAt(block, number))
+        return false;
+    const Callers callers = callersOf(ctx.unit(), program);
+    return callers.all && !callers.places.empty() &&
+           llvm::all_of(callers.places, [&](const CallPlace &call) {
+             Block block;
+             call.unit->index.read(call.block, block);
+             // With I, J and K more than once the letters are those of a list.
+             return call.unit == &ctx.unit() && !block.has(letterAddress(letter)) &&
+                    !(block.repeated & lettersMask("IJK")) &&
+                    findCode(ctx.dialect(), block, {Action::MacroCall});
+           });
+  }
+
+  /// Whether the block gives the variable a value or decides by it.
+  static bool looksAt(const Block &block, uint32_t number) {
+    return llvm::any_of(block.items, [&](const Item &item) {
+      if (item.kind == ItemKind::Assignment && block.keyOf(item.target) == number)
+        return true;
+      if (item.condition == noExpression)
+        return false;
+      const Expression &e = block.expressions[item.condition];
+      for (uint32_t i = 0; i < e.count; ++i) {
+        const ExpressionOp &op = block.operations[e.first + i];
+        if (op.op == Op::Variable && uint32_t(op.value) == number)
+          return true;
+      }
+      return false;
+    });
+  }
+
+  /// By program and variable: no call gives it.
+  TextAnswers<std::pair<std::pair<FileId, uint32_t>, uint32_t>, bool> answers_;
 };
 
 } // namespace
