@@ -2,6 +2,7 @@
 // words have a value that their code does not take.
 #include "analyzer/facts/word_checks.h"
 
+#include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 #include "interp/evaluate/cycle_words.h"
 #include "interp/evaluate/expression.h"
@@ -199,7 +200,8 @@ void reportWordRanges(RuleContext &ctx, const Event &event,
         finding.message("`{0}` ({1}) is written with a decimal point, which is not allowed here",
                         ctx.text(word), what);
       else
-        finding.message("`{0}` ({1}) is not {2}", ctx.text(word), what, describe(spec.range));
+        finding.message("{0} ({1}) is not {2}", withValue(ctx, word, ctx.value(word)), what,
+                        describe(spec.range));
       finding.severity(spec.rangeSeverity);
     }
   }
@@ -259,6 +261,32 @@ bool givesNoticedValue(const Block &block, const CodeInfo &code, llvm::StringRef
   return llvm::any_of(code.notices, [&](const Notice &notice) {
     return rule == notice.rule && notice.atVariable && assignmentOf(block, notice.atVariable);
   });
+}
+
+bool lacksAction(const RuleContext &ctx, const SyntaxIssue &issue) {
+  // `WHENEVER DO`: the condition is what is missing.
+  return issue.kind == SyntaxIssueKind::BadStatement &&
+         !ctx.text(ctx.range(issue)).rtrim().endswith_insensitive("DO") &&
+         llvm::any_of(ctx.block().items, [&](const Item &item) {
+           return item.kind == ItemKind::Output && item.begin == issue.begin;
+         });
+}
+
+bool namesLackedFunction(const RuleContext &ctx, const SyntaxIssue &issue) {
+  if (issue.kind != SyntaxIssueKind::BadExpression)
+    return false;
+  const llvm::StringRef text = ctx.text(ctx.range(issue));
+  const llvm::StringRef name = text.take_while(llvm::isAlpha);
+  return text.drop_front(name.size()).startswith("[") &&
+         llvm::any_of(ctx.dialect().facts->variables.lacksFunctions,
+                      [&](llvm::StringRef one) { return name.equals_insensitive(one); });
+}
+
+std::string withValue(const RuleContext &ctx, const Word &word, const Interval &value) {
+  std::string text = ("`" + ctx.text(word) + "`").str();
+  if (!word.isNumber() && value.isConstant())
+    text += " = " + shortNumber(value.value());
+  return text;
 }
 
 void reportExcludedWords(RuleContext &ctx, const Event &event) {

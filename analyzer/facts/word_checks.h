@@ -85,11 +85,22 @@ private:
 void reportKeptRanges(RuleContext &ctx, const Event &event, KeptFaults &faults,
                       llvm::function_ref<bool(const CodeInfo &, const WordSpec &)> mine);
 
+/// Whether the issue is that of a synchronised action without its DO: the reader gives it the place
+/// of the statement.
+bool lacksAction(const RuleContext &ctx, const SyntaxIssue &issue);
+
+/// Whether the issue is an expression that begins with a function which the control lacks.
+bool namesLackedFunction(const RuleContext &ctx, const SyntaxIssue &issue);
+
 /// Whether the block gives a value anew to a variable at which the code has notices for `rule`.
 bool givesNoticedValue(const Block &block, const CodeInfo &code, llvm::StringRef rule);
 
 /// What the bounds ask for: "0 or 1", "greater than 0", "a whole number from 1 to 4".
 std::string describe(const ValueTest &test);
+
+/// A word in backticks as its block writes it, with its value where that is computed and known:
+/// "`P#101` = 100".
+std::string withValue(const RuleContext &ctx, const Word &word, const Interval &value);
 
 /// Reports the words of the block of which the event's code takes only one of two sets.
 void reportExcludedWords(RuleContext &ctx, const Event &event);

@@ -110,7 +110,7 @@ void Contours::section(const Step &step, llvm::StringRef labels) {
   const auto [first, last] = resolveProfile(unit.index, region.program, Reference::toLabel(head),
                                             Reference::toLabel(tail), from);
   if (!first || !last)
-    return run_.issue(FlowIssue::UnknownProgram, step, where);
+    return run_.issue(FlowIssue::UnknownBlock, step, where);
   Block end;
   unit.reader->read(*last, end);
   const bool holdsCycle = *first <= from && from < end.next;

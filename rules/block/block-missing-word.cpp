@@ -12,6 +12,7 @@ class BlockMissingWord final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.handleNotices();
+    to.on(EventKind::Syntax);
     to.onCode([](const CodeInfo &code) {
       return code.action == Action::Sleep ||
              llvm::any_of(code.words,
@@ -23,6 +24,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Syntax)
+      return withoutAction(ctx.block().issues[event.issue()], ctx);
     ctx.reportNotices(id, event);
     if (ctx.code(event).action == Action::Sleep && !hasTime(*event.word, ctx))
       if (auto finding = ctx.report(event))
@@ -40,6 +43,17 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"block-missing-word"};
+
+  /// `WHEN $A_IN[1]==1`, and no DO.
+  static void withoutAction(const SyntaxIssue &issue, RuleContext &ctx) {
+    if (!lacksAction(ctx, issue))
+      return;
+    const SourceRange range = ctx.range(issue);
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` needs `DO` and what to do then, and its block has none: the control "
+                      "stops with an alarm",
+                      ctx.source().displayText(ctx.text(range)));
+  }
 
   /// `AX[FIRST]=20`: an axis whose name a variable holds.
   static bool namesAxes(const RuleContext &ctx) {

@@ -37,6 +37,11 @@ public:
       others_ |= maskOf(AddressId(i)) & ~told;
     }
     to.on({EventKind::WordIssue, EventKind::Syntax});
+    texts_ = to.flag("texts");
+    if (texts_) {
+      to.on(EventKind::Statement);
+      to.onChange({EventKind::Block});
+    }
     digits_ = to.dialect().facts->limits.lengthDigits;
     leastAlarm_ = to.dialect().facts->limits.leastAlarm;
     greatestAlarm_ = to.dialect().facts->limits.greatestAlarm;
@@ -65,6 +70,10 @@ public:
     }
     if (event.kind == EventKind::Assignment)
       return alarm(event, ctx);
+    if (event.kind == EventKind::Statement)
+      return tooLongText(ctx.block().items[event.item()], ctx);
+    if (event.kind == EventKind::Block)
+      return ofWords(ctx);
     if (event.kind != EventKind::Code)
       return ofAddress(event, ctx);
     if (ctx.code(event).action == Action::Reset) { // the limits of the machine hold again
@@ -104,6 +113,55 @@ private:
                         "with an alarm",
                         ctx.text(word), digits_);
     }
+  }
+
+  bool texts_ = false; ///< the control has texts, groups by their numbers and ways of rotary axes
+
+  /// A text in quotation marks.
+  static void tooLongText(const Item &item, RuleContext &ctx) {
+    constexpr uint32_t longest = 200; // characters
+    for (const Argument &argument : ctx.block().argumentsOf(item)) {
+      if (argument.kind != ArgumentKind::Text || argument.end - argument.begin <= longest)
+        continue;
+      if (auto finding = ctx.report(ctx.range(argument)))
+        finding.severity(Severity::Warning)
+            .message("a text of {0} characters: the control takes {1}",
+                     argument.end - argument.begin, longest);
+    }
+  }
+
+  /// `X=DC(10)` of an axis that does not turn, and `G[70]=1`.
+  static void ofWords(RuleContext &ctx) {
+    const Dialect &dialect = ctx.dialect();
+    for (const Word &word : ctx.block().words) {
+      if (!word.has(wordExpression))
+        continue;
+      const AddressInfo &address = dialect.addresses[word.address];
+      const bool turns = word.reading() == WordReading::RotaryShortest ||
+                         word.reading() == WordReading::RotaryPositive ||
+                         word.reading() == WordReading::RotaryNegative;
+      if (turns && address.kind == AddressKind::Axis && address.axis <= Axis::Z) {
+        if (auto finding = ctx.report(word))
+          finding.severity(Severity::Warning)
+              .message("`{0}`: {1} is a linear axis, and this is the way of one that turns",
+                       ctx.text(word), ctx.text(word).take_front());
+      } else if (word.address == letterAddress('G')) {
+        groupOf(word, ctx);
+      }
+    }
+  }
+
+  static void groupOf(const Word &word, RuleContext &ctx) {
+    constexpr int64_t greatest = 64;
+    const auto [inside, rest] = ctx.text(word).drop_front().ltrim().split(']');
+    int64_t number = 0;
+    if (!inside.startswith("[") || inside.drop_front().trim().getAsInteger(10, number) ||
+        (number >= 1 && number <= greatest))
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Warning)
+          .message("`{0}`: the groups of G functions are numbered 1 to {1}", ctx.text(word),
+                   greatest);
   }
 
   double leastAlarm_ = 0, greatestAlarm_ = 0; ///< of the numbers that `#3000` takes
@@ -173,7 +231,7 @@ private:
             : "from " + bound(std::fabs(address.least) < nothing ? 0 : address.least) + " to " +
                   bound(address.most);
     if (auto finding = ctx.report(word))
-      finding.message("`{0}` ({1}) is not {2}", ctx.text(word), address.title, range);
+      finding.message("{0} ({1}) is not {2}", withValue(ctx, word, value), address.title, range);
   }
 
   static void skipInside(const SyntaxIssue &issue, RuleContext &ctx) {

@@ -254,11 +254,23 @@ private:
     if (!staysInside(here.next, end, read, ctx))
       return;
     const SourceRange range = ctx.range(item);
-    if (auto finding = ctx.report(range))
+    if (auto finding = ctx.report(range)) {
       finding.message(
           read.empty() ? "`{0}`: nothing in the loop leads out of it, it never ends"
                        : "`{0}`: nothing in the loop changes what its end looks at, it never ends",
           ctx.text(range));
+      // Bar work and running in move; a loop that only computes hangs the control.
+      if (!moves(here.next, end, ctx))
+        finding.severity(Severity::Warning);
+    }
+  }
+
+  static bool moves(uint32_t from, uint32_t end, const RuleContext &ctx) {
+    for (const Block &block : blocks(ctx.index(), from, end))
+      if (axesOf(ctx.dialect(), block) || block.hasAny(ctx.dialect().axisWords) ||
+          !codesOf(ctx.dialect(), block).empty())
+        return true;
+    return false;
   }
 
   /// `IF R1<5 GOTOB AGAIN` over blocks that do not leave and write nothing of what it looks at.

@@ -2,6 +2,9 @@
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/rule.h"
+#include "interp/evaluate/expression.h"
+
+#include <cmath>
 
 namespace ncvet {
 namespace {
@@ -17,7 +20,10 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Item &item = ctx.block().items[event.item()];
-    memory().counts |= item.kind == ItemKind::Structure && item.structure == Structure::For;
+    if (item.kind == ItemKind::Structure && item.structure == Structure::For) {
+      memory().counts = true;
+      realCounter(item, ctx);
+    }
     memory().repeats |= item.kind == ItemKind::Repeat;
   }
 
@@ -57,6 +63,27 @@ public:
   }
 
 private:
+  /// A loop adds 1 in each pass: a counter with decimals ends where nobody expects it.
+  static void realCounter(const Item &item, RuleContext &ctx) {
+    const SourceRange range{ctx.source().id(), item.nameBegin, item.nameEnd};
+    const Defined *const defined =
+        ctx.index().definition(ctx.index().programAt(ctx.block().begin), ctx.text(range).trim());
+    if (!defined || defined->kind != ItemKind::Definition || defined->type != VariableType::Real ||
+        (!ctx.asked() && !hasDecimals(item.value, ctx) && !hasDecimals(item.limit, ctx)))
+      return; // it counts whole passes all the same
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Style)
+          .message("`{0}` counts the passes and is a REAL: the loop adds 1 and takes no other step",
+                   ctx.text(range))
+          .note(ctx.range(*defined), "it is defined here");
+  }
+
+  static bool hasDecimals(uint16_t bound, const RuleContext &ctx) {
+    const Value value = bound == noExpression ? Value::unknown()
+                                              : evaluate(ctx.block(), bound, ctx.before(), nullptr);
+    return value.isConstant() && value.number.value() != std::floor(value.number.value());
+  }
+
   /// A block of a repeated section gives a variable its first value, and a later one counts on.
   static void setAgain(const FileSummary &file, RuleContext &ctx) {
     const std::vector<RepeatedSection> sections = repeatedSections(file.index);

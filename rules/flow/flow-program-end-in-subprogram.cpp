@@ -1,6 +1,8 @@
 // A program end code is in a called program.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 
 namespace ncvet {
 namespace {
@@ -15,9 +17,13 @@ public:
     to.on(EventKind::FlowIssue);
     if (to.dialect().endReturns)
       to.onAction({Action::ProgramEnd, Action::ProgramEndRewind});
+    if (to.flag("interrupts"))
+      to.on(EventKind::Statement);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Statement)
+      return startedByInput(ctx.block().items[event.item()], ctx);
     if (event.kind == EventKind::Code) {
       // A file that says itself to be a subprogram is one without a caller too; its first end says
       // so for all of them.
@@ -40,6 +46,32 @@ public:
   }
 
 private:
+  /// `SETINT(3) PRIO=1 UP`: a program that an input starts, which the reader gives as a name alone.
+  static void startedByInput(const Item &item, RuleContext &ctx) {
+    Project *const project = ctx.unit().project;
+    const llvm::StringRef name = ctx.text(ctx.range(item));
+    if (item.kind != ItemKind::Output || !project || item.arguments || name.empty() ||
+        !llvm::all_of(name, [](char c) { return llvm::isAlnum(c) || c == '_'; }))
+      return;
+    const auto [unit, program] = project->findProgram(ctx.unit(), name);
+    if (!program)
+      return;
+    for (const Block &block : blocks(unit->index, program->body, program->end)) {
+      const CodeInfo *const code =
+          findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
+      if (!code)
+        continue;
+      const SourceRange range = wordsRange(unit->source.id(), block);
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Warning)
+            .message("`{0}` ends a program that an input starts: it ends with `RET`, which takes "
+                     "the interrupted program up again",
+                     code->name)
+            .note(ctx.range(item), "it is started here");
+      return;
+    }
+  }
+
   static void returns(SourceRange range, const Event &event, RuleContext &ctx) {
     const std::string back = returnOf(ctx.dialect());
     if (auto finding = ctx.report(range, event.certain))

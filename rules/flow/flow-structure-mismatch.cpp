@@ -4,12 +4,15 @@
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
+#include <set>
+
 namespace ncvet {
 namespace {
 
 struct FlowStructureMismatchMemory {
   bool repeats = false;
-  bool loops = false; ///< a loop with a number was executed
+  bool loops = false;         ///< a loop with a number was executed
+  std::set<CodeIndex> opened; ///< words that others have to end
 };
 
 class FlowStructureMismatch final : public StatefulRule<FlowStructureMismatchMemory> {
@@ -19,9 +22,15 @@ public:
     to.onAction({Action::ModesRestored});
     loopNumbers_ = to.dialect().facts->limits.loopNumbers;
     nest_ = to.dialect().facts->program.repeatsNest;
+    // Words without a letter that another ends, with arguments or none.
+    to.onCode([&](const CodeInfo &code) { return isPair(to.dialect(), code); });
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Code && isPair(ctx.dialect(), ctx.code(event))) {
+      memory().opened.insert(event.code);
+      return;
+    }
     if (event.kind == EventKind::Code)
       return restores(event, ctx);
     if (event.kind == EventKind::Statement) {
@@ -70,6 +79,8 @@ public:
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
+    for (const CodeIndex code : memory().opened)
+      neverEnded(ctx.dialect().codes[code], file, ctx);
     if (loopNumbers_ && memory().loops)
       for (const ProgramInfo &program : file.index.programs())
         numbers(program, file, ctx);
@@ -85,6 +96,33 @@ public:
   }
 
 private:
+  /// A word of the language that opens something which another one ends: `GROUP_BEGIN`.
+  static bool isPair(const Dialect &dialect, const CodeInfo &code) {
+    return !code.letter && code.action == Action::None && code.group == noGroup &&
+           code.opposite != noCode && code.words.empty() &&
+           dialect.codes[code.opposite].opposite == noCode;
+  }
+
+  /// Each of them that the text does not end.
+  static void neverEnded(const CodeInfo &opens, const FileSummary &file, RuleContext &ctx) {
+    std::vector<SourceRange> open;
+    for (const Block &block : blocks(file.reader))
+      for (const Word &word : block.words) {
+        const CodeIndex code =
+            word.address == keywordAddress ? codeOf(ctx.dialect(), word) : noCode;
+        if (code == noCode)
+          continue;
+        if (&ctx.dialect().codes[code] == &opens)
+          open.push_back({file.source.id(), word.offset, block.endOf(word)});
+        else if (code == opens.opposite && !open.empty())
+          open.pop_back();
+      }
+    for (const SourceRange &range : open)
+      if (auto finding = ctx.report(range))
+        finding.severity(Severity::Style)
+            .message("`{0}` has no `{1}`", opens.name, ctx.dialect().codes[opens.opposite].name);
+  }
+
   static bool beginsSubprogram(const RuleContext &ctx) {
     return llvm::any_of(ctx.block().items,
                         [](const Item &item) { return item.structure == Structure::Sub; });

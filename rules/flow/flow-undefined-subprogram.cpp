@@ -1,6 +1,7 @@
 // A called program, or a locally called block, exists nowhere.
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/dialect/measure.h"
 
 namespace ncvet {
 namespace {
@@ -21,6 +22,23 @@ bool isNamed(const Flow &flow) {
   return flow.kind == FlowKind::CallNamed || flow.kind == FlowKind::CallModal;
 }
 
+/// Whether the name that is called has the number of a cycle of the control and almost its letters:
+/// `CYLCE81`.
+bool isMistyped(const RuleContext &ctx) {
+  constexpr size_t shortest = 5; // shorter names are like each other by chance
+  constexpr unsigned most = 2;   // letters; two that are changed round are two
+  const std::string text = ctx.text(ctx.flowRange()).split('(').first.trim().upper();
+  const llvm::StringRef name = text, letters = name.rtrim("0123456789");
+  if (letters.size() + 1 < shortest)
+    return false;
+  return llvm::any_of(ctx.dialect().codes, [&](const CodeInfo &code) {
+    const llvm::StringRef known = code.name, own = known.rtrim("0123456789");
+    return !code.letter && own.size() >= shortest && own != letters &&
+           known.drop_front(own.size()) == name.drop_front(letters.size()) &&
+           own.edit_distance(letters, true, most) <= most;
+  });
+}
+
 class FlowUndefinedSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
@@ -29,7 +47,11 @@ public:
     const auto issue = event.flowIssue();
     const Flow &flow = ctx.outcome().flow;
     const bool local = flow.kind == FlowKind::CallLocal;
-    if (issue != FlowIssue::UnknownProgram && !(issue == FlowIssue::UnknownBlock && local))
+    const bool contour = issue == FlowIssue::UnknownBlock && flow.kind == FlowKind::Contour &&
+                         flow.code != noCode &&
+                         !has(ctx.dialect().codes[flow.code], CycleTrait::TurnsContour);
+    if (issue != FlowIssue::UnknownProgram && !(issue == FlowIssue::UnknownBlock && local) &&
+        !contour)
       return;
     // A macro of the control itself is not part of any folder of programs.
     const bool builtIn =
@@ -39,7 +61,8 @@ public:
     if (isProtected(flow, ctx.dialect().limits.protectedPrograms))
       return;
     // A subprogram may belong to a set of the machine's builder, which lies on the control.
-    if (isNamed(flow) && ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram)
+    if (isNamed(flow) && ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram &&
+        !isMistyped(ctx))
       return;
     auto finding = ctx.report(ctx.flowRange(), event.certain && !builtIn);
     if (!finding)
@@ -48,7 +71,7 @@ public:
       finding.severity(Severity::Error)
           .message("`{0}` calls a block that this program does not have: the control stops here",
                    ctx.text(ctx.flowRange()));
-    else if (flow.kind == FlowKind::Contour && ctx.text(ctx.flowRange()).contains(':'))
+    else if (contour)
       finding.message("`{0}` is a contour between two labels, and this program does not have both: "
                       "the control stops here",
                       ctx.text(ctx.flowRange()));

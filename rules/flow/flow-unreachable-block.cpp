@@ -1,4 +1,5 @@
 // Blocks that no path reaches.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 
@@ -23,7 +24,15 @@ SourceRange contentOf(const Block &block, const SourceFile &source) {
 
 class FlowUnreachableBlock final : public Rule {
 public:
-  void listen(Subscriptions &to) override { afterEnd_ = to.flag("afterEnd"); }
+  void listen(Subscriptions &to) override {
+    afterEnd_ = to.flag("afterEnd");
+    if (to.flag("actions"))
+      to.on(EventKind::Statement);
+  }
+
+  void on(const Event &event, RuleContext &ctx) const override {
+    actsNever(ctx.block().items[event.item()], ctx);
+  }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     if (!file.complete)
@@ -33,6 +42,25 @@ public:
   }
 
 private:
+  /// `WHEN .. DO ..` without a number acts with the next move, and the program ends before one.
+  static void actsNever(const Item &item, RuleContext &ctx) {
+    const Block &here = ctx.block();
+    if (item.kind != ItemKind::Output || item.condition == noExpression ||
+        llvm::any_of(here.items, [&](const Item &other) {
+          return other.kind == ItemKind::Instruction && other.begin == item.begin;
+        }))
+      return;
+    BlocksAhead ahead(ctx);
+    Block next;
+    if (!ahead.next(next) || next.hasAny(ctx.dialect().axisWords) ||
+        !findCode(ctx.dialect(), next, {Action::ProgramEnd, Action::ProgramEndRewind}))
+      return;
+    const SourceRange range = ctx.blockRange();
+    if (auto finding = ctx.report(range))
+      finding.severity(Severity::Warning)
+          .message("this action lasts as long as the next move, and the program ends before one");
+  }
+
   bool afterEnd_ = false; ///< … of the program too, which is another rule's business elsewhere
 
   /// Reports what follows the end of a section that is executed, when it ends with a return

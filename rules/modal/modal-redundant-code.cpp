@@ -2,13 +2,25 @@
 // rapid block, an increment under incremental dimensions, a block that holds nothing.
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/program/block_reading.h"
+
+#include <map>
+#include <set>
 
 namespace ncvet {
 namespace {
 
-class ModalRedundantCode final : public Rule {
+struct ModalRedundantCodeMemory {
+  bool acts = false; ///< the program gives numbers to things that another word ends
+};
+
+class ModalRedundantCode final : public StatefulRule<ModalRedundantCodeMemory> {
 public:
   void listen(Subscriptions &to) override {
+    for (const CodeInfo &code : to.dialect().codes)
+      if (isNumbered(code))
+        ends_.push_back(code.opposite);
+    to.onCode([&](const CodeInfo &code) { return isNumbered(code) || endsNumbered(code.base); });
     wanted_ = to.flag("wanted");
     neverCalled_ = to.flag("cycleOff");
     firstToo_ = to.flag("firstToo");
@@ -38,6 +50,10 @@ public:
       return increment(ctx);
     }
     ctx.reportNotices(id, event);
+    if (isNumbered(ctx.code(event)) || endsNumbered(event.code)) {
+      memory().acts = true;
+      return;
+    }
     const Action action = ctx.code(event).action;
     if (action == Action::MacroCancel)
       return macroOff(event, ctx);
@@ -51,8 +67,98 @@ public:
     }
   }
 
+  void finish(const FileSummary &file, RuleContext &ctx) const override {
+    if (memory().acts)
+      for (const ProgramInfo &program : file.index.programs())
+        numbers(program, file, ctx);
+  }
+
 private:
   static constexpr llvm::StringLiteral id{"modal-redundant-code"};
+
+  /// `ID=1 ...`: it stays on under its number until another word ends that.
+  static bool isNumbered(const CodeInfo &code) {
+    return !code.letter && code.opposite != noCode && code.words.size() == 1 &&
+           code.words.front().position == 1 && code.words.front().range.integer;
+  }
+  bool endsNumbered(CodeIndex code) const { return llvm::is_contained(ends_, code); }
+
+  /// Numbers that are given twice in a row of blocks which nothing enters or leaves, and such as
+  /// are ended and were never given.
+  void numbers(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) const {
+    std::map<int64_t, SourceRange> on;
+    std::set<int64_t> given;
+    std::vector<std::pair<int64_t, SourceRange>> ended;
+    bool calls = program.kind == ProgramKind::Subprogram;
+    for (const Block &block : blocks(file.reader, program.body, program.end)) {
+      if (block.hasLabel() || block.skip >= 0 || leads(block))
+        on.clear(); // another path may lead here, or past here
+      for (const Item &item : block.items) {
+        calls |= item.kind == ItemKind::Call;
+        if (item.kind != ItemKind::Instruction)
+          continue;
+        const SourceRange range{file.source.id(), item.begin, item.end};
+        const CodeIndex code =
+            ctx.dialect().keyword(file.source.text(item.nameBegin, item.nameEnd));
+        if (code == noCode)
+          continue;
+        const CodeInfo &info = ctx.dialect().codes[code];
+        if (isNumbered(info)) {
+          const auto number = numberOf(block, item, 0);
+          if (!number) {
+            calls = true; // it may be any
+            continue;
+          }
+          given.insert(*number);
+          const auto [known, fresh] = on.try_emplace(*number, range);
+          if (fresh)
+            continue;
+          if (auto finding = ctx.report(range))
+            finding.severity(Severity::Warning)
+                .message("`{0}` takes the place of the action with the same number",
+                         ctx.text(range))
+                .note(known->second, "the first one");
+          known->second = range;
+        } else if (endsNumbered(code)) {
+          if (!item.arguments)
+            on.clear();
+          for (size_t i = 0; i < item.arguments; ++i) {
+            const auto number = numberOf(block, item, i);
+            if (!number)
+              on.clear();
+            else if (on.erase(*number) == 0)
+              ended.emplace_back(*number, range);
+          }
+        }
+      }
+    }
+    if (calls)
+      return;
+    for (const auto &[number, range] : ended)
+      if (!given.count(number))
+        if (auto finding = ctx.report(range))
+          finding.message("`{0}`: nothing has the number {1} in this program", ctx.text(range),
+                          number);
+  }
+
+  static bool leads(const Block &block) {
+    return llvm::any_of(block.items, [](const Item &item) {
+      return item.kind == ItemKind::Jump || item.kind == ItemKind::Structure ||
+             item.kind == ItemKind::Call || item.kind == ItemKind::Repeat ||
+             item.kind == ItemKind::If;
+    });
+  }
+
+  static std::optional<int64_t> numberOf(const Block &block, const Item &item, size_t place) {
+    const Argument &argument = block.argumentsOf(item)[place];
+    if (argument.kind != ArgumentKind::Expression ||
+        argument.expression >= block.expressions.size())
+      return std::nullopt;
+    const Expression &e = block.expressions[argument.expression];
+    if (e.bad || e.count != 1 || block.operations[e.first].op != Op::Number)
+      return std::nullopt;
+    return int64_t(block.operations[e.first].value);
+  }
 
   /// A line of several modes, which states them all whatever they are.
   static bool isSafeLine(const RuleContext &ctx) { return ctx.codes().size() > 2; }
@@ -185,6 +291,7 @@ private:
               .note(ctx.after().originOf(ctx.dialect(), StandardGroup::Distance), "since here");
   }
 
+  std::vector<CodeIndex> ends_; ///< words that end what has a number
   bool wanted_ = false;
   bool rapidFeed_ = false;   ///< a feed in a rapid block is advised against
   bool neverCalled_ = false; ///< a cancel before every cycle is advised against

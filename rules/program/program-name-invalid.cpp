@@ -295,8 +295,12 @@ private:
     Block block;
     for (const auto &label : file.index.labels(program)) {
       const bool tooLong = labelLength_ && label.getKey().size() > labelLength_;
+      const CodeIndex own = ctx.dialect().keyword(label.getKey());
+      // Many words of the language are names elsewhere; those of modes are taken by none.
+      const bool isWord = own != noCode && (ctx.dialect().codes[own].group != noGroup ||
+                                            ctx.dialect().codes[own].stopsPreparation);
       const bool wrong = !label.getKey().startswith("_") && wrongName(label.getKey());
-      if (!wrong && !tooLong)
+      if (!wrong && !tooLong && !isWord)
         continue;
       for (const uint32_t at : label.getValue()) {
         file.reader.read(at, block);
@@ -305,6 +309,9 @@ private:
         if (finding && wrong)
           finding.message("`{0}` is no name for a label: {1}", ctx.text(range),
                           wrongName(label.getKey()));
+        else if (finding && isWord)
+          finding.message("`{0}` is no name for a label: it is a word of the language",
+                          ctx.text(range));
         else if (finding)
           finding.message("the label `{0}` has {1} characters, and the control takes {2}",
                           ctx.text(range), label.getKey().size(), labelLength_);

@@ -31,7 +31,8 @@ public:
     if (file.index.programs().size() < 2)
       return;
     for (const ProgramInfo &program : file.index.programs()) {
-      if (program.hasHeader() && program.number < 0 && ctx.dialect().lexical.namedPrograms)
+      if (program.hasHeader() && program.number < 0 &&
+          (ctx.dialect().lexical.namedPrograms || !ctx.dialect().facts->program.dataKinds.empty()))
         named(program, file, ctx);
       if (!program.hasHeader() || program.number < 0)
         continue;
@@ -53,6 +54,14 @@ public:
   }
 
 private:
+  /// The line after the header that says where the control files the program, as archives have it;
+  /// empty: there is none.
+  static llvm::StringRef folderOf(const ProgramInfo &program, const FileSummary &file) {
+    const llvm::StringRef rest = file.source.text().slice(program.headerEnd, program.end).ltrim();
+    const llvm::StringRef line = rest.take_until([](char c) { return c == '\r' || c == '\n'; });
+    return line.startswith(";$PATH") ? line.split('=').second.trim() : "";
+  }
+
   /// `<NAME>` twice.
   static void named(const ProgramInfo &program, const FileSummary &file, RuleContext &ctx) {
     const auto headerOf = [&](const ProgramInfo &p) {
@@ -62,7 +71,8 @@ private:
     for (const ProgramInfo &first : file.index.programs()) {
       if (&first == &program)
         return;
-      if (!first.hasHeader() || first.number >= 0 || ctx.text(headerOf(first)).trim() != name)
+      if (!first.hasHeader() || first.number >= 0 || ctx.text(headerOf(first)).trim() != name ||
+          folderOf(first, file) != folderOf(program, file) || isSame(first, program, file.reader))
         continue;
       if (auto finding = ctx.report(headerOf(program)))
         finding

@@ -11,9 +11,13 @@ public:
     from_ = int64_t(to.dialect().facts->variables.volatileFrom);
     if (from_)
       to.on({EventKind::Statement, EventKind::UnsetRead});
+    if (to.flag("equalsSign"))
+      to.onCode([](const CodeInfo &code) { return code.letter == 'M'; });
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Code)
+      return constantAfterEquals(event, ctx);
     if (event.kind == EventKind::UnsetRead)
       return event.certain ? systemVariable(event, ctx) : void();
     const Item &item = ctx.block().items[event.item()];
@@ -38,6 +42,20 @@ public:
   }
 
 private:
+  /// `M=8`: the form for what is computed.
+  static void constantAfterEquals(const Event &event, RuleContext &ctx) {
+    const llvm::StringRef text = event.word ? ctx.text(*event.word) : "";
+    if (!event.word || !event.word->isNumber() || !text.drop_front().ltrim().startswith("="))
+      return;
+    if (auto finding = ctx.report(event))
+      finding
+          .message("`{0}` is a constant in the form of what is computed: `M{1}` says the same",
+                   text, event.word->codeNumber())
+          .fix(FixSafety::Safe, "write the number after the letter",
+               ctx.replace(ctx.range(*event.word),
+                           llvm::formatv("M{0}", event.word->value()).str()));
+  }
+
   /// `R1060=R1060+1` in a program that has not set R1060: it counts on from what was there before.
   static bool goesOn(const Item &item, const RuleContext &ctx) {
     const Block &block = ctx.block();

@@ -1,5 +1,5 @@
 // A statement, expression or run of letters that does not fit the control's grammar.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/word_checks.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -47,9 +47,13 @@ public:
       what = "`{0}` has no bracket to match it";
       break;
     case SyntaxIssueKind::BadExpression:
+      if (namesLackedFunction(ctx, issue)) // syntax-unknown-name speaks
+        return;
       what = "`{0}` is no expression that the control can compute";
       break;
     case SyntaxIssueKind::BadStatement:
+      if (lacksAction(ctx, issue)) // block-missing-word speaks
+        return;
       what = "`{0}` is no statement that the control knows";
       break;
     case SyntaxIssueKind::UnknownWord:

@@ -1,6 +1,7 @@
 // A name that the control does not know and the program does not define.
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/instruction_name.h"
+#include "analyzer/facts/word_checks.h"
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -23,8 +24,10 @@ public:
       to.onChange({EventKind::Block});
     }
     lacks_ = to.dialect().facts->variables.lacksFunctions;
-    if (!lacks_.empty())
+    if (!lacks_.empty()) {
       to.onChange({EventKind::Block});
+      to.on(EventKind::Syntax);
+    }
     if (to.dialect().keywords.empty())
       return;
     for (const CodeInfo &code : to.dialect().codes)
@@ -60,6 +63,12 @@ public:
       return again(ctx.block().items[event.item()], ctx);
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     const SourceRange range = ctx.range(issue);
+    if (namesLackedFunction(ctx, issue))
+      return lacked({range.file, range.begin,
+                     range.begin + uint32_t(ctx.text(range).take_while(llvm::isAlpha).size())},
+                    ctx);
+    if (ctx.dialect().keywords.empty()) // syntax-error speaks of other words
+      return;
     if (issue.kind == SyntaxIssueKind::UnknownAttribute && !ctx.block().repeatsIssue(event.issue()))
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
@@ -102,11 +111,14 @@ private:
             return name.equals_insensitive(one);
           }))
         continue;
-      const SourceRange range{ctx.source().id(), op.offset, op.offset + uint32_t(name.size())};
-      if (auto finding = ctx.report(range))
-        finding.severity(Severity::Warning)
-            .message("`{0}` is no function of this control", ctx.text(range));
+      lacked({ctx.source().id(), op.offset, op.offset + uint32_t(name.size())}, ctx);
     }
+  }
+
+  static void lacked(SourceRange name, RuleContext &ctx) {
+    if (auto finding = ctx.report(name))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is no function of this control", ctx.text(name));
   }
 
   /// A name that the program has defined before.

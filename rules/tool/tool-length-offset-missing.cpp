@@ -1,8 +1,10 @@
 // A move along the tool axis after a tool change, before length compensation is on.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/retracted_offset.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "formats/dialect/control_facts.h"
 
 #include <cstring>
 #include <map>
@@ -22,9 +24,14 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().group(StandardGroup::LengthOffset) != noGroup)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
+    retracts_ = to.flag("retracts") && to.dialect().facts->tools.cuttingEdges;
+    if (retracts_)
+      to.onMoves({MotionKind::Feed, MotionKind::ArcCw, MotionKind::ArcCcw});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (retracts_)
+      return afterRetract(event, ctx);
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
     // Drilling goes along the tool axis in every hole.
@@ -65,6 +72,24 @@ public:
   }
 
 private:
+  bool retracts_ = false; ///< D0 takes the length away, and a retract has left it in force
+
+  /// `SUPA G0 Z500 D0`, and a cut without D1.
+  void afterRetract(const Event &event, RuleContext &ctx) const {
+    const MachineState &state = ctx.after();
+    const Origin &off = state.origin.of(StatePart::RadiusOffset);
+    if (event.inMachineCoordinates() || state.radiusOffset != 0 || state.tool == 0 ||
+        !state.must(Fact::ToolCalled) || ctx.before().may(Fact::UnknownCode) ||
+        !memory().once.maySpeak(off, ctx) || !isOfRetract(ctx, off) ||
+        !memory().once.speaks(off, ctx))
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding
+          .message("the tool cuts with D0 of its retract: neither its length nor its radius is in "
+                   "force")
+          .note(off, "D0 is programmed here");
+  }
+
   /// The tool goes to its setter: it is measured before it cuts anything.
   static bool isMeasured(const RuleContext &ctx) {
     constexpr unsigned furthest = 12; // blocks

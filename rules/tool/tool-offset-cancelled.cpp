@@ -1,4 +1,5 @@
 // Work with a tool whose offset is cancelled.
+#include "analyzer/facts/retracted_offset.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -15,6 +16,7 @@ public:
   void listen(Subscriptions &to) override {
     edges_ = to.dialect().facts->tools.cuttingEdges;
     length_ = to.dialect().lengthByTool != noGroup;
+    retracts_ = to.flag("retracts", true);
     if (to.dialect().isLathe() || edges_ || length_)
       to.onChange({EventKind::Motion, EventKind::CycleRun});
   }
@@ -74,6 +76,9 @@ private:
     const bool cuts = event.kind == EventKind::CycleRun ||
                       (event.motion != MotionKind::Rapid && event.motion != MotionKind::Reference);
     const bool empty = ctx.after().tool == 0;
+    if (cuts && !retracts_ && !empty && event.kind == EventKind::Motion &&
+        isOfRetract(ctx, ctx.after().origin.of(StatePart::RadiusOffset)))
+      return; // tool-length-offset-missing speaks
     if (!cuts || event.inMachineCoordinates() || (ctx.after().radiusOffset != 0 && !empty) ||
         state.may(Fact::UnknownCode) || !state.must(Fact::ToolCalled) ||
         !memory().once.speaks(
@@ -94,7 +99,8 @@ private:
   }
 
   bool edges_ = false;
-  bool length_ = false; ///< a code switches the length off alone
+  bool length_ = false;  ///< a code switches the length off alone
+  bool retracts_ = true; ///< D0 of a retract is this rule's
 };
 
 } // namespace

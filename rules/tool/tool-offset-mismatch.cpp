@@ -1,6 +1,7 @@
 // An offset number that is not the tool's own.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/program/block_reading.h"
-#include "analyzer/rule/rule.h"
+#include "formats/dialect/control_facts.h"
 
 #include <set>
 
@@ -10,6 +11,7 @@ namespace {
 struct ToolOffsetMismatchMemory {
   bool read = false;
   std::set<int64_t> tools; ///< numbers of the T words of the file
+  SourceRange waits;       ///< an edge that is programmed while its tool waits for its change
 };
 
 class ToolOffsetMismatch final : public StatefulRule<ToolOffsetMismatchMemory> {
@@ -21,12 +23,19 @@ public:
       to.on(EventKind::ToolWord);
     else
       to.on(EventKind::OffsetWord);
+    edges_ = to.dialect().facts->tools.cuttingEdges && !to.dialect().toolChangeByT;
+    if (edges_) {
+      to.on({EventKind::ToolChange, EventKind::ToolWord});
+      to.onChange({EventKind::Motion});
+    }
     for (size_t i = 0; i < to.dialect().switches.size(); ++i)
       if (to.dialect().switches[i].id == "data-input")
         dataInput_ = 1u << i;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (edges_)
+      return edge(event, ctx);
     const MachineState &state = ctx.after();
     const Word &word = *event.word;
     if (event.kind == EventKind::ToolWord) {
@@ -69,6 +78,48 @@ public:
   }
 
 private:
+  bool edges_ = false; ///< a tool comes with edges, of which its change takes the first
+
+  /// `T2`, `D2`, `M6`: the change takes the first edge again.
+  void edge(const Event &event, RuleContext &ctx) const {
+    if (event.kind != EventKind::OffsetWord && event.kind != EventKind::ToolChange) {
+      memory().waits = {};
+      return;
+    }
+    if (event.kind == EventKind::OffsetWord) {
+      const bool further = event.offset().isConstant() && event.offset().value() > 1;
+      const bool alone = event.word->address == letterAddress('D') &&
+                         !ctx.block().has(letterAddress('T')) && !ctx.find({Action::ToolChange});
+      if (!alone)
+        return;
+      memory().waits =
+          further && ctx.before().preselected != notSet ? ctx.range(*event.word) : SourceRange();
+      return;
+    }
+    const SourceRange waits = std::exchange(memory().waits, {});
+    if (waits.empty() || ctx.block().has(letterAddress('D')) || givesEdge(ctx))
+      return;
+    if (auto finding = ctx.report(waits))
+      finding.severity(Severity::Warning)
+          .message("`{0}` comes before the change of its tool, which takes edge 1 again",
+                   ctx.text(waits))
+          .note(ctx.blockRange(), "the tool is changed here");
+  }
+
+  /// Whether the program gives the edge anew before it moves.
+  static bool givesEdge(const RuleContext &ctx) {
+    constexpr unsigned furthest = 8; // blocks
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (next.has(letterAddress('D')))
+        return true;
+      if (next.hasAny(ctx.dialect().axisWords))
+        return false;
+    }
+    return true; // the text does not tell
+  }
+
   /// Whether a T word of the file has the number. Reads the whole file once.
   bool isTool(int64_t number, const RuleContext &ctx) const {
     Memory &known = memory();

@@ -16,12 +16,15 @@ public:
   void listen(Subscriptions &to) override {
     digits_ = to.dialect().facts->limits.toolDigits;
     any_ = to.dialect().facts->tools.anyDigits;
-    if (to.dialect().isLathe() || digits_ != 0)
+    named_ = to.dialect().facts->tools.cuttingEdges;
+    if (to.dialect().isLathe() || digits_ != 0 || named_)
       to.on(EventKind::ToolWord);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const Word &word = *event.word;
+    if (named_)
+      return withoutName(word, ctx);
     if (digits_ != 0 && word.has(wordExpression))
       return computed(word, ctx);
     // T0 and T00 cancel the offset; what an expression gives is not written here.
@@ -57,6 +60,18 @@ public:
   }
 
 private:
+  /// `T=""`.
+  static void withoutName(const Word &word, RuleContext &ctx) {
+    const llvm::StringRef text = ctx.text(word);
+    const llvm::StringRef name = text.split('=').second.trim();
+    if (name.size() < 2 || !name.startswith("\"") || !name.endswith("\"") ||
+        !name.drop_front().drop_back().trim().empty())
+      return;
+    if (auto finding = ctx.report(word))
+      finding.severity(Severity::Warning).message("`{0}` names no tool: the name is empty", text);
+  }
+
+  bool named_ = false; ///< tools have names, and edges for their offsets
   /// How the digits are split is set on the machine: once for all words of a program.
   void mixed(const Word &word, size_t count, RuleContext &ctx) const {
     const bool mixes = count > 4 ? memory().four : memory().more && count > 2;

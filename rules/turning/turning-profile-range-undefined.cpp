@@ -10,11 +10,18 @@ class TurningProfileRangeUndefined final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::FlowIssue);
+    for (size_t i = 0; i < to.dialect().switches.size(); ++i)
+      if (to.dialect().switches[i].id == "contour")
+        called_ = unsigned(i);
+    if (called_)
+      to.onCode([](const CodeInfo &code) { return contourName(code) != nullptr; });
     if (to.dialect().facts->turning.profileAfterCycle)
       to.on(EventKind::CycleRun);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Code)
+      return ofCalledContour(event, ctx);
     if (event.kind == EventKind::CycleRun)
       return beforeProfile(event, ctx);
     const auto issue = event.flowIssue();
@@ -42,6 +49,35 @@ public:
   }
 
 private:
+  /// The word of a cycle that names its contour, or null.
+  static const WordSpec *contourName(const CodeInfo &code) {
+    for (const WordSpec &spec : code.words)
+      if (spec.text && spec.role == Role::Program && spec.position == 1)
+        return &spec;
+    return nullptr;
+  }
+
+  /// `CYCLE72("",...)` works along the contour that another block has called.
+  void ofCalledContour(const Event &event, RuleContext &ctx) const {
+    const WordSpec *const name = contourName(ctx.code(event));
+    const MachineState &before = ctx.before();
+    if (before.switchMayBeOn(*called_) || before.may(Fact::UnknownCode) || ctx.callDepth() > 0)
+      return;
+    for (const Item &item : ctx.block().items) {
+      if (item.kind != ItemKind::Instruction || item.begin != event.word->offset ||
+          item.arguments < name->position)
+        continue;
+      const Argument &argument = ctx.block().argumentsOf(item)[name->position - 1u];
+      if (argument.kind != ArgumentKind::Text || argument.end > argument.begin)
+        continue;
+      if (auto finding = ctx.report(event, event.certain))
+        finding.message("`{0}` has no name for its contour, and none was called before",
+                        ctx.code(event).name);
+    }
+  }
+
+  std::optional<unsigned> called_; ///< the switch of a contour that a block calls for the cycles
+
   /// Roughing goes on after its contour; finishing may look back.
   static void beforeProfile(const Event &event, RuleContext &ctx) {
     const Flow &flow = ctx.outcome().flow;

@@ -4,6 +4,7 @@
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -34,8 +35,11 @@ public:
       return sleepInShape();
     if (event.kind == EventKind::Block && !gaps_.empty())
       return inGaps(ctx);
-    if (event.kind == EventKind::Block)
+    if (event.kind == EventKind::Block) {
+      if (ctx.dialect().lexical.commaSeparates)
+        frames(ctx);
       return numbered_ ? numbersRead(ctx) : elements(ctx);
+    }
     if (event.kind == EventKind::UnsetRead) {
       const auto begin = event.place();
       const llvm::StringRef name = ctx.source().text(begin, ctx.block().end).take_while([](char c) {
@@ -57,6 +61,38 @@ public:
   }
 
 private:
+  /// `$P_UIFR[1,X,TX]`: the last index of a frame is one of its five parts.
+  static void frames(RuleContext &ctx) {
+    constexpr std::array<llvm::StringLiteral, 5> parts{"TR", "FI", "RT", "SC", "MI"};
+    const llvm::StringRef text =
+        ctx.source().text(ctx.block().begin, ctx.block().end).split(';').first;
+    for (size_t at = text.find("$P_"); at != llvm::StringRef::npos; at = text.find("$P_", at + 1)) {
+      const llvm::StringRef rest = text.drop_front(at);
+      const size_t open =
+          rest.find_if_not([](char c) { return llvm::isAlnum(c) || c == '_' || c == '$'; });
+      const llvm::StringRef name = rest.take_front(open);
+      // The names of the control's frames end so.
+      if (open == llvm::StringRef::npos || rest[open] != '[' ||
+          !(name.endswith_insensitive("FR") || name.endswith_insensitive("FRAME")))
+        continue;
+      const auto length = lengthInBrackets(rest.drop_front(open + 1));
+      if (!length)
+        continue;
+      llvm::SmallVector<llvm::StringRef, 3> indices;
+      rest.substr(open + 1, *length).split(indices, ',');
+      const llvm::StringRef part = indices.back().trim();
+      const bool isName = part.size() == 2 && llvm::isAlpha(part[0]) && llvm::isAlpha(part[1]);
+      if (indices.size() < 2 || !isName ||
+          llvm::any_of(parts, [&](llvm::StringRef one) { return part.equals_insensitive(one); }) ||
+          ctx.index().definition(ctx.index().programAt(ctx.block().begin), part))
+        continue;
+      const auto begin = uint32_t(ctx.block().begin + at);
+      if (auto finding = ctx.report(
+              SourceRange{ctx.source().id(), begin, uint32_t(begin + open + *length + 2)}))
+        finding.message("`{0}` is no part of a frame: they are TR, FI, RT, SC and MI", part);
+    }
+  }
+
   std::vector<int> gaps_; ///< first and last number of each range without variables
 
   /// `#50`, written or read, where the control has none of that number.

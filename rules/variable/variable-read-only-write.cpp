@@ -9,6 +9,7 @@ public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().readOnly.empty() || !to.dialect().readOnlyNumbers.empty())
       to.on(EventKind::Statement);
+    stops_ = size_t(to.number("stopRanges", 0));
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -22,11 +23,13 @@ public:
           (llvm::StringRef(readOnly).endswith("_") && name.startswith_insensitive(readOnly)))
         if (auto finding = ctx.report(range))
           finding.message("`{0}` can only be read: the control refuses the block", name);
-    if (const auto number = numberOf(ctx.block(), item);
-        number && isReadOnly(*number, ctx.dialect()))
-      if (auto finding = ctx.report(range))
-        finding.severity(Severity::Warning)
-            .message("`#{0}` can only be read: the control writes it itself", *number);
+    const auto number = numberOf(ctx.block(), item);
+    const auto which = number ? rangeOf(*number, ctx.dialect()) : std::nullopt;
+    if (!which)
+      return;
+    if (auto finding = ctx.report(range))
+      finding.severity(*which < stops_ ? Severity::Error : Severity::Warning)
+          .message("`#{0}` can only be read: the control writes it itself", *number);
   }
 
 private:
@@ -39,13 +42,16 @@ private:
     return int64_t(block.operations[target.first].value);
   }
 
-  static bool isReadOnly(int64_t number, const Dialect &dialect) {
+  /// Which of the table's ranges of variables that are only read holds the number.
+  static std::optional<size_t> rangeOf(int64_t number, const Dialect &dialect) {
     const std::vector<int> &ranges = dialect.readOnlyNumbers;
     for (size_t i = 0; i + 1 < ranges.size(); i += 2)
       if (number >= ranges[i] && number <= ranges[i + 1])
-        return true;
-    return false;
+        return i / 2;
+    return std::nullopt;
   }
+
+  size_t stops_ = 0; ///< in how many of the ranges, from the first, the control refuses to write
 };
 
 } // namespace
