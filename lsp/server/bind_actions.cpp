@@ -5,6 +5,7 @@
 #include "lsp/features/writing/suppression_edit.h"
 #include "lsp/server/bindings.h"
 #include "lsp/server/rewriting_actions.h"
+#include "lsp/server/workspace_edit.h"
 
 namespace ncvet::lsp {
 
@@ -58,10 +59,16 @@ private:
   unsigned count_ = 0;
 };
 
-void fixesOfFinding(const Problem &problem, const CheckResult &result, Json &actions) {
+void fixesOfFinding(const Problem &problem, const CheckResult &result, const View &view,
+                    Json &actions) {
   if (problem.fixTitle.empty())
     return;
   Json fix = action(problem.fixTitle, "quickfix", problem.changes);
+  if (!problem.safe && view.client.annotatesChanges)
+    annotate(fix["edit"], view.document, [&](const std::string &) -> EditNote {
+      return {"unsafe", "Not safe: the program may move otherwise afterwards", problem.fixTitle,
+              true};
+    });
   fix["diagnostics"] = {Json::parse(problem.diagnostic)};
   fix["isPreferred"] = problem.safe;
   actions.push_back(std::move(fix));
@@ -147,7 +154,7 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
     if (problem.path != view.document.path || problem.begin > end || problem.end < begin)
       continue;
     if (wants(asked, "quickfix")) {
-      fixesOfFinding(problem, *result, actions);
+      fixesOfFinding(problem, *result, view, actions);
       suppressions(problem, view, actions);
     }
     if (wants(asked, "source.explain.ncvet")) {

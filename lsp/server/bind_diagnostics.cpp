@@ -3,6 +3,7 @@
 #include "formats/text/file_uri.h"
 #include "lsp/server/bindings.h"
 #include "lsp/server/file_stamp.h"
+#include "lsp/server/progress.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/xxhash.h"
@@ -37,10 +38,10 @@ Json ofDocument(Context &context, View &view, const Json &params) {
 /// that it looked at are what they were.
 class WorkspaceChecks {
 public:
-  /// `partial`, when given, is handed what is known so far from time to time; the rest is returned.
+  /// What was not sent as a part of the answer.
   Json report(const CheckJob &base, llvm::ArrayRef<std::string> folders, const Json &params,
-              ProblemBoard &board, const std::atomic<bool> &cancelled,
-              const std::function<void(Json items)> &partial) {
+              ProblemBoard &board, const std::atomic<bool> &cancelled, WorkDone &work,
+              PartialAnswer &parts) {
     if (base.session != session_) {
       session_ = base.session;
       closed_.clear();
@@ -49,9 +50,12 @@ public:
     for (const Json &known : params.value("previousResultIds", Json::array()))
       previous[known.at("uri")] = known.at("value");
     Json items = Json::array();
-    for (const Input &input : collectInputs(folders, *base.session).files) {
+    const std::vector<Input> files = collectInputs(folders, *base.session).files;
+    size_t done = 0;
+    for (const Input &input : files) {
       if (cancelled)
         break;
+      work.report(done++, files.size());
       const bool open = base.overlay->count(input.path);
       const std::string uri = uriOfPath(input.path);
       const std::string known = board.diagnostics(input.path);
@@ -60,8 +64,8 @@ public:
       one["uri"] = uri;
       one["version"] = nullptr;
       items.push_back(std::move(one));
-      if (partial && items.size() == filesOfPart)
-        partial(std::exchange(items, Json::array()));
+      if (parts.isWanted() && items.size() == filesOfPart)
+        parts.send({{"items", std::exchange(items, Json::array())}});
     }
     return {{"items", std::move(items)}};
   }
@@ -127,16 +131,6 @@ private:
   std::map<std::string, Kept> closed_;
 };
 
-/// How parts of an answer are sent; null when the client wants none.
-std::function<void(Json items)> partsOf(Rpc &rpc, const Json &params) {
-  const auto token = params.find("partialResultToken");
-  if (token == params.end() || token->is_null())
-    return nullptr;
-  return [&rpc, token = *token](Json items) {
-    rpc.notify("$/progress", {{"token", token}, {"value", {{"items", std::move(items)}}}});
-  };
-}
-
 } // namespace
 
 void bindDiagnostics(Context &context) {
@@ -151,8 +145,14 @@ void bindDiagnostics(Context &context) {
         auto held = std::make_shared<Reply>(std::move(reply));
         context.workspace->post([&context, workspace, held, params, job = context.job(Document()),
                                  folders = context.folders] {
-          (*held)(workspace->report(job, folders, params, context.problems, held->cancelled(),
-                                    partsOf(context.rpc, params)));
+          Json report;
+          {
+            WorkDone work(context.rpc, params, "programs of the workspace");
+            PartialAnswer parts(context.rpc, params);
+            report = workspace->report(job, folders, params, context.problems, held->cancelled(),
+                                       work, parts);
+          }
+          (*held)(std::move(report));
         });
       });
 }

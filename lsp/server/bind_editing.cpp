@@ -8,6 +8,7 @@
 #include "lsp/features/writing/rename_program.h"
 #include "lsp/features/writing/renumber.h"
 #include "lsp/server/bindings.h"
+#include "lsp/server/workspace_edit.h"
 
 #include "llvm/Support/MemoryBuffer.h"
 
@@ -59,20 +60,23 @@ bool isProgramAt(View &view, uint32_t offset) {
 
 /// `WorkspaceEdit` of a rename; that of a file comes last.
 Json editOf(View &view, const ProgramRename &renamed) {
-  const Json changes = view.places.changes(renamed.edits);
+  Json edit = {{"changes", view.places.changes(renamed.edits)}};
+  if (view.client.annotatesChanges)
+    annotate(edit, view.document, [&](const std::string &uri) -> EditNote {
+      return uri == view.document.uri ? EditNote{"here", "In this text"}
+                                      : EditNote{"elsewhere", "Calls in other programs"};
+    });
   if (renamed.from.empty())
-    return {{"changes", changes}};
-  Json steps = Json::array();
-  for (const auto &[uri, edits] : changes.items()) {
-    Json version = nullptr; // of files that are not open
-    if (uri == view.document.uri)
-      version = view.document.version;
-    steps.push_back(
-        {{"textDocument", {{"uri", uri}, {"version", std::move(version)}}}, {"edits", edits}});
+    return edit;
+  makeSteps(edit, view.document);
+  Json step = {
+      {"kind", "rename"}, {"oldUri", uriOfPath(renamed.from)}, {"newUri", uriOfPath(renamed.to)}};
+  if (view.client.annotatesChanges) {
+    step["annotationId"] = "file";
+    edit["changeAnnotations"]["file"] = {{"label", "The file that is named after the program"}};
   }
-  steps.push_back(
-      {{"kind", "rename"}, {"oldUri", uriOfPath(renamed.from)}, {"newUri", uriOfPath(renamed.to)}});
-  return {{"documentChanges", std::move(steps)}};
+  edit["documentChanges"].push_back(std::move(step));
+  return edit;
 }
 
 /// The file that a rename of a program moves. The editor asks of that move too, whose changes are

@@ -9,6 +9,7 @@
 #include "lsp/features/navigation/selection.h"
 #include "lsp/features/navigation/symbols.h"
 #include "lsp/server/bindings.h"
+#include "lsp/server/progress.h"
 #include "lsp/server/workspace_symbols.h"
 
 namespace ncvet::lsp {
@@ -62,13 +63,22 @@ Json declared(View &view, const Json &params) {
   return view.places.location(*place);
 }
 
-Json used(View &view, const Json &params) {
+Json used(Context &context, View &view, const Json &params) {
   const bool declaration = params.at("context").at("includeDeclaration");
-  Json list = Json::array();
-  for (const SourceRange &place :
-       references(view.snapshot, view.offset(params), declaration, view.programs()))
-    list.push_back(view.places.location(place));
-  return list;
+  const auto locations = [&](const std::vector<SourceRange> &places) {
+    Json list = Json::array();
+    for (const SourceRange &place : places)
+      list.push_back(view.places.location(place));
+    return list;
+  };
+  const std::vector<std::string> programs = view.programs();
+  WorkDone work(context.rpc, params, "references");
+  PartialAnswer parts(context.rpc, params);
+  GatherSteps steps;
+  steps.looked = [&](size_t files) { work.report(files, programs.size()); };
+  if (parts.isWanted())
+    steps.found = [&](const std::vector<SourceRange> &places) { parts.send(locations(places)); };
+  return locations(references(view.snapshot, view.offset(params), declaration, programs, steps));
 }
 
 Json highlighted(View &view, const Json &params) {
@@ -199,24 +209,19 @@ void bindCallHierarchy(Context &context) {
   });
 }
 
-/// Answers `workspace/symbol`. Tells how far it is, when the client wants to know.
+/// Answers `workspace/symbol`.
 void bindWorkspaceSymbols(Context &context) {
   auto symbols = std::make_shared<WorkspaceSymbols>();
   context.rpc.onRequest("workspace/symbol", [&context, symbols](const Json &params, Reply reply) {
     auto held = std::make_shared<Reply>(std::move(reply));
     context.workspace->post([&context, symbols, held, query = params.at("query").get<std::string>(),
-                             token = params.value("workDoneToken", Json()),
-                             job = context.job(Document()), folders = context.folders] {
-      const auto progress = [&](Json value) {
-        if (!token.is_null())
-          context.rpc.notify("$/progress", {{"token", token}, {"value", std::move(value)}});
-      };
-      progress({{"kind", "begin"}, {"title", "ncvet: symbols"}, {"percentage", 0}});
-      const auto report = [&](size_t percent) {
-        progress({{"kind", "report"}, {"percentage", percent}});
-      };
-      Json found = symbols->search(job, folders, query, report, held->cancelled());
-      progress({{"kind", "end"}});
+                             params, job = context.job(Document()), folders = context.folders] {
+      Json found = Json::array();
+      {
+        WorkDone work(context.rpc, params, "symbols");
+        PartialAnswer parts(context.rpc, params);
+        found = symbols->search(job, folders, query, work, parts, held->cancelled());
+      }
       (*held)(std::move(found));
     });
   });
@@ -247,7 +252,9 @@ void bindNavigation(Context &context) {
   // The text of a program is its definition and its implementation.
   context.onDocument("textDocument/implementation", defined);
   context.onDocument("textDocument/declaration", declared);
-  context.onDocument("textDocument/references", used);
+  context.onDocument("textDocument/references", [&context](View &view, const Json &params) {
+    return used(context, view, params);
+  });
   context.onDocument("textDocument/documentHighlight", highlighted);
   context.onDocument("textDocument/documentSymbol",
                      [](View &view, const Json &) { return outline(view); });

@@ -3,7 +3,9 @@
 #include "lsp/features/showing/document_states.h"
 #include "lsp/features/showing/inlay_hints.h"
 #include "lsp/features/showing/semantic_tokens.h"
+#include "lsp/features/showing/word_help.h"
 #include "lsp/features/writing/completion.h"
+#include "lsp/features/writing/linked_editing.h"
 #include "lsp/features/writing/signature_help.h"
 #include "lsp/server/bindings.h"
 
@@ -150,9 +152,64 @@ Json hinted(View &view, const Json &params) {
   options.on[size_t(HintKind::Target)] = view.settings.hints.values;
   options.on[size_t(HintKind::Motion)] = view.settings.hints.motion;
   Json list = Json::array();
-  for (const InlayHint &hint : inlayHints(view.snapshot, begin, end, options, &view.cancelled))
-    list.push_back({{"position", toJson(view.positions.at(hint.offset))}, {"label", hint.text}});
+  for (const InlayHint &hint : inlayHints(view.snapshot, begin, end, options, &view.cancelled)) {
+    Json json = {{"position", toJson(view.positions.at(hint.offset))}, {"label", hint.text}};
+    if (view.client.resolvesHints)
+      json["data"] = {{"uri", view.document.uri},
+                      {"version", view.document.version},
+                      {"offset", hint.offset},
+                      {"motion", hint.kind == HintKind::Motion}};
+    list.push_back(std::move(json));
+  }
   return list;
+}
+
+/// Gives a hint its explanation: that of the word which it is about, and of a mode the place where
+/// it was switched on.
+Json explainHint(View &view, Json hint) {
+  const Json &data = hint.at("data");
+  const uint32_t offset =
+      std::min(data.at("offset").get<uint32_t>(), uint32_t(view.snapshot.text().size()));
+  const DocumentStates states = view.statesAt(offset);
+  const MachineState *const before = states.firstBefore();
+  std::optional<WordHelp> help;
+  if (!data.at("motion").get<bool>()) {
+    help = wordHelp(view.snapshot, offset == 0 ? 0 : offset - 1, before);
+  } else if (const auto place = before ? placeOfMotion(view.snapshot.dialect(), *before)
+                                       : std::optional<SourceRange>();
+             place && place->file == view.snapshot.source().id()) {
+    help = wordHelp(view.snapshot, place->begin, nullptr);
+    const Json label = {{"value", hint.at("label")}, {"location", view.places.location(*place)}};
+    hint["label"] = Json::array({label});
+  }
+  if (help)
+    hint["tooltip"] = {{"kind", view.client.markdown ? "markdown" : "plaintext"},
+                       {"value", help->markdown}};
+  return hint;
+}
+
+void resolveHint(Context &context) {
+  context.rpc.onRequest("inlayHint/resolve", [&context](const Json &params, Reply reply) {
+    const Json data = params.value("data", Json());
+    const Document *document =
+        data.is_object() ? context.documents.find(data.value("uri", "")) : nullptr;
+    if (!document)
+      return reply(params);
+    if (document->version != data.at("version"))
+      return reply.fail(RpcError::ContentModified, "the document has changed");
+    context.answerFor(*document, std::move(reply),
+                      [params](View &view) { return explainHint(view, params); });
+  });
+}
+
+Json linkedTo(View &view, const Json &params) {
+  const std::vector<SourceRange> places = linkedPlaces(view.snapshot, view.offset(params));
+  if (places.empty())
+    return nullptr;
+  Json ranges = Json::array();
+  for (const SourceRange &place : places)
+    ranges.push_back(view.places.range(place));
+  return {{"ranges", std::move(ranges)}, {"wordPattern", "[A-Za-z0-9_]+"}};
 }
 
 Json lenses(View &view) {
@@ -257,6 +314,8 @@ void bindWriting(Context &context) {
   resolveCompletion(context);
   context.onDocument("textDocument/signatureHelp", signature);
   context.onDocument("textDocument/inlayHint", hinted);
+  resolveHint(context);
+  context.onDocument("textDocument/linkedEditingRange", linkedTo);
   context.onDocument("textDocument/codeLens",
                      [](View &view, const Json &) { return lenses(view); });
   auto tokens = std::make_shared<Tokens>(); // of the thread of features

@@ -204,6 +204,7 @@ Json Context::diagnosticOptions() const {
   return {{"documentSelector", nullptr},
           {"identifier", "ncvet"},
           {"interFileDependencies", true},
+          {"workDoneProgress", true},
           {"workspaceDiagnostics", !client.registersDiagnostics || settings.workspaceDiagnostics}};
 }
 

@@ -24,6 +24,8 @@ struct ClientSupport {
   bool registersDiagnostics = false;  ///< pull diagnostics may be registered later
   bool showsControl = false;          ///< takes `ncvet/control`
   bool resolvesEdits = false;         ///< the edit of a code action may come when it is chosen
+  bool resolvesHints = false;         ///< what explains a hint may come when it is looked at
+  bool annotatesChanges = false;      ///< a `WorkspaceEdit` may say what its edits are
   bool refreshesDiagnostics = false;
   bool progress = false;
   bool configuration = false;

@@ -62,6 +62,12 @@ ClientSupport readSupport(const Json &capabilities) {
   for (const Json &name :
        lookUp(capabilities, {"textDocument", "codeAction", "resolveSupport", "properties"}))
     client.resolvesEdits |= name == "edit";
+  for (const Json &name :
+       lookUp(capabilities, {"textDocument", "inlayHint", "resolveSupport", "properties"}))
+    client.resolvesHints |= name == "tooltip";
+  client.annotatesChanges =
+      has({"workspace", "workspaceEdit", "documentChanges"}) &&
+      lookUp(capabilities, {"workspace", "workspaceEdit", "changeAnnotationSupport"}).is_object();
   client.showsControl = has({"experimental", "ncvet", "control"});
   client.refreshesDiagnostics = has({"workspace", "diagnostics", "refreshSupport"});
   client.progress = has({"window", "workDoneProgress"});
@@ -110,7 +116,8 @@ Json capabilities(const Context &context) {
       {"declarationProvider", true},
       {"implementationProvider", true},
       {"inlineValueProvider", true},
-      {"referencesProvider", true},
+      {"referencesProvider", {{"workDoneProgress", true}}},
+      {"linkedEditingRangeProvider", true},
       {"documentHighlightProvider", true},
       {"documentSymbolProvider", true},
       {"workspaceSymbolProvider", {{"workDoneProgress", true}}},
@@ -126,7 +133,7 @@ Json capabilities(const Context &context) {
        {{"triggerCharacters", {"G", "M", "L", "(", ",", "#", "<", "$"}},
         {"resolveProvider", true}}},
       {"signatureHelpProvider", {{"triggerCharacters", {"(", ",", ";", " "}}}},
-      {"inlayHintProvider", true},
+      {"inlayHintProvider", {{"resolveProvider", true}}},
       {"codeLensProvider", {{"resolveProvider", false}}},
       {"semanticTokensProvider",
        {{"legend", tokensLegend()}, {"full", {{"delta", true}}}, {"range", true}}},

@@ -9,8 +9,8 @@ namespace ncvet::lsp {
 
 namespace {
 
-constexpr size_t mostSymbols = 1000;       ///< more nobody looks through
-constexpr size_t filesBetweenReports = 16; ///< of progress
+constexpr size_t mostSymbols = 1000; ///< more nobody looks through
+constexpr size_t filesOfPart = 64;   ///< of an answer that comes in parts
 
 } // namespace
 
@@ -47,20 +47,24 @@ const std::vector<WorkspaceSymbols::Entry> &WorkspaceSymbols::entriesOf(const Ch
 }
 
 Json WorkspaceSymbols::search(const CheckJob &base, llvm::ArrayRef<std::string> folders,
-                              llvm::StringRef query, const Progress &progress,
+                              llvm::StringRef query, WorkDone &work, PartialAnswer &parts,
                               const std::atomic<bool> &cancelled) {
   if (base.session != session_) {
     session_ = base.session;
     files_.clear();
   }
   Json list = Json::array();
+  size_t found = 0;
   const std::vector<Input> files = collectInputs(folders, *base.session).files;
-  for (size_t i = 0; i < files.size() && list.size() < mostSymbols && !cancelled; ++i) {
+  for (size_t i = 0; i < files.size() && found < mostSymbols && !cancelled; ++i) {
     for (const Entry &entry : entriesOf(base, files[i].path))
-      if (llvm::StringRef(entry.name).contains_insensitive(query))
+      if (llvm::StringRef(entry.name).contains_insensitive(query)) {
         list.push_back(entry.symbol);
-    if (i % filesBetweenReports == filesBetweenReports - 1)
-      progress(100 * i / files.size());
+        ++found;
+      }
+    work.report(i + 1, files.size());
+    if (parts.isWanted() && !list.empty() && i % filesOfPart == filesOfPart - 1)
+      parts.send(std::exchange(list, Json::array()));
   }
   return list;
 }

@@ -3,6 +3,7 @@
 
 #include "lsp/server/context.h"
 #include "lsp/server/file_stamp.h"
+#include "lsp/server/progress.h"
 
 namespace ncvet::lsp {
 
@@ -10,12 +11,10 @@ namespace ncvet::lsp {
 /// key. Belongs to the thread of the workspace.
 class WorkspaceSymbols {
 public:
-  /// Told how far a search is, in percent.
-  using Progress = std::function<void(size_t percent)>;
-
-  /// Symbols whose names contain `query`, in capitals or not, in the order of the files.
+  /// Symbols whose names contain `query`, in capitals or not, in the order of the files; those that
+  /// were not sent as a part of the answer.
   Json search(const CheckJob &base, llvm::ArrayRef<std::string> folders, llvm::StringRef query,
-              const Progress &progress, const std::atomic<bool> &cancelled);
+              WorkDone &work, PartialAnswer &parts, const std::atomic<bool> &cancelled);
 
 private:
   struct Entry {

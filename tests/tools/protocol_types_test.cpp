@@ -21,7 +21,8 @@ const fs::path extension = fs::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vsc
 /// Suites in which a `LanguageClient` talks to the server.
 constexpr const char *journeys =
     "LanguageServer.*:Features.*:FeaturesOfMills.*:Completions.*:*Settings*:PullDiagnostics.*:"
-    "CallingPrograms.*:BrokenConfiguration.*:CodeActions.*:Renamed.*-LanguageServer.ALong*:*"
+    "CallingPrograms.*:BrokenConfiguration.*:CodeActions.*:Renamed.*:Called.*-LanguageServer.ALong*"
+    ":*"
     "ComesInParts";
 
 /// A type for each method: what a request answers, what a notification tells.
@@ -38,9 +39,12 @@ type Kind<T> =
   : T extends lsp.ProtocolNotificationType0<any> ? { params: undefined; result: never }
   : never;
 type Namespaces = typeof lsp;
-type Messages = {
+type Standard = {
   [K in keyof Namespaces as Namespaces[K] extends { method: infer M extends string } ? M : never]:
     Namespaces[K] extends { type: infer T } ? Kind<T> : never
+};
+type Messages = Standard & {
+  '$/progress': { params: { token: lsp.ProgressToken; value: any }; result: never };
 };
 )TS";
 

@@ -26,7 +26,8 @@ public:
     if (found && found->unit == target.unit && found->program == target.program)
       add(names, name);
   }
-  std::vector<SourceRange> take() { return std::move(places_); }
+  bool hasAny() const { return !places_.empty(); }
+  std::vector<SourceRange> take() { return std::exchange(places_, {}); }
 
 private:
   void add(const Names &names, const Occurrence &name) {
@@ -46,7 +47,7 @@ private:
 } // namespace
 
 std::vector<SourceRange> references(Snapshot &snapshot, uint32_t offset, bool definitions,
-                                    llvm::ArrayRef<std::string> paths) {
+                                    llvm::ArrayRef<std::string> paths, const GatherSteps &steps) {
   const Occurrence *const name = snapshot.names().at(offset);
   if (!name)
     return {};
@@ -60,9 +61,14 @@ std::vector<SourceRange> references(Snapshot &snapshot, uint32_t offset, bool de
   llvm::SmallPtrSet<const FileUnit *, 8> seen;
   seen.insert(target->unit);
   gatherer.in(*target->unit, *name, *target);
-  for (const std::string &path : paths)
-    if (FileUnit *const unit = snapshot.unitOf(path); unit && seen.insert(unit).second)
+  for (size_t i = 0; i < paths.size(); ++i) {
+    if (FileUnit *const unit = snapshot.unitOf(paths[i]); unit && seen.insert(unit).second)
       gatherer.in(*unit, *name, *target);
+    if (steps.looked)
+      steps.looked(i + 1);
+    if (steps.found && gatherer.hasAny())
+      steps.found(gatherer.take());
+  }
   return gatherer.take();
 }
 

@@ -150,4 +150,11 @@ std::vector<InlayHint> inlayHints(Snapshot &snapshot, uint32_t begin, uint32_t e
   return collector.hints();
 }
 
+std::optional<SourceRange> placeOfMotion(const Dialect &dialect, const MachineState &state) {
+  if (!state.activeCode(dialect, StandardGroup::Motion))
+    return std::nullopt;
+  const Origin origin = state.originOf(dialect, StandardGroup::Motion);
+  return origin.known() ? std::optional(origin.range()) : std::nullopt;
+}
+
 } // namespace ncvet::lsp

@@ -5,6 +5,10 @@
 
 #include <atomic>
 
+namespace ncvet {
+struct MachineState; // interp/state/state.h
+}
+
 namespace ncvet::lsp {
 
 enum class HintKind : uint8_t {
@@ -32,5 +36,8 @@ struct InlayHint {
 std::vector<InlayHint> inlayHints(Snapshot &snapshot, uint32_t begin, uint32_t end,
                                   const HintOptions &options = {},
                                   const std::atomic<bool> *cancel = nullptr);
+
+/// Where the code was set that moves the axes in this state; none: it is not certain which it is.
+std::optional<SourceRange> placeOfMotion(const Dialect &dialect, const MachineState &state);
 
 } // namespace ncvet::lsp
