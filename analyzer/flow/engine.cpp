@@ -113,6 +113,13 @@ void Engine::follow(const SkipSwitches &skip) {
   execute({unit, main, main.body, RegionKind::Main}, std::move(lives));
 }
 
+void Engine::followFrom(uint32_t from, const MachineState &state) {
+  Lives lives(1);
+  lives[0].state = state;
+  lives[0].skip.fill(SkipSwitch::Off);
+  execute({unit, unit.index.programs().front(), from, RegionKind::Main}, std::move(lives));
+}
+
 /// Tells what was seen of the file as a whole.
 void Engine::finish() {
   const std::vector<SourceRange> reached = covered.ranges(unit.source.id());

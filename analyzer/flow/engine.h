@@ -38,6 +38,8 @@ public:
   void follow(const SkipSwitches &skip);
   /// The same with block skip off.
   void follow();
+  /// Takes such a run up again, where it came to the block `from` of the first program in `state`.
+  void followFrom(uint32_t from, const MachineState &state);
 
   uint64_t blockCount() const { return blocks; }
   bool isComplete() const { return complete; }

@@ -158,6 +158,42 @@ uint32_t PathSections::enter(const Step &step, uint16_t file) {
   return uint32_t(marks_.size() - 1);
 }
 
+PathSections::Rest PathSections::rest() const {
+  Rest rest;
+  rest.operations = uint32_t(path_.operations.size());
+  if (!path_.operations.empty()) {
+    rest.tool = path_.operations.back().tool;
+    rest.cycle = path_.operations.back().cycle;
+    rest.hasCut = lastCut_ == path_.operations.size() - 1;
+  }
+  if (!marks_.empty()) {
+    rest.setting = marks_.back().first;
+    rest.isLast = marks_.back().second + 1 == path_.operations.size();
+    rest.isTold = lastMark_ + 1 == marks_.size();
+  }
+  rest.file = file_;
+  rest.next = next_;
+  return rest;
+}
+
+void PathSections::resume(const Rest &rest) {
+  marks_.clear();
+  if (rest.operations)
+    marks_.push_back({rest.setting, rest.operations - 1});
+  lastMark_ = rest.isTold ? 0 : uint32_t(-1);
+  lastCut_ = rest.hasCut ? rest.operations - 1 : uint32_t(-1);
+  file_ = rest.file;
+  next_ = rest.next;
+}
+
+bool goOnAlike(const PathSections::Rest &before, const PathSections::Rest &after, int64_t by) {
+  // An operation that has cut is what it will be: later blocks do not name it any more.
+  return before.setting == after.setting && before.tool == after.tool &&
+         before.cycle == after.cycle && before.hasCut && after.hasCut && before.isLast &&
+         after.isLast && before.isTold == after.isTold && before.file == after.file &&
+         before.next + by == after.next;
+}
+
 void PathSections::moved(uint32_t number, uint32_t mark, bool isCut) {
   if (mark >= marks_.size())
     return;

@@ -17,6 +17,22 @@ class PathSections {
 public:
   explicit PathSections(ToolPath &path) : path_(path) {}
 
+  /// What is carried from one block to the next, beside the path itself.
+  struct Rest {
+    uint32_t setting = 0;    ///< of the last block
+    uint32_t operations = 0; ///< how many there are
+    int tool = -1;           ///< of the last operation
+    std::string cycle;       ///< of the last operation
+    bool hasCut = false;     ///< … has cut
+    bool isLast = false;     ///< the last block belongs to it
+    bool isTold = false;     ///< a move was made under the modes of the last block
+    FileId file = 0;         ///< of the last block
+    uint32_t next = 0;       ///< offset after it
+  };
+  Rest rest() const;
+  /// Goes on where `rest` was left; the path is as it was then.
+  void resume(const Rest &rest);
+
   /// A block is executed; the result marks its moves.
   uint32_t enter(const Step &step, uint16_t file);
   /// The move number `number` carries the mark.
@@ -43,5 +59,9 @@ private:
   uint32_t lastCut_ = uint32_t(-1);  ///< operation of the last cut
   uint32_t lastMark_ = uint32_t(-1); ///< of the last move
 };
+
+/// Whether operations go on after both in the same manner: the blocks that follow are the same, and
+/// begin `by` bytes later in the second.
+bool goOnAlike(const PathSections::Rest &before, const PathSections::Rest &after, int64_t by);
 
 } // namespace ncvet

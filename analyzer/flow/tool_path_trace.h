@@ -12,4 +12,7 @@ namespace ncvet {
 ToolPath traceToolPath(Project &project, FileUnit &unit, const AnalysisLimits &limits,
                        size_t mostMoves);
 
+/// What is known of the machine, of a mill or lathe of that dialect.
+PathMachine pathMachine(const MachineProfile &profile, const Dialect &dialect);
+
 } // namespace ncvet

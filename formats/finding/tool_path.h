@@ -140,4 +140,27 @@ struct ToolPath {
   PathMachine machine;
 };
 
+/// From element `first` on, `removed` elements of a list became `added` ones.
+struct ListChange {
+  uint32_t first = 0, removed = 0, added = 0;
+
+  bool isEmpty() const { return removed == 0 && added == 0; }
+  /// Of how many elements the list has more: below zero, less.
+  int64_t by() const { return int64_t(added) - removed; }
+};
+
+/// What an edit of the program has made of its path. Numbers of moves after those that changed are
+/// others by `moves.by()`, numbers of operations by `operations.by()`; that is no change.
+struct ToolPathChange {
+  bool whole = true; ///< it is another path: the rest says nothing
+  ListChange moves;  ///< of `programmed`, with their arcs
+  ListChange centre; ///< moves of `centre`, with their arcs
+  ListChange feeds, dwells, others, sections, operations;
+  uint32_t settings = 0; ///< from this one on they are new
+  /// Blocks of the first file that were in this line (from 1) or a later one are so many lines
+  /// further down.
+  uint32_t line = 1;
+  int64_t lines = 0;
+};
+
 } // namespace ncvet

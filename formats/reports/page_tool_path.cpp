@@ -1,6 +1,7 @@
 // The path of a tool in a page: see docs/trace-format.md.
 #include "formats/reports/page_json.h"
 #include "formats/reports/page_parts.h"
+#include "formats/reports/tool_path_json.h"
 #include "formats/text/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -27,40 +28,50 @@ std::string column(const List &list, Get get) {
   return bytes.base64();
 }
 
-Json curveJson(const PathCurve &curve) {
+/// The moves from `first` up to `last`, numbered from zero.
+Json curveJson(const PathCurve &curve, size_t first, size_t last) {
+  const llvm::ArrayRef<PathMove> moves = llvm::makeArrayRef(curve.moves).slice(first, last - first);
   Json json = Json::object();
-  json["count"] = curve.moves.size();
-  json["kind"] = column<uint8_t>(curve.moves, [](const PathMove &move) {
-    return uint8_t(move.motion) | (move.machine ? 0x80 : 0);
-  });
+  json["count"] = moves.size();
+  json["kind"] = column<uint8_t>(
+      moves, [](const PathMove &move) { return uint8_t(move.motion) | (move.machine ? 0x80 : 0); });
   for (size_t i = 0; i < 3; ++i)
     json[std::string(1, "xyz"[i])] =
-        column<float>(curve.moves, [i](const PathMove &move) { return move.to[i]; });
-  json["line"] = column<uint32_t>(curve.moves, [](const PathMove &move) { return move.line; });
+        column<float>(moves, [i](const PathMove &move) { return move.to[i]; });
+  json["line"] = column<uint32_t>(moves, [](const PathMove &move) { return move.line; });
   NumberBytes at, file;
   uint32_t number = 0;
-  const PathMove *last = nullptr;
-  for (const PathMove &move : curve.moves) {
-    if (!last || last->file != move.file) {
+  const PathMove *before = nullptr;
+  for (const PathMove &move : moves) {
+    if (!before || before->file != move.file) {
       at.add(number);
       file.add(move.file);
     }
-    last = &move;
+    before = &move;
     ++number;
   }
   json["files"] = {{"move", at.base64()}, {"file", file.base64()}};
+  const auto from = [&](size_t move) {
+    return llvm::partition_point(curve.arcs, [&](const PathArc &arc) { return arc.move < move; });
+  };
+  const llvm::ArrayRef<PathArc> all(curve.arcs);
+  const auto begin = size_t(from(first) - curve.arcs.begin());
+  const llvm::ArrayRef<PathArc> some =
+      all.slice(begin, size_t(from(last) - curve.arcs.begin()) - begin);
   Json arcs = Json::object();
-  arcs["move"] = column<uint32_t>(curve.arcs, [](const PathArc &arc) { return arc.move; });
+  arcs["move"] = column<uint32_t>(some, [&](const PathArc &arc) { return arc.move - first; });
   arcs["axes"] =
-      column<uint8_t>(curve.arcs, [](const PathArc &arc) { return arc.first | arc.second << 4; });
-  arcs["first"] = column<float>(curve.arcs, [](const PathArc &arc) { return arc.centre[0]; });
-  arcs["second"] = column<float>(curve.arcs, [](const PathArc &arc) { return arc.centre[1]; });
-  arcs["turns"] = column<float>(curve.arcs, [](const PathArc &arc) { return arc.turns; });
+      column<uint8_t>(some, [](const PathArc &arc) { return arc.first | arc.second << 4; });
+  arcs["first"] = column<float>(some, [](const PathArc &arc) { return arc.centre[0]; });
+  arcs["second"] = column<float>(some, [](const PathArc &arc) { return arc.centre[1]; });
+  arcs["turns"] = column<float>(some, [](const PathArc &arc) { return arc.turns; });
   json["arcs"] = std::move(arcs);
   return json;
 }
 
-Json changesJson(const std::vector<PathChange> &changes) {
+Json curveJson(const PathCurve &curve) { return curveJson(curve, 0, curve.moves.size()); }
+
+Json changesJson(llvm::ArrayRef<PathChange> changes) {
   Json json = Json::object();
   json["move"] = column<uint32_t>(changes, [](const PathChange &change) { return change.move; });
   json["value"] = column<float>(changes, [](const PathChange &change) { return change.value; });
@@ -88,7 +99,7 @@ Json settingJson(const PathSetting &setting) {
           {"speedLimit", numberOr(setting.speedLimit)}};
 }
 
-Json sectionsJson(const std::vector<PathSection> &sections) {
+Json sectionsJson(llvm::ArrayRef<PathSection> sections) {
   Json json = Json::object();
   json["move"] = column<uint32_t>(sections, [](const PathSection &at) { return at.move; });
   json["setting"] = column<uint32_t>(sections, [](const PathSection &at) { return at.setting; });
@@ -138,14 +149,49 @@ Json endJson(const PathEnd &end) {
       {"kind", kinds[end.kind].str()}, {"file", end.file}, {"line", end.line}, {"why", end.why}};
 }
 
+Json operationJson(const PathOperation &operation) {
+  return {{"comment", operation.comment},
+          {"cycle", operation.cycle},
+          {"tool", numberOr(operation.tool)},
+          {"file", operation.file},
+          {"line", operation.line}};
+}
+
+Json namesJson(llvm::ArrayRef<std::string> names) {
+  Json list = Json::array();
+  for (const std::string &name : names)
+    list.push_back(name);
+  return list;
+}
+
+template <typename List, typename Write>
+Json listJson(const List &list, Write write) {
+  Json json = Json::array();
+  for (const auto &element : list)
+    json.push_back(write(element));
+  return json;
+}
+
+/// A change of a list, with its new elements as `write` gives them.
+template <typename T, typename Write>
+Json changeJson(const std::vector<T> &list, const ListChange &change, Write write) {
+  return {{"first", change.first},
+          {"removed", change.removed},
+          {"added", write(llvm::makeArrayRef(list).slice(change.first, change.added))}};
+}
+
+Json changeJson(const PathCurve &curve, const ListChange &change) {
+  return {{"first", change.first},
+          {"removed", change.removed},
+          {"added", curveJson(curve, change.first, change.first + change.added)}};
+}
+
 } // namespace
 
-void writeToolPathJson(const Report &report, const ToolPath &path, llvm::raw_ostream &out) {
+std::string toolPathText(const ToolPath &path, llvm::ArrayRef<std::string> files) {
   Json json = Json::object();
   json["version"] = 1;
-  json["files"] = Json::array();
-  for (const FileId file : path.files)
-    json["files"].push_back(report.sources->get(file).display());
+  json["files"] = namesJson(files);
   json["machineKind"] = path.lathe ? "lathe" : "mill";
   json["diameter"] = path.diameter;
   json["programmed"] = curveJson(path.programmed);
@@ -154,19 +200,41 @@ void writeToolPathJson(const Report &report, const ToolPath &path, llvm::raw_ost
   json["dwells"] = changesJson(path.dwells);
   json["others"] = changesJson(path.others);
   json["sections"] = sectionsJson(path.sections);
-  json["settings"] = Json::array();
-  for (const PathSetting &setting : path.settings)
-    json["settings"].push_back(settingJson(setting));
-  json["operations"] = Json::array();
-  for (const PathOperation &operation : path.operations)
-    json["operations"].push_back({{"comment", operation.comment},
-                                  {"cycle", operation.cycle},
-                                  {"tool", numberOr(operation.tool)},
-                                  {"file", operation.file},
-                                  {"line", operation.line}});
+  json["settings"] = listJson(path.settings, settingJson);
+  json["operations"] = listJson(path.operations, operationJson);
   json["end"] = endJson(path.end);
   json["machine"] = machineJson(path.machine);
-  writeJsonInPage(jsonText(json), out);
+  return jsonText(json);
+}
+
+std::string toolPathChangeText(const ToolPath &path, llvm::ArrayRef<std::string> files,
+                               const ToolPathChange &change) {
+  Json json = Json::object();
+  json["version"] = 1;
+  json["files"] = namesJson(files);
+  json["lines"] = {{"from", change.line}, {"by", change.lines}};
+  json["programmed"] = changeJson(path.programmed, change.moves);
+  json["centre"] = path.centre.moves.empty() && change.centre.isEmpty()
+                       ? Json(nullptr)
+                       : changeJson(path.centre, change.centre);
+  json["feeds"] = changeJson(path.feeds, change.feeds, changesJson);
+  json["dwells"] = changeJson(path.dwells, change.dwells, changesJson);
+  json["others"] = changeJson(path.others, change.others, changesJson);
+  json["sections"] = changeJson(path.sections, change.sections, sectionsJson);
+  json["settings"] =
+      listJson(llvm::makeArrayRef(path.settings).drop_front(change.settings), settingJson);
+  json["operations"] = changeJson(path.operations, change.operations, [](auto operations) {
+    return listJson(operations, operationJson);
+  });
+  json["end"] = endJson(path.end);
+  return jsonText(json);
+}
+
+void writeToolPathJson(const Report &report, const ToolPath &path, llvm::raw_ostream &out) {
+  std::vector<std::string> files;
+  for (const FileId file : path.files)
+    files.push_back(report.sources->get(file).display());
+  writeJsonInPage(toolPathText(path, files), out);
 }
 
 } // namespace ncvet

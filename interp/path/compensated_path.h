@@ -43,6 +43,13 @@ public:
   void add(uint64_t tag, const Move &move, Take take);
   /// Nothing follows: what waits is given on.
   void finish(Take take);
+  /// Nothing waits, and the last move ended on the path.
+  bool isIdle() const { return !waiting_ && !on_; }
+  /// Whether both, in which nothing waits, make the same of what follows.
+  bool goesOnAs(const CompensatedPath &other) const {
+    return isIdle() && other.isIdle() && programmed_ == other.programmed_ &&
+           centre_ == other.centre_;
+  }
 
 private:
   struct Tagged {

@@ -53,6 +53,11 @@ public:
   bool isIdle() const { return !waiting_ && !resolved_; }
   /// `last`: the last one of the moves that were not added, begun at `from`.
   void resume(const Place &from, const Move &last);
+  /// Whether both, in which nothing waits, make the same of what follows.
+  bool goesOnAs(const CornerPath &other) const {
+    return isIdle() && other.isIdle() && from_ == other.from_ && direction_ == other.direction_ &&
+           directionPlane_ == other.directionPlane_ && plane_ == other.plane_;
+  }
 
 private:
   struct Waiting {

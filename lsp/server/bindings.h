@@ -12,6 +12,7 @@ void bindActions(Context &context);     ///< quick fixes, suppressions, explanat
 void bindHover(Context &context);
 void bindNavigation(Context &context); ///< names, outline, folds, selections, calls, links
 void bindWriting(Context &context);    ///< completion, signatures, colours, hints, lenses
+void bindPaths(Context &context);      ///< the path of the tool, `ncvet/path`
 void bindEditing(Context &context);    ///< renaming, formatting, numbers of new blocks
 
 /// `SymbolKind` of the protocol.

@@ -6,6 +6,7 @@
 #include "formats/text/crash_guard.h"
 #include "formats/text/file_uri.h"
 #include "lsp/features/showing/document_states.h"
+#include "lsp/server/live_paths.h"
 
 #include "llvm/Support/raw_ostream.h"
 
@@ -41,6 +42,8 @@ Context::Context(MessageWriter &writer)
                                    bool own) { sendProblems(path, version, diagnostics, own); }) {
   features = std::make_unique<Worker>();
   workspace = std::make_unique<Worker>();
+  livePaths = std::make_unique<LivePaths>();
+  paths = std::make_unique<Worker>();
   checks = std::make_unique<Checks>([this](std::shared_ptr<const CheckResult> result) {
     if (!result->error.empty())
       tellSetup(result->error);
@@ -57,7 +60,7 @@ std::optional<Checks::Clock::duration> Context::doNext() {
   if (features->doNext())
     return atOnce;
   const auto until = checks->doNext();
-  if (until == atOnce || workspace->doNext())
+  if (until == atOnce || paths->doNext() || workspace->doNext())
     return atOnce;
   return until;
 }
@@ -102,12 +105,14 @@ Context::~Context() {
   // The threads use what is above them.
   checks->stop();
   workspace->stop();
+  paths->stop();
   features->stop();
 }
 
 void Context::forget(const std::string &path) {
   checks->drop(path);
   problems.closed(path);
+  paths->post([this, path] { livePaths->forget(path); });
   features->post([this, path] {
     kept_.remove_if([&](const Kept &old) { return old.snapshot->source().path() == path; });
     indexes_.erase(path); // after the snapshot that looks into it

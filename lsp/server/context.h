@@ -15,6 +15,8 @@
 
 namespace ncvet::lsp {
 
+class LivePaths; // lsp/server/live_paths.h
+
 /// What the client said at the start that the server's answers depend on.
 struct ClientSupport {
   PositionEncoding encoding = PositionEncoding::Utf16;
@@ -128,8 +130,10 @@ public:
   std::atomic<bool> wantsRefresh = false;
   SetupNotices setupNotices{rpc}; ///< safe for several threads
   std::unique_ptr<Checks> checks;
-  std::unique_ptr<Worker> features;  ///< answers about one text
-  std::unique_ptr<Worker> workspace; ///< answers about all programs, which take long
+  std::unique_ptr<Worker> features;     ///< answers about one text
+  std::unique_ptr<Worker> workspace;    ///< answers about all programs, which take long
+  std::unique_ptr<LivePaths> livePaths; ///< of the thread that follows
+  std::unique_ptr<Worker> paths;        ///< follows programs for those who look at their paths
 
 private:
   struct Kept {

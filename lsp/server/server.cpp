@@ -146,6 +146,7 @@ Json capabilities(const Context &context) {
       {"workspace",
        {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}},
         {"fileOperations", {{"willRename", {{"filters", filesOfPrograms()}}}}}}},
+      {"experimental", {{"ncvet", {{"path", true}}}}},
   };
   if (client.pullsDiagnostics && !client.registersDiagnostics)
     can["diagnosticProvider"] = context.diagnosticOptions();
@@ -166,6 +167,7 @@ public:
     bindNavigation(context_);
     bindWriting(context_);
     bindEditing(context_);
+    bindPaths(context_);
   }
 
   std::vector<std::string> requestMethods() const { return context_.rpc.requestMethods(); }

@@ -51,6 +51,17 @@ void Reply::operator()(Json result) {
     send("result", std::move(result));
 }
 
+void Reply::text(llvm::StringRef result) {
+  if (request_->cancelled)
+    return fail(RpcError::RequestCancelled, "cancelled");
+  Rpc *rpc = std::exchange(rpc_, nullptr);
+  if (!rpc || request_->answered.exchange(true))
+    return;
+  const std::string id = jsonText(request_->id);
+  rpc->finished(id);
+  rpc->writer_.write((R"({"jsonrpc":"2.0","id":)" + id + R"(,"result":)" + result + "}").str());
+}
+
 void Reply::fail(RpcError code, const llvm::Twine &why) {
   send("error", {{"code", int(code)}, {"message", why.str()}});
 }

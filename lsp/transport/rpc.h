@@ -54,6 +54,8 @@ public:
   ~Reply();
 
   void operator()(Json result);
+  /// The same with a result that is text already.
+  void text(llvm::StringRef result);
   void fail(RpcError code, const llvm::Twine &why);
   /// Set when the client no longer wants the answer.
   const std::atomic<bool> &cancelled() const { return request_->cancelled; }

@@ -160,4 +160,31 @@ TEST_F(Called, LoopsAreTypedTogether) {
   EXPECT_TRUE(client.request("textDocument/linkedEditingRange", here(3, 1)).is_null());
 }
 
+/// The path of the tool is told once, and then what becomes of it.
+TEST_F(Called, ThePathOfTheToolFollowsEdits) {
+  const std::string text = "%\nO0020\nG21 G17 G40 G80 G90 G94\nT1 M06\nG54 G00 X0. Y0. S900 M03\n"
+                           "G43 H1 Z5.\nG01 Z-1. F100.\nX10.\nX20.\nX30.\nM98 P1\nM30\n%\n";
+  start(Json::object(), text);
+  const auto path = [&](const std::string &previous) {
+    return client.request("ncvet/path", {{"textDocument", documentOf(this->path("O0020.nc"))},
+                                         {"previous", previous}});
+  };
+  const Json whole = path("");
+  ASSERT_TRUE(whole.contains("path")) << whole.dump();
+  EXPECT_EQ(whole["version"], 1);
+  EXPECT_EQ(whole["path"]["files"][0], uri("O0020.nc"));
+  EXPECT_EQ(whole["path"]["programmed"]["count"], 7);
+  client.notify("textDocument/didChange",
+                {{"textDocument", {{"uri", uri("O0020.nc")}, {"version", 2}}},
+                 {"contentChanges",
+                  {{{"range", {{"start", at(8, 0)}, {"end", at(8, 0)}}}, {"text", "X15.\n"}}}}});
+  const Json next = path(whole["id"]);
+  ASSERT_TRUE(next.contains("change")) << next.dump();
+  EXPECT_EQ(next["version"], 2);
+  EXPECT_EQ(next["change"]["programmed"]["removed"], 0);
+  EXPECT_EQ(next["change"]["programmed"]["added"]["count"], 1);
+  EXPECT_EQ(next["change"]["lines"]["by"], 1);
+  EXPECT_TRUE(path(whole["id"]).contains("path")) << "of an older answer no change is known";
+}
+
 } // namespace

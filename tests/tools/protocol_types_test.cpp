@@ -43,7 +43,12 @@ type Standard = {
   [K in keyof Namespaces as Namespaces[K] extends { method: infer M extends string } ? M : never]:
     Namespaces[K] extends { type: infer T } ? Kind<T> : never
 };
+type Change<T> = { first: number; removed: number; added: T };
+type Curve = { count: number; [column: string]: unknown };
+type Path<C> = { version: number; files: string[]; programmed: C; [list: string]: unknown };
+type PathAnswer = { id: string; version: number } & ({ path: Path<Curve> } | { change: Path<Change<Curve>> });
 type Messages = Standard & {
+  'ncvet/path': { params: { textDocument: lsp.TextDocumentIdentifier; previous?: string }; result: PathAnswer };
   '$/progress': { params: { token: lsp.ProgressToken; value: any }; result: never };
 };
 )TS";

@@ -39,17 +39,34 @@ class Curve {
   fillGaps(isLathe, isOfCycle) {
     this.filled = this.axes.map((axis) => axis.slice());
     this.guessed = 0;
+    this.fillRange(isLathe, isOfCycle, 0, this.count);
+  }
+
+  /**
+   * The same of the moves [first, last), which begin a block, and of further ones as far as it makes
+   * a difference; returns where that ends.
+   */
+  fillRange(isLathe, isOfCycle, first, last) {
     const { filled } = this,
       place = (i) => filled.map((axis) => axis[i]);
-    if (isLathe)
-      filled[1].forEach((y, i) => {
-        if (Number.isNaN(y)) filled[1][i] = 0;
+    const raw = (i) => {
+      this.axes.forEach((axis, which) => {
+        filled[which][i] = isLathe && which === 1 && Number.isNaN(axis[i]) ? 0 : axis[i];
       });
-    let at = null,
-      cut = null,
-      cutLine = 0;
-    for (let i = 0; i < this.count; ++i) {
+    };
+    for (let i = first; i < last; ++i) raw(i);
+    const before = this.lastTravel(first - 1),
+      cutBefore = this.lastFeed(first - 1);
+    let at = before < 0 ? null : place(before),
+      cut = cutBefore < 0 ? null : place(cutBefore),
+      cutLine = cutBefore < 0 ? 0 : this.line[cutBefore];
+    for (let i = first; i < this.count; ++i) {
+      const isFurther = i >= last;
       if (!this.isTravel(i)) continue;
+      if (isFurther) {
+        raw(i);
+        if (this.line[i] !== this.line[i - 1] && known(place(i))) return i;
+      }
       const to = place(i);
       if (isOfCycle(i) && !known(to) && at && known(at) && !(this.machine[i] & 0x80)) {
         const next = this.nextTravel(i),
@@ -76,8 +93,19 @@ class Curve {
         cutLine = this.line[i];
       }
     }
+    return this.count;
   }
 
+  /** The last move from this one back that goes somewhere; -1: there is none. */
+  lastTravel(move) {
+    while (move >= 0 && !this.isTravel(move)) --move;
+    return move;
+  }
+  /** The last cut from this one back. */
+  lastFeed(move) {
+    while (move >= 0 && this.kind[move] !== Feed) --move;
+    return move;
+  }
   nextTravel(move) {
     for (let i = move + 1; i < this.count; ++i) if (this.isTravel(i)) return i;
     return -1;
@@ -98,29 +126,39 @@ class Curve {
    * is not told, is 0.
    */
   expand(isLathe, shift, classOf) {
-    const arcSteps = this.stepsOfArcs();
-    let total = 1;
-    for (let i = 0; i < this.count; ++i) if (this.isTravel(i)) ++total;
-    for (const steps of arcSteps) total += steps - 1;
+    this.chooseFineness();
+    return this.expandRange(isLathe, shift, classOf, 0, this.count);
+  }
+
+  /** The same of the moves [first, last); the corner where nothing is known yet is before move 0. */
+  expandRange(isLathe, shift, classOf, first, last) {
+    const lead = first === 0 ? 1 : 0;
+    let arc = lastNotAbove(this.arcs.move, first - 1) + 1,
+      total = lead;
+    for (let i = first; i < last; ++i) if (this.isTravel(i)) ++total;
+    for (let i = arc; i < this.arcs.move.length && this.arcs.move[i] < last; ++i)
+      total += this.stepsOf(i, this.coarse) - 1;
     const places = new Float32Array(total * 3),
       kinds = new Uint8Array(total);
     const ofMove = new Uint32Array(total),
-      firsts = new Uint32Array(this.count + 1);
-    const lengths = new Float32Array(this.count);
-    const at = [NaN, isLathe ? 0 : NaN, NaN],
+      firsts = new Uint32Array(last - first + 1);
+    const lengths = new Float32Array(last - first);
+    const before = this.lastTravel(first - 1);
+    const at = before < 0 ? [NaN, isLathe ? 0 : NaN, NaN] : this.filled.map((axis) => axis[before]),
       to = [0, 0, 0];
-    let n = 1,
-      arc = 0,
+    let n = lead,
       notDrawn = 0;
-    places.fill(NaN, 0, 3);
-    kinds[0] = hiddenClass;
+    if (lead) {
+      places.fill(NaN, 0, 3);
+      kinds[0] = hiddenClass;
+    }
     const put = (place, offset, kind, move) => {
       for (let axis = 0; axis < 3; ++axis) places[n * 3 + axis] = place[axis] + offset[axis];
       kinds[n] = kind;
       ofMove[n++] = move;
     };
-    for (let i = 0; i < this.count; ++i) {
-      firsts[i] = n;
+    for (let i = first; i < last; ++i) {
+      firsts[i - first] = n;
       while (arc < this.arcs.move.length && this.arcs.move[arc] < i) ++arc;
       if (!this.isTravel(i)) continue;
       for (let axis = 0; axis < 3; ++axis) to[axis] = this.filled[axis][i];
@@ -129,16 +167,16 @@ class Curve {
       const kind = isKnown ? classOf(i) : hiddenClass;
       if (!isKnown) ++notDrawn;
       if (isKnown && this.kind[i] === Arc && this.arcs.move[arc] === i) {
-        lengths[i] = this.putArc(arc, arcSteps[arc], at, to, (place) =>
+        lengths[i - first] = this.putArc(arc, this.stepsOf(arc, this.coarse), at, to, (place) =>
           put(place, offset, kind, i)
         );
       } else {
-        lengths[i] = partialLength(at, to);
+        lengths[i - first] = partialLength(at, to);
         put(to, offset, kind, i);
       }
       for (let axis = 0; axis < 3; ++axis) at[axis] = to[axis];
     }
-    firsts[this.count] = n;
+    firsts[last - first] = n;
     return {
       places: places.subarray(0, n * 3),
       kinds: kinds.subarray(0, n),
@@ -150,29 +188,31 @@ class Curve {
     };
   }
 
-  stepsOfArcs() {
-    const count = this.arcs.move.length,
-      steps = new Uint16Array(count);
-    for (let coarse = 1; ; coarse *= 2) {
+  /** So coarse that there are not too many corners. */
+  chooseFineness() {
+    const count = this.arcs.move.length;
+    for (this.coarse = 1; this.coarse <= 64; this.coarse *= 2) {
       let total = 0;
-      for (let i = 0; i < count; ++i) {
-        const move = this.arcs.move[i];
-        const p = this.arcs.axes[i] & 15,
-          q = this.arcs.axes[i] >> 4;
-        const radius = Math.hypot(
-          this.axes[p][move] - this.arcs.first[i],
-          this.axes[q][move] - this.arcs.second[i]
-        );
-        // So many that a chord leaves the arc by no more than a hundredth of a millimetre, or a
-        // thousandth of a large radius.
-        const away = Math.max(0.01, radius / 1000) * coarse;
-        const angle = 2 * Math.acos(Math.max(0, 1 - away / Math.max(radius, away)));
-        const turn = Math.abs(this.arcs.turns[i]) * 2 * Math.PI;
-        steps[i] = Math.min(2000, Math.max(1, Math.ceil(turn / Math.max(angle, 0.02)))) || 1;
-        total += steps[i];
-      }
-      if (total + this.count < mostVertices || coarse > 64) return steps;
+      for (let i = 0; i < count; ++i) total += this.stepsOf(i, this.coarse);
+      if (total + this.count < mostVertices) return;
     }
+  }
+
+  /** Lines that are drawn for an arc. */
+  stepsOf(arc, coarse) {
+    const move = this.arcs.move[arc];
+    const p = this.arcs.axes[arc] & 15,
+      q = this.arcs.axes[arc] >> 4;
+    const radius = Math.hypot(
+      this.axes[p][move] - this.arcs.first[arc],
+      this.axes[q][move] - this.arcs.second[arc]
+    );
+    // So many that a chord leaves the arc by no more than a hundredth of a millimetre, or a
+    // thousandth of a large radius.
+    const away = Math.max(0.01, radius / 1000) * coarse;
+    const angle = 2 * Math.acos(Math.max(0, 1 - away / Math.max(radius, away)));
+    const turn = Math.abs(this.arcs.turns[arc]) * 2 * Math.PI;
+    return Math.min(2000, Math.max(1, Math.ceil(turn / Math.max(angle, 0.02)))) || 1;
   }
 
   /** Gives the corners of an arc to `put`; returns its length. */

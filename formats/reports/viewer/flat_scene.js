@@ -47,7 +47,7 @@ class FlatScene {
         (sum, [first, last]) =>
           sum +
           (which === 0
-            ? (last - first) * pieceSize
+            ? levels.starts[last] - levels.starts[first]
             : levels.levels[which].begins[last] - levels.levels[which].begins[first]),
         0
       );
@@ -80,10 +80,10 @@ class FlatScene {
     for (const [first, last] of runs) {
       const begin = index
         ? Math.max(0, levels.levels[level].begins[first] - 1)
-        : Math.max(0, first * pieceSize - 1);
+        : Math.max(0, levels.starts[first] - 1);
       const end = index
         ? levels.levels[level].begins[last]
-        : Math.min(drawn.count, last * pieceSize);
+        : levels.starts[last];
       let [x, y] = point(index ? index[begin] : begin);
       for (let i = begin + 1; i < end; ++i) {
         const n = index ? index[i] : i,

@@ -199,14 +199,14 @@ class GlScene {
 
   drawCurve(curve, view, ratio) {
     const { gl } = this,
-      { levels, drawn } = curve;
+      { levels } = curve;
     const level = levels.choose(view.away / (view.camera.scale * ratio));
     let corners = 0;
     if (level > 0) gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indexOf(curve, level));
     for (const [first, last] of levels.visible(view.camera, view.width, view.height, view.sparse)) {
       if (level === 0) {
-        const begin = Math.max(0, first * pieceSize - 1),
-          count = Math.min(drawn.count, last * pieceSize) - begin;
+        const begin = Math.max(0, levels.starts[first] - 1),
+          count = levels.starts[last] - begin;
         gl.drawArrays(gl.LINE_STRIP, begin, count);
         corners += count;
       } else {

@@ -8,37 +8,45 @@ const coarseParts = [1 / 6000, 1 / 1500, 1 / 400, 1 / 120];
 class Levels {
   constructor(drawn) {
     this.drawn = drawn;
-    this.findBounds();
+    this.cut();
     this.levels = [{ away: 0, index: null }];
   }
 
-  findBounds() {
-    const { places, count } = this.drawn,
-      pieces = Math.ceil(count / pieceSize);
-    const bounds = new Float32Array(pieces * 6),
-      all = newBox();
-    for (let piece = 0; piece < pieces; ++piece) {
-      const box = newBox();
-      // With the corner before it, where its first segment begins.
-      for (
-        let n = Math.max(0, piece * pieceSize - 1);
-        n < Math.min(count, (piece + 1) * pieceSize);
-        ++n
-      )
-        for (let axis = 0; axis < 3; ++axis) {
-          const x = places[n * 3 + axis];
-          if (x < box.min[axis]) box.min[axis] = x;
-          if (x > box.max[axis]) box.max[axis] = x;
-        }
+  /** Cuts the drawing into pieces; `starts` is where each begins, and where the last one ends. */
+  cut() {
+    const { count } = this.drawn;
+    this.pieces = Math.ceil(count / pieceSize);
+    this.starts = new Uint32Array(this.pieces + 1);
+    for (let piece = 0; piece < this.pieces; ++piece) this.starts[piece] = piece * pieceSize;
+    this.starts[this.pieces] = count;
+    this.bounds = new Float32Array(this.pieces * 6);
+    for (let piece = 0; piece < this.pieces; ++piece) this.findBounds(piece);
+    this.findBox();
+  }
+
+  /** The box of a piece, with the corner before it, where its first segment begins. */
+  findBounds(piece) {
+    const { places } = this.drawn,
+      box = newBox();
+    for (let n = Math.max(0, this.starts[piece] - 1); n < this.starts[piece + 1]; ++n)
       for (let axis = 0; axis < 3; ++axis) {
-        bounds[piece * 6 + axis] = box.min[axis];
-        bounds[piece * 6 + 3 + axis] = box.max[axis];
-        if (box.min[axis] < all.min[axis]) all.min[axis] = box.min[axis];
-        if (box.max[axis] > all.max[axis]) all.max[axis] = box.max[axis];
+        const x = places[n * 3 + axis];
+        if (x < box.min[axis]) box.min[axis] = x;
+        if (x > box.max[axis]) box.max[axis] = x;
       }
-    }
-    this.pieces = pieces;
-    this.bounds = bounds;
+    this.bounds.set(box.min, piece * 6);
+    this.bounds.set(box.max, piece * 6 + 3);
+  }
+
+  /** The box of all. */
+  findBox() {
+    const { bounds } = this,
+      all = newBox();
+    for (let i = 0; i < bounds.length; i += 6)
+      for (let axis = 0; axis < 3; ++axis) {
+        if (bounds[i + axis] < all.min[axis]) all.min[axis] = bounds[i + axis];
+        if (bounds[i + 3 + axis] > all.max[axis]) all.max[axis] = bounds[i + 3 + axis];
+      }
     this.box = all;
     this.size =
       Math.hypot(...all.max.map((x, axis) => (Number.isFinite(x) ? x - all.min[axis] : 0))) || 1;
@@ -54,24 +62,34 @@ class Levels {
 
   /** Leaves corners out that lie within `away` of the line from one that is kept. */
   coarser(away) {
-    const { places, classes, count } = this.drawn;
-    const index = new Uint32Array(count),
+    const index = new Uint32Array(this.drawn.count),
       begins = new Uint32Array(this.pieces + 1);
-    let n = 0,
-      anchor = 0,
+    let n = 0;
+    for (let piece = 0; piece < this.pieces; ++piece) {
+      begins[piece] = n;
+      n = this.coarsen(piece, away, index, n);
+    }
+    begins[this.pieces] = n;
+    return { away, index: index.slice(0, n), begins };
+  }
+
+  /** The corners of a piece that are kept go into `index` from `n` on; where the next one goes. */
+  coarsen(piece, away, index, n) {
+    const { places, classes, count } = this.drawn,
+      begin = this.starts[piece],
+      end = this.starts[piece + 1];
+    let anchor = begin,
       dx = 0,
       dy = 0,
       dz = 0,
       reach = 0,
       hasDirection = false;
-    for (let i = 0; i < count; ++i) {
-      if (i % pieceSize === 0) begins[i / pieceSize] = n;
+    for (let i = begin; i < end; ++i) {
       const next = i + 1;
       // Where the class, tool or operation changes, at gaps, and at both ends of pieces.
       let keep =
-        i % pieceSize === 0 ||
-        next % pieceSize === 0 ||
-        next >= count ||
+        i === begin ||
+        next === end ||
         (classes[i * 4] & 7) === hiddenClass ||
         (classes[next * 4] & 7) !== (classes[i * 4] & 7) ||
         classes[next * 4 + 2] !== classes[i * 4 + 2] ||
@@ -101,8 +119,7 @@ class Levels {
         dz = z / reach;
       }
     }
-    begins[this.pieces] = n;
-    return { away, index: index.slice(0, n), begins };
+    return n;
   }
 
   /** The coarsest level that leaves the fine line by no more than `away` mm. */

@@ -87,11 +87,7 @@ function pick(pane, event) {
     rows[row][0] * p[i] + rows[row][1] * p[i + 1] + rows[row][2] * p[i + 2] + rows[row][3];
   for (let piece = 0; piece < levels.pieces; ++piece) {
     if (!levels.isNear(piece, rows, [right, -down], [near, near])) continue;
-    for (
-      let n = Math.max(1, piece * pieceSize);
-      n < Math.min(drawn.count, (piece + 1) * pieceSize);
-      ++n
-    ) {
+    for (let n = Math.max(1, levels.starts[piece]); n < levels.starts[piece + 1]; ++n) {
       const kind = drawn.kinds[n];
       if (
         kind === hiddenClass ||

@@ -66,14 +66,15 @@ class ToolPath {
       let longest = 0;
       for (let i = 0; i < this.curve.count; ++i) longest = Math.max(longest, this.curve.line[i]);
       index = [new Int32Array(longest + 2).fill(-1), new Int32Array(longest + 2).fill(-1)];
-      for (const begin of this.blocks) {
-        if (this.curve.fileOf(begin) !== file) continue;
+      const fileAt = changeWalk({ move: this.curve.fileMoves });
+      this.blocks.forEach((begin, block) => {
+        if (this.curve.fileNumbers[fileAt(begin)] !== file) return;
         const at = this.curve.line[begin];
         if (index[0][at] < 0) {
           index[0][at] = begin;
-          index[1][at] = this.endOfBlock(this.blockOf(begin));
+          index[1][at] = this.endOfBlock(block);
         }
-      }
+      });
       this.firstOfLine.set(file, index);
     }
     const [firsts, lasts] = index;
@@ -105,38 +106,47 @@ class ToolPath {
     return origin ? origin.map((x, axis) => (x ?? 0) - this.origin[axis]) : [0, 0, 0];
   }
 
-  /** `use(section index)` at each move that begins a section. */
-  walk() {
-    let next = 0;
+  /** Gives of moves, ascending from `first` on, the index of the section in which each is. */
+  walk(first = 0) {
     const { move } = this.sections;
+    let next = lastNotAbove(move, first) + 1;
     return (i) => {
       while (next < move.length && move[next] <= i) ++next;
       return next - 1;
     };
   }
 
+  /** Whether a cycle makes the move, for moves that ascend from `first` on. */
+  cycleWalk(first = 0) {
+    const section = this.walk(first);
+    return (i) => Boolean(this.json.settings[this.sections.setting[section(i)]]?.cycle);
+  }
+
   expand() {
+    if (!this.curve.filled) this.curve.fillGaps(this.isLathe, this.cycleWalk());
+    this.curve.chooseFineness();
+    this.drawn = this.drawRange(0, this.curve.count);
+    if (this.centre) this.expandCentre([0, 0, 0]);
+    this.colour();
+  }
+
+  /** The drawing of the moves [first, last). */
+  drawRange(first, last) {
     const shifts = this.json.settings.map((setting) => this.shiftOfSetting(setting)),
       none = [0, 0, 0];
-    const sectionAt = this.walk(),
-      classAt = this.walk();
-    const settingOf = (section) => this.sections.setting[section],
-      cycleAt = this.walk();
-    if (!this.curve.filled)
-      this.curve.fillGaps(this.isLathe, (i) =>
-        Boolean(this.json.settings[settingOf(cycleAt(i))]?.cycle)
-      );
-    this.drawn = this.curve.expand(
+    const sectionAt = this.walk(first),
+      isOfCycle = this.cycleWalk(first);
+    return this.curve.expandRange(
       this.isLathe,
-      (i) => shifts[settingOf(sectionAt(i))] ?? none,
+      (i) => shifts[this.sections.setting[sectionAt(i)]] ?? none,
       (i) => {
         if (this.curve.kind[i] === Rapid) return 0;
         if (this.curve.kind[i] === Thread) return 3;
-        return this.json.settings[settingOf(classAt(i))]?.cycle ? 2 : 1;
-      }
+        return isOfCycle(i) ? 2 : 1;
+      },
+      first,
+      last
     );
-    if (this.centre) this.expandCentre(none);
-    this.colour();
   }
 
   /** The path beside is shown where it is another one: under compensation, and on the path off. */
@@ -178,16 +188,37 @@ class ToolPath {
 
   /** Four bytes a corner: class and shade, tool, operation, level of the feed. */
   colour() {
-    const { count, kinds, ofMove, places } = this.drawn,
-      bytes = new Uint8Array(count * 4);
+    this.findGreatestFeed();
+    this.drawn.classes = new Uint8Array(this.drawn.count * 4);
+    this.colourRange(0, this.drawn.count);
+    if (this.drawnCentre) this.colourCentre();
+  }
+
+  colourCentre() {
+    const centre = new Uint8Array(this.drawnCentre.count * 4);
+    this.drawnCentre.kinds.forEach((kind, n) => {
+      centre[n * 4] = kind | (31 << 3);
+    });
+    this.drawnCentre.classes = centre;
+  }
+
+  findGreatestFeed() {
     let most = 0;
     this.feeds.value.forEach((value, i) => {
       if (this.feeds.kind[i] !== 3 && value > most) most = value;
     });
     this.greatestFeed = most;
-    const section = this.walk();
-    let feed = -1;
-    for (let n = 1; n < count; ++n) {
+  }
+
+  /** The same of the corners [first, last). */
+  colourRange(first, last) {
+    const { kinds, ofMove, places, classes: bytes } = this.drawn,
+      most = this.greatestFeed,
+      from = Math.max(1, first),
+      begin = from < this.drawn.count ? ofMove[from] : 0;
+    const section = this.walk(begin);
+    let feed = lastNotAbove(this.feeds.move, begin);
+    for (let n = from; n < last; ++n) {
       const move = ofMove[n],
         at = section(move);
       while (feed + 1 < this.feeds.move.length && this.feeds.move[feed + 1] <= move) ++feed;
@@ -201,14 +232,6 @@ class ToolPath {
           : Math.max(0, Math.min(255, Math.round((255 * this.feeds.value[feed]) / most))) || 0;
     }
     bytes[0] = hiddenClass;
-    this.drawn.classes = bytes;
-    if (this.drawnCentre) {
-      const centre = new Uint8Array(this.drawnCentre.count * 4);
-      this.drawnCentre.kinds.forEach((kind, n) => {
-        centre[n * 4] = kind | (31 << 3);
-      });
-      this.drawnCentre.classes = centre;
-    }
   }
 }
 

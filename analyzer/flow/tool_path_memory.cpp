@@ -1,0 +1,345 @@
+// The tool path of a program that is being edited.
+#include "analyzer/flow/tool_path_memory.h"
+
+#include "analyzer/flow/engine.h"
+#include "analyzer/flow/path_lists.h"
+#include "analyzer/flow/tool_path_trace.h"
+
+namespace ncvet {
+
+namespace {
+
+/// Blocks between two points: so few that executing them takes some milliseconds, so many that the
+/// points of a million blocks take some megabytes.
+constexpr uint64_t blocksBetween = 1024;
+/// Sets of modes that are no longer used may become so many before all is followed again.
+constexpr size_t mostOldSettings = 2000;
+
+/// What rules alone look at, and what grows with each cut, is no part of a point.
+MachineState forPath(const MachineState &state) {
+  MachineState kept = state;
+  kept.cutArea.clear();
+  return kept;
+}
+
+} // namespace
+
+struct ToolPathMemory::Run {
+  Project &project;
+  FileUnit &unit;
+  const AnalysisLimits &limits;
+  const std::atomic<bool> *cancel;
+};
+
+/// Keeps points while a program is followed, and finds out when it has come to a known one.
+class ToolPathMemory::Marker final : public FlowListener {
+public:
+  /// What of an earlier run may be met again.
+  struct Known {
+    llvm::ArrayRef<PathPoint> points; ///< in the order in which they were passed
+    int64_t by = 0;                   ///< their blocks begin so many bytes later now
+  };
+
+  Marker(ToolPathMemory &memory, const Run &run, const Known &known)
+      : memory_(memory), unit_(run.unit), stop_(run.cancel), known_(known) {}
+
+  void follow(Tracer &programmed, Tracer *centre, const PathPoint *from) {
+    programmed_ = &programmed;
+    centre_ = centre;
+    if (from) {
+      reach_ = from->reach;
+      detours_ = from->detours;
+    }
+  }
+
+  FlowInterest interest() const override { return {0, false, true, true}; }
+
+  void executed(const Step &step, bool /*continues*/) override {
+    ++blocks_;
+    ++since_;
+    if ((stop_ && *stop_) || memory_.programmed_->cancel)
+      cancel = true;
+    if (meeting_ || !isStraight(step) || !isQuiet(step.live.state))
+      return;
+    const uint32_t next = step.block.next;
+    while (!known_.points.empty() && known_.points.front().next + known_.by < next) {
+      known_.points = known_.points.drop_front();
+      ++passed_;
+    }
+    const bool isKnown =
+        !turned_ && !known_.points.empty() && known_.points.front().next + known_.by == next;
+    if (!isKnown && since_ < blocksBetween)
+      return;
+    PathPoint point = pointAt(step);
+    if (isKnown && goesOnAlike(known_.points.front(), point)) {
+      meeting_.emplace(std::move(point));
+      cancel = true;
+      memory_.programmed_->close();
+      if (memory_.centre_)
+        memory_.centre_->close();
+    } else if (since_ >= blocksBetween && point.rest.sections.hasCut) {
+      since_ = 0;
+      low_ = notYet;
+      points_.push_back(std::move(point));
+    }
+  }
+
+  /// The known point to which it has come, as it is now; none: it has run to the end.
+  const std::optional<PathPoint> &meeting() const { return meeting_; }
+  /// Known points before that one.
+  size_t passed() const { return passed_; }
+  uint64_t detours() const { return detours_; }
+  uint32_t low() const { return low_; }
+  uint64_t blocks() const { return blocks_; }
+  std::vector<PathPoint> takePoints() { return std::move(points_); }
+
+  std::atomic<bool> cancel = false; ///< there is nothing more to be followed
+  static constexpr uint32_t notYet = ~0u;
+
+private:
+  /// Whether the block is one of the main program after which the next one in the text follows.
+  bool isStraight(const Step &step) {
+    const Flow &flow = step.outcome.flow;
+    if (&step.unit() != &unit_) {
+      // A return to another block than the one after the call.
+      detours_ += flow.kind == FlowKind::Return && flow.target.isConstant();
+      return false;
+    }
+    reach_ = std::max(reach_, step.block.next);
+    low_ = std::min(low_, step.block.begin);
+    const bool isMain = step.region().kind == RegionKind::Main && step.region().depth() == 0;
+    if (isMain && flow.kind == FlowKind::Next)
+      return true;
+    turned_ = true;
+    switch (flow.kind) {
+    case FlowKind::LoopBegin:
+    case FlowKind::LoopEnd:
+    case FlowKind::Structure:
+    case FlowKind::Call:
+    case FlowKind::CallNamed:
+    case FlowKind::CallModal:
+    case FlowKind::End:
+    case FlowKind::Alarm:
+      detours_ += !isMain;
+      break;
+    default:
+      ++detours_;
+    }
+    return false;
+  }
+
+  /// Whether nothing is going on that a point does not hold.
+  bool isQuiet(const MachineState &state) const {
+    return !state.modalCalls && state.profile == ProfileMode::Off && !state.seeksBranch &&
+           programmed_->isIdle() && (!centre_ || centre_->isIdle());
+  }
+
+  PathPoint pointAt(const Step &step) const {
+    PathPoint point{step.block.next,
+                    forPath(step.live.state),
+                    programmed_->rest(),
+                    std::nullopt,
+                    memory_.programmed_->rest(),
+                    CurveWriter::nowhere,
+                    lengthsOf(memory_.path_),
+                    reach_,
+                    low_,
+                    detours_};
+    if (centre_) {
+      point.centreTrace.emplace(centre_->rest());
+      point.centreRest = memory_.centre_->rest();
+    }
+    return point;
+  }
+
+  bool goesOnAlike(const PathPoint &known, const PathPoint &point) const {
+    return equal(known.state, point.state) && programmed_->goesOnAs(known.trace) &&
+           bool(known.centreTrace) == bool(centre_) &&
+           (!centre_ || (centre_->goesOnAs(*known.centreTrace) &&
+                         isSamePoint(known.centreRest, point.centreRest))) &&
+           goOnAlike(known.rest, point.rest, known_.by);
+  }
+
+  ToolPathMemory &memory_;
+  const FileUnit &unit_;
+  const std::atomic<bool> *stop_;
+  Known known_;
+  Tracer *programmed_ = nullptr, *centre_ = nullptr;
+  std::vector<PathPoint> points_;
+  std::optional<PathPoint> meeting_;
+  uint64_t since_ = 0; ///< blocks since the last point
+  uint64_t blocks_ = 0, detours_ = 0;
+  size_t passed_ = 0;
+  uint32_t reach_ = 0, low_ = notYet;
+  bool turned_ = false; ///< the program did not go straight on since the run began
+};
+
+void ToolPathMemory::clear() {
+  points_.clear();
+  centre_.reset();
+  programmed_.reset();
+  files_.reset();
+  path_ = {};
+  whole_ = false;
+}
+
+/// Whether what was followed last is of use after an edit.
+bool ToolPathMemory::mayBeTakenUp() const {
+  return whole_ && path_.end.kind != PathEnd::Cut &&
+         path_.settings.size() <= settingsAtFirst_ + mostOldSettings;
+}
+
+/// Follows the program from a point, or from its start, and tells the marker.
+void ToolPathMemory::runFrom(const Run &run, const PathPoint *from, Marker &marker) {
+  Tracer programmed = from ? Tracer(run.project, *programmed_, from->trace)
+                           : Tracer(run.project, run.unit, *programmed_, TracedPath::Programmed);
+  std::optional<Tracer> centre;
+  if (centre_ && from)
+    centre.emplace(run.project, *centre_, *from->centreTrace);
+  else if (centre_)
+    centre.emplace(run.project, run.unit, *centre_, TracedPath::EveryCentre);
+  marker.follow(programmed, centre ? &*centre : nullptr, from);
+  Engine engine(run.project, run.unit, run.limits, &marker.cancel);
+  engine.listen(programmed);
+  if (centre)
+    engine.listen(*centre);
+  engine.listen(marker);
+  if (from)
+    engine.followFrom(from->next, from->state);
+  else
+    engine.follow();
+  programmed.finish();
+  if (centre)
+    centre->finish();
+  executed_ = marker.blocks();
+  whole_ = engine.isComplete() || marker.meeting();
+}
+
+std::optional<ToolPathChange> ToolPathMemory::followAll(const Run &run, bool withCentre) {
+  clear();
+  const Dialect &dialect = run.project.dialect();
+  path_.lathe = dialect.isLathe();
+  path_.diameter = dialect.lengthsPerUnit(Axis::X) == 2;
+  path_.machine = pathMachine(run.unit.machine, dialect);
+  files_.emplace(run.project.sources());
+  files_->of(run.unit.source.id());
+  programmed_.emplace(dialect, path_, *files_, most_);
+  start_ = programmed_->rest();
+  if (withCentre)
+    centre_.emplace(dialect, path_, *files_, most_);
+  Marker marker(*this, run, {});
+  runFrom(run, nullptr, marker);
+  if (run.cancel && *run.cancel) {
+    clear();
+    return std::nullopt;
+  }
+  if (!withCentre && programmed_->hasCentre())
+    return followAll(run, true);
+  points_ = marker.takePoints();
+  low_ = marker.low();
+  detours_ = marker.detours();
+  settingsAtFirst_ = path_.settings.size();
+  return ToolPathChange();
+}
+
+/// Takes the points away that the edit may have made wrong: what is left lies before it. Gives
+/// those after which the program does not come by it again.
+std::vector<PathPoint> ToolPathMemory::takeAfter(const PathEdit &edit) {
+  size_t kept = 0;
+  while (kept < points_.size() && points_[kept].detours == 0 &&
+         points_[kept].reach < edit.change.begin)
+    ++kept;
+  size_t tail = points_.size();
+  uint32_t low = low_;
+  while (tail > kept && low >= edit.tail && points_[tail - 1].detours == detours_ &&
+         points_[tail - 1].next >= edit.tail)
+    low = points_[--tail].low;
+  std::vector<PathPoint> after(std::make_move_iterator(points_.begin() + ptrdiff_t(tail)),
+                               std::make_move_iterator(points_.end()));
+  while (points_.size() > kept)
+    points_.pop_back();
+  return after;
+}
+
+/// The point `known` of an earlier run and those after it are points of this one, too.
+void ToolPathMemory::takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met,
+                              int64_t by) {
+  const ToolPathChange old = known.front().before, &now = met.before;
+  const uint64_t detours = met.detours - known.front().detours;
+  for (PathPoint &point : known) {
+    const auto move = [](ListChange &list, const ListChange &from, const ListChange &to) {
+      list.first += to.first - from.first;
+    };
+    move(point.before.moves, old.moves, now.moves);
+    move(point.before.centre, old.centre, now.centre);
+    move(point.before.feeds, old.feeds, now.feeds);
+    move(point.before.dwells, old.dwells, now.dwells);
+    move(point.before.others, old.others, now.others);
+    move(point.before.sections, old.sections, now.sections);
+    move(point.before.operations, old.operations, now.operations);
+    point.rest.sections.operations += now.operations.first - old.operations.first;
+    point.rest.sections.next = uint32_t(point.rest.sections.next + by);
+    point.next = uint32_t(point.next + by);
+    point.reach = uint32_t(point.reach + by);
+    point.low = uint32_t(point.low + by); // of at least one block
+    point.detours += detours;
+  }
+  known.front().low = met.low;
+  for (PathPoint &point : known)
+    points_.push_back(std::move(point));
+  if (low_ != Marker::notYet)
+    low_ = uint32_t(low_ + by);
+  detours_ += detours;
+}
+
+std::optional<ToolPathChange> ToolPathMemory::followEdit(const Run &run, const PathEdit &edit) {
+  files_->use(run.project.sources());
+  files_->of(run.unit.source.id());
+  std::vector<PathPoint> after = takeAfter(edit);
+  const PathPoint *const from = points_.empty() ? nullptr : &points_.back();
+  ToolPathChange change = from ? from->before : ToolPathChange();
+  change.whole = false;
+  change.settings = uint32_t(path_.settings.size());
+  change.line = edit.line;
+  change.lines = edit.lines;
+  CutPath old(path_, change);
+  programmed_->resume(from ? from->rest : start_);
+  if (centre_)
+    centre_->resume(from ? from->centreRest : CurveWriter::nowhere);
+  const int64_t by = int64_t(edit.change.added) - (edit.change.end - edit.change.begin);
+  Marker marker(*this, run, {after, by});
+  runFrom(run, from, marker);
+  if (run.cancel && *run.cancel) {
+    clear();
+    return std::nullopt;
+  }
+  if (!centre_ && programmed_->hasCentre())
+    return followAll(run, true);
+  for (PathPoint &point : marker.takePoints())
+    points_.push_back(std::move(point));
+  if (const auto &met = marker.meeting()) {
+    const auto known = llvm::makeMutableArrayRef(after.data(), after.size());
+    old.append(after[marker.passed()].before, change);
+    takeOver(known.drop_front(marker.passed()), *met, by);
+  } else {
+    low_ = marker.low();
+    detours_ = marker.detours();
+    old.compare(change);
+  }
+  return change;
+}
+
+std::optional<ToolPathChange> ToolPathMemory::follow(Project &project, FileUnit &unit,
+                                                     const AnalysisLimits &limits,
+                                                     const PathEdit *edit,
+                                                     const std::atomic<bool> *cancel) {
+  const Run run{project, unit, limits, cancel};
+  if (!edit || !mayBeTakenUp() || dialect_ != unit.dialect) {
+    const bool withCentre = centre_ && dialect_ == unit.dialect;
+    dialect_ = unit.dialect;
+    return followAll(run, withCentre);
+  }
+  return followEdit(run, *edit);
+}
+
+} // namespace ncvet

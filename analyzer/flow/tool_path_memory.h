@@ -1,0 +1,88 @@
+// The tool path of a program that is being edited: after an edit only the blocks near it are
+// executed again.
+#pragma once
+
+#include "analyzer/flow/path_collector.h"
+#include "analyzer/flow/tracer.h"
+#include "formats/text/text_change.h"
+
+#include <memory>
+
+namespace ncvet {
+
+/// What an edit has made of a text.
+struct PathEdit {
+  TextChange change;
+  uint32_t tail = 0; ///< offset, before it, of the first line that is wholly after it
+  uint32_t line = 1; ///< number of that line, from 1
+  int64_t lines = 0; ///< so many lines it has put in; below zero: taken out
+};
+
+/// Between two blocks of the first program of a file that simply follow one another: all that its
+/// path depends on from there.
+struct PathPoint {
+  uint32_t next = 0; ///< offset of the second block
+  MachineState state;
+  TraceRest trace;
+  std::optional<TraceRest> centreTrace;
+  PathCollector::Rest rest;
+  CurveWriter::Point centreRest = CurveWriter::nowhere;
+  ToolPathChange before; ///< of each list how many elements there were, as `first`
+  uint32_t reach = 0;    ///< text of the file up to here had been executed
+  uint32_t low = 0;      ///< and no block before this one, since the point before
+  uint64_t detours = 0;  ///< jumps, and calls in the file itself
+};
+
+/// Follows the first program of a file, and after each edit of the file again. From time to time it
+/// keeps a point from which the path can be taken up: the next run begins at the last one before
+/// the edit, and ends at the first one after it that it reaches in the same state.
+///
+/// Where a program jumps or calls programs of its own file, all is followed: only of one that goes
+/// straight on, or round in loops, it is known that it does not come by the edit once more.
+class ToolPathMemory {
+public:
+  /// `mostMoves`: a longer path is cut.
+  explicit ToolPathMemory(size_t mostMoves) : most_(mostMoves) {}
+
+  /// Brings the path up to the text of `unit`. `edit`: what has become of the text that was
+  /// followed last; none: it was another one, or something else has changed that the path depends
+  /// on. Programs of other files are those of the last time. Nothing when `cancel` was set
+  /// meanwhile: the next time all is followed.
+  std::optional<ToolPathChange> follow(Project &project, FileUnit &unit,
+                                       const AnalysisLimits &limits, const PathEdit *edit,
+                                       const std::atomic<bool> *cancel);
+
+  const ToolPath &path() const { return path_; }
+  /// Paths of the files whose blocks the path has; the first is that of the program itself.
+  const std::vector<std::string> &files() const { return files_->paths(); }
+  /// Blocks that the last call has executed.
+  uint64_t executed() const { return executed_; }
+
+private:
+  struct Run;
+  class Marker;
+
+  void clear();
+  std::optional<ToolPathChange> followAll(const Run &run, bool withCentre);
+  std::optional<ToolPathChange> followEdit(const Run &run, const PathEdit &edit);
+  std::vector<PathPoint> takeAfter(const PathEdit &edit);
+  void takeOver(llvm::MutableArrayRef<PathPoint> known, const PathPoint &met, int64_t by);
+  void runFrom(const Run &run, const PathPoint *from, Marker &marker);
+  bool mayBeTakenUp() const;
+
+  size_t most_;
+  std::shared_ptr<const Dialect> dialect_; ///< to which the points refer
+  ToolPath path_;
+  std::optional<PathFiles> files_;
+  std::optional<PathCollector> programmed_;
+  std::optional<CentreCollector> centre_; ///< none: the tool is nowhere else
+  PathCollector::Rest start_;             ///< before the first block
+  std::vector<PathPoint> points_;         ///< as they were passed
+  uint32_t low_ = 0;                      ///< no block before this one after the last point
+  uint64_t detours_ = 0;                  ///< of the whole path
+  size_t settingsAtFirst_ = 0;            ///< when all was followed last
+  bool whole_ = false;                    ///< the path was followed to its end
+  uint64_t executed_ = 0;
+};
+
+} // namespace ncvet

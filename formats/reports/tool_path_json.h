@@ -1,0 +1,17 @@
+// The path of a tool as JSON: see docs/trace-format.md.
+#pragma once
+
+#include "formats/finding/tool_path.h"
+
+#include "llvm/ADT/ArrayRef.h"
+
+namespace ncvet {
+
+/// A whole path. `files`: names of its files.
+std::string toolPathText(const ToolPath &path, llvm::ArrayRef<std::string> files);
+
+/// What an edit has made of a path that somebody has already.
+std::string toolPathChangeText(const ToolPath &path, llvm::ArrayRef<std::string> files,
+                               const ToolPathChange &change);
+
+} // namespace ncvet

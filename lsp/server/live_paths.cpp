@@ -1,0 +1,134 @@
+// The paths of programs that are being edited.
+#include "lsp/server/live_paths.h"
+
+#include "analyzer/setup/session.h"
+#include "formats/reports/tool_path_json.h"
+#include "formats/text/file_uri.h"
+
+namespace ncvet::lsp {
+
+namespace {
+
+/// Which programs a text holds: calls may lead elsewhere when it holds others.
+std::string programsOf(const FileIndex &index) {
+  std::string programs;
+  for (const ProgramInfo &program : index.programs())
+    programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
+                              program.hasHeader())
+                    .str();
+  return programs;
+}
+
+/// What has become of a text, in one piece.
+PathEdit editBetween(const SharedText &before, const SharedText &after) {
+  PathEdit edit;
+  const std::vector<TextChange> changes = changesBetween(before.bytes, after).fromFront();
+  const auto size = uint32_t(before.bytes->size());
+  if (changes.empty()) {
+    edit.change = {size, size, 0};
+  } else {
+    // They are made one after the other, from the front: the end of the last one is told for a text
+    // in which those before it have been made.
+    int64_t by = 0;
+    for (const TextChange &change : changes)
+      by += int64_t(change.added) - (change.end - change.begin);
+    const TextChange &first = changes.front(), &last = changes.back();
+    const uint32_t endAfter = last.endAfter();
+    edit.change = {first.begin, uint32_t(endAfter - by), endAfter - first.begin};
+  }
+  const uint32_t end = edit.change.end;
+  const LineIndex linesBefore(*before.bytes), linesAfter(*after.bytes);
+  const LineIndex &old = before.lines ? *before.lines : linesBefore;
+  const LineIndex &now = after.lines ? *after.lines : linesAfter;
+  edit.line = old.lineOf(end);
+  edit.tail = old.lineBegin(end);
+  if (edit.tail < end)
+    edit.tail = old.beginOfLine(++edit.line);
+  edit.lines = int64_t(now.lineOf(uint32_t(after.bytes->size()))) - old.lineOf(size);
+  return edit;
+}
+
+std::vector<std::string> urisOf(const std::vector<std::string> &paths) {
+  std::vector<std::string> uris;
+  for (const std::string &path : paths)
+    uris.push_back(uriOfPath(path));
+  return uris;
+}
+
+} // namespace
+
+/// Whether all but the text is as it was when the path was followed.
+bool LivePath::isOfTheSame(const FileSetup &setup, const SourceSet::Overlay &open) const {
+  return text_.bytes && dialect_ == setup.dialect && machine_ == setup.machine &&
+         folders_ == setup.folders && llvm::all_of(files_, [&](const auto &file) {
+           return file.second == stampOf(file.first, open);
+         });
+}
+
+void LivePath::note(const FileSetup &setup, const FileUnit &unit, const CheckJob &job) {
+  text_ = job.document.text;
+  dialect_ = setup.dialect;
+  machine_ = setup.machine;
+  folders_ = setup.folders;
+  programs_ = programsOf(unit.index);
+  files_.clear();
+  for (const std::string &path : memory_.files())
+    if (path != job.document.path)
+      files_[path] = stampOf(path, *job.overlay);
+}
+
+llvm::Expected<std::string> LivePath::answer(const CheckJob &job, llvm::StringRef previous,
+                                             const std::atomic<bool> &cancelled) {
+  const Document &document = job.document;
+  auto setup = job.session->setup(document.path, *document.text.bytes);
+  if (!setup)
+    return setup.takeError();
+  SourceSet sources(job.overlay);
+  const SourceFile &file = sources.add(document.path, document.text, document.path);
+  Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
+                  setup->folders);
+  FileUnit &unit = project.unit(file, scan_.scanFor(*setup, file, document.text));
+  std::optional<PathEdit> edit;
+  if (isOfTheSame(*setup, *job.overlay) && programs_ == programsOf(unit.index))
+    edit = editBetween(text_, document.text);
+  text_ = {};
+  const auto change =
+      memory_.follow(project, unit, setup->limits, edit ? &*edit : nullptr, &cancelled);
+  if (!change)
+    return "null";
+  note(*setup, unit, job);
+  const bool isNext = !change->whole && previous == std::to_string(lastId_);
+  const std::vector<std::string> uris = urisOf(memory_.files());
+  const std::string content = isNext ? toolPathChangeText(memory_.path(), uris, *change)
+                                     : toolPathText(memory_.path(), uris);
+  return llvm::formatv(R"({{"id":"{0}","version":{1},"{2}":{3}})", ++lastId_, document.version,
+                       isNext ? "change" : "path", content)
+      .str();
+}
+
+llvm::Expected<std::string> LivePaths::answer(const CheckJob &job, llvm::StringRef previous,
+                                              const std::atomic<bool> &cancelled) {
+  const std::string &path = job.document.path;
+  const auto found = llvm::find_if(kept_, [&](const Kept &kept) { return kept.path == path; });
+  if (found != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, found);
+  } else {
+    if (kept_.size() >= mostPaths)
+      kept_.pop_back();
+    kept_.push_front({path, std::make_unique<LivePath>()});
+  }
+  return kept_.front().live->answer(job, previous, cancelled);
+}
+
+void LivePaths::forget(const std::string &path) {
+  kept_.remove_if([&](const Kept &kept) { return kept.path == path; });
+}
+
+void LivePaths::abandon(const std::string &path) {
+  for (Kept &kept : kept_)
+    if (kept.path == path)
+      static_cast<void>(kept.live.release()); // on purpose without an owner
+  forget(path);
+}
+
+} // namespace ncvet::lsp

@@ -1,0 +1,58 @@
+// The paths of programs that are being edited, as `ncvet/path` tells them.
+#pragma once
+
+#include "analyzer/flow/tool_path_memory.h"
+#include "lsp/server/checks.h"
+#include "lsp/server/file_stamp.h"
+
+#include <list>
+
+namespace ncvet::lsp {
+
+/// The path of one document, carried from each of its versions to the next.
+class LivePath {
+public:
+  /// What `ncvet/path` answers, as JSON: the whole path, or what is another since the answer that
+  /// had the id `previous`. Null when it was cancelled. Errors are those of configurations and
+  /// tables.
+  llvm::Expected<std::string> answer(const CheckJob &job, llvm::StringRef previous,
+                                     const std::atomic<bool> &cancelled);
+
+private:
+  bool isOfTheSame(const FileSetup &setup, const SourceSet::Overlay &open) const;
+  void note(const FileSetup &setup, const FileUnit &unit, const CheckJob &job);
+
+  CheckMemory scan_; ///< of the text, for whoever looks for programs in it
+  ToolPathMemory memory_{mostMoves};
+  SharedText text_; ///< that was followed last
+  std::shared_ptr<const Dialect> dialect_;
+  std::shared_ptr<const MachineProfile> machine_;
+  std::shared_ptr<ProgramFolders> folders_;
+  std::string programs_;                   ///< which programs the text held
+  std::map<std::string, FileStamp> files_; ///< other ones that the path goes through
+  unsigned lastId_ = 0;
+
+  /// More take longer than an editor waits.
+  static constexpr size_t mostMoves = 3'000'000;
+};
+
+/// Those that are looked at. Belongs to the thread of paths.
+class LivePaths {
+public:
+  llvm::Expected<std::string> answer(const CheckJob &job, llvm::StringRef previous,
+                                     const std::atomic<bool> &cancelled);
+  void forget(const std::string &path);
+  /// After a crash: what it leaves can be neither used nor given back.
+  void abandon(const std::string &path);
+
+private:
+  /// A path of a million moves takes 20 MB; more than two are not looked at in turn.
+  static constexpr size_t mostPaths = 2;
+  struct Kept {
+    std::string path;
+    std::unique_ptr<LivePath> live;
+  };
+  std::list<Kept> kept_; ///< the last one that was asked for first
+};
+
+} // namespace ncvet::lsp
