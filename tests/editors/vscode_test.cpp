@@ -25,32 +25,24 @@ std::optional<fs::path> installed(const fs::path &folder) {
   return fs::exists(modules) ? std::optional(modules) : std::nullopt;
 }
 
-TEST(Vscode, DoesWhatAUserDoes) {
-  const TemporaryFolder temporary;
-  const auto modules = installed(temporary.path());
-  if (!modules || !llvm::sys::findProgramByName("chromium"))
-    GTEST_SKIP() << "./dev packages vscode installs VS Code for this test: it is not there";
-  fs::path log = temporary.path() / "log";
-  const auto packed = packExtension(temporary.path() / "package", log);
-  if (!packed)
-    GTEST_SKIP() << "npm cannot fetch what the extension is built with: " << contentsOf(log);
+/// Runs a driver of VS Code with the extension; fails with each line that it says but for times.
+void drive(const fs::path &modules, const char *driver, const fs::path &packed,
+           const fs::path &folder) {
   // Pictures of each step are kept for whoever wants to look at them.
   const char *const pictures = std::getenv("NCVET_PICTURES");
-  const nlohmann::json plan = {
-      {"modules", modules->string()},
-      {"ncvet", NCVET_BINARY},
-      {"packed", packed->string()},
-      {"folder", (temporary.path() / "editor").string()},
-      {"pictures", pictures ? pictures : (temporary.path() / "pictures").string()}};
-  fs::create_directory(temporary.path() / "editor");
-  std::ofstream(temporary.path() / "plan.json") << plan;
-  log = temporary.path() / "steps";
+  const nlohmann::json plan = {{"modules", modules.string()},
+                               {"ncvet", NCVET_BINARY},
+                               {"packed", packed.string()},
+                               {"folder", (folder / "editor").string()},
+                               {"pictures", pictures ? pictures : (folder / "pictures").string()}};
+  fs::create_directory(folder / "editor");
+  std::ofstream(folder / "plan.json") << plan;
+  const fs::path log = folder / "steps";
   constexpr unsigned seconds =
       300; // one and a half minutes on a machine that has nothing else to do
-  const int status =
-      runOuter({"node", (steps / "drive.mjs").string(), (temporary.path() / "plan.json").string()},
-               log, seconds);
-  EXPECT_EQ(status, 0);
+  EXPECT_EQ(
+      runOuter({"node", (steps / driver).string(), (folder / "plan.json").string()}, log, seconds),
+      0);
   // What went wrong is a line each, before the last one; how long a step took begins with a number.
   llvm::SmallVector<llvm::StringRef, 64> lines;
   const std::string said = contentsOf(log);
@@ -59,6 +51,27 @@ TEST(Vscode, DoesWhatAUserDoes) {
   for (const llvm::StringRef line : lines)
     if (line != "done" && !line.startswith("took "))
       ADD_FAILURE() << line.str();
+}
+
+/// Packs the extension, and drives VS Code with it.
+void driveWith(const char *driver, PackedServer server) {
+  const TemporaryFolder temporary;
+  const auto modules = installed(temporary.path());
+  if (!modules || !llvm::sys::findProgramByName("chromium"))
+    GTEST_SKIP() << "./dev packages vscode installs VS Code for this test: it is not there";
+  const fs::path log = temporary.path() / "log";
+  const auto packed = packExtension(temporary.path() / "package", log, server);
+  if (!packed)
+    GTEST_SKIP() << "npm cannot fetch what the extension is built with: " << contentsOf(log);
+  drive(*modules, driver, *packed, temporary.path());
+}
+
+TEST(Vscode, DoesWhatAUserDoes) { driveWith("drive.mjs", PackedServer::None); }
+
+TEST(Vscode, ChecksProgramsInABrowser) {
+  if (!fs::exists(fs::path(NCVET_SOURCE_DIR) / "build/package/npm/package/lib/ncvet.wasm"))
+    GTEST_SKIP() << "./dev package npm makes the module that runs in a browser: it is not there";
+  driveWith("web.mjs", PackedServer::InBrowser);
 }
 
 } // namespace

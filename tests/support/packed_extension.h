@@ -5,27 +5,43 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fstream>
+
 namespace ncvet::test {
 
 inline const std::filesystem::path extensionFolder =
     std::filesystem::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vscode";
 
+/// What an extension is packed with beside its client.
+enum class PackedServer : uint8_t {
+  None,
+  InBrowser ///< the WebAssembly module of `./dev package npm`, and no client for Node
+};
+
 /// Packs a copy of the extension in `folder`, which is made; the path of the package. Nothing when
 /// npm cannot fetch what it is built with, or when it cannot be packed: `log` says which.
-inline std::optional<std::filesystem::path> packExtension(const std::filesystem::path &folder,
-                                                          const std::filesystem::path &log) {
+inline std::optional<std::filesystem::path>
+packExtension(const std::filesystem::path &folder, const std::filesystem::path &log,
+              PackedServer server = PackedServer::None) {
   namespace fs = std::filesystem;
   const auto modules = nodeModules(extensionFolder);
   if (!modules)
     return std::nullopt;
-  // Where it is in the project: it takes the schemas from there.
+  // Where it is in the project: it takes the schemas and the viewer from there.
   const fs::path copy = folder / "lsp" / "editors" / "vscode";
   fs::create_directories(copy.parent_path());
-  fs::create_directory_symlink(fs::path(NCVET_SOURCE_DIR) / "rulesets", folder / "rulesets");
+  for (const char *read : {"rulesets", "formats"})
+    fs::create_directory_symlink(fs::path(NCVET_SOURCE_DIR) / read, folder / read);
   fs::copy(extensionFolder, copy, fs::copy_options::recursive | fs::copy_options::skip_symlinks);
   for (const char *made : {"bin", "dist", "node_modules", "schema", "server"})
     fs::remove_all(copy / made);
   fs::create_directory_symlink(*modules, copy / "node_modules");
+  if (server == PackedServer::InBrowser) {
+    fs::create_directory_symlink(fs::path(NCVET_SOURCE_DIR) / "build", folder / "build");
+    auto manifest = nlohmann::ordered_json::parse(contentsOf(copy / "package.json"));
+    manifest.erase("main");
+    std::ofstream(copy / "package.json") << manifest.dump(2);
+  }
   if (runOuter({"npm", "--prefix", copy.string(), "run", "package"}, log, 300) != 0)
     return std::nullopt;
   const auto manifest = nlohmann::json::parse(contentsOf(copy / "package.json"));

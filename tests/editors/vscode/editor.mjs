@@ -88,6 +88,14 @@ export class Editor {
       userDataDir: path.join(this.folder, 'browser'),
     });
     this.page = await this.browser.newPage();
+    // code-server puts a service worker of its own over all of its address. It takes the frames of views and of pages before
+    // their own worker has them, and they stay blank: in VS Code there is none.
+    await this.page.evaluateOnNewDocument(() => {
+      const workers = navigator.serviceWorker;
+      if (!workers) return;
+      const register = workers.register.bind(workers);
+      workers.register = (script, options) => (/_static\/out\/browser\/serviceWorker/.test(script) ? new Promise(() => {}) : register(script, options));
+    });
     await this.page.goto(`${address}?folder=${this.workspace}`);
     await until('the probe', () => this.ask('return true'));
   }
@@ -135,6 +143,13 @@ export class Editor {
   }
   command(id, ...args) {
     return this.ask(`return void vscode.commands.executeCommand(${[id, ...args].map((arg) => JSON.stringify(arg)).join(', ')})`);
+  }
+  /** The page of a view in which a selector finds something. */
+  view(selector) {
+    return until(`a view with ${selector}`, async () => {
+      for (const frame of this.page.frames()) if (await frame.$(selector).catch(() => null)) return frame;
+      return undefined;
+    });
   }
   /** The text of the first element that a selector finds; undefined when there is none. */
   text(selector) {

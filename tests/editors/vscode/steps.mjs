@@ -9,7 +9,7 @@ function holds(is, what) {
   if (!is) throw new Error(what);
 }
 
-const drilling = ['%', 'O0100 (PLATE, FANUC 0I-MF)', 'N10 G17 G21 G40 G80 G90 G94', 'N20 T1 M06', 'N30 G54 G00 X0. Y0. S1200 M03', 'N40 G43 H1 Z50. M08',
+export const drilling = ['%', 'O0100 (PLATE, FANUC 0I-MF)', 'N10 G17 G21 G40 G80 G90 G94', 'N20 T1 M06', 'N30 G54 G00 X0. Y0. S1200 M03', 'N40 G43 H1 Z50. M08',
   'N50 G81 X10. Y10. Z-10. R2. F200.', 'N60 X30.', 'N70 T2 M06', 'N80 G80', 'N90 G91 G28 Z0. M09', 'N100 M30', '%'];
 
 /** Writes the program that most steps look at. */
@@ -157,6 +157,26 @@ export const steps = {
     holds(!(await open()).some((tab) => tab.startsWith('file:') && tab.endsWith('.md')), `a file is open: ${await open()}`);
   },
 
+  async 'the tool path is beside the text, follows what is typed, and both cursors follow each other'(editor) {
+    await editor.open('plate.nc');
+    await until('the control', () => editor.control());
+    await editor.command('ncvet.showPath');
+    const shown = () => editor.ask(`return vscode.commands.executeCommand('ncvet.shownPath')`);
+    const before = await until('the path', async () => ((await shown()).moves > 0 ? await shown() : undefined));
+    // Two holes, of which each has three moves or more.
+    await editor.ask(`const editor = vscode.window.visibleTextEditors[0], edit = new vscode.WorkspaceEdit();
+      edit.insert(editor.document.uri, new vscode.Position(8, 0), 'N65 X50.\\n'); await vscode.workspace.applyEdit(edit)`);
+    const after = await until('the moves of one more hole', async () => ((await shown()).moves > before.moves ? await shown() : undefined));
+    same(after.what, 'change', 'what was sent');
+    const view = await editor.view('#tool-path');
+    const marked = () => view.evaluate(() => globalThis.ncvet.report.findings.length);
+    await until('marks of findings', async () => (await marked()) > 0);
+    await editor.ask(`const editor = vscode.window.visibleTextEditors[0]; editor.selection = new vscode.Selection(8, 0, 8, 0)`);
+    await until('the slider at the cursor', async () => /line 9/.test(await view.evaluate(() => document.getElementById('place').textContent)));
+    await view.evaluate(() => globalThis.ncvet.pathPane.stepBlock(-1));
+    await until('the cursor at the slider', async () => (await editor.ask('return vscode.window.visibleTextEditors[0].selection.active.line')) === 7);
+  },
+
   async 'explain shows the page of the rule at the cursor'(editor) {
     await editor.open('plate.nc');
     await until('findings', async () => (await editor.findings('plate.nc')).includes('9 cycle-left-active'));
@@ -166,6 +186,11 @@ export const steps = {
     await until('the page', () => editor.ask(`return vscode.window.tabGroups.all.flatMap((group) => group.tabs).some((tab) => /cycle-left-active/.test(tab.label))`));
     await until('its text', () => editor.ask(`return vscode.workspace.textDocuments.some((one) =>
       one.uri.scheme === 'ncvet-rule' && one.getText().includes('Why it matters at the machine'))`));
+    const page = await editor.view('.markdown-body h2');
+    await until('what is seen of it', () => page.evaluate(() => {
+      const heading = [...document.querySelectorAll('h2')].find((one) => one.textContent === 'Why it matters at the machine');
+      return heading !== undefined && heading.getBoundingClientRect().width > 0;
+    }));
   },
 
   async 'all safe fixes are applied, and the others are counted'(editor) {

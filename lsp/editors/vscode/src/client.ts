@@ -1,12 +1,10 @@
-// The client of the server: what it tells the server of the editor, and what it makes of the server's answers.
+// The client of the server, wherever that runs: what it tells the server of the editor, and what it makes of the server's answers.
 import * as vscode from 'vscode';
-import {
-  type ClientCapabilities, type FeatureState, LanguageClient, type LanguageClientOptions, type MessageSignature, type ServerOptions, type StaticFeature,
-  TransportKind,
-} from 'vscode-languageclient/node';
+import type {
+  BaseLanguageClient, ClientCapabilities, FeatureState, LanguageClientOptions, MessageSignature, StaticFeature,
+} from 'vscode-languageclient';
 import type { ControlNotice, ControlPicker } from './control_picker';
 import { documentOf, isPage, showPage } from './explain';
-import type { Server } from './server_path';
 
 export const section = 'ncvet';
 
@@ -22,18 +20,23 @@ class ControlFeature implements StaticFeature {
   clear(): void {}
 }
 
+export interface QuietClient extends BaseLanguageClient {
+  /** It runs: what fails from now on is told as others tell it. */
+  started: boolean;
+}
+
 /**
- * Why it did not start is told, once, by whoever has started it. A request that fails is a line in the output: the text has
- * changed or was closed meanwhile, and what the user asked for himself the editor tells anyway.
+ * Makes a client say little. Why it did not start is told, once, by whoever has started it. A request that fails is a line in
+ * the output: the text has changed or was closed meanwhile, and what the user asked for himself the editor tells anyway.
  */
-class QuietClient extends LanguageClient {
-  started = false;
-  override error(message: string, data?: unknown, showNotification?: boolean | 'force'): void {
-    super.error(message, data, this.started ? showNotification : false);
-  }
-  override handleFailedRequest<T>(type: MessageSignature, token: vscode.CancellationToken | undefined, error: unknown, otherwise: T): T {
-    return super.handleFailedRequest(type, token, error, otherwise, false);
-  }
+function quiet(client: BaseLanguageClient): QuietClient {
+  const made = Object.assign(client, { started: false });
+  const error = client.error.bind(client);
+  const failed = client.handleFailedRequest.bind(client);
+  client.error = (message, data, showNotification) => error(message, data, made.started ? showNotification : false);
+  client.handleFailedRequest = <T>(type: MessageSignature, token: vscode.CancellationToken | undefined, reason: unknown, otherwise: T): T =>
+    failed(type, token, reason, otherwise, false);
+  return made;
 }
 
 /** The link of a finding opens the page of its rule as one that cannot be edited. */
@@ -46,16 +49,13 @@ function withPages(findings: vscode.Diagnostic[]): vscode.Diagnostic[] {
   return findings;
 }
 
-export function makeClient({ file, needsNode }: Server, languages: string[], picker: ControlPicker): QuietClient {
-  const server: ServerOptions = needsNode
-    ? { module: file, args: ['lsp'], transport: TransportKind.stdio }
-    : { command: file, args: ['lsp'] };
-  const options: LanguageClientOptions = {
-    documentSelector: languages.flatMap((language) => [
-      { scheme: 'file', language },
-      { scheme: 'untitled', language },
-    ]),
-    initializationOptions: vscode.workspace.getConfiguration(section),
+/** `schemes`: where the texts are that the server sees; none: all. */
+export function clientOptions(languages: string[], schemes: string[]): LanguageClientOptions {
+  const places = schemes.length > 0 ? schemes.map((scheme) => ({ scheme })) : [{}];
+  return {
+    documentSelector: languages.flatMap((language) => places.map((place) => ({ ...place, language }))),
+    // Without the functions that the editor puts beside the settings: a worker cannot be sent them.
+    initializationOptions: JSON.parse(JSON.stringify(vscode.workspace.getConfiguration(section))),
     // The server asks for the section again when it is told that something changed.
     synchronize: { configurationSection: section },
     middleware: {
@@ -79,10 +79,11 @@ export function makeClient({ file, needsNode }: Server, languages: string[], pic
       },
     },
   };
-  const client = new QuietClient(section, 'ncvet', server, options);
-  client.registerFeature(new ControlFeature());
-  client.onNotification('ncvet/control', (notice: ControlNotice) => picker.take(notice));
-  return client;
 }
 
-export type { QuietClient };
+/** What every client takes from the server beside the protocol. */
+export function bindClient(client: BaseLanguageClient, picker: ControlPicker): QuietClient {
+  client.registerFeature(new ControlFeature());
+  client.onNotification('ncvet/control', (notice: ControlNotice) => picker.take(notice, client.protocol2CodeConverter.asUri(notice.uri)));
+  return quiet(client);
+}

@@ -24,13 +24,16 @@ function plain(text: string | undefined): string {
 }
 
 export class ControlPicker {
-  private readonly controls: Control[];
+  private controls: Control[] = [];
   private readonly notices = new Map<string, ControlNotice>();
   private readonly item: vscode.StatusBarItem;
   private problem: string | undefined;
 
   constructor(private readonly context: vscode.ExtensionContext) {
-    this.controls = readControls(context.extensionPath);
+    void readControls(context).then((controls) => {
+      this.controls = controls;
+      this.show();
+    });
     this.item = vscode.window.createStatusBarItem('ncvet.control', vscode.StatusBarAlignment.Right, 99);
     this.item.name = 'ncvet: control';
     context.subscriptions.push(
@@ -43,8 +46,8 @@ export class ControlPicker {
   }
 
   /** Takes what the server says of a document. */
-  take(notice: ControlNotice): void {
-    this.notices.set(vscode.Uri.parse(notice.uri).toString(), notice);
+  take(notice: ControlNotice, uri: vscode.Uri): void {
+    this.notices.set(uri.toString(), notice);
     this.show();
   }
 

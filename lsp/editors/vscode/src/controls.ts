@@ -1,6 +1,5 @@
 // The controls: what the tables say of them, and which marks of a text speak for one.
-import * as fs from 'node:fs';
-import * as path from 'node:path';
+import * as vscode from 'vscode';
 
 export interface Control {
   id: string;
@@ -13,8 +12,14 @@ export interface Control {
 
 const shownLines = 200; // as many as the server looks at
 
-export function readControls(extensionPath: string): Control[] {
-  return JSON.parse(fs.readFileSync(path.join(extensionPath, 'controls.json'), 'utf8'));
+export async function readControls(context: vscode.ExtensionContext): Promise<Control[]> {
+  const file = vscode.Uri.joinPath(context.extensionUri, 'controls.json');
+  return JSON.parse(new TextDecoder().decode(await vscode.workspace.fs.readFile(file)));
+}
+
+/** Endings of files that are programs of some control. */
+export async function endingsOfPrograms(context: vscode.ExtensionContext): Promise<string[]> {
+  return [...new Set((await readControls(context)).flatMap((control) => control.extensions))].sort();
 }
 
 /** Marks of a text that speak for a control, the strongest first. */

@@ -1,6 +1,6 @@
 // Pages of rules: read-only documents, which the editor shows as pages.
 import * as vscode from 'vscode';
-import { ExecuteCommandRequest, type LanguageClient } from 'vscode-languageclient/node';
+import type { BaseLanguageClient } from 'vscode-languageclient';
 
 export const scheme = 'ncvet-rule';
 
@@ -36,7 +36,7 @@ function rulesInSight(editor: vscode.TextEditor): string[] {
   return [...new Set((here.length > 0 ? here : findings).map(ruleOf))].sort();
 }
 
-async function explainRule(client: LanguageClient | undefined): Promise<void> {
+async function explainRule(client: BaseLanguageClient | undefined): Promise<void> {
   const editor = vscode.window.activeTextEditor;
   const rules = editor ? rulesInSight(editor) : [];
   if (rules.length === 0) {
@@ -45,15 +45,17 @@ async function explainRule(client: LanguageClient | undefined): Promise<void> {
   }
   const rule = rules.length === 1 ? rules[0] : await vscode.window.showQuickPick(rules, { title: 'Explain which rule?' });
   if (rule) {
-    await client?.sendRequest(ExecuteCommandRequest.type, { command: 'ncvet.explain', arguments: [rule] });
+    await client?.sendRequest('workspace/executeCommand', { command: 'ncvet.explain', arguments: [rule] });
   }
 }
 
-export function registerExplain(context: vscode.ExtensionContext, client: () => LanguageClient | undefined): void {
+export function registerExplain(
+  context: vscode.ExtensionContext, client: () => BaseLanguageClient | undefined, read: (page: vscode.Uri) => Thenable<Uint8Array>,
+): void {
   const content: vscode.TextDocumentContentProvider = {
     async provideTextDocumentContent(uri) {
       const page = pages.get(uri.path);
-      return page ? new TextDecoder().decode(await vscode.workspace.fs.readFile(page)) : '';
+      return page ? new TextDecoder().decode(await read(page)) : '';
     },
   };
   context.subscriptions.push(

@@ -1,5 +1,4 @@
 // The languages that are part programs, and files that may be.
-import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { looksLikeProgram, looseEndings } from './program_text';
 
@@ -8,6 +7,9 @@ export const anyControl = 'gcode';
 
 export const isProgram = (document: vscode.TextDocument): boolean =>
   document.languageId === anyControl || document.languageId.startsWith('ncvet-');
+
+/** The name of a file without its folders. */
+export const nameOf = (uri: vscode.Uri): string => uri.path.split('/').at(-1) ?? '';
 
 /** The languages that package.json contributes. */
 export function languageIds(context: vscode.ExtensionContext): string[] {
@@ -34,7 +36,7 @@ export async function chooseLanguage(context: vscode.ExtensionContext, document:
 }
 
 /** The last letters of a text's name, from the point on; `` when it has none. */
-const endingOf = (document: vscode.TextDocument): string => path.extname(document.uri.path).toLowerCase();
+const endingOf = (document: vscode.TextDocument): string => (/(?<=[^/])\.[^./]*$/.exec(document.uri.path)?.[0] ?? '').toLowerCase();
 
 const yes = 'NC Program';
 const always = (ending: string) => `Always for ${ending}`;
@@ -42,7 +44,7 @@ const never = (ending: string) => `Never for ${ending}`;
 
 /** Makes a text that is a program one for the editor: at once when the user has said so, else after a question. */
 async function offer(context: vscode.ExtensionContext, document: vscode.TextDocument): Promise<void> {
-  if (document.isClosed || !['file', 'untitled'].includes(document.uri.scheme)) {
+  if (document.isClosed || ['output', 'vscode', 'git', 'debug'].includes(document.uri.scheme)) {
     return;
   }
   const chosen = context.workspaceState.get<Chosen>(chosenKey, {})[document.uri.toString()];
@@ -59,7 +61,7 @@ async function offer(context: vscode.ExtensionContext, document: vscode.TextDocu
     return;
   }
   const answers = ending ? [yes, always(ending), never(ending)] : [yes];
-  const name = path.basename(document.uri.path);
+  const name = nameOf(document.uri);
   const answer = await vscode.window.showInformationMessage(`${name} looks like an NC program. Check it as one?`, ...answers);
   if (answer === yes) {
     await chooseLanguage(context, document, anyControl);

@@ -1,7 +1,5 @@
 // Snippets for texts whose control is found out: those of the control that the server has found. The languages of single
 // controls have theirs from package.json.
-import * as fs from 'node:fs';
-import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { anyControl } from './languages';
 
@@ -12,14 +10,17 @@ interface Snippet {
 }
 
 export function registerSnippets(context: vscode.ExtensionContext, controlOf: (document: vscode.TextDocument) => string | undefined): void {
-  const read = new Map<string, vscode.CompletionItem[]>();
-  const snippetsOf = (control: string): vscode.CompletionItem[] => {
-    const known = read.get(control);
-    if (known) {
-      return known;
+  const read = new Map<string, Promise<vscode.CompletionItem[]>>();
+  const entriesOf = async (control: string): Promise<Record<string, Snippet>> => {
+    const file = vscode.Uri.joinPath(context.extensionUri, 'snippets', control + '.json');
+    try {
+      return JSON.parse(new TextDecoder().decode(await vscode.workspace.fs.readFile(file)));
+    } catch {
+      return {}; // a control of the user's own
     }
-    const file = path.join(context.extensionPath, 'snippets', control + '.json');
-    const entries: Record<string, Snippet> = fs.existsSync(file) ? JSON.parse(fs.readFileSync(file, 'utf8')) : {};
+  };
+  const make = async (control: string): Promise<vscode.CompletionItem[]> => {
+    const entries = await entriesOf(control);
     const items = Object.entries(entries).map(([name, snippet]) => {
       const item = new vscode.CompletionItem({ label: snippet.prefix, description: name }, vscode.CompletionItemKind.Snippet);
       item.insertText = new vscode.SnippetString(snippet.body.join('\n'));
@@ -27,11 +28,15 @@ export function registerSnippets(context: vscode.ExtensionContext, controlOf: (d
       item.sortText = '~' + snippet.prefix; // after the words of the control
       return item;
     });
-    read.set(control, items);
     return items;
   };
+  const snippetsOf = (control: string): Promise<vscode.CompletionItem[]> => {
+    const known = read.get(control) ?? make(control);
+    read.set(control, known);
+    return known;
+  };
   const provider: vscode.CompletionItemProvider = {
-    provideCompletionItems(document, position) {
+    async provideCompletionItems(document, position) {
       const before = document.lineAt(position).text.slice(0, position.character);
       const control = controlOf(document);
       return control && /^\s*[a-z]*$/i.test(before) ? snippetsOf(control) : [];

@@ -1,8 +1,7 @@
 // What is in the program in sight, as trees: operations by tool, subprograms and their callers, findings by rule.
-import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { findingsOf, ruleOf } from './explain';
-import { isProgram } from './languages';
+import { isProgram, nameOf } from './languages';
 
 /** A row of a tree; its rows below it are made when it is opened. */
 interface Row {
@@ -128,7 +127,7 @@ class Subprograms extends ProgramTree {
   private shown(call: vscode.CallHierarchyIncomingCall): Row[] {
     return call.fromRanges.map((range) => ({
       label: call.from.name,
-      description: `${path.basename(call.from.uri.path)}:${range.start.line + 1}`,
+      description: `${nameOf(call.from.uri)}:${range.start.line + 1}`,
       icon: new vscode.ThemeIcon('call-incoming'),
       place: new vscode.Location(call.from.uri, range),
       below: async () => (await this.callers(call.from)).flatMap((next) => this.shown(next)),
@@ -162,7 +161,7 @@ class Findings extends ProgramTree {
       below: () =>
         (byRule.get(rule) ?? []).map(({ uri, finding }) => ({
           label: finding.message.split('\n')[0],
-          description: `${path.basename(uri.path)}:${finding.range.start.line + 1}`,
+          description: `${nameOf(uri)}:${finding.range.start.line + 1}`,
           tooltip: finding.message,
           icon: severityIcon(finding.severity),
           place: new vscode.Location(uri, finding.range),
