@@ -31,9 +31,13 @@ BlocksBefore::BlocksBefore(const RuleContext &ctx)
 bool BlocksBefore::backInProgram(Block &block) {
   if (at_ <= program_->body)
     return false;
+  const uint32_t limit = at_;
   at_ = std::max(program_->body, unit_->source.lines().lineBegin(at_ - 1));
   unit_->index.read(at_, block);
-  return true;
+  if (block.isEmpty() || block.next <= limit)
+    return true;
+  left_ = 1; // where blocks span lines this is none: nothing more is told
+  return false;
 }
 
 bool BlocksBefore::enter(const Block &block, bool &calls) {

@@ -11,6 +11,7 @@ namespace {
 
 struct SpindleNotRestartedMemory {
   SourceRange tap{};   ///< block of the last tapped hole
+  Origin start;        ///< what had started the spindle there
   bool itself = false; ///< its cycle starts the spindle
   OncePerCause once;
   OncePerCause onceOfChange;
@@ -104,6 +105,7 @@ private:
     const bool tap = code.cycle == CycleKind::Tap || code.cycle == CycleKind::TapLeft;
     if (event.kind == EventKind::CycleRun && tap) {
       memory().tap = ctx.blockRange();
+      memory().start = ctx.after().origin.of(StatePart::Spindle);
       memory().itself = code.spindle == SpindleNeed::StartsItself;
       return;
     }
@@ -114,9 +116,7 @@ private:
     const Origin &start = ctx.after().origin.of(StatePart::Spindle);
     if (memory().itself && (ctx.after().liveTool & (spindleCw | spindleCcw)))
       return; // the driven tool cuts
-    if (!cuts || memory().tap.end == 0 || memory().tap.file != ctx.source().id() ||
-        !start.known() || start.file != memory().tap.file || start.begin >= memory().tap.end ||
-        ctx.block().begin < memory().tap.end)
+    if (!cuts || memory().tap.end == 0 || !start.known() || start != memory().start)
       return;
     if (auto finding = ctx.report(ctx.blockRange(), false)) {
       if (memory().itself)

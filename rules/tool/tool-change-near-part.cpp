@@ -1,6 +1,8 @@
 // A tool change while the tool is in the work or too low.
+#include "analyzer/facts/block_before.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 #include "formats/text/number_text.h"
 
 #include <cmath>
@@ -76,8 +78,9 @@ private:
     if (!ctx.dialect().isLathe() || ctx.before().may(Fact::AtMachinePosition) ||
         ctx.dialect().group(StandardGroup::ReturnLevel) != noGroup)
       return; // (another control may withdraw to where the cycle began)
+    BlocksBefore before(ctx);
     Block block;
-    for (bool more = readPrevious(ctx, block); more; more = readBack(ctx, block)) {
+    while (before.next(block)) {
       if (!block.items.empty() || block.skip >= 0)
         return; // something else may lead here
       const CodeInfo *cycle = findCode(ctx.dialect(), block, {Action::Cycle});
@@ -87,7 +90,7 @@ private:
               .message("the tool is changed close to the hole, where `{0}` left it: the next "
                        "one may hit part, chuck or clamps",
                        cycle->name)
-              .note(wordsRange(ctx, block), "the hole is drilled here");
+              .note(wordsRange(before.unit().source.id(), block), "the hole is drilled here");
         return;
       }
       if (!onlySwitches(ctx.dialect(), block))
@@ -105,19 +108,20 @@ private:
     if (!dialect.isLathe() || before.may(Fact::AtMachinePosition) || !x.isConstant() ||
         before.inMachineCoordinates(Axis::X) || !unit)
       return false;
+    BlocksBefore way(ctx);
     Block block;
-    bool more = readPrevious(ctx, block);
+    bool more = way.next(block);
     while (more && isPlain(block) && onlySwitches(dialect, block))
-      more = readBack(ctx, block);
+      more = way.next(block);
     if (!more || !isPlain(block) || !liftsOff(dialect, block))
       return false;
-    const SourceRange lift = wordsRange(ctx, block);
+    const SourceRange lift = wordsRange(way.unit().source.id(), block);
     // The cut before it: its motion code, and the last X that it gives.
     constexpr unsigned furthest = 20; // blocks
     std::optional<double> cut;
     bool feeds = false;
     for (unsigned i = 0; i < furthest && !(feeds && cut); ++i) {
-      if (!readBack(ctx, block) || !isPlain(block) || block.hasAny(dialect.incrementWords))
+      if (!way.next(block) || !isPlain(block) || block.hasAny(dialect.incrementWords))
         return false;
       const bool straight = findCode(dialect, block, {Action::Linear});
       if (hasMotionCode(dialect, block) && !straight && !feeds)
@@ -129,14 +133,14 @@ private:
       }
       feeds |= straight;
     }
-    const double way = cut ? std::fabs(x.value() - *cut) : little + 1;
-    if (!feeds || way > little)
+    const double off = cut ? std::fabs(x.value() - *cut) : little + 1;
+    if (!feeds || off > little)
       return false;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding
           .message("the tool is changed {0} mm in X off the last cut: the next one may hit part, "
                    "chuck or clamps",
-                   shortNumber(way))
+                   shortNumber(off))
           .note(lift, "nothing but this move has led away from it");
     return true;
   }
