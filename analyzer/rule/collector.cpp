@@ -115,8 +115,8 @@ void Collector::settle() {
 
 namespace {
 
-/// Whether the words of a finding are ones that the control cannot read, or a value that it does not
-/// take, as the page of its rule says by `*`: whatever else is said of them follows from that.
+/// Whether the words of a finding are ones that the control cannot read, or a value that it does
+/// not take, as the page of its rule says by `*`: whatever else is said of them follows from that.
 bool refusesItsWords(const Finding &finding, const RuleInfo &rule) {
   return finding.severity == Severity::Error && llvm::is_contained(rule.subsumes, "*");
 }

@@ -1,7 +1,8 @@
 // Shifts, rotations, scaling and mirrors are ended in an order that the control does not allow.
+#include "analyzer/facts/block_before.h"
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/program/project.h"
 
 namespace ncvet {
 namespace {
@@ -20,6 +21,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     const CodeInfo &code = ctx.code(event);
     ctx.reportNotices(id, event);
+    if (code.alone)
+      movedBetween(event, code, ctx);
     switch (code.action) {
     case Action::PresetPosition:
       return preset(event, code, ctx);
@@ -40,6 +43,34 @@ public:
   }
 
 private:
+  /// A code that is for a frame which a block has switched on comes next to that block: no move is
+  /// between the two.
+  static void movedBetween(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    uint32_t wanted = 0; // switches
+    for (const Notice &notice : code.notices)
+      if (id == notice.rule)
+        wanted |= notice.when.off;
+    if (!wanted)
+      return;
+    const Dialect &dialect = ctx.dialect();
+    BlocksBefore before(ctx);
+    Block block;
+    while (before.next(block)) {
+      for (const CodeIndex one : codesOf(dialect, block))
+        if (const uint8_t index = dialect.codes[one].effect.index;
+            index != 0xFF && (wanted >> index & 1))
+          return;
+      if (!block.hasAny(dialect.axisWords))
+        continue;
+      if (auto finding = ctx.report(event, event.certain))
+        finding.severity(Severity::Warning)
+            .message("`{0}` comes next to the block of its frame, and a move is between the two",
+                     code.name)
+            .note(SourceRange{before.unit().source.id(), block.begin, block.end}, "this move");
+      return;
+    }
+  }
+
   bool lengthEnds_ = false; ///< a length offset that a rotation has seen begin ends before it
 
   /// A length offset that was switched on under the rotation is on when that ends.

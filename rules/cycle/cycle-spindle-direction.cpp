@@ -5,7 +5,14 @@
 namespace ncvet {
 namespace {
 
-class CycleSpindleDirection final : public Rule {
+struct CycleSpindleDirectionMemory {
+  Origin tool;               ///< with which the last thread was cut
+  uint8_t spindle = 0;       ///< how it turned
+  double start = 0, end = 0; ///< of the thread along Z, mm
+  SourceRange at{};          ///< its pass
+};
+
+class CycleSpindleDirection final : public StatefulRule<CycleSpindleDirectionMemory> {
 public:
   void listen(Subscriptions &to) override {
     to.on({EventKind::CycleStart, EventKind::CycleRun});
@@ -28,8 +35,10 @@ public:
     if (spindle != spindleCw && spindle != spindleCcw)
       return sleepInShape();
     if (event.kind == EventKind::Motion || cutsThread(code.cycle)) {
-      if (event.kind != EventKind::CycleStart)
+      if (event.kind != EventKind::CycleStart) {
         threadHand(event, code, spindle, ctx);
+        sameThread(event, code, spindle, ctx);
+      }
       return;
     }
     if (event.kind != EventKind::CycleStart || !makesHole(code.cycle))
@@ -57,6 +66,27 @@ public:
   }
 
 private:
+  /// A pass of a thread that was cut with the spindle turning the other way.
+  void sameThread(const Event &event, const CodeInfo &code, uint8_t spindle,
+                  RuleContext &ctx) const {
+    const Interval &start = ctx.before().at(Axis::Z);
+    const auto end = endOf(ctx, Axis::Z, start);
+    if (!start.isConstant() || !end || *end == start.value() || ctx.after().may(Fact::UnknownCode))
+      return;
+    const Memory was = std::exchange(memory(), {ctx.after().origin.of(StatePart::Tool), spindle,
+                                                start.value(), *end, ctx.blockRange()});
+    if (was.at.empty() || was.tool != memory().tool || was.spindle == spindle ||
+        was.start != memory().start || was.end != memory().end)
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Style)
+          .message("`{0}` cuts a thread with {1} that was cut with {2} before: the one is of the "
+                   "other hand",
+                   code.name, spindle == spindleCw ? "M03" : "M04",
+                   was.spindle == spindleCw ? "M03" : "M04")
+          .note(was.at, "this pass");
+  }
+
   /// Right-hand threads on a rear turret: M03 towards -Z, M04 towards +Z.
   static void threadHand(const Event &event, const CodeInfo &code, uint8_t spindle,
                          RuleContext &ctx) {
