@@ -148,6 +148,7 @@ void DebugSession::bindLifeCycle() {
   });
   channel_.on("terminate", [this](const Json &) -> llvm::Expected<Json> {
     run_.reset();
+    isEnded_ = true;
     channel_.afterResponse([this] { channel_.event("terminated"); });
     return Json();
   });
@@ -222,6 +223,7 @@ void DebugSession::begin() {
   channel_.event("process", {{"name", program_->main().source.display()},
                              {"isLocalProcess", false},
                              {"startMethod", "launch"}});
+  isEnded_ = false;
   run_ = std::make_unique<DryRun>(*program_, breakpoints_, settings_, *this);
   channel_.event("thread", {{"reason", "started"}, {"threadId", onlyThread}});
   run_->start();

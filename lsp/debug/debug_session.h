@@ -74,6 +74,7 @@ private:
   Json launchArguments_;
   bool linesStartAt1_ = true, columnsStartAt1_ = true;
   bool isConfigured_ = false, over_ = false;
+  bool isEnded_ = false; ///< the user has ended the program, and begun no other
   int lastBreakpoint_ = 0;
   /// What the client wants in one file, with the ids of the breakpoints: kept for a program that is
   /// loaded later, or again.

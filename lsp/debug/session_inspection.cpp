@@ -58,9 +58,20 @@ void DebugSession::bindInspection() {
       return (this->*answer)(arguments);
     });
   };
-  bind("stackTrace", &DebugSession::stackTrace);
-  bind("scopes", &DebugSession::scopes);
-  bind("variables", &DebugSession::variables);
+  // A client may still ask for what it showed when the user ended the program: there is nothing.
+  const auto bindList = [this](const char *command, const char *list,
+                               llvm::Expected<Json> (DebugSession::*answer)(const Json &)) {
+    channel_.on(command, [this, list, answer](const Json &arguments) -> llvm::Expected<Json> {
+      if (isEnded_)
+        return Json{{list, Json::array()}};
+      if (llvm::Error wrong = needStop())
+        return wrong;
+      return (this->*answer)(arguments);
+    });
+  };
+  bindList("stackTrace", "stackFrames", &DebugSession::stackTrace);
+  bindList("scopes", "scopes", &DebugSession::scopes);
+  bindList("variables", "variables", &DebugSession::variables);
   bind("setVariable", &DebugSession::setVariable);
   bind("setExpression", &DebugSession::setExpression);
   bind("evaluate", &DebugSession::evaluate);

@@ -82,6 +82,16 @@ TEST(DryRun, StopsAtTheFirstBlockAndStepsIntoOverAndOut) {
   EXPECT_EQ(run.disconnect(), 0);
 }
 
+TEST(DryRun, WhatIsAskedAfterTheUserHasEndedItIsAnsweredWithNothing) {
+  Debugged run(plate);
+  run.begin();
+  run.request("terminate");
+  run.event("terminated");
+  EXPECT_TRUE(run.frames().empty());
+  EXPECT_TRUE(run.request("scopes", {{"frameId", 1}})["scopes"].empty());
+  EXPECT_EQ(run.disconnect(), 0);
+}
+
 TEST(DryRun, ShowsTheMachineBeforeEachBlock) {
   Debugged run(plate);
   run.breakpoints({{{"line", 18}}});

@@ -186,11 +186,8 @@ export const steps = {
     await until('the page', () => editor.ask(`return vscode.window.tabGroups.all.flatMap((group) => group.tabs).some((tab) => /cycle-left-active/.test(tab.label))`));
     await until('its text', () => editor.ask(`return vscode.workspace.textDocuments.some((one) =>
       one.uri.scheme === 'ncvet-rule' && one.getText().includes('Why it matters at the machine'))`));
-    const page = await editor.view('.markdown-body h2');
-    await until('what is seen of it', () => page.evaluate(() => {
-      const heading = [...document.querySelectorAll('h2')].find((one) => one.textContent === 'Why it matters at the machine');
-      return heading !== undefined && heading.getBoundingClientRect().width > 0;
-    }));
+    const page = await editor.view('#why-it-matters-at-the-machine');
+    await until('what is seen of it', () => page.evaluate(() => document.getElementById('why-it-matters-at-the-machine').getBoundingClientRect().width > 0));
   },
 
   async 'all safe fixes are applied, and the others are counted'(editor) {
@@ -284,7 +281,7 @@ export const steps = {
     await editor.page.click('.monaco-editor .view-lines');
     await editor.ask(`const editor = vscode.window.activeTextEditor, end = editor.document.lineAt(5).range.end;
       editor.selection = new vscode.Selection(end, end)`);
-    await sleep(300); // the page learns of it
+    await until('the cursor', async () => (await editor.text('.statusbar-item[id="status.editor.selection"]'))?.includes('Ln 6'));
     await editor.page.keyboard.press('Enter');
     await until('the number', async () => /^N4\d ?$/.test(await editor.ask('return vscode.window.activeTextEditor.document.lineAt(6).text')));
   },
