@@ -10,8 +10,8 @@ const patience = 20000; // ms that anything may take
 const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 
 /** Waits until `look` gives something true; `what` is said when it never does. */
-export async function until(what, look) {
-  const end = Date.now() + patience;
+export async function until(what, look, milliseconds = patience) {
+  const end = Date.now() + milliseconds;
   let last;
   for (;;) {
     try {
@@ -132,6 +132,7 @@ export class Editor {
         await vscode.commands.executeCommand('workbench.action.files.revert');
       }
       await vscode.commands.executeCommand('workbench.action.closeAllEditors')`);
+    await this.forgetViews();
   }
   language() {
     return this.ask('return vscode.window.activeTextEditor?.document.languageId');
@@ -144,9 +145,28 @@ export class Editor {
   command(id, ...args) {
     return this.ask(`return void vscode.commands.executeCommand(${[id, ...args].map((arg) => JSON.stringify(arg)).join(', ')})`);
   }
+  /** The worker of a view that was closed may keep the one of the next from taking over, whose frame then stays blank. */
+  forgetViews() {
+    return this.page.evaluate(async () => {
+      for (const one of await navigator.serviceWorker.getRegistrations()) await one.unregister();
+    });
+  }
+  /** Waits for what a view shows; one that stays blank is loaded again, which is the editor's own remedy. */
+  async seen(what, look) {
+    for (let left = 3; left > 0; --left) {
+      try {
+        return await until(what, look, patience / 3);
+      } catch (error) {
+        if (left === 1) throw error;
+        await this.forgetViews();
+        await this.command('workbench.action.webview.reloadWebviewAction');
+      }
+    }
+    return undefined;
+  }
   /** The page of a view in which a selector finds something. */
   view(selector) {
-    return until(`a view with ${selector}`, async () => {
+    return this.seen(`a view with ${selector}`, async () => {
       for (const frame of this.page.frames()) if (await frame.$(selector).catch(() => null)) return frame;
       return undefined;
     });

@@ -162,7 +162,7 @@ export const steps = {
     await until('the control', () => editor.control());
     await editor.command('ncvet.showPath');
     const shown = () => editor.ask(`return vscode.commands.executeCommand('ncvet.shownPath')`);
-    const before = await until('the path', async () => ((await shown()).moves > 0 ? await shown() : undefined));
+    const before = await editor.seen('the path', async () => ((await shown()).moves > 0 ? await shown() : undefined));
     // Two holes, of which each has three moves or more.
     await editor.ask(`const editor = vscode.window.visibleTextEditors[0], edit = new vscode.WorkspaceEdit();
       edit.insert(editor.document.uri, new vscode.Position(8, 0), 'N65 X50.\\n'); await vscode.workspace.applyEdit(edit)`);

@@ -70,7 +70,8 @@ export class ControlPicker {
 
   private show(): void {
     const document = vscode.window.activeTextEditor?.document;
-    if (!document || !isProgram(document)) {
+    const hasNames = this.controls.length > 0 || this.problem !== undefined;
+    if (!document || !isProgram(document) || !hasNames) {
       this.item.hide();
       return;
     }
