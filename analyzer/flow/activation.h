@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/pending.h"
+#include "analyzer/rule/text_ahead.h"
 #include "interp/state/executed_block.h"
 
 namespace ncvet {
@@ -60,6 +61,7 @@ struct Step {
   Outcome &outcome;
   /// Blocks of the same number only go on, each as the one before.
   uint64_t stretch;
+  TextAhead *ahead = nullptr; ///< null: the text is not read in its order
 
   const Region &region() const { return activation.region; }
   FileUnit &unit() const { return activation.region.unit; }

@@ -5,24 +5,62 @@
 
 namespace ncvet {
 
+namespace {
+
+/// Makes `to` the block that `from` is, which is spelled alike.
+void takeNumbers(const Block &from, Block &to) {
+  to.begin = from.begin;
+  to.end = from.end;
+  to.next = from.next;
+  to.number = from.number;
+  to.numberBegin = from.numberBegin;
+  to.numberEnd = from.numberEnd;
+  std::copy(from.words.begin(), from.words.end(), to.words.begin());
+  std::copy(from.comments.begin(), from.comments.end(), to.comments.begin());
+}
+
+} // namespace
+
 /// Notes which spelling comes after that of the block before.
 void KnownBlocks::follow(Spelling *spelling) {
-  if (last_ && spelling && last_->followers[0] != spelling) {
-    last_->followers[1] = last_->followers[0];
-    last_->followers[0] = spelling;
+  if (last_ && spelling) {
+    after_[pair_] = spelling;
+    if (last_->followers[0] != spelling) {
+      last_->followers[1] = last_->followers[0];
+      last_->followers[0] = spelling;
+    }
   }
+  constexpr uint64_t spread = 31;
+  if (spelling)
+    pair_ = (spelling->serial * spread + (last_ ? last_->serial : 0)) % after_.size();
   last_ = spelling;
 }
 
 KnownBlocks::Spelling *KnownBlocks::read(uint32_t offset) {
-  if (!last_)
-    return nullptr;
-  for (Spelling *const follower : last_->followers)
-    if (follower && reader_.readAlike(offset, free_, follower->block)) {
-      follow(follower);
-      return follower;
+  if (offset == peekedAt_) {
+    if (peeked_) {
+      takeNumbers(peeked_->ahead, peeked_->block);
+      follow(peeked_);
     }
-  return nullptr;
+    return peeked_;
+  }
+  Spelling *const next =
+      expect([&](Spelling &spelling) { return reader_.readAlike(offset, free_, spelling.block); });
+  if (next)
+    follow(next);
+  return next;
+}
+
+const Block *KnownBlocks::peek(uint32_t offset) {
+  if (offset != peekedAt_) {
+    peekedAt_ = offset;
+    peeked_ = expect([&](Spelling &spelling) {
+      if (!std::exchange(spelling.hasAhead, true))
+        spelling.ahead = spelling.block;
+      return reader_.readAlike(offset, free_, spelling.ahead);
+    });
+  }
+  return peeked_ ? &peeked_->ahead : nullptr;
 }
 
 /// Room for a further spelling, perhaps that of an older one.
@@ -34,10 +72,12 @@ KnownBlocks::Spelling &KnownBlocks::makeRoom(uint64_t number) {
   room.serial = ++serial_;
   room.followers = {};
   room.refused = 0;
+  room.hasAhead = false;
   return room;
 }
 
 KnownBlocks::Spelling *KnownBlocks::find(const Block &block) {
+  peekedAt_ = ~0u; // what was read may be given up
   const uint64_t number = spellingOf(block, free_);
   const size_t place = number % mostMet;
   Spelling *spelling = nullptr;
@@ -46,6 +86,7 @@ KnownBlocks::Spelling *KnownBlocks::find(const Block &block) {
     if (!spelling || spelling->number != number)
       at_[place] = spelling = &makeRoom(number);
     spelling->block = block;
+    spelling->isPattern = reader_.isPattern(block);
   }
   follow(spelling);
   return spelling;

@@ -1,6 +1,7 @@
 // Blocks that are spelled as one before them: how they are read, and what they do.
 #pragma once
 
+#include "analyzer/rule/text_ahead.h"
 #include "formats/readers/quick_reader.h"
 #include "interp/execute/known_move.h"
 
@@ -11,13 +12,16 @@ namespace ncvet {
 
 /// Remembers the spellings of blocks of one text that were met more than once, and what such blocks
 /// do in the modes in which they were executed. Belongs to one run of a region.
-class KnownBlocks {
+class KnownBlocks final : public TextAhead {
 public:
   /// A spelling, and the block that was read in it last.
   struct Spelling {
     uint64_t number = 0; ///< see `spellingOf`
     uint64_t serial = 0; ///< another one when a further spelling takes the place of this one
     Block block;
+    Block ahead;                           ///< another of them, read before it is its turn
+    bool isPattern = false;                ///< blocks can be read over `block`
+    bool hasAhead = false;                 ///< `ahead` may be read over
     std::array<Spelling *, 2> followers{}; ///< of the blocks that came after such a one, the last
                                            ///< one first; null: none
     unsigned refused = 0;                  ///< how often such a block did more than is known
@@ -38,6 +42,7 @@ public:
   /// Reads the block at `offset` where it is spelled as one that came after such a block as the one
   /// before; null: it is not.
   Spelling *read(uint32_t offset);
+  const Block *peek(uint32_t offset) override;
   /// The spelling of a block that was read, which then holds the block; null: it is met for the
   /// first time, or has none.
   Spelling *find(const Block &block);
@@ -51,6 +56,20 @@ public:
 
 private:
   void follow(Spelling *spelling);
+  /// Calls `read` for the spellings that may be the next one, the likeliest first, until it is true
+  /// for one of them; null: for none.
+  template <typename Read>
+  Spelling *expect(Read read) const {
+    if (!last_)
+      return nullptr;
+    Spelling *const after = after_[pair_];
+    if (after && after->isPattern && read(*after))
+      return after;
+    for (Spelling *const follower : last_->followers)
+      if (follower && follower != after && follower->isPattern && read(*follower))
+        return follower;
+    return nullptr;
+  }
   Spelling &makeRoom(uint64_t number);
   static size_t placeOf(const Spelling &spelling, uint64_t modes) {
     return size_t((spelling.number ^ modes) >> 32);
@@ -68,6 +87,10 @@ private:
   const QuickReader &reader_;
   const AddressMask free_;
   Spelling *last_ = nullptr;                         ///< of the block before; null: it has none
+  size_t pair_ = 0;                                  ///< of it and the one before it
+  std::array<Spelling *, 256> after_{};              ///< by pair: what came after it last
+  uint32_t peekedAt_ = ~0u;                          ///< which block was read before its turn
+  Spelling *peeked_ = nullptr;                       ///< its spelling; null: it could not be read
   std::vector<std::unique_ptr<Spelling>> spellings_; ///< one of them is given up for a further one
   uint64_t serial_ = 0;                              ///< of the spelling met last
   std::array<uint64_t, mostMet> met_{};      ///< by place: the spelling that was met there last

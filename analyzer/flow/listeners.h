@@ -49,6 +49,13 @@ public:
       if (!lost || !entry.interest.onePath)
         entry.listener->executed(step, continues);
   }
+  /// Whether they are all told in vain of further blocks of the stretch that only go on.
+  bool sleepThrough(uint64_t stretch) const {
+    return !everyMove_ || llvm::all_of(all_, [&](const Entry &entry) {
+      return !(entry.interest.everyMove || entry.interest.everyBlock) ||
+             entry.listener->sleepsThrough(stretch);
+    });
+  }
   /// The same of a block that does what the one before did, see `FlowListener::executedAgain`.
   bool executedAgain(const Step &step, bool lost) const {
     if (!(step.outcome.kinds & kinds_ || everyBlock_))

@@ -6,6 +6,16 @@
 
 namespace ncvet {
 
+namespace {
+
+/// Blocks of a spelling of which nothing could be known: then it is not tried again.
+constexpr unsigned hopeless = 8;
+
+} // namespace
+
+/// Whether the block at `at_` is neither executed again nor of a program that is called.
+bool RegionRun::isStraight() const { return at_ >= activation_.high && run_.callStack.empty(); }
+
 /// Reads the next block of the text, which is executed for the first time.
 void RegionRun::readStraight() {
   if (!quick_ || run_.inFull) {
@@ -15,12 +25,61 @@ void RegionRun::readStraight() {
   }
   if (!known_)
     known_ = std::make_unique<KnownBlocks>(*quick_, knownCoordinates(*unit_.dialect));
-  spelling_ = known_->read(at_);
+  if (std::exchange(spelled_, ~0u) != at_)
+    spelling_ = known_->read(at_);
   if (!spelling_) {
     unit_.reader->read(at_, own_);
     spelling_ = known_->find(own_);
   }
   block_ = pattern_ = spelling_ ? &spelling_->block : &own_;
+}
+
+/// Blocks one after the other of which it is known what they do. False: there is none, at least not
+/// here.
+bool RegionRun::goOnAsKnown() {
+  if (!modes_ || !known_ || run_.inFull || run_.listeners.watchArrivals() || !isStraight())
+    return false;
+  const uint32_t first = at_;
+  while (!run_.stopped && goesStraight() && !takeOver()) {
+    KnownBlocks::Known *const known = knownHere();
+    if (!known && !spelling_ && passEmptyLines())
+      continue;
+    if (!known)
+      break;
+    if (noteRead() && spend())
+      goOnAsKnownOnce(*known);
+    if (goesOn_)
+      break; // with a stretch
+  }
+  return at_ != first;
+}
+
+/// What the block at `at_` does; null, with its spelling made out: that is not known.
+KnownBlocks::Known *RegionRun::knownHere() {
+  spelling_ = known_->read(at_);
+  spelled_ = at_;
+  pattern_ = nullptr;
+  if (!spelling_ || spelling_->refused >= hopeless)
+    return nullptr;
+  KnownBlocks::Known *const known = known_->find(*spelling_, modes_);
+  if (!known)
+    return nullptr;
+  spelled_ = ~0u;
+  block_ = pattern_ = &spelling_->block;
+  return known;
+}
+
+/// As `executeBlock`.
+void RegionRun::goOnAsKnownOnce(KnownBlocks::Known &known) {
+  Live &live = lives_[0];
+  run_.visits.begin();
+  keepBefore(live.state);
+  make(known, live);
+  tell(live);
+  run_.endStop();
+  at_ = next_;
+  if (recorder_)
+    recorder_->executed(*block_, goesOn_);
 }
 
 /// Makes `before_` the state, from which it only differs by what the block before did.
@@ -43,7 +102,6 @@ void RegionRun::keepMotion(const MachineState &state) {
 
 /// Does what such blocks do in these modes; false: it is not known.
 bool RegionRun::doAsKnown(Live &live) {
-  constexpr unsigned hopeless = 8; // blocks of the spelling of which nothing could be known
   if (lives_.size() != 1 || decision_ != Truth::Unknown || spelling_->refused >= hopeless) {
     modes_ = 0;
     return false;
@@ -51,15 +109,19 @@ bool RegionRun::doAsKnown(Live &live) {
   if (!modes_)
     modes_ = modesNumber(*unit_.dialect, live.state);
   KnownBlocks::Known *const known = known_->find(*spelling_, modes_);
-  if (!known)
-    return false;
-  done_ = known;
-  outcome_ = &known->outcome;
-  modes_ = known->after;
-  blockUse_ = known->use;
+  if (known)
+    make(*known, live);
+  return known;
+}
+
+/// Makes the move, or the hole.
+void RegionRun::make(KnownBlocks::Known &known, Live &live) {
+  done_ = &known;
+  outcome_ = &known.outcome;
+  modes_ = known.after;
+  blockUse_ = known.use;
   stateUse |= blockUse_;
-  known->move.make(*block_, unit_.source.id(), before_, live.state, known->outcome);
-  return true;
+  known.move.make(*block_, unit_.source.id(), before_, live.state, known.outcome);
 }
 
 /// The block was executed in full, in `modes_`: finds out what others like it do.

@@ -56,8 +56,8 @@ RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives 
 Exits RegionRun::execute() {
   const CrashPlace place(unit_.source, at_);
   while (!run_.stopped && arrive()) {
-    if (isAtEnd() || goOnInStretch() || takeOver() || passEmptyLines() || !read() || passOver() ||
-        !spend())
+    if (isAtEnd() || goOnInStretch() || goOnAsKnown() || takeOver() || passEmptyLines() ||
+        !read() || passOver() || !spend())
       continue;
     if (block_->skip >= 0)
       decideSkip();
@@ -184,13 +184,12 @@ void RegionRun::follow(const RunPlace &known) {
 
 /// Reads the next block; false: the analysis was cancelled.
 bool RegionRun::read() {
-  // What is executed again, and what is called, may be executed often.
-  if (at_ < activation_.high || !run_.callStack.empty()) {
+  if (isStraight()) {
+    readStraight();
+  } else { // may be executed often
     block_ = &run_.readBlocks.at(unit_, at_, own_);
     pattern_ = block_ == &own_ ? &own_ : nullptr;
     spelling_ = nullptr;
-  } else {
-    readStraight();
   }
   return noteRead();
 }

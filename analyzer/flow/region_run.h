@@ -39,6 +39,18 @@ private:
   bool goOnInStretch();
   bool mayGoOn() const;
   void goOnOnce(Live &live);
+  bool readOver();
+  bool nobodyIsTold() const;
+  void goOnUntold(Live &live);
+  /// Whether the block at `at_` is the only one that follows, for one state.
+  bool goesStraight() const {
+    return lives_.size() == 1 && synced_ == &lives_[0].state && activation_.pending.next() > at_ &&
+           at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end;
+  }
+  bool isStraight() const;
+  bool goOnAsKnown();
+  void goOnAsKnownOnce(KnownBlocks::Known &known);
+  KnownBlocks::Known *knownHere();
   void endStretch();
   bool mayTakeOver(const RunPlace &known) const;
   void follow(const RunPlace &known);
@@ -46,6 +58,7 @@ private:
   bool read();
   void readStraight();
   bool doAsKnown(Live &live);
+  void make(KnownBlocks::Known &known, Live &live);
   void learn(Live &live);
   bool noteRead();
   bool countSteps(uint64_t blocks);
@@ -72,7 +85,10 @@ private:
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
   Step stepOf(Live &live) {
-    return {activation_, live, at_, before_, *block_, *outcome_, run_.stretch};
+    return {activation_,  live,
+            at_,          before_,
+            *block_,      *outcome_,
+            run_.stretch, firstTime_ && run_.callStack.empty() ? known_.get() : nullptr};
   }
   SourceRange blockRange() const { return {unit_.source.id(), block_->begin, block_->end}; }
 
@@ -107,7 +123,8 @@ private:
   uint64_t moveStretch_ = ~uint64_t(0);       ///< for which stretch `move_` was made out
   std::unique_ptr<KnownBlocks> known_;        ///< made when a block is read for the first time
   KnownBlocks::Spelling *spelling_ = nullptr; ///< of the block; null: it is not known
-  const KnownBlocks::Known *done_ = nullptr;  ///< what the last block did; null: it was executed
+  uint32_t spelled_ = ~0u; ///< the block for which `spelling_` is made out though it is not read
+  const KnownBlocks::Known *done_ = nullptr; ///< what the last block did; null: it was executed
   uint64_t modes_ = 0; ///< of the state, see `modesNumber`; 0: they are not made out
 };
 

@@ -21,32 +21,54 @@ bool RegionRun::goOnInStretch() {
     moveStretch_ = run_.stretch;
     if (!masks_)
       masks_.emplace(*unit_.dialect, unit_.machine);
-    move_ = makePlainMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), *block_,
-                          live.state, *outcome_);
+    move_.reset();
+    if (quick_->isPattern(*pattern_))
+      move_ = makePlainMove(*unit_.dialect, unit_.machine, *masks_, unit_.source.id(), *block_,
+                            live.state, *outcome_);
   }
   if (!move_)
     return false;
   const uint32_t first = at_;
-  while (!run_.stopped && mayGoOn() && !takeOver()) {
-    if (passEmptyLines())
-      continue;
-    if (!quick_->readAlike(at_, unit_.dialect->axisWords, *pattern_)) {
-      pattern_ = nullptr;
+  while (pattern_ && !run_.stopped && mayGoOn() && !takeOver()) {
+    if (!readOver())
       break;
-    }
     if (noteRead() && spend())
       goOnOnce(live);
+    if (nobodyIsTold())
+      goOnUntold(live);
   }
   return at_ != first;
 }
 
+/// Reads the next block over the one before it, past lines that are empty; false: it is another.
+bool RegionRun::readOver() {
+  while (!quick_->readAlike(at_, unit_.dialect->axisWords, *pattern_))
+    if (!passEmptyLines() || !mayGoOn() || takeOver()) {
+      pattern_ = nullptr;
+      return false;
+    }
+  return true;
+}
+
+/// Whether nobody who listens is told of further blocks of the stretch, and nothing is recorded.
+bool RegionRun::nobodyIsTold() const {
+  return !recorder_ && !replay_ && run_.used.localSubprograms.empty() &&
+         run_.used.finishedAhead.empty() && run_.listeners.sleepThrough(run_.stretch);
+}
+
+/// As `goOnInStretch` where nobody is told of the blocks.
+void RegionRun::goOnUntold(Live &live) {
+  while (!run_.stopped && mayGoOn() && readOver() && noteRead() && spend()) {
+    keepBefore(live.state);
+    done_ = nullptr;
+    move_->make(*block_, unit_.source.id(), before_, live.state);
+    at_ = next_;
+  }
+}
+
 /// Whether the block at `at_` follows straight on, for one state that has the facts of the last
 /// one.
-bool RegionRun::mayGoOn() const {
-  return lives_.size() == 1 && synced_ == &lives_[0].state && activation_.pending.next() > at_ &&
-         at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end &&
-         plainRun_.repeats(lives_[0].state);
-}
+bool RegionRun::mayGoOn() const { return goesStraight() && plainRun_.repeats(lives_[0].state); }
 
 /// As `executeBlock`, of a block of the stretch.
 void RegionRun::goOnOnce(Live &live) {

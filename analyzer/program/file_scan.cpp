@@ -69,8 +69,13 @@ private:
 class NumbersOf {
 public:
   /// `mainBlocks`: the number of a main block comes after `:`.
-  NumbersOf(llvm::StringRef text, bool mainBlocks) : text_(text), mainBlocks_(mainBlocks) {}
+  NumbersOf(llvm::StringRef text, bool mainBlocks) : text_(text), mainBlocks_(mainBlocks) {
+    for (const char c : llvm::StringRef("/0123456789 {Nn:"))
+      mayBegin_[uint8_t(c)] = true;
+  }
   std::optional<NumberedBlock> operator()(uint32_t line, uint32_t at) const {
+    if (!mayBegin_[uint8_t(text_[at])])
+      return std::nullopt;
     // Block skip and comments in braces may be before the number.
     while (at < text_.size() &&
            (text_[at] == '/' || llvm::isDigit(text_[at]) || text_[at] == ' ' || text_[at] == '{'))
@@ -97,6 +102,7 @@ public:
 private:
   llvm::StringRef text_;
   bool mainBlocks_;
+  std::array<bool, 256> mayBegin_{};
 };
 
 template <typename Entry, typename Look>
@@ -174,8 +180,17 @@ const std::vector<uint32_t> &FileScan::heads(const SourceFile &source, llvm::Str
       numbers_.reset();
     marks_ = marks.str();
     source.forget(0);
-    heads_ = linesIn<uint32_t>(source, source.textBegin(), source.text().size(), lineFeeds_,
-                               HeadsOf(source.text(), marks));
+    heads_.emplace();
+    numbers_.emplace(); // which are asked for too, nearly always
+    const HeadsOf headOf(source.text(), marks);
+    const NumbersOf numberOf(source.text(), hasMainBlocks(marks_));
+    eachLine(source, source.textBegin(), source.text().size(), lineFeeds_,
+             [&](uint32_t line, uint32_t content) {
+               if (const auto head = headOf(line, content))
+                 heads_->push_back(*head);
+               if (const auto number = numberOf(line, content))
+                 numbers_->push_back(*number);
+             });
   }
   return *heads_;
 }

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_reading.h"
 #include "formats/dialect/control_facts.h"
+#include "formats/readers/quick_reader.h"
 
 #include "llvm/ADT/StringExtras.h"
 
@@ -202,7 +203,8 @@ const FileIndex::Labels &FileIndex::labels(const ProgramInfo &program) const {
   looks_.anywhere = true;
   const auto [known, fresh] = labels_.try_emplace(program.begin);
   Labels &labels = known->second;
-  if (fresh)
+  const auto *const quick = dynamic_cast<const QuickReader *>(&reader_);
+  if (fresh && (!quick || quick->mayHoldLabels(program.begin, program.end)))
     scan_.eachPiece(source_, reader_, program.begin, program.end, [&](const auto &piece) {
       for (const auto &[key, block] : piece.labels)
         labels[key].push_back(block);

@@ -91,9 +91,13 @@ public:
   /// Reads a block of the text that is not the current one.
   void read(uint32_t offset, Block &block) const {
     reader_.read(offset, block);
+    noteRead(offset, block.next);
+  }
+  /// The block at `begin` was looked at, whoever has read it.
+  void noteRead(uint32_t begin, uint32_t next) const {
     ++workDone;
-    looks_.from = std::min(looks_.from, offset);
-    looks_.to = std::max(looks_.to, block.next);
+    looks_.from = std::min(looks_.from, begin);
+    looks_.to = std::max(looks_.to, next);
   }
   /// For any reading of the text; who looks at one block says so by `read`.
   const Reader &reader() const {

@@ -122,16 +122,18 @@ void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outc
   context_.before_ = &before;
   context_.after_ = &after;
   context_.caller_ = caller;
+  context_.ahead_ = nullptr;
   context_.arcWords_.reset();
   context_.arc_.reset();
 }
 
 void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                           const MachineState &before, const MachineState &after,
-                          const CallSite *caller) {
+                          const CallSite *caller, TextAhead *ahead) {
   if (!(outcome.kinds & kinds_))
     return;
   prepare(unit, block, outcome, before, after, caller);
+  context_.ahead_ = ahead;
   if (!shapes_ || caller || !(tellAgain(outcome) || tellKnown(block, outcome)))
     tellAll(outcome);
 }

@@ -20,7 +20,8 @@ public:
   /// Some rule wants to know of moves that only go on as the block before.
   bool wantsEveryMove() const { return !everyBlock_.empty(); }
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
-                const MachineState &before, const MachineState &after, const CallSite *caller);
+                const MachineState &before, const MachineState &after, const CallSite *caller,
+                TextAhead *ahead = nullptr);
   /// Every rule is told of every event that it listens for, whatever it has said of blocks like it.
   void tellInFull() { shapes_.reset(); }
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
@@ -28,6 +29,8 @@ public:
   void dispatchMove(FileUnit &unit, const Block &block, const Outcome &outcome,
                     const MachineState &before, const MachineState &after, const CallSite *caller,
                     uint64_t stretch);
+  /// Whether nobody wants to know of further moves of the stretch.
+  bool sleepThrough(uint64_t stretch) const { return stretch == stretch_ && awake_.empty(); }
   /// A `FlowIssue` event of its own, outside of what the block itself emitted.
   void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
                  const MachineState &before, const MachineState &after, const CallSite *caller,

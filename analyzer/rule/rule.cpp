@@ -3,6 +3,7 @@
 
 #include "analyzer/program/project.h"
 #include "analyzer/rule/collector.h"
+#include "analyzer/rule/text_ahead.h"
 
 namespace ncvet {
 
@@ -53,9 +54,15 @@ llvm::StringRef RuleContext::text(SourceRange range) const {
   return unitOf(range.file).source.text(range.begin, range.end);
 }
 
+const Block *RuleContext::nextAlike() const {
+  return ahead_ ? ahead_->peek(block_->next) : nullptr;
+}
+
 const ArcWords &RuleContext::arcWords() const {
   if (!arcWords_)
     arcWords_ = ncvet::arcWords(*dialect_, *after_, *block_);
+  else // which of them means what, the plane has decided
+    after_->active(*dialect_, StandardGroup::Plane);
   return *arcWords_;
 }
 

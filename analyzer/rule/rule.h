@@ -22,6 +22,7 @@ namespace ncvet {
 
 class Collector;
 class RuleContext;
+class TextAhead;
 struct FileUnit;
 
 /// Fills in a finding; false when nobody will see it, so that nothing is formatted in vain:
@@ -209,6 +210,11 @@ public:
 
   const CodeInfo &code(const Event &event) const { return dialect_->codes[event.code]; }
   const CodeInfo &code(const CodeUse &use) const { return dialect_->codes[use.code]; }
+  /// The next block of the text where the run knows it already: plain words alone, spelled as a
+  /// block before it. Null: whoever wants to know it reads it. Valid while the rule is told. Who
+  /// lets it decide says so by `index().noteRead`.
+  const Block *nextAlike() const;
+
   /// Value of a word as written (before units), on the state before the block.
   Interval value(const Word &word) const { return wordValue(word, *block_, *before_); }
   /// First code of the block with one of these actions, or null.
@@ -269,6 +275,7 @@ private:
   const MachineState *before_ = nullptr;
   const MachineState *after_ = nullptr;
   const CallSite *caller_ = nullptr;
+  TextAhead *ahead_ = nullptr;
   mutable std::optional<ArcWords> arcWords_;
   mutable std::optional<ArcGeometry> arc_;
   SourceRange flowRange_, flowRelated_;

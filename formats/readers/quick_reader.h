@@ -13,16 +13,20 @@ struct EmptyLines {
 
 class QuickReader : public Reader {
 public:
-  /// Reads the block at `offset` over the one that `block` holds, a block of this text, when it is
-  /// spelled as that one save for its numbers: plain numbers, of the addresses `free` any, of the
-  /// others the same, and of a comment at the end of its line. What it then gives is what `read`
-  /// gives. False: it is not, or only `read` can tell. `block` then holds no block, but further
-  /// ones can be read over it that are spelled as the one it held.
+  /// Whether blocks of this text can be read over the block.
+  virtual bool isPattern(const Block &block) const = 0;
+  /// Reads the block at `offset` over the one that `block` holds, a pattern of this text, when it
+  /// is spelled as that one save for its numbers: plain numbers, of the addresses `free` any, of
+  /// the others the same, and of a comment at the end of its line. What it then gives is what
+  /// `read` gives. False: it is not, or only `read` can tell. `block` then holds no block, but
+  /// further ones can be read over it that are spelled as the one it held.
   virtual bool readAlike(uint32_t offset, AddressMask free, Block &block) const = 0;
   /// Goes from `offset`, where a block begins, over blocks in which there is nothing but blanks and
   /// comments with which nothing is wrong, at most to `limit`, a block's beginning or the end of
   /// the text. It may end before the last of them.
   virtual EmptyLines emptyLines(uint32_t offset, uint32_t limit) const = 0;
+  /// False: no block of [begin, end) has a label.
+  virtual bool mayHoldLabels(uint32_t /*begin*/, uint32_t /*end*/) const { return true; }
 
 protected:
   using Reader::Reader;

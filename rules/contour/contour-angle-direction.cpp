@@ -2,6 +2,7 @@
 #include "analyzer/facts/corner_words.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/geometry/line.h"
 
 namespace ncvet {
@@ -23,12 +24,16 @@ public:
       circleAndLine(event, ctx);
     else if (event.motion == MotionKind::Feed && ctx.code(event).action == Action::Linear)
       line(ctx);
+    else
+      sleepInShape();
   }
 
 private:
   void line(RuleContext &ctx) const {
     const Word *word = ctx.block().findAny(corners_.angle);
-    if (!word || takenByOther(ctx, corners_.angle & corners_.plain))
+    if (!word)
+      return sleepInShape();
+    if (takenByOther(ctx, corners_.angle & corners_.plain))
       return;
     const Interval angle = ctx.value(*word);
     if (!angle.isConstant())
@@ -100,7 +105,7 @@ private:
   /// which it meets the circle, and runs from there to its end.
   void circleAndLine(const Event &event, RuleContext &ctx) const {
     if (!(corners_.angle & maskOf(commaA)) || ctx.after().compensation == phaseOff)
-      return;
+      return sleepInShape();
     if (!angleFollows(ctx))
       return;
     const bool clockwise = event.motion == MotionKind::ArcCw;
@@ -162,16 +167,23 @@ private:
   /// Whether a block soon after this one may have a word `,A`: its text is read, which costs far
   /// less than executing it.
   static bool angleFollows(const RuleContext &ctx) {
+    if (const Block *alike = ctx.nextAlike(); alike && isOtherMove(*alike, ctx.dialect())) {
+      ctx.index().noteRead(alike->begin, alike->next);
+      return false;
+    }
     BlocksAhead ahead(ctx);
     Block next;
     for (unsigned i = 0; i < readAhead && ahead.next(next); ++i) {
       if (next.has(commaA))
         return true;
-      if (next.hasAny(ctx.dialect().axisWords) &&
-          (!next.has(letterAddress('G')) || hasMotionCode(ctx.dialect(), next)))
-        return false; // a move
+      if (isOtherMove(next, ctx.dialect()))
+        return false;
     }
     return false;
+  }
+  static bool isOtherMove(const Block &block, const Dialect &dialect) {
+    return !block.has(commaA) && block.hasAny(dialect.axisWords) &&
+           (!block.has(letterAddress('G')) || hasMotionCode(dialect, block));
   }
 
   static bool onArc(const Point &point, const Point &start, const Point &end, const Point &centre,

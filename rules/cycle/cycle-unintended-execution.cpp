@@ -55,8 +55,8 @@ public:
     for (const CodeUse &use : ctx.codes())
       if (ctx.code(use).action == Action::Cycle)
         return;
-    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
-    if (makesHole(code.cycle) && waits_ && !(event.axes & ~(1u << unsigned(tool))))
+    if (makesHole(code.cycle) && waits_ &&
+        !(event.axes & ~(1u << unsigned(toolAxis(ctx.dialect(), ctx.after())))))
       sameBlock(event, code, ctx);
     else if (makesHole(code.cycle))
       checkHole(event, code, ctx);
@@ -245,6 +245,8 @@ private:
   /// ends.
   static bool endsWithoutCancel(RuleContext &ctx) {
     const Dialect &dialect = ctx.dialect();
+    if (isFollowedByPlace(ctx)) // the list goes on
+      return false;
     BlocksAhead ahead(ctx);
     Block next;
     bool more = ahead.next(next);

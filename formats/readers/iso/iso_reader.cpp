@@ -273,12 +273,15 @@ bool IsoReader::maySay(const Block &block) const {
          (lexical_.fileInComment && (codes & maskOf(block.words.back().address)));
 }
 
+bool IsoReader::isPattern(const Block &block) const {
+  return isAlikePattern(block) && (block.comments.empty() || !maySay(block));
+}
+
 bool IsoReader::readAlike(uint32_t offset, AddressMask free, Block &block) const {
+  assert(isPattern(block));
   constexpr AlikeGrammar grammar{true, true, true};
-  return isAlikePattern(block) && (block.comments.empty() || !maySay(block)) &&
-         ncvet::readAlike<isLineBlank, grammar>(text_, offset, free, block, [&](const char *at) {
-           return afterComment(at, text_.end());
-         });
+  return ncvet::readAlike<isLineBlank, grammar>(
+      text_, offset, free, block, [&](const char *at) { return afterComment(at, text_.end()); });
 }
 
 EmptyLines IsoReader::emptyLines(uint32_t offset, uint32_t limit) const {

@@ -10,6 +10,7 @@ class IsoReader final : public QuickReader {
 public:
   IsoReader(const Dialect &dialect, llvm::StringRef text);
   void read(uint32_t offset, Block &block) const override;
+  bool isPattern(const Block &block) const override;
   bool readAlike(uint32_t offset, AddressMask free, Block &block) const override;
   EmptyLines emptyLines(uint32_t offset, uint32_t limit) const override;
   std::string labelKey(llvm::StringRef label) const override;

@@ -317,14 +317,31 @@ static const char *afterComment(const char *at, const char *end) {
   return *at == ';' ? findAny(at, end, '\n', '\r', '\n', '\r') : at;
 }
 
+bool SinumerikReader::isPattern(const Block &block) const { return isAlikePattern(block); }
+
 bool SinumerikReader::readAlike(uint32_t offset, AddressMask free, Block &block) const {
   // `X10EX5` is a number with an exponent, `X1 =5` an address of two characters.
   // Without a sign `R5.2` is a variable and no word: only addresses take other numbers.
   constexpr AlikeGrammar grammar{false, false, false};
-  return isAlikePattern(block) &&
-         ncvet::readAlike<isSinumerikBlank, grammar>(
-             text_, offset, free & dialect_.known, block,
-             [&](const char *at) { return afterComment(at, text_.end()); });
+  assert(isPattern(block));
+  return ncvet::readAlike<isSinumerikBlank, grammar>(
+      text_, offset, free & dialect_.known, block,
+      [&](const char *at) { return afterComment(at, text_.end()); });
+}
+
+bool SinumerikReader::mayHoldLabels(uint32_t begin, uint32_t end) const {
+  constexpr size_t longest = 256; // bytes of a line up to its label; of a longer one it is not told
+  const llvm::StringRef text = text_.slice(begin, end);
+  for (size_t colon = text.find(':'); colon != llvm::StringRef::npos;
+       colon = text.find(':', colon + 1)) {
+    const llvm::StringRef before = text.slice(colon > longest ? colon - longest : 0, colon);
+    const size_t ended = before.find_last_of("\r\n");
+    const llvm::StringRef line =
+        ended == llvm::StringRef::npos ? before : before.drop_front(ended + 1);
+    if (!line.empty() && !line.contains(';'))
+      return true; // not in a comment
+  }
+  return false;
 }
 
 EmptyLines SinumerikReader::emptyLines(uint32_t offset, uint32_t limit) const {
