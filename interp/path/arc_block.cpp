@@ -43,7 +43,11 @@ ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block
   return result;
 }
 
-std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &state, Axis axis) {
+namespace {
+
+/// As `placeInPlane`; `lengths`: of the axis, see `Dialect::lengthsPerUnit`.
+std::optional<double> placeOf(const Dialect &dialect, const MachineState &state, Axis axis,
+                              double lengths) {
   const Interval &position = state.at(axis);
   if (!position.isConstant() || state.inMachineCoordinates(axis))
     return std::nullopt;
@@ -53,22 +57,16 @@ std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &s
       state.isActive(dialect, StandardGroup::Plane, {Action::PlaneZX}) != Truth::No &&
       state.at(Axis::Y).isUnknown())
     return std::nullopt;
-  return position.value() / dialect.lengthsPerUnit(axis);
+  return position.value() / lengths;
+}
+
+} // namespace
+
+std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &state, Axis axis) {
+  return placeOf(dialect, state, axis, dialect.lengthsPerUnit(axis));
 }
 
 namespace {
-
-std::optional<Point> pointInPlane(const ArcWords &words, const Dialect &dialect,
-                                  const MachineState &state) {
-  Point point = Point::Zero();
-  for (size_t i = 0; i < 2; ++i) {
-    const auto along = placeInPlane(dialect, state, words.axes[i]);
-    if (!along)
-      return std::nullopt;
-    point[i] = *along;
-  }
-  return point;
-}
 
 /// Reads the words of one arc block.
 class ArcReading {
@@ -79,8 +77,10 @@ public:
         after_(after) {}
 
   ArcGeometry run() {
-    result_.start = pointInPlane(words_, dialect_, before_);
-    result_.end = pointInPlane(words_, dialect_, after_);
+    const std::array<double, 2> lengths{dialect_.lengthsPerUnit(words_.axes[0]),
+                                        dialect_.lengthsPerUnit(words_.axes[1])};
+    result_.start = point(before_, lengths);
+    result_.end = point(after_, lengths);
     if (words_.radius)
       result_.radius = length(*words_.radius);
     if (result_.radius && asksForLargerArc(block_))
@@ -93,6 +93,18 @@ public:
   }
 
 private:
+  std::optional<Point> point(const MachineState &state,
+                             const std::array<double, 2> &lengths) const {
+    Point place = Point::Zero();
+    for (size_t i = 0; i < 2; ++i) {
+      const auto along = placeOf(dialect_, state, words_.axes[i], lengths[i]);
+      if (!along)
+        return std::nullopt;
+      place[i] = *along;
+    }
+    return place;
+  }
+
   std::optional<double> length(const Word &word) const {
     const Interval v = lengthOf(word, block_, dialect_, machine_, after_);
     if (!v.isConstant())

@@ -1,5 +1,6 @@
 // An arc that closes only when its centre words are read another way than the control reads them.
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
 
@@ -24,7 +25,7 @@ public:
     const ArcWords &words = ctx.arcWords();
     if (!words.hasCentre() || words.radius || words.foreign ||
         (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
-      return;
+      return sleepInShape();
     const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
     if (!centre || !arc.start || !arc.end ||

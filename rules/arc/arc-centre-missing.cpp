@@ -1,5 +1,6 @@
 // An arc block that says neither where its centre is nor how large its radius is.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 
@@ -28,7 +29,7 @@ public:
     // A centre word of the wrong axis is another rule's business.
     if (words.radius || words.angle || words.hasCentre() ||
         ctx.block().hasAny(ctx.dialect().polarWords) || words.foreign || event.code == noCode)
-      return;
+      return sleepInShape();
     const CodeUse *here = ctx.find({Action::ArcCw, Action::ArcCcw});
     if (!here && ctx.before().may(Fact::UnknownCode)) // it may have changed how the axes move
       return;

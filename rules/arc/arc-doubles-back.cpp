@@ -1,6 +1,7 @@
 // An arc that turns back on itself at both ends: the other direction of turning was meant.
 #include "analyzer/facts/direction_before.h"
 #include "analyzer/facts/path_ahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -14,8 +15,11 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     // In a chain of arcs under one code none is turned otherwise than its neighbours.
-    if (event.code == noCode || !event.certain || !isOverHalfATurn(event, ctx) ||
-        !ctx.codeWord(event) || ctx.before().may(Fact::UnknownCode))
+    const ArcWords &words = ctx.arcWords();
+    if (event.code == noCode || !event.certain || !ctx.codeWord(event) || !words.hasCentre() ||
+        words.foreign || words.angle)
+      return sleepInShape();
+    if (!isOverHalfATurn(event, ctx) || ctx.before().may(Fact::UnknownCode))
       return;
     const ExecutedBlock here = executedBlock(ctx);
     const auto begin = directionAt(here, false), end = directionAt(here, true);
@@ -42,10 +46,9 @@ private:
   /// Whether the arc makes more than half a turn, as an arc of less does when it is turned the
   /// other way round. Neighbours of others are not read: it costs time.
   static bool isOverHalfATurn(const Event &event, RuleContext &ctx) {
-    const ArcWords &words = ctx.arcWords();
     const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
-    if (!arc.start || !arc.end || !centre || words.foreign || words.angle || arc.radius)
+    if (!arc.start || !arc.end || !centre || arc.radius)
       return false;
     const Vector from = *arc.start - *centre, to = *arc.end - *centre;
     const double sine = cross(from, to) * (event.motion == MotionKind::ArcCw ? -1 : 1);

@@ -1,5 +1,6 @@
 // An arc by radius that ends where it starts.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <cmath>
@@ -20,7 +21,7 @@ public:
     const ArcWords &words = ctx.arcWords();
     const bool byCentre = words.hasCentre() && !words.radius;
     if (!words.radius && !(byCentre && withCentre_))
-      return;
+      return sleepInShape();
     const ArcGeometry &arc = ctx.arc();
     // Without a word of the plane the end is the start, wherever that is.
     uint16_t plane = 0;

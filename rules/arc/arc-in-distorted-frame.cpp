@@ -1,5 +1,6 @@
 // An arc, or compensation, under scale factors that differ.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
 
@@ -37,7 +38,10 @@ public:
         memory().factors = {};
       return;
     }
-    if (event.code != noCode && hasNotice(ctx.code(event)))
+    const bool noticed = event.code != noCode && hasNotice(ctx.code(event));
+    if (!scales_ && !noticed)
+      return sleepInShape();
+    if (noticed)
       underModalCode(event, ctx);
     if (!scales_ || event.code == noCode || event.motion == MotionKind::Feed || !isDistorted(ctx))
       return;

@@ -1,5 +1,6 @@
 // A negative radius, or the flag in its place, where the arc over 180 degrees cannot be meant.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <cmath>
@@ -20,7 +21,7 @@ public:
       return;
     const ArcWords &words = ctx.arcWords();
     if (!words.radius || words.hasCentre())
-      return;
+      return sleepInShape();
     const ArcGeometry &arc = ctx.arc();
     if (!arc.radius || *arc.radius >= 0)
       return;

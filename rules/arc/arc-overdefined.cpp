@@ -1,5 +1,6 @@
 // An arc block with both a radius and a centre.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -28,7 +29,7 @@ public:
       return;
     }
     if (!words.radius || !centre || words.radius->has(wordNoValue) || centre->has(wordNoValue))
-      return;
+      return sleepInShape();
     // The neighbours of an arc without an end give it.
     if (ctx.dialect().facts->arcs.centreAndEnd && !end)
       return;

@@ -1,5 +1,6 @@
 // An arc whose end is not as far from its centre as its start.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <cmath>
 
@@ -21,7 +22,7 @@ public:
     const ArcWords &words = ctx.arcWords();
     if (!words.hasCentre() || words.radius || words.foreign ||
         (ctx.outcome().kinds & bitOf(EventKind::CoordinateChange)))
-      return;
+      return sleepInShape();
     const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
     if (!centre || !arc.start || !arc.end)

@@ -1,5 +1,6 @@
 // An arc block with a centre word of an axis that does not lie in the active plane.
 #include "analyzer/rule/report_once.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <map>
@@ -25,7 +26,7 @@ public:
     const Dialect &dialect = ctx.dialect();
     const ArcWords &words = ctx.arcWords();
     if (!words.foreign || !words.planeKnown)
-      return;
+      return sleepInShape();
     const Interval value = ctx.value(*words.foreign);
     const bool zero = value.isConstant() && value.value() == 0;
     if (zeroIsSilent_ && zero && words.hasCentre())

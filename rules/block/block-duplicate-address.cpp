@@ -1,5 +1,6 @@
 // An address that is allowed once in a block is there twice.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/variable_key.h"
 
 #include <array>
@@ -28,7 +29,7 @@ public:
     if (event.kind == EventKind::Assignment)
       return parameterAgain(uint64_t(event.variable()), ctx);
     if (event.wordIssue() != WordIssue::Repeated)
-      return;
+      return sleepInShape();
     // Arguments of a macro call may be given in several sets of I, J and K.
     if (ctx.find({Action::MacroCall, Action::MacroModal}))
       return sets(ctx);

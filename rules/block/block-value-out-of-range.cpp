@@ -2,6 +2,7 @@
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 #include "interp/evaluate/expression.h"
@@ -65,6 +66,8 @@ public:
       return skipInside(ctx.block().issues[event.issue()], ctx);
     }
     if (event.kind == EventKind::WordIssue) {
+      if (!ctx.block().hasAny(others_) && event.wordIssue() != WordIssue::SkipLevel)
+        return sleepInShape();
       ofAddresses(event, ctx);
       return skipLevel(event, ctx);
     }

@@ -35,10 +35,12 @@ public:
       onLathe(event, ctx);
       besideNose(event, ctx);
       if (ctx.before().compensation != phaseOn)
-        sleepInStretch();
+        sleepInShape();
     } else if (event.kind == EventKind::CompensationMove) {
       enters(event, ctx);
     } else {
+      if (ctx.before().compensation != phaseOn || !event.axes)
+        return sleepInShape();
       firstElement(event, ctx);
       sleepInStretch(); // the next elements are no first ones
     }
@@ -213,7 +215,7 @@ private:
   /// A mill that comes from beside the first element has to come from the side on which it stays.
   void firstElement(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
-    if (!memory().known || before.compensation != phaseOn || !event.axes)
+    if (!memory().known)
       return;
     const Memory::Point end = pointOf(after, ctx.dialect());
     const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);

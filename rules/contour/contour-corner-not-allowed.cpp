@@ -22,10 +22,12 @@ public:
     const Word *word = block.findAny(corners_.corner());
     if (!word)
       return sleepInShape();
+    const bool plain = corners_.plain & maskOf(word->address);
+    if (plain && event.motion != MotionKind::Feed && event.motion != MotionKind::Rapid)
+      return sleepInShape();
     if (!event.certain || event.inMachineCoordinates() ||
         ctx.before().profile == ProfileMode::Recorded || !asksForCorner(ctx, *word))
       return;
-    const bool plain = corners_.plain & maskOf(word->address);
     if (event.motion == MotionKind::Rapid) {
       if (takenByOther(ctx, maskOf(word->address)) || (plain && !plainInRapid_))
         return;

@@ -29,14 +29,13 @@ public:
     const Word *word = ctx.block().findAny(words_);
     if (!word)
       return sleepInShape();
-    if (!event.certain || event.inMachineCoordinates() ||
-        ctx.before().profile == ProfileMode::Recorded || ctx.before().may(Fact::UnknownCode) ||
-        !asksForCorner(ctx, *word))
-      return;
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
     const bool plain = maskOf(word->address) & (corners_.plain | maskOf('C'));
-    if ((event.motion != MotionKind::Feed && !(arc && !plain)) ||
-        takenByOther(ctx, words_ & lettersMask("IJKRC")))
+    if (event.motion != MotionKind::Feed && !(arc && !plain))
+      return sleepInShape();
+    if (!event.certain || event.inMachineCoordinates() ||
+        ctx.before().profile == ProfileMode::Recorded || ctx.before().may(Fact::UnknownCode) ||
+        !asksForCorner(ctx, *word) || takenByOther(ctx, words_ & lettersMask("IJKRC")))
       return;
     if (!plain && notPositive(*word, ctx))
       return;

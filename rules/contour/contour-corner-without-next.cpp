@@ -20,19 +20,19 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::CycleRun) {
-      lastOfProfile(event, ctx);
-      return;
-    }
+    if (event.kind == EventKind::CycleRun)
+      return ctx.outcome().flow.kind == FlowKind::Profile ? lastOfProfile(event, ctx)
+                                                          : sleepInShape();
     const Block &block = ctx.block();
     const Word *word = block.findAny(corners_.corner());
     if (!word)
       return sleepInShape();
-    if (ctx.before().profile != ProfileMode::Off || !event.certain || !asksForCorner(ctx, *word))
-      return;
     const bool plain = corners_.plain & maskOf(word->address);
     const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
-    if (!(event.motion == MotionKind::Feed || (arc && !plain)) || takenByOther(ctx, corners_.plain))
+    if (!(event.motion == MotionKind::Feed || (arc && !plain)))
+      return sleepInShape();
+    if (ctx.before().profile != ProfileMode::Off || !event.certain || !asksForCorner(ctx, *word) ||
+        takenByOther(ctx, corners_.plain))
       return;
     BlocksAhead ahead(ctx);
     Block next;
@@ -67,7 +67,7 @@ public:
 private:
   /// The last block of a profile has no next element.
   void lastOfProfile(const Event &event, RuleContext &ctx) const {
-    if (event.code == noCode || ctx.outcome().flow.kind != FlowKind::Profile)
+    if (event.code == noCode)
       return;
     const Profile profile = readProfile(ctx);
     if (!profile.known)

@@ -30,6 +30,8 @@ public:
       ctx.reportNotices(id, event);
       return;
     }
+    if (!senses_ && !isLine(ctx, event))
+      return sleepInShape();
     const Block &block = ctx.block();
     if (block.hasAny(nothing_))
       withoutComma(event, ctx);

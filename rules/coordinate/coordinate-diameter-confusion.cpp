@@ -1,5 +1,6 @@
 // An arc fits only when the increment in X is read as a radius.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/geometry/circle.h"
 
 #include <cmath>
@@ -24,10 +25,10 @@ public:
       else if (address.kind == AddressKind::Increment && address.axis == Axis::Z)
         w = &word;
       else if (address.kind == AddressKind::Axis)
-        return;
+        return sleepInShape();
     }
     if (!u || (!i && !k))
-      return; // one of the two may be left out where it is zero
+      return sleepInShape(); // one of the two may be left out where it is zero
     const Interval dx = ctx.value(*u), dz = w ? ctx.value(*w) : Interval::exactly(0),
                    ci = i ? ctx.value(*i) : Interval::exactly(0),
                    ck = k ? ctx.value(*k) : Interval::exactly(0);

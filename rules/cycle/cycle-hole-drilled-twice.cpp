@@ -1,9 +1,9 @@
 // A cycle makes the same hole more than once.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/gathering_rule.h"
+#include "interp/value/sum.h"
 
 #include "llvm/ADT/DenseMap.h"
-#include "llvm/Support/xxhash.h"
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ struct HolePlace {
 class HoleList {
 public:
   bool continues(const HolePlace &place) const {
-    return place.depth == last_.depth && place.list == last_.list;
+    return place.depth == depth_ && place.list == list_;
   }
   /// The first hole at that place; null: there is none.
   const HolePlace *find(const HolePlace &place) const {
@@ -36,7 +36,8 @@ public:
       places_.clear();
       byKey_.clear();
     }
-    last_ = place;
+    depth_ = place.depth;
+    list_ = place.list;
     if (places_.size() > longestList)
       return nullptr;
     const auto [known, fresh] = byKey_.try_emplace(place.key, uint32_t(places_.size()));
@@ -52,7 +53,8 @@ private:
   /// The first hole at each place of the list that is being run.
   std::vector<HolePlace> places_;
   llvm::DenseMap<uint64_t, uint32_t> byKey_;
-  HolePlace last_;
+  unsigned depth_ = 0; ///< of the hole that was added last
+  TextPlace list_;     ///< the same
 };
 
 struct CycleHoleDrilledTwiceMemory {
@@ -72,7 +74,12 @@ public:
     calls_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) {
       return code.group == noGroup && makesHole(code.cycle);
     });
-    waits_ = llvm::any_of(to.dialect().codes, [](const CodeInfo &code) { return code.waits; });
+    for (const CodeInfo &code : to.dialect().codes) {
+      waits_ |= code.waits;
+      for (const WordSpec &spec : code.words)
+        if (spec.role == Role::Repeat)
+          repeats_ |= spec.position || spec.variable ? ~AddressMask(0) : spec.any;
+    }
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -93,7 +100,8 @@ public:
            holes.size() > 1 ? holes : llvm::ArrayRef<Position>(ctx.after().position))
         if (samePlace(event, position, ctx))
           break;
-      repeatedHere(event, ctx);
+      if (ctx.block().hasAny(repeats_))
+        repeatedHere(event, ctx);
     }
   }
 
@@ -170,12 +178,13 @@ private:
   bool othersTell(const Event &event, const RuleContext &ctx) const {
     if (ctx.codeWord(event))
       return false;
-    const unsigned tool = unsigned(toolAxis(ctx.dialect(), ctx.after()));
-    return waits_ ? !(event.axes & ~(1u << tool)) : ctx.dialect().emptyBlocksRun && !event.axes;
+    return waits_ ? !(event.axes & ~(1u << unsigned(toolAxis(ctx.dialect(), ctx.after()))))
+                  : ctx.dialect().emptyBlocksRun && !event.axes;
   }
 
-  bool calls_ = false; ///< the control has cycles of one hole
-  bool waits_ = false; ///< modal calls, which only an own word ends
+  bool calls_ = false;      ///< the control has cycles of one hole
+  bool waits_ = false;      ///< modal calls, which only an own word ends
+  AddressMask repeats_ = 0; ///< of words that may say how often a cycle runs
 
   /// A position that the same list of holes has had before; true: it was reported.
   bool samePlace(const Event &event, const std::array<Interval, axisCount> &position,
@@ -260,10 +269,13 @@ private:
   }
 
   static uint64_t keyOf(const HolePlace &place) {
-    const uint64_t hash =
-        place.offset ^
-        llvm::xxHash64({reinterpret_cast<const char *>(place.at.data()), sizeof(place.at)});
-    return hash & ~(uint64_t(1) << 63); // DenseMap keeps the two largest for itself
+    Sum sum(place.offset);
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (place.at[i] != 0) {
+        sum.add(i);
+        sum.add(llvm::bit_cast<uint64_t>(place.at[i]));
+      }
+    return sum.get() & ~(uint64_t(1) << 63); // DenseMap keeps the two largest for itself
   }
 };
 

@@ -1,6 +1,7 @@
 // Positions for a cycle that does not run.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -31,7 +32,9 @@ public:
                         code.name);
       return;
     }
-    if (modal_ && makesHole(code.cycle) && code.group == noGroup && positionsFollow(ctx))
+    if (!modal_ || !makesHole(code.cycle) || code.group != noGroup)
+      return sleepInShape();
+    if (positionsFollow(ctx))
       if (auto finding = ctx.report(event, event.certain))
         finding.message("`{0}` drills here only: at the positions after it nothing happens without "
                         "a modal call",

@@ -1,5 +1,6 @@
 // Block numbers that do not ascend, are not first in their block, or are none of the control's.
 #include "analyzer/facts/data_sections.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -21,7 +22,7 @@ public:
     if (event.kind == EventKind::Block)
       return beginsInside(ctx);
     if (event.wordIssue() != WordIssue::NumberInside)
-      return;
+      return sleepInShape();
     // A local call may name its target so.
     if (ctx.find({Action::CallLocal, Action::MacroCall, Action::MacroModal}))
       return;

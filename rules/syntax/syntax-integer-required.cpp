@@ -1,5 +1,6 @@
 // A word that takes a whole number has a fraction or a decimal point.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 #include "interp/evaluate/expression.h"
@@ -57,8 +58,9 @@ public:
     if (event.kind == EventKind::ToolWord)
       return computed(*event.word, ctx);
     if (event.kind == EventKind::WordIssue) {
-      if (event.wordIssue() != WordIssue::PointInWhole ||
-          ctx.find({Action::MacroCall, Action::MacroModal}))
+      if (event.wordIssue() != WordIssue::PointInWhole)
+        return sleepInShape();
+      if (ctx.find({Action::MacroCall, Action::MacroModal}))
         return;
       for (const Word &word : block.words)
         if (word.has(wordPoint) && ctx.dialect().whole & maskOf(word.address) && !isCode(word, ctx))

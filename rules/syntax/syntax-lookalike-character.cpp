@@ -1,5 +1,6 @@
 // A letter that looks like a digit is inside a number.
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -41,8 +42,9 @@ public:
         report(startOf(issue.begin, all), issue.begin, ctx); // `X1O.`
       return;
     }
-    if (event.wordIssue() != WordIssue::Special)
-      return;
+    constexpr AddressMask others = lettersMask("ABCDEFGHIJKMNPQRSTUVWXYZ");
+    if (event.wordIssue() != WordIssue::Special || !(block.addresses & ~others))
+      return sleepInShape();
     for (const Word &word : block.words) {
       const char letter = all[word.offset];
       if ((letter != 'O' && letter != 'o' && letter != 'l') || word.offset <= block.begin ||

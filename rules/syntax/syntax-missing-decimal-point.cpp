@@ -1,6 +1,7 @@
 // A length, angle or feed without a decimal point on a control that may scale such a value.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <cmath>
@@ -32,7 +33,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.wordIssue() != WordIssue::NoPoint)
-      return;
+      return sleepInShape();
     // With this setting the control reads whole numbers as they are meant.
     if (const auto reading = ctx.machine().option("decimalPoint");
         reading && *reading == "calculator")

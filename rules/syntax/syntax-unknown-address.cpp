@@ -1,5 +1,6 @@
 // An address letter that this control does not have.
 #include "analyzer/facts/foreign_block.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -52,7 +53,7 @@ public:
       return;
     }
     if (event.wordIssue() != WordIssue::Unknown)
-      return;
+      return sleepInShape();
     // The letters of a macro call are arguments, whatever they mean elsewhere.
     if (ctx.find({Action::MacroCall, Action::MacroModal}) || holdsForeignCode(ctx))
       return;
