@@ -18,6 +18,9 @@ public:
       at->second = make();
     return at->second;
   }
+  /// One that grows: what a part of the text has to say, of which more is read when it is asked
+  /// for. Nothing but the text decides how it grows.
+  T &growing(const Key &key) const { return known_[key]; }
 
 private:
   mutable std::map<Key, T> known_;

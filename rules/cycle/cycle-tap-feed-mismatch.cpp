@@ -5,6 +5,7 @@
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/project.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "analyzer/rule/text_answers.h"
 
 #include <cmath>
 #include <map>
@@ -103,9 +104,21 @@ private:
     }
   };
 
+  /// A comment that names the lead of a thread.
+  struct Named {
+    uint32_t begin, end; ///< of the comment
+    uint32_t next;       ///< after its block
+    double lead;         ///< mm
+  };
+  /// Those of the blocks of a program before the one at `end`.
+  struct NamedBefore {
+    uint32_t end = 0; ///< 0: nothing is read
+    std::vector<Named> all;
+  };
+
   /// The lead of the thread that a comment of the tool names, in millimetres: one since the tool
   /// was changed, or one that names the tool.
-  static std::optional<double> readLead(const RuleContext &ctx) {
+  std::optional<double> readLead(const RuleContext &ctx) const {
     constexpr uint32_t readable = 1u << 20;
     // The tool was changed in this program, or in one that has called it: its comments name it.
     const Origin &tool = ctx.after().origin.of(StatePart::Tool);
@@ -127,18 +140,30 @@ private:
     std::optional<double> lead;
     if (end - program->begin > readable)
       return lead;
-    for (const Block &block : blocks(unit->index, program->begin, end))
-      for (const Comment &comment : block.comments) {
-        llvm::StringRef text = unit->source.text(comment.begin, comment.end);
-        text = text.ltrim("( ");
-        const bool ofTool =
-            text.startswith(own) && !(text.size() > own.size() && llvm::isDigit(text[own.size()]));
-        if (block.next < since && !ofTool)
-          continue;
-        if (const auto one = namedLead(text))
-          lead = one;
-      }
+    for (const Named &named : namedBefore(*unit, *program, end)) {
+      if (named.next > end)
+        break;
+      const llvm::StringRef text = unit->source.text(named.begin, named.end).ltrim("( ");
+      const bool ofTool =
+          text.startswith(own) && !(text.size() > own.size() && llvm::isDigit(text[own.size()]));
+      if (named.next >= since || ofTool)
+        lead = named.lead;
+    }
     return lead;
+  }
+
+  /// Those of the program before `end`: each block is read once.
+  llvm::ArrayRef<Named> namedBefore(const FileUnit &unit, const ProgramInfo &program,
+                                    uint32_t end) const {
+    unit.index.reader(); // the program is looked through, now or before
+    NamedBefore &known = named_.growing({unit.source.id(), program.begin});
+    for (const Block &block : blocks(unit.index, std::max(known.end, program.begin), end)) {
+      for (const Comment &comment : block.comments)
+        if (const auto lead = namedLead(unit.source.text(comment.begin, comment.end).ltrim("( ")))
+          known.all.push_back({comment.begin, comment.end, block.next, *lead});
+      known.end = block.next;
+    }
+    return known.all;
   }
 
   /// The same, read at the first tapped hole of each tool.
@@ -170,6 +195,7 @@ private:
   }
 
   bool leads_ = false; ///< comments name threads, and taps have usual leads
+  TextAnswers<std::pair<FileId, uint32_t>, NamedBefore> named_; ///< by file and program
 
   void perRevolution(const Event &event, const Tapping &tapping, RuleContext &ctx) const {
     const auto &[code, unit, feed, pitch, named, at, told] = tapping;

@@ -1,6 +1,7 @@
 // A call and what it calls do not agree in their arguments.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
+#include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/condition.h"
 
@@ -148,18 +149,11 @@ private:
     // A list of names is one slip, and so are further heads after the first that is misplaced.
     if (&item != &ctx.block().items.front())
       return;
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    unsigned heads = 0;
-    bool moves = false, runs = false;
-    std::optional<SourceRange> first;
-    for (const Block &block : blocks(ctx.index(), program.body, ctx.block().begin)) {
-      moves |= block.hasAny(ctx.dialect().axisWords);
-      runs |= !onlySets(block, ctx.dialect());
-      heads += llvm::any_of(block.items, isHead);
-      if (!first && runsBefore(block, head))
-        first = ctx.range(block);
-    }
-    if (!first || (head && heads > 1) || (!head && !runs))
+    const uint32_t here = ctx.block().begin;
+    const HeadOf &of = headBefore(here, ctx);
+    const SourceRange &first = head ? of.firstContent : of.firstThatRuns;
+    if (first.empty() || first.begin >= here || (head && of.secondHead < here) ||
+        (!head && of.runs >= here))
       return;
     const SourceRange range = ctx.range(item);
     auto finding = ctx.report(range);
@@ -169,11 +163,43 @@ private:
         .message(head ? "`{0}` has to be the program's first block"
                       : "`{0}` has to come before the first block that runs",
                  ctx.text(range))
-        .note(*first, "this block comes before");
+        .note(first, "this block comes before");
     // Where only modes were set many controls take it.
-    if (!head && !moves)
+    if (!head && of.moves >= here)
       finding.severity(Severity::Warning);
   }
+
+  /// What is first of its kind in a program, as far as it was read.
+  struct HeadOf {
+    uint32_t end = 0; ///< after what was read; 0: nothing was
+    uint32_t heads = 0;
+    uint32_t secondHead = ~0u, moves = ~0u, runs = ~0u; ///< blocks
+    SourceRange firstContent, firstThatRuns;            ///< what a head, and a definition, precedes
+  };
+
+  /// The same of all that comes before the block at `here`: each block is read once.
+  const HeadOf &headBefore(uint32_t here, const RuleContext &ctx) const {
+    const ProgramInfo &program = ctx.index().programAt(here);
+    ctx.index().reader(); // the program is looked through, now or before
+    HeadOf &of = heads_.growing({ctx.source().id(), program.begin});
+    for (const Block &block : blocks(ctx.index(), std::max(of.end, program.body), here)) {
+      of.end = block.next;
+      const auto note = [&](uint32_t &place) { place = std::min(place, block.begin); };
+      if (block.hasAny(ctx.dialect().axisWords))
+        note(of.moves);
+      if (!onlySets(block, ctx.dialect()))
+        note(of.runs);
+      if (llvm::any_of(block.items, isHead) && ++of.heads > 1)
+        note(of.secondHead);
+      if (of.firstContent.empty() && runsBefore(block, true))
+        of.firstContent = ctx.range(block);
+      if (of.firstThatRuns.empty() && runsBefore(block, false))
+        of.firstThatRuns = ctx.range(block);
+    }
+    return of;
+  }
+
+  TextAnswers<std::pair<FileId, uint32_t>, HeadOf> heads_; ///< by file and program
 
   /// Modes and remarks for the operator, which controls take before definitions: neither a work
   /// offset nor anything that acts.

@@ -2,6 +2,10 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
+#include "analyzer/rule/text_answers.h"
+
+#include <set>
 
 namespace ncvet {
 namespace {
@@ -11,10 +15,10 @@ public:
   void listen(Subscriptions &to) override { to.on({EventKind::ProgramEnd, EventKind::CycleRun}); }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::CycleRun)
+      return ctx.outcome().flow.kind == FlowKind::Profile ? replaced(event, ctx) : sleepInShape();
     const MachineState &before = ctx.before();
     const Origin &origin = before.origin.of(StatePart::Roughing);
-    if (event.kind == EventKind::CycleRun)
-      return replaced(event, ctx);
     if (before.roughFirst < 0 || ctx.callDepth() != 0 || ctx.dialect().profileRunsThrough ||
         before.may(Fact::UnknownCode) || !origin.known())
       return;
@@ -23,11 +27,11 @@ public:
 
 private:
   /// Another contour is roughed while the one before is not finished: it is to be finished later.
-  static void replaced(const Event &event, RuleContext &ctx) {
+  void replaced(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     const Flow &flow = ctx.outcome().flow;
     const Origin &origin = before.origin.of(StatePart::Roughing);
-    if (flow.kind != FlowKind::Profile || event.code == noCode || before.roughFirst < 0 ||
+    if (event.code == noCode || before.roughFirst < 0 ||
         ctx.code(event).cycle == CycleKind::Finish || flow.first == before.roughFirst ||
         ctx.dialect().profileRunsThrough || before.may(Fact::UnknownCode) || !origin.known() ||
         isFinished(origin, before.roughFirst, ctx))
@@ -36,41 +40,63 @@ private:
   }
 
   /// Whether a finishing cycle of the program names the contour, or one that cannot be read does.
-  static bool isFinished(const Origin &roughing, int64_t first, const RuleContext &ctx) {
+  bool isFinished(const Origin &roughing, int64_t first, const RuleContext &ctx) const {
     const FileIndex &index = ctx.indexOf(roughing.file);
     const ProgramInfo &program = index.programAt(roughing.begin);
     const ProgramInfo &here = ctx.index().programAt(ctx.block().begin);
-    return finishes(index, program, first, ctx) ||
-           (&here != &program && finishes(ctx.index(), here, first, ctx));
+    return finishes(roughing.file, index, program, first, ctx) ||
+           (&here != &program && finishes(ctx.source().id(), ctx.index(), here, first, ctx));
   }
 
-  static bool finishes(const FileIndex &index, const ProgramInfo &program, int64_t first,
-                       const RuleContext &ctx) {
-    if (program.end - program.body > longest)
-      return true;
-    for (const Block &block : blocks(index, program.body, program.end)) {
-      if (!block.items.empty() ||
-          findCode(ctx.dialect(), block,
-                   {Action::CallProgram, Action::CallLocal, Action::MacroCall}))
-        return true;
-      const Word *word = block.find('P');
-      if (!word || (word->isNumber() && word->value() != double(first)))
-        continue;
-      // A code that roughs by itself finishes where its block says nothing of roughing.
-      const bool roughs = block.hasAny(lettersMask("UWFD"));
-      for (const CodeIndex each : codesOf(ctx.dialect(), block)) {
-        const CodeInfo &code = ctx.dialect().codes[each];
-        const bool finishes = code.cycle == CycleKind::Finish ||
-                              llvm::any_of(code.variants, [&](const Variant &variant) {
-                                return ctx.dialect().codes[variant.code].cycle == CycleKind::Finish;
-                              });
-        const bool mayRough = code.cycle != CycleKind::None && code.cycle != CycleKind::Finish;
-        if (finishes && !(mayRough && roughs))
-          return true;
-      }
-    }
-    return false;
+  bool finishes(FileId file, const FileIndex &index, const ProgramInfo &program, int64_t first,
+                const RuleContext &ctx) const {
+    index.reader(); // it is looked through, now or before
+    const Finished &finished = finished_.of(
+        {file, program.begin}, [&] { return finishedIn(index, program, ctx.dialect()); });
+    return finished.any || finished.contours.count(double(first));
   }
+
+  /// What the finishing cycles of a program work along.
+  struct Finished {
+    bool any = false;          ///< it cannot be told
+    std::set<double> contours; ///< numbers of their first blocks
+  };
+
+  static Finished finishedIn(const FileIndex &index, const ProgramInfo &program,
+                             const Dialect &dialect) {
+    Finished finished;
+    finished.any = program.end - program.body > longest;
+    if (finished.any)
+      return finished;
+    for (const Block &block : blocks(index, program.body, program.end)) {
+      const Word *word = block.find('P');
+      finished.any |=
+          !block.items.empty() ||
+          findCode(dialect, block, {Action::CallProgram, Action::CallLocal, Action::MacroCall}) ||
+          (word && !word->isNumber() && isFinishing(block, dialect));
+      if (finished.any)
+        break;
+      if (word && isFinishing(block, dialect))
+        finished.contours.insert(word->value());
+    }
+    return finished;
+  }
+
+  static bool isFinishing(const Block &block, const Dialect &dialect) {
+    // A code that roughs by itself finishes where its block says nothing of roughing.
+    const bool roughs = block.hasAny(lettersMask("UWFD"));
+    return llvm::any_of(codesOf(dialect, block), [&](const CodeIndex each) {
+      const CodeInfo &code = dialect.codes[each];
+      const bool finishes = code.cycle == CycleKind::Finish ||
+                            llvm::any_of(code.variants, [&](const Variant &variant) {
+                              return dialect.codes[variant.code].cycle == CycleKind::Finish;
+                            });
+      const bool mayRough = code.cycle != CycleKind::None && code.cycle != CycleKind::Finish;
+      return finishes && !(mayRough && roughs);
+    });
+  }
+
+  TextAnswers<std::pair<FileId, uint32_t>, Finished> finished_; ///< by file and program
 
   static constexpr uint32_t longest = 200000; ///< bytes: no longer program is looked through
 

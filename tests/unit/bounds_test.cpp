@@ -92,6 +92,38 @@ TEST(Bounds, AProgramOfManyFeedModesIsFollowedToItsEnd) {
                   .complete);
 }
 
+TEST(Bounds, AProgramOfManyTappingToolsIsFollowedToItsEnd) {
+  constexpr unsigned tools = 2'000;
+  const std::string tapped =
+      "T1 M6 (TAP M8)\nS500 M3\nG0 X0 Y0 Z5.\nG84 Z-9. R2. F625.\nX9.\nG80\n";
+  for (const char *dialect : {"haas-mill", "fanuc-mill"})
+    EXPECT_TRUE(
+        check(dialect, "%\nO1\nG21 G90 G94 G54\n" + repeat(tapped, tools) + "M30\n%\n").complete)
+        << dialect;
+}
+
+TEST(Bounds, AProgramOfManyRoughedContoursIsFollowedToItsEnd) {
+  constexpr unsigned contours = 1'000;
+  std::string roughed;
+  for (unsigned i = 1; i <= contours; ++i) {
+    const std::string first = std::to_string(2 * i), last = std::to_string(2 * i + 1);
+    roughed += "G0 X50. Z2.\nG71 U1. R.5\nG71 P" + first + " Q" + last + " U.2 W.1 F.2\nN" + first +
+               " G0 X20.\nN" + last + " G1 Z-20.\n";
+  }
+  for (const char *dialect : {"fanuc-lathe", "haas-lathe"})
+    EXPECT_TRUE(
+        check(dialect, "%\nO1\nG21 G99\nT0101\nG97 S800 M3\n" + roughed + "M30\n%\n").complete)
+        << dialect;
+}
+
+TEST(Bounds, AProgramOfManyDefinitionsIsFollowedToItsEnd) {
+  constexpr unsigned variables = 3'000;
+  std::string defined;
+  for (unsigned i = 0; i < variables; ++i)
+    defined += "DEF INT COUNT_" + std::to_string(i) + "\n";
+  EXPECT_TRUE(check("sinumerik", defined + "G0 X0\nM30\n").complete);
+}
+
 /// An editor checks at every key: here a repeat whose last number is still to be typed.
 TEST(Bounds, AHalfTypedRepeatIsNoHang) {
   EXPECT_LT(secondsToCheck("ecs", "N80 G1 X10 Y10 F100\nN20 G1 X20\n<RPT:N80;N\nN90 G0 X0\n"),
