@@ -43,8 +43,18 @@ Dispatcher::Dispatcher(const Dialect &dialect, const MachineProfile &machine,
     if (ofDialect != dialect.rules.end())
       options = ofDialect->second;
     const RuleId told = options.toldAs.empty() ? RuleId(i) : findRule(options.toldAs).value_or(i);
-    if (!runs(RuleId(i), told, selection))
+    const bool runsAnywhere = runs(RuleId(i), told, selection);
+    bool runsAtCodes = false;
+    for (const auto &at : options.toldAt)
+      if (const std::optional<RuleId> as = findRule(at.second)) {
+        const bool wanted = runs(RuleId(i), *as, selection);
+        context_.toldAt_.push_back({told, at.first().str(), *as, wanted});
+        runsAtCodes |= wanted;
+      }
+    if (!runsAnywhere && !runsAtCodes)
       continue;
+    if (!runsAnywhere)
+      context_.toldAt_.push_back({told, "", told, false});
     const auto ofUser = selection.options.find(table[i].info.id);
     if (ofUser != selection.options.end())
       for (const auto &entry : ofUser->second)

@@ -90,8 +90,26 @@ SourceRange RuleContext::blockRange() const {
   return range;
 }
 
+bool RuleContext::isAt(llvm::StringRef name) const {
+  if (name.empty())
+    return true;
+  if (codes().empty()) {
+    const CodeInfo *motion = after_->activeCode(*dialect_, StandardGroup::Motion);
+    return motion && motion->name == name;
+  }
+  return llvm::any_of(codes(), [&](const CodeUse &use) { return code(use).name == name; });
+}
+
+std::optional<RuleId> RuleContext::toldRule() const {
+  for (const ToldAt &told : toldAt_)
+    if (told.rule == rule_ && isAt(told.code))
+      return told.wanted ? std::optional(told.as) : std::nullopt;
+  return rule_;
+}
+
 FindingBuilder RuleContext::report(SourceRange range, bool certain) {
-  return FindingBuilder(collector_.report(rule_, range, certain));
+  const std::optional<RuleId> rule = toldRule();
+  return FindingBuilder(rule ? collector_.report(*rule, range, certain) : nullptr);
 }
 
 bool RuleContext::asked() const { return collector_.isAsked(rule_); }

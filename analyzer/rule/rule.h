@@ -263,8 +263,21 @@ public:
 private:
   friend class Dispatcher;
   friend class Engine;
+  /// In a block with the code, the control's manual has what the rule finds as another one's.
+  struct ToldAt {
+    RuleId rule;
+    std::string code; ///< empty: in blocks with none of the codes
+    RuleId as;
+    bool wanted; ///< the user has not left it out
+  };
+  /// Whether the block has the code, or without any moves by it; always when `name` is empty.
+  bool isAt(llvm::StringRef name) const;
+  /// The rule under whose name what is found in this block is told; none: it is not wanted.
+  std::optional<RuleId> toldRule() const;
+
   Collector &collector_;
   RuleId rule_ = 0;
+  std::vector<ToldAt> toldAt_;
   const Dialect *dialect_ = nullptr;
   const MachineProfile *machine_ = nullptr;
   FileUnit *unit_ = nullptr;

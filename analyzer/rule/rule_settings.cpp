@@ -55,6 +55,14 @@ llvm::Expected<OptionValue> readChoice(const RuleOption &option, const Json &val
   return failure("option \"" + option.name + "\" is one of " + llvm::join(option.names, ", "));
 }
 
+/// A text that should be the name of a rule.
+void checkName(JsonReader &in, const Json &told) {
+  if (!told.is_string())
+    return;
+  if (const std::string name = told.get<std::string>(); !findRule(name))
+    in.fail(told, "unknown rule \"" + name + "\"" + nearestRule(name));
+}
+
 /// The options of the rules that a table, or one of its controls, names.
 void checkRules(JsonReader &in, const Json &table) {
   const Json *rules = in.member(table, "rules");
@@ -65,9 +73,11 @@ void checkRules(JsonReader &in, const Json &table) {
       in.fail(*rule, "unknown rule \"" + rule.key() + "\"" + nearestRule(rule.key()));
     if (!rule->is_object())
       continue;
-    if (const Json *told = in.member(*rule, "toldAs"); told && told->is_string())
-      if (const std::string name = told->get<std::string>(); !findRule(name))
-        in.fail(*told, "unknown rule \"" + name + "\"" + nearestRule(name));
+    if (const Json *told = in.member(*rule, "toldAs"))
+      checkName(in, *told);
+    if (const Json *told = in.member(*rule, "toldAt"); told && told->is_object())
+      for (const Json &name : *told)
+        checkName(in, name);
     for (auto option = rule->begin(); option != rule->end(); ++option)
       if (!isFieldOf(ruleRecord, option.key()) && !option->is_null())
         if (auto value = readRuleOption(rule.key(), option.key(), *option); !value)

@@ -235,8 +235,9 @@ using OptionValue = std::variant<double, std::string>;
 struct RuleOverride {
   std::optional<Severity> severity;
   std::optional<bool> enabled;
-  std::string toldAs;         ///< rule under whose name its findings are told; empty: its own
-  bool uncalledStops = false; ///< the control also stops in a body that it does not run
+  std::string toldAs; ///< rule under whose name its findings are told; empty: its own
+  llvm::StringMap<std::string> toldAt; ///< the same in blocks with a code, by its name
+  bool uncalledStops = false;          ///< the control also stops in a body that it does not run
   llvm::StringMap<OptionValue> options;
 };
 

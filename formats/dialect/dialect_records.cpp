@@ -265,6 +265,16 @@ constexpr Field switchFields[] = {
         "things of its kind that the control keeps by name, as matrices; 0: any number", "6"),
 };
 
+void readToldAt(JsonReader &in, const Json &value, RuleOverride &rule) {
+  if (!in.isObject(value))
+    return;
+  for (auto entry = value.begin(); entry != value.end(); ++entry)
+    if (entry->is_string())
+      rule.toldAt[entry.key()] = entry->get<std::string>();
+    else
+      in.fail(*entry, "the name of a rule is expected");
+}
+
 constexpr Field ruleFields[] = {
     field<&RuleOverride::severity>("severity", name("severity", severityNames),
                                    "severity of its findings on this control", "\"style\""),
@@ -281,6 +291,11 @@ constexpr Field ruleFields[] = {
         "rule under whose name its findings are told, where this control's manual has one rule for "
         "both",
         "\"block-missing-word\""),
+    special<readToldAt>("toldAt", mapOf(text),
+                        "by code: rule under whose name its findings in a block that has the code, "
+                        "or moves by it, are told, where this control's manual says it of that "
+                        "code by another rule",
+                        R"({"G51": "cycle-parameter-out-of-range"})"),
     flag<&RuleOverride::uncalledStops>(
         "uncalledStops",
         "the control also stops at what the rule reports in a body that it does not run"),

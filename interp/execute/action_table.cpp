@@ -42,6 +42,8 @@ struct Execution::Actions {
   template <uint8_t direction>
   static void turnsLiveTool(Execution &block, const CodeUse &) {
     block.state_.liveTool = direction;
+    if (direction & (spindleCw | spindleCcw)) // what cuts from here on is driven
+      block.state_.clear(Fact::SpindleStoppedByTap);
   }
   template <Fact fact>
   static void sets(Execution &block, const CodeUse &) {

@@ -192,7 +192,7 @@ private:
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const Axis tool = toolAxis(ctx.dialect(), state);
-    // A turned or mirrored system makes other places of the same numbers.
+    // A shifted, turned or mirrored system makes other places of the same numbers.
     std::optional<Frame> frame;
     if (!state.frames.empty())
       frame = state.frames.total();
@@ -217,7 +217,7 @@ private:
     }
     if (!position[0].isConstant())
       return false;
-    if (state.transforms[0]) {
+    if (frame) {
       const Point3 turned = *frame * Point3{position[0], position[1], position[2]};
       for (unsigned i = 0; i < turned.size(); ++i) {
         if (i == unsigned(tool))

@@ -82,6 +82,8 @@ public:
       laterHole(event, tapping, ctx);
     else if (mode == Action::FeedPerRevolution)
       perRevolution(event, tapping, ctx);
+    else if (mode == Action::FeedPerMinute && state.liveTool != spindleOff)
+      drivenPerMinute(event, tapping, ctx);
     else if (mode == Action::FeedPerMinute && hasSpeed(ctx) && !perMinute(event, tapping, ctx))
       laterHole(event, tapping, ctx);
   }
@@ -216,6 +218,20 @@ private:
                       "like a feed per minute",
                       code.name, text(feed / unit));
     finding.note(ctx.after().origin.of(StatePart::Feed), "the feed is set here");
+  }
+
+  /// S is not the speed of a driven tool, but none taps as slowly as a pitch for a feed would have
+  /// it.
+  void drivenPerMinute(const Event &event, const Tapping &tapping, RuleContext &ctx) const {
+    constexpr double slowest = 50; // turns a minute
+    if (tapping.feed >= leastPitch_ * slowest)
+      return;
+    if (auto finding = ctx.report(tapping.at, event.certain))
+      finding
+          .message(
+              "`{0}` with F{1} per minute: F is speed times pitch here, and looks like a pitch",
+              tapping.code.name, text(tapping.feed / tapping.unit))
+          .note(ctx.after().origin.of(StatePart::Feed), "the feed is set here");
   }
 
   /// The spindle turns at a known speed.

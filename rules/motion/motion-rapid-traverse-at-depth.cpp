@@ -1,5 +1,6 @@
 // A rapid move in the plane while the tool is still at cutting depth.
 #include "analyzer/facts/codes_in_force.h"
+#include "analyzer/facts/measuring_tool.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/geometry/obstacle.h"
@@ -9,7 +10,12 @@
 namespace ncvet {
 namespace {
 
-class MotionRapidTraverseAtDepth final : public Rule {
+struct MotionRapidTraverseAtDepthMemory {
+  Aside<std::map<TextPlace, bool>>
+      measuring; ///< whether the tool that is changed in there is a probe
+};
+
+class MotionRapidTraverseAtDepth final : public StatefulRule<MotionRapidTraverseAtDepthMemory> {
 public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
@@ -45,6 +51,8 @@ public:
       return;
     // After a cut, or lifted from it by too little.
     if (before.must(Fact::AwayFromPart) && (to.value() >= 0 || staysWhereItHasCut(after)))
+      return;
+    if (MeasuringTools::measures(ctx, memory().measuring)) // it touches, and cuts nothing
       return;
     if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown))
       finding.message("rapid in the plane at depth {0:f3}: the tool was fed in from {1:f3}",

@@ -1,6 +1,7 @@
 // A feed move or a cutting cycle while the spindle does not turn.
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/facts/measuring_tool.h"
 #include "analyzer/facts/silent_program.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
@@ -13,6 +14,8 @@ namespace {
 struct SpindleOffWhileCuttingMemory {
   OncePerCause once;
   OncePerCause unsaid; ///< the program has said nothing of tool, speed and spindle
+  Aside<std::map<TextPlace, bool>>
+      measuring; ///< whether the tool that is changed in there is a probe
 };
 
 class SpindleOffWhileCutting final : public StatefulRule<SpindleOffWhileCuttingMemory> {
@@ -61,7 +64,8 @@ public:
         (!memory().unsaid.speaks(origin, ctx) || (hasHead_ && isFragment(ctx)) ||
          (anyMachine_ && saysNothingOfTools(ctx))))
       return;
-    if (!memory().once.speaks(origin, ctx) || (builderStarts_ && startsNoSpindle(ctx)))
+    if (MeasuringTools::measures(ctx, memory().measuring) || !memory().once.speaks(origin, ctx) ||
+        (builderStarts_ && startsNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle

@@ -11,6 +11,7 @@ namespace {
 
 struct SyntaxMissingDecimalPointMemory {
   std::vector<SourceRange> places; ///< lengths without a point, the first ones of the file
+  std::vector<SourceRange> others; ///< further words without one that have it where lengths do
 };
 
 class SyntaxMissingDecimalPoint final : public StatefulRule<SyntaxMissingDecimalPointMemory> {
@@ -45,12 +46,11 @@ public:
       if (!pointless || (lengths_ & maskOf(word.address)) ||
           !(ctx.dialect().pointAdvised & maskOf(word.address)) || !advised(word.address, ctx))
         continue;
-      if (auto finding = ctx.report(word))
-        finding
-            .message("`{0}` has no decimal point: the control may read it as {1} thousandths",
-                     ctx.text(word), word.mantissa)
-            .fix(FixSafety::Unsafe, "add the decimal point",
-                 ctx.insertBefore(ctx.block().endOf(word), "."));
+      if (!lengths_)
+        tell(ctx.range(word), ctx);
+      else if (std::vector<SourceRange> &others = memory().others;
+               others.size() < enough && !llvm::is_contained(others, ctx.range(word)))
+        others.push_back(ctx.range(word));
     }
   }
 
@@ -58,7 +58,7 @@ public:
   /// where the control counts whole numbers so, or the others are.
   void finish(const FileSummary &file, RuleContext &ctx) const override {
     const std::vector<SourceRange> &places = memory().places;
-    if (places.empty())
+    if (places.empty() && memory().others.empty())
       return;
     size_t with = 0, without = 0;
     for (const Block &block : blocks(file.reader))
@@ -68,6 +68,10 @@ public:
           with += word.has(wordPoint) && word.value() == std::floor(word.value());
           without += isPointless(word);
         }
+    // Without any points the control counts whole numbers as they are.
+    if (without < with || !without)
+      for (const SourceRange &place : memory().others)
+        tell(place, ctx);
     if (without >= with)
       return;
     constexpr size_t most = 10; // told one by one
@@ -91,6 +95,17 @@ public:
   }
 
 private:
+  static constexpr size_t enough = 20; ///< that many are kept
+
+  static void tell(const SourceRange &place, RuleContext &ctx) {
+    const llvm::StringRef word = ctx.text(place);
+    if (auto finding = ctx.report(place))
+      finding
+          .message("`{0}` has no decimal point: the control may read it as {1} thousandths", word,
+                   word.drop_front().ltrim("+-=0 "))
+          .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(place.end, "."));
+  }
+
   AddressMask lengths_ = 0; ///< of which a program has the point throughout; 0: not asked
   uint32_t dataInput_ = 0;  ///< the switch under which every block is data
 
@@ -100,7 +115,6 @@ private:
 
   /// Keeps the lengths of the block that have no point.
   void collect(RuleContext &ctx) const {
-    constexpr size_t enough = 20;
     std::vector<SourceRange> &places = memory().places;
     if (places.size() >= enough || ctx.before().switches.mayBeOn(dataInput_) ||
         (ctx.outcome().kinds & bitOf(EventKind::UnknownCode)))

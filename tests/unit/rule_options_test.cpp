@@ -7,6 +7,7 @@
 #include "formats/dialect/loader.h"
 #include "tests/support/run_program.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -154,6 +155,42 @@ TEST(OptionsOfRules, AreReadAsTheirType) {
   EXPECT_EQ(1u, to.choice("name", {"a", "b", "c"}, 0));
   EXPECT_EQ(2u, to.choice("index", {"a", "b", "c"}, 0));
   EXPECT_EQ(1u, to.choice("other", {"a", "b", "c"}, 1));
+}
+
+/// Rules that report `G51 P0` of a modern FANUC, which its table tells as the cycle's, and a
+/// work offset that there is not, which it tells as the rule's own.
+std::vector<std::string>
+rulesThatReport(llvm::function_ref<RuleSelection(const Dialect &)> select) {
+  std::vector<std::string> rules;
+  for (const test::Seen &seen : test::analyseProgram(
+           "fanuc-mill",
+           {{"O1.nc", "O1 (PLATE)\nG17 G21 G90 G54\nG51 X0 Y0 P0\nG50\nG54.1 P999\n"
+                      "M30\n"}},
+           "", select))
+    rules.push_back(std::to_string(seen.line) + " " + seen.rule);
+  return rules;
+}
+
+TEST(NamesOfTables, AFindingAtACodeIsToldAndSelectedByTheNameThatTheManualHasForIt) {
+  const auto selecting = [](llvm::StringRef id) {
+    return [=](const Dialect &dialect) { return test::only(dialect, *test::ruleNamed(id)); };
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(rulesThatReport(selecting("cycle-parameter-out-of-range")),
+              ElementsAre("3 cycle-parameter-out-of-range"));
+  EXPECT_THAT(rulesThatReport(selecting("block-value-out-of-range")),
+              ElementsAre("3 cycle-parameter-out-of-range", "5 block-value-out-of-range"))
+      << "by its own name too";
+  EXPECT_THAT(rulesThatReport([](const Dialect &dialect) {
+                RuleSelection all = RuleSelection::defaults(dialect);
+                for (size_t i = 0; i < all.enabled.size(); ++i) {
+                  const llvm::StringRef id = allRules()[i].info.id;
+                  all.enabled[i] = id == "block-value-out-of-range";
+                }
+                return all;
+              }),
+              ElementsAre("5 block-value-out-of-range"))
+      << "what is told by a name that is left out is left out";
 }
 
 TEST(OptionsOfPages, DefaultsAreOfTheirType) {
