@@ -7,8 +7,8 @@
 namespace ncvet {
 
 CheckMemory::CheckMemory() : runs_(std::make_unique<StraightRuns>()) {}
-CheckMemory::CheckMemory(CheckMemory &&) = default;
-CheckMemory &CheckMemory::operator=(CheckMemory &&) = default;
+CheckMemory::CheckMemory(CheckMemory &&) noexcept = default;
+CheckMemory &CheckMemory::operator=(CheckMemory &&) noexcept = default;
 CheckMemory::~CheckMemory() = default;
 
 FileScan *CheckMemory::scanFor(const FileSetup &setup, const SourceFile &file,

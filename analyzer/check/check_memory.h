@@ -23,8 +23,8 @@ struct FileSetup;
 class CheckMemory {
 public:
   CheckMemory();
-  CheckMemory(CheckMemory &&);
-  CheckMemory &operator=(CheckMemory &&);
+  CheckMemory(CheckMemory &&) noexcept;
+  CheckMemory &operator=(CheckMemory &&) noexcept;
   ~CheckMemory();
 
   /// What is known of `text`, that of `file`, under this setup: moved from the text that was

@@ -4,10 +4,10 @@
 #include "gtest/gtest.h"
 #include <nlohmann/json.hpp>
 #include <poll.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <string>
 
 namespace ncvet::test {

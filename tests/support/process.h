@@ -58,7 +58,7 @@ public:
     const std::string cache = "NCVET_CACHE_DIR=" + (logs_.path() / "cache").string();
     std::vector<llvm::StringRef> words = {"env", "-C", folderName_, cache, "NCVET_NO_CACHE=0"};
     words.insert(words.end(), environment_.begin(), environment_.end());
-    words.push_back(binary_);
+    words.emplace_back(binary_);
     words.insert(words.end(), arguments.begin(), arguments.end());
     const llvm::Optional<llvm::StringRef> streams[] = {llvm::StringRef(in), llvm::StringRef(out),
                                                        llvm::StringRef(err)};

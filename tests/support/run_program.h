@@ -212,7 +212,8 @@ inline std::vector<Seen> marksOf(const std::string &text, const std::string &onl
 }
 
 /// Every finding is due and every due finding is there.
-inline void expectSame(std::vector<Seen> due, std::vector<Seen> found, const std::string &where) {
+inline void expectSame(std::vector<Seen> due, const std::vector<Seen> &found,
+                       const std::string &where) {
   for (const Seen &finding : found) {
     const auto match = std::find_if(due.begin(), due.end(), [&](const Seen &mark) {
       return mark.file == finding.file && mark.line == finding.line && mark.rule == finding.rule &&

@@ -7,9 +7,7 @@
 #include <gmock/gmock.h>
 
 using namespace ncvet::test;
-using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 namespace {
 

@@ -8,7 +8,6 @@
 using namespace ncvet::test;
 using testing::AllOf;
 using testing::Each;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -76,6 +75,16 @@ protected:
   Shop shop_;
 };
 
+/// Presses the first finding's button for its fix.
+const std::string pressesFix =
+    "[...document.querySelectorAll('#findings .acts button')].find((one) => "
+    "one.textContent.startsWith('fix')).click(); 0";
+
+/// What is selected in the program's text.
+const std::string selected =
+    "const area = document.getElementById('text'); area.value.slice(area.selectionStart, "
+    "area.selectionEnd)";
+
 /// Puts an example into the page, and waits for its findings and its drawing.
 const std::string showsBore =
     "(async () => { await until(() => document.getElementById('example').options.length > 1);"
@@ -90,9 +99,7 @@ TEST_F(Playground, ShowsFindingsAtTheirLinesAndTheToolPath) {
        "document.querySelector('#numbers .warning').textContent",
        "document.getElementById('state').textContent",
        "document.getElementById('view').contentWindow.ncvet.path.json.programmed.count > 20",
-       "document.querySelectorAll('#findings .place')[1].click(); 0",
-       "const area = document.getElementById('text'); area.value.slice(area.selectionStart, "
-       "area.selectionEnd)",
+       "document.querySelectorAll('#findings .place')[1].click(); 0", selected,
        "document.getElementById('view').contentWindow.ncvet.selected.line"});
   EXPECT_EQ(seen[0], true);
   EXPECT_THAT(seen[1].get<std::string>(),
@@ -106,9 +113,7 @@ TEST_F(Playground, ShowsFindingsAtTheirLinesAndTheToolPath) {
 
 TEST_F(Playground, AppliesAFixAndExplainsARule) {
   const Json seen = resultsOf(
-      {showsBore,
-       "[...document.querySelectorAll('#findings .acts button')].find((one) => "
-       "one.textContent.startsWith('fix')).click(); 0",
+      {showsBore, pressesFix,
        "until(() => document.querySelectorAll('#findings .place').length === 1)",
        "document.getElementById('text').value.split('\\n')[13]",
        "explain('cycle-left-active').then(() => document.getElementById('page').textContent)",
