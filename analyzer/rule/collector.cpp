@@ -126,6 +126,8 @@ bool isConsequence(const Finding &finding, const Finding &cause) {
   const RuleInfo &rule = allRules()[finding.rule].info, &ofCause = allRules()[cause.rule].info;
   if (llvm::is_contained(ofCause.subsumes, rule.id))
     return true;
+  if (llvm::is_contained(rule.subsumes, ofCause.id)) // it says the same, and more exactly
+    return false;
   // What is said of a whole program is not about the words where it is reported.
   const bool within =
       finding.range.begin >= cause.range.begin && finding.range.end <= cause.range.end;
