@@ -3,44 +3,40 @@
 
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
-
-#include <map>
+#include "analyzer/rule/text_answers.h"
 
 namespace ncvet {
 
-/// Which tools of a text measure, by where they are changed in: each is looked for once.
-class MeasuringTools {
-public:
-  /// Whether the tool in use measures: between the block that changed it in, or the begin of the
-  /// program, and the next change a block of the text makes a skip move (G31, MEAS).
-  static bool measures(const RuleContext &ctx, Aside<std::map<TextPlace, bool>> &known) {
-    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
-    const Origin &tool = ctx.after().origin.of(StatePart::Tool);
-    const bool here = tool.known() && tool.file == ctx.source().id() &&
-                      tool.begin >= program.begin && tool.begin < program.end;
-    const uint32_t begin = here ? ctx.source().lines().lineBegin(tool.begin) : program.begin;
-    const TextPlace from{ctx.source().id(), std::max(begin, program.begin)};
-    const auto [entry, fresh] = known.look().try_emplace(from, false);
-    if (fresh)
-      entry->second = readsOn(ctx, from.offset, program.end);
-    return entry->second;
-  }
+/// Whether tools measure, by where they are changed in.
+using MeasuringTools = TextAnswers<std::pair<FileId, uint32_t>, bool>;
 
-private:
-  static bool readsOn(const RuleContext &ctx, uint32_t from, uint32_t end) {
-    const Dialect &dialect = ctx.dialect();
-    bool first = true;
-    for (const Block &block : blocks(ctx.index(), from, end)) {
-      if (findCode(dialect, block, {Action::SkipMove}))
-        return true;
-      const bool changes = findCode(dialect, block, {Action::ToolChange}) ||
-                           (dialect.toolChangeByT && block.has(letterAddress('T')));
-      if (changes && !first)
-        return false;
-      first = false;
-    }
-    return false;
+/// Whether a skip move (G31, MEAS) follows in the text, from the block at `from` to the next change
+/// of the tool.
+inline bool measuresBeforeNextTool(const RuleContext &ctx, uint32_t from, uint32_t end) {
+  const Dialect &dialect = ctx.dialect();
+  for (const Block &block : blocks(ctx.index(), from, end)) {
+    if (findCode(dialect, block, {Action::SkipMove}))
+      return true;
+    const bool changes = findCode(dialect, block, {Action::ToolChange}) ||
+                         (dialect.toolChangeByT && block.has(letterAddress('T')));
+    if (changes && block.begin > from)
+      return false;
   }
-};
+  return false;
+}
+
+/// Whether the tool in use measures: between the block that changed it in, or the begin of the
+/// program, and the next change a block of the text makes a skip move.
+inline bool toolMeasures(const RuleContext &ctx, const MeasuringTools &known) {
+  const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+  const Origin &tool = ctx.after().origin.of(StatePart::Tool);
+  const bool here = tool.known() && tool.file == ctx.source().id() && tool.begin >= program.begin &&
+                    tool.begin < program.end;
+  const uint32_t from = here ? ctx.source().lines().lineBegin(tool.begin) : program.begin;
+  ctx.index().reader(); // the text is looked through, now or before
+  return known.of({ctx.source().id(), std::max(from, program.begin)}, [&] {
+    return measuresBeforeNextTool(ctx, std::max(from, program.begin), program.end);
+  });
+}
 
 } // namespace ncvet

@@ -174,6 +174,10 @@ struct LimitFacts {
   unsigned lengthDigits = 0;
   /// Levels of macros that call each other; 0: those of all calls.
   unsigned macroDepth = 0;
+  /// Most characters of a text between quotation marks; 0: any number.
+  unsigned textLength = 0;
+  /// Groups of G functions are numbered from 1 to this one; 0: they have no numbers.
+  unsigned modeGroups = 0;
   /// Least and greatest number of an alarm that a program raises.
   double leastAlarm = 0;
   double greatestAlarm = 0;
@@ -375,6 +379,8 @@ struct VariableFacts {
   std::vector<int> shownAhead;
   /// Functions of its family that the control lacks.
   std::vector<std::string> lacksFunctions;
+  /// Names of the parts of a frame, which are the last index of its variable.
+  std::vector<std::string> frameParts;
 };
 
 struct ControlFacts {

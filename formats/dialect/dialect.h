@@ -182,10 +182,11 @@ struct Lexical {
   bool fileInComment = false;  ///< `M98 (PART.NC)`: the comment names what is called
   bool freeNumbers = false;    ///< numbers may have blanks, and block numbers may have decimals
   Arithmetic arithmetic = Arithmetic::MacroB;
-  bool blocksSpanLines = false;    ///< a block ends where the next one begins, not with its line
-  bool commaSeparates = false;     ///< commas separate arguments
-  bool namedPrograms = false;      ///< `<NAME>` heads a program, and calls name it so
-  bool tapeLeader = false;         ///< what comes before the first `%` and a header is no code
+  bool blocksSpanLines = false; ///< a block ends where the next one begins, not with its line
+  bool commaSeparates = false;  ///< commas separate arguments
+  bool indexedNames = false;    ///< `X1=10.`, `S2=500`: axes and spindles have names with an index
+  bool namedPrograms = false;   ///< `<NAME>` heads a program, and calls name it so
+  bool tapeLeader = false;      ///< what comes before the first `%` and a header is no code
   std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
   std::string endLabel;            ///< label that ends a repeated section; empty: there is none
   std::string abortMark;   ///< a comment that begins with it stops the program; empty: none does

@@ -139,6 +139,9 @@ constexpr Field lexicalFields[] = {
     flag<&Lexical::blocksSpanLines>("blocksSpanLines",
                                     "a block ends where the next one begins, not with its line"),
     flag<&Lexical::commaSeparates>("commaSeparates", "commas separate arguments"),
+    flag<&Lexical::indexedNames>("indexedNames",
+                                 "axes and spindles may have names with an index, before an equals "
+                                 "sign: `X1=10.`, `S2=500`"),
     flag<&Lexical::namedPrograms>("namedPrograms",
                                   "`<NAME>` heads a program, and calls name it so"),
     flag<&Lexical::tapeLeader>("tapeLeader",

@@ -210,6 +210,11 @@ constexpr Field limitsFields[] = {
         "most digits of a length in least increments, which have three decimals; 0: any", "8"),
     field<&LimitFacts::macroDepth>(
         "macroDepth", count, "levels of macros that call each other; 0: those of all calls", "5"),
+    field<&LimitFacts::textLength>(
+        "textLength", count, "most characters of a text between quotation marks; 0: any", "200"),
+    field<&LimitFacts::modeGroups>(
+        "modeGroups", count,
+        "groups of G functions are numbered from 1 to this one; 0: they have no numbers", "64"),
     field<&LimitFacts::leastAlarm>("leastAlarm", number,
                                    "least number of an alarm that a program raises", "1"),
     field<&LimitFacts::greatestAlarm>("greatestAlarm", number,
@@ -448,6 +453,10 @@ constexpr Field variablesFields[] = {
     field<&VariableFacts::lacksFunctions>("lacksFunctions", texts,
                                           "functions of its family that the control lacks",
                                           R"(["FUP", "LN"])"),
+    field<&VariableFacts::frameParts>(
+        "frameParts", texts,
+        "names of the parts of a frame, which are the last index of its variable",
+        R"(["TR", "RT"])"),
 };
 constexpr RecordOf<VariableFacts> variablesRecord =
     RecordOf<VariableFacts>{"facts of variables", "what holds for numbered variables",

@@ -38,11 +38,12 @@ public:
       others_ |= maskOf(AddressId(i)) & ~told;
     }
     to.on({EventKind::WordIssue, EventKind::Syntax});
-    texts_ = to.flag("texts");
-    if (texts_) {
+    textLength_ = to.dialect().facts->limits.textLength;
+    modeGroups_ = to.dialect().facts->limits.modeGroups;
+    if (textLength_)
       to.on(EventKind::Statement);
+    if (modeGroups_)
       to.onChange({EventKind::Block});
-    }
     digits_ = to.dialect().facts->limits.lengthDigits;
     leastAlarm_ = to.dialect().facts->limits.leastAlarm;
     greatestAlarm_ = to.dialect().facts->limits.greatestAlarm;
@@ -118,24 +119,25 @@ private:
     }
   }
 
-  bool texts_ = false; ///< the control has texts, groups by their numbers and ways of rotary axes
+  unsigned textLength_ = 0, modeGroups_ = 0; ///< see `LimitFacts`
 
   /// A text in quotation marks.
-  static void tooLongText(const Item &item, RuleContext &ctx) {
-    constexpr uint32_t longest = 200; // characters
+  void tooLongText(const Item &item, RuleContext &ctx) const {
     for (const Argument &argument : ctx.block().argumentsOf(item)) {
-      if (argument.kind != ArgumentKind::Text || argument.end - argument.begin <= longest)
+      if (argument.kind != ArgumentKind::Text || argument.end - argument.begin <= textLength_)
         continue;
       if (auto finding = ctx.report(ctx.range(argument)))
         finding.severity(Severity::Warning)
             .message("a text of {0} characters: the control takes {1}",
-                     argument.end - argument.begin, longest);
+                     argument.end - argument.begin, textLength_);
     }
   }
 
   /// `X=DC(10)` of an axis that does not turn, and `G[70]=1`.
-  static void ofWords(RuleContext &ctx) {
+  void ofWords(RuleContext &ctx) const {
     const Dialect &dialect = ctx.dialect();
+    if (ctx.block().expressions.empty())
+      return sleepInShape();
     for (const Word &word : ctx.block().words) {
       if (!word.has(wordExpression))
         continue;
@@ -154,17 +156,16 @@ private:
     }
   }
 
-  static void groupOf(const Word &word, RuleContext &ctx) {
-    constexpr int64_t greatest = 64;
+  void groupOf(const Word &word, RuleContext &ctx) const {
     const auto [inside, rest] = ctx.text(word).drop_front().ltrim().split(']');
     int64_t number = 0;
     if (!inside.startswith("[") || inside.drop_front().trim().getAsInteger(10, number) ||
-        (number >= 1 && number <= greatest))
+        (number >= 1 && number <= int64_t(modeGroups_)))
       return;
     if (auto finding = ctx.report(word))
       finding.severity(Severity::Warning)
           .message("`{0}`: the groups of G functions are numbered 1 to {1}", ctx.text(word),
-                   greatest);
+                   modeGroups_);
   }
 
   double leastAlarm_ = 0, greatestAlarm_ = 0; ///< of the numbers that `#3000` takes

@@ -10,12 +10,7 @@
 namespace ncvet {
 namespace {
 
-struct MotionRapidTraverseAtDepthMemory {
-  Aside<std::map<TextPlace, bool>>
-      measuring; ///< whether the tool that is changed in there is a probe
-};
-
-class MotionRapidTraverseAtDepth final : public StatefulRule<MotionRapidTraverseAtDepthMemory> {
+class MotionRapidTraverseAtDepth final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     if (!to.dialect().isLathe())
@@ -52,7 +47,7 @@ public:
     // After a cut, or lifted from it by too little.
     if (before.must(Fact::AwayFromPart) && (to.value() >= 0 || staysWhereItHasCut(after)))
       return;
-    if (MeasuringTools::measures(ctx, memory().measuring)) // it touches, and cuts nothing
+    if (toolMeasures(ctx, measuring_)) // it touches, and cuts nothing
       return;
     if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown))
       finding.message("rapid in the plane at depth {0:f3}: the tool was fed in from {1:f3}",
@@ -102,6 +97,7 @@ private:
     });
   }
 
+  MeasuringTools measuring_;
   bool leaves_ = false; ///< a contour is left at rapid
   bool turns_ = false;  ///< turns of rotary axes are looked at
 };

@@ -14,8 +14,6 @@ namespace {
 struct SpindleOffWhileCuttingMemory {
   OncePerCause once;
   OncePerCause unsaid; ///< the program has said nothing of tool, speed and spindle
-  Aside<std::map<TextPlace, bool>>
-      measuring; ///< whether the tool that is changed in there is a probe
 };
 
 class SpindleOffWhileCutting final : public StatefulRule<SpindleOffWhileCuttingMemory> {
@@ -64,8 +62,8 @@ public:
         (!memory().unsaid.speaks(origin, ctx) || (hasHead_ && isFragment(ctx)) ||
          (anyMachine_ && saysNothingOfTools(ctx))))
       return;
-    if (MeasuringTools::measures(ctx, memory().measuring) || !memory().once.speaks(origin, ctx) ||
-        (builderStarts_ && startsNoSpindle(ctx)))
+    if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
+        !memory().once.speaks(origin, ctx) || (builderStarts_ && startsNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
@@ -164,6 +162,7 @@ private:
     return true;
   }
 
+  MeasuringTools measuring_;
   bool anyMachine_ = false; ///< a program that names no spindle at all may be for a machine without
   bool builderStarts_ = false; ///< a program that starts no spindle has it started by other codes
   std::optional<double> top_;  ///< of the stock

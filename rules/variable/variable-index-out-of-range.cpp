@@ -4,7 +4,8 @@
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
-#include <array>
+#include "llvm/ADT/StringExtras.h"
+
 #include <cmath>
 #include <set>
 
@@ -23,6 +24,7 @@ public:
     reservedTo_ = int64_t(to.dialect().facts->variables.reservedTo);
     numbered_ = to.dialect().facts->variables.numbered;
     gaps_ = to.dialect().facts->variables.gaps;
+    frameParts_ = to.dialect().facts->variables.frameParts;
     named_ = greatest_ || to.dialect().lexical.commaSeparates;
     to.on(EventKind::Statement);
     to.onChange({EventKind::Block});
@@ -36,7 +38,7 @@ public:
     if (event.kind == EventKind::Block && !gaps_.empty())
       return inGaps(ctx);
     if (event.kind == EventKind::Block) {
-      if (ctx.dialect().lexical.commaSeparates)
+      if (!frameParts_.empty())
         frames(ctx);
       return numbered_ ? numbersRead(ctx) : elements(ctx);
     }
@@ -61,9 +63,8 @@ public:
   }
 
 private:
-  /// `$P_UIFR[1,X,TX]`: the last index of a frame is one of its five parts.
-  static void frames(RuleContext &ctx) {
-    constexpr std::array<llvm::StringLiteral, 5> parts{"TR", "FI", "RT", "SC", "MI"};
+  /// `$P_UIFR[1,X,TX]`: the last index of a frame is one of its parts.
+  void frames(RuleContext &ctx) const {
     const llvm::StringRef text =
         ctx.source().text(ctx.block().begin, ctx.block().end).split(';').first;
     for (size_t at = text.find("$P_"); at != llvm::StringRef::npos; at = text.find("$P_", at + 1)) {
@@ -83,17 +84,20 @@ private:
       const llvm::StringRef part = indices.back().trim();
       const bool isName = part.size() == 2 && llvm::isAlpha(part[0]) && llvm::isAlpha(part[1]);
       if (indices.size() < 2 || !isName ||
-          llvm::any_of(parts, [&](llvm::StringRef one) { return part.equals_insensitive(one); }) ||
+          llvm::any_of(frameParts_,
+                       [&](llvm::StringRef one) { return part.equals_insensitive(one); }) ||
           ctx.index().definition(ctx.index().programAt(ctx.block().begin), part))
         continue;
       const auto begin = uint32_t(ctx.block().begin + at);
       if (auto finding = ctx.report(
               SourceRange{ctx.source().id(), begin, uint32_t(begin + open + *length + 2)}))
-        finding.message("`{0}` is no part of a frame: they are TR, FI, RT, SC and MI", part);
+        finding.message("`{0}` is no part of a frame: they are {1}", part,
+                        llvm::join(frameParts_, ", "));
     }
   }
 
-  std::vector<int> gaps_; ///< first and last number of each range without variables
+  std::vector<std::string> frameParts_; ///< names
+  std::vector<int> gaps_;               ///< first and last number of each range without variables
 
   /// `#50`, written or read, where the control has none of that number.
   void inGaps(RuleContext &ctx) const {

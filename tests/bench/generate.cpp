@@ -36,6 +36,7 @@ int main(int argc, char **argv) {
   const uint64_t share = option == "--tenth" ? 10 : 1;
   const uint64_t million = 1'000'000 / share, thousand = 1'000 / share;
   write("tiny.nc", "fanuc-0m", "", writeTiny);
+  write("tiny.mpf", "sinumerik", "", writeTinySinumerik);
   write("surfacing-1m.nc", "fanuc-0m", "0.7 units",
         [&](auto &file) { return writeSurfacing(file, million, Spelling::Modal); });
   if (option == "--big")

@@ -15,6 +15,12 @@ uint64_t writeTiny(ProgramFile &out) {
   return out.blocks();
 }
 
+uint64_t writeTinySinumerik(ProgramFile &out) {
+  out.block("N10 G17 G54 G71 G90 G94");
+  out.block("N20 M30");
+  return out.blocks();
+}
+
 /// Passes along a shaft with fillets, chamfers and tapers, feed in millimetres per revolution.
 uint64_t writeTurning(ProgramFile &out, uint64_t blocks) {
   out.line("%");

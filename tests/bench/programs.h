@@ -20,6 +20,7 @@ uint64_t writeDrilling(ProgramFile &out, uint64_t blocks);
 
 // other_programs.cpp
 uint64_t writeTiny(ProgramFile &out);
+uint64_t writeTinySinumerik(ProgramFile &out);
 uint64_t writeTurning(ProgramFile &out, uint64_t blocks);
 /// `lines`: of which seven in ten are comments and blank lines.
 uint64_t writeCommented(ProgramFile &out, uint64_t lines);

@@ -43,14 +43,7 @@ void drive(const fs::path &modules, const char *driver, const fs::path &packed,
   EXPECT_EQ(
       runOuter({"node", (steps / driver).string(), (folder / "plan.json").string()}, log, seconds),
       0);
-  // What went wrong is a line each, before the last one; how long a step took begins with a number.
-  llvm::SmallVector<llvm::StringRef, 64> lines;
-  const std::string said = contentsOf(log);
-  llvm::StringRef(said).split(lines, '\n', -1, /*KeepEmpty=*/false);
-  EXPECT_TRUE(llvm::is_contained(lines, "done")) << said;
-  for (const llvm::StringRef line : lines)
-    if (line != "done" && !line.startswith("took "))
-      ADD_FAILURE() << line.str();
+  expectDone(log);
 }
 
 /// Packs the extension, and drives VS Code with it.

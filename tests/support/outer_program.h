@@ -1,12 +1,15 @@
 // Programs beside ncvet that tests run: editors, npm and what it fetches.
 #pragma once
 
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/ADT/SmallVector.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/MemoryBuffer.h"
 #include "llvm/Support/Path.h"
 #include "llvm/Support/Process.h"
 #include "llvm/Support/Program.h"
 #include "llvm/Support/xxhash.h"
+#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <optional>
@@ -68,6 +71,18 @@ inline std::optional<std::filesystem::path> nodeModules(const std::filesystem::p
   if (!fs::exists(modules))
     return std::nullopt;
   return modules;
+}
+
+/// What a script has said in its log: `done` at its end, and before that a line for each thing that
+/// went wrong. How long its steps took is said by lines that begin with `took`.
+inline void expectDone(const std::filesystem::path &log) {
+  llvm::SmallVector<llvm::StringRef, 64> lines;
+  const std::string said = contentsOf(log);
+  llvm::StringRef(said).split(lines, '\n', -1, /*KeepEmpty=*/false);
+  EXPECT_TRUE(llvm::is_contained(lines, "done")) << said;
+  for (const llvm::StringRef line : lines)
+    if (line != "done" && !line.startswith("took "))
+      ADD_FAILURE() << line.str();
 }
 
 } // namespace ncvet::test

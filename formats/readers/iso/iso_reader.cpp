@@ -34,6 +34,9 @@ inline void IsoScanner::scanLetter() {
   const char upper = char(*at_ & ~32);
   if (upper == 'O' && lexical_.flowWords)
     return scanFlowWord();
+  if (lexical_.indexedNames && end_ - at_ > 4 &&
+      (at_[2] == '=' || at_[3] == '=' || at_[4] == '=') && scanIndexed())
+    return;
   if (at_ + 1 < end_ && isLetter(at_[1])) {
     if (lexical_.macro && !lexical_.flowWords && scanStatement())
       return;

@@ -42,6 +42,7 @@ private:
 
   // iso_words.cpp
   bool scanUnknownWord();
+  bool scanIndexed();
   void scanUnusualValue(AddressId address, const char *begin);
   bool opensExpression(const char *p) const;
   bool signsExpression() const;

@@ -24,6 +24,33 @@ bool IsoScanner::scanUnknownWord() {
   return true;
 }
 
+/// `X1=10.`, `XA2=5.`, `S2=500`: an axis or a spindle whose name has an index. False, with nothing
+/// read: it is none. An axis of such a name is none that is followed: its value is passed over.
+bool IsoScanner::scanIndexed() {
+  constexpr ptrdiff_t mostLetters = 2, mostDigits = 2;
+  const char *const begin = at_;
+  const char *p = begin;
+  while (p < end_ && isLetter(*p) && p - begin < mostLetters)
+    ++p;
+  const char *const index = p;
+  while (p < end_ && isNumberDigit(*p) && p - index < mostDigits)
+    ++p;
+  if (p == index || p >= end_ || *p != '=' ||
+      !llvm::StringRef("XYZABCUVWS").contains(char(*begin & ~32)))
+    return false;
+  at_ = p + 1;
+  if ((*begin & ~32) == 'S' && index == begin + 1) {
+    scanWord(letterAddress('S'), begin);
+    return true;
+  }
+  Word ignored;
+  if (numberFollows() && !signsExpression())
+    scanNumber(ignored, begin);
+  else if (at_ < end_ && (opensExpression(at_) || *at_ == '-' || *at_ == '+'))
+    operand();
+  return true;
+}
+
 /// A variable, a bracket, or a function where it may be without brackets around it: `XSIN[30]`.
 bool IsoScanner::opensExpression(const char *p) const {
   if (p < end_ && (*p == '#' || *p == '['))
