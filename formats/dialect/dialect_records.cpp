@@ -4,6 +4,8 @@
 #include "formats/dialect/records.h"
 #include "formats/dialect/vocabulary.h"
 
+#include <nlohmann/json.hpp>
+
 namespace ncvet {
 
 namespace {

@@ -105,7 +105,7 @@ uint64_t writeLongLines(ProgramFile &out, uint64_t blocks) {
     out.block(
         "N%llu G90 G94 G17 G21 G40 G49 G54 G64 G80 G98 G1 X%.4f Y%.4f Z%.4f A%.4f B%.4f F2400. "
         "S12000 M3 D2 (POINT %llu OF THE FINISHING PASS)",
-        static_cast<unsigned long long>(out.blocks() * 10), 50 * std::cos(t), 40 * std::sin(t),
+        static_cast<unsigned long long>(out.blocks()) * 10, 50 * std::cos(t), 40 * std::sin(t),
         -2 - 0.5 * std::sin(3 * t), 20 * std::sin(t), 15 * std::cos(t),
         static_cast<unsigned long long>(i));
   }
