@@ -62,6 +62,7 @@ struct Step {
   /// Blocks of the same number only go on, each as the one before.
   uint64_t stretch;
   TextAhead *ahead = nullptr; ///< null: the text is not read in its order
+  uint64_t place = 0;         ///< of a block that is executed again: a number for file and offset
 
   const Region &region() const { return activation.region; }
   FileUnit &unit() const { return activation.region.unit; }

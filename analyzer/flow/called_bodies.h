@@ -29,11 +29,18 @@ private:
     bool stops;        ///< the program stops in it until the operator goes on
     bool forks;        ///< something unknown decides in it
   };
-  std::optional<Exits> recall(const std::vector<Memo> &memos, uint64_t print, unsigned sections,
+  /// What is remembered of one body.
+  struct Remembered {
+    std::vector<Memo> memos;
+    unsigned inVain = 0; ///< runs since one of them was of use
+  };
+  static bool isWorthLooking(Remembered &body);
+  std::optional<Exits> recall(Remembered &body, uint64_t print, unsigned sections,
                               const Live &live);
+  static Exits merge(Exits raw, const PathNode *path);
 
   FlowRun &run_;
-  std::map<RunningRegion, std::vector<Memo>> memos_;
+  std::map<RunningRegion, Remembered> remembered_;
 };
 
 } // namespace ncvet

@@ -42,16 +42,16 @@ static void keepCompensationOff(const MachineState &before, MachineState &after,
 void Calls::goOnUnknown(Step &step) {
   const Dialect &dialect = *step.unit().dialect;
   run_.lose(step.flowRange(), "what is called here is not known");
-  const Variables locals = step.live.state.locals;
+  const Variables locals = step.live.state->locals;
   const MachineState before = step.live.state;
   forget(step.live.state, dialect);
   if (dialect.callsKeepModes)
     keepModes(before, step.live.state, dialect);
   else
     keepCompensationOff(before, step.live.state, dialect);
-  step.live.state.modalCalls = before.modalCalls; // nobody leaves one on for a caller
-  if (dialect.variableRanges.namedLocal)          // no call changes those of its caller
-    step.live.state.locals = locals;
+  step.live.state->modalCalls = before.modalCalls; // nobody leaves one on for a caller
+  if (dialect.variableRanges.namedLocal)           // no call changes those of its caller
+    step.live.state->locals = locals;
   step.goOn();
 }
 

@@ -42,7 +42,7 @@ void Contours::turnedContour(Step &step, const CodeInfo &cycle) {
     works.reset();
   if (!flow.target.isConstant()) {
     for (const Axis axis : {Axis::X, Axis::Z})
-      step.live.state.at(axis) = Interval::unknown();
+      step.live.state->at(axis) = Interval::unknown();
     return step.goOn();
   }
   const std::string name = std::to_string(std::llround(flow.target.number.value()));
@@ -51,7 +51,7 @@ void Contours::turnedContour(Step &step, const CodeInfo &cycle) {
   if (callees_.findBracketed(callee, name))
     return read(step, cycle, callee, std::move(works));
   for (const Axis axis : {Axis::X, Axis::Z})
-    step.live.state.at(axis) = Interval::unknown();
+    step.live.state->at(axis) = Interval::unknown();
   if (!run_.callerUnknown)
     run_.issue(FlowIssue::UnknownProgram, step, step.flowRange());
   step.goOn();
@@ -118,8 +118,8 @@ void Contours::section(const Step &step, llvm::StringRef labels) {
       bodies_.isRunning(unit, *first, RegionKind::Section, end.next) || bodies_.isDeep())
     return;
   Live read = step.live;
-  read.state.profile = ProfileMode::Recorded;
-  read.state.clear(Fact::Cut);
+  read.state->profile = ProfileMode::Recorded;
+  read.state->clear(Fact::Cut);
   enterContour(read.state);
   read.path = run_.lengthen(read.path, PathNode::Kind::Call, where);
   Region body{unit, region.program, *first, RegionKind::Section, region.caller};
@@ -139,8 +139,8 @@ void Contours::read(Step &step, const CodeInfo &cycle, const Callee &callee,
   if (has(cycle, CycleTrait::Turned))
     for (const Axis axis : {Axis::X, Axis::Z})
       state.at(axis) = Interval::unknown();
-  read.state.profile = ProfileMode::Recorded;
-  read.state.clear(Fact::Cut);
+  read.state->profile = ProfileMode::Recorded;
+  read.state->clear(Fact::Cut);
   if (!has(cycle, CycleTrait::Turned) && !has(cycle, CycleTrait::TurnsContour))
     enterContour(read.state);
   read.path = run_.lengthen(read.path, PathNode::Kind::Call, step.flowRange());
@@ -223,9 +223,9 @@ bool Contours::isAdjacent(const Step &step, uint32_t first) {
 void Contours::goOnFinished(Step &step, Exits exits) {
   Lives left;
   for (Returned &exit : exits) {
-    exit.live.state.profile = step.before.profile;
-    exit.live.state.position = step.live.state.position;
-    exit.live.state.machineAxes = step.live.state.machineAxes;
+    exit.live.state->profile = step.before.profile;
+    exit.live.state->position = step.live.state->position;
+    exit.live.state->machineAxes = step.live.state->machineAxes;
     exit.live.path = step.live.path;
     mergeInto(left, std::move(exit.live));
   }
@@ -245,7 +245,7 @@ void Contours::profile(Step &step) {
   notePlace(step, *bounds, finishing);
   const bool adjacent = isAdjacent(step, bounds->first);
   Live contour = step.live;
-  contour.state.profile = finishing ? ProfileMode::Executed : ProfileMode::Recorded;
+  contour.state->profile = finishing ? ProfileMode::Executed : ProfileMode::Recorded;
   contour.path = run_.lengthen(contour.path, PathNode::Kind::Call, step.flowRange(), flow.first);
   const Region body{unit,          region.program, bounds->first, RegionKind::Profile,
                     region.caller, bounds->last};

@@ -18,7 +18,7 @@ public:
 
   FlowInterest interest() const override { return {0, false, true, true}; }
   void executed(const Step &step, bool /*continues*/) override {
-    if (lost_ || step.live.state.profile == ProfileMode::Off)
+    if (lost_ || step.live.state->profile == ProfileMode::Off)
       return;
     const ExecutedBlock executed = step.executed();
     moves_.clear();

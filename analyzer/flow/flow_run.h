@@ -67,7 +67,8 @@ struct FlowRun {
   void cover(const FileUnit &of, uint32_t begin, uint32_t end);
   /// Something is wrong with where control goes.
   void issue(FlowIssue kind, const Step &step, SourceRange where, SourceRange related = {}) {
-    issue(kind, step, step.before, step.live.state, where, related);
+    const HeldState &state = step.live.state; // which may have gone on already
+    issue(kind, step, step.before, state.isHeld() ? *state : step.before, where, related);
   }
   /// The same, in other states than those of the step.
   void issue(FlowIssue kind, const Step &step, const MachineState &before,

@@ -45,15 +45,16 @@ bool Jumps::leaveOut(Step &step, bool looksOn) {
 void Jumps::byWord(Step &step) {
   const Flow &flow = step.outcome.flow;
   const SourceRange where = step.flowRange();
-  if (leaveOut(step, false)) {
+  if (flow.condition == Truth::No) {
     const bool named =
         flow.item < 0 || step.block.items[size_t(flow.item)].jump != JumpKind::ToStart;
     if (named && flow.target.isConstant() &&
         !resolveBlock(step.unit().index, step.region().program,
                       Reference::toBlock(int64_t(flow.target.number.value())), step.at))
       run_.issue(FlowIssue::UnknownBlock, step, where);
-    return;
   }
+  if (leaveOut(step, false))
+    return;
   const bool certain = flow.condition == Truth::Yes;
   step.live.path = run_.lengthen(step.live.path, PathNode::Kind::Jump, where);
   if (flow.item >= 0 && step.block.items[size_t(flow.item)].jump == JumpKind::ToStart)
@@ -144,8 +145,10 @@ void Jumps::notTaken(Step step) {
 void Jumps::byItem(Step &step, const Item &item) {
   const Region &region = step.region();
   const SourceRange where = step.flowRange();
+  if (step.outcome.flow.condition == Truth::No)
+    untaken(step, item);
   if (leaveOut(step, true))
-    return untaken(step, item);
+    return;
   FileUnit *unit = &region.unit;
   const ProgramInfo *program = &region.program;
   if (item.nameEnd > item.nameBegin) {

@@ -63,7 +63,7 @@ void PassRunner::jumpBack(const Step &step, const Passes &passes, Returned exit)
   exit.live.path = passes.path;
   restoreModalCall(exit.live.state, passes);
   if (passes.locals)
-    exit.live.state.locals = *passes.locals;
+    exit.live.state->locals = *passes.locals;
   const auto offset = resolveBlock(step.unit().index, step.region().program,
                                    Reference::toBlock(exit.target), step.at);
   if (!offset)

@@ -57,7 +57,7 @@ void mergeInto(Lives &lives, Live live) {
 /// Whether a path that comes to a block executed before brings nothing new there. With many jumps
 /// back, most rounds differ in a trifle, and each would run on to the program's end: a block that
 /// many of them come by takes their states as a loop head does.
-bool Pending::bringsNothing(uint32_t offset, MachineState &state, uint32_t executed) {
+bool Pending::bringsNothing(uint32_t offset, HeldState &state, uint32_t executed) {
   constexpr unsigned roundsBeforeJoining = 8, roundsBeforeWidening = 16;
   if (!rounds_ || offset >= executed)
     return false;
@@ -87,16 +87,27 @@ void Pending::add(uint32_t offset, Live live, uint32_t executed) {
 }
 
 void Pending::wait(uint32_t offset, Live live) {
-  mergeInto(waiting_[offset], std::move(live));
-  next_ = waiting_.begin()->first;
+  if (offset > next_)
+    return mergeInto(later_[offset], std::move(live));
+  if (offset < next_) {
+    if (!isEmpty())
+      later_[next_] = std::move(first_);
+    first_.clear();
+    next_ = offset;
+  }
+  mergeInto(first_, std::move(live));
 }
 
 Lives Pending::take(uint32_t &offset) {
-  const auto first = waiting_.begin();
-  offset = first->first;
-  Lives lives = std::move(first->second);
-  waiting_.erase(first);
-  next_ = waiting_.empty() ? ~0u : waiting_.begin()->first;
+  offset = next_;
+  Lives lives = std::move(first_);
+  first_.clear();
+  next_ = ~0u;
+  if (const auto first = later_.begin(); first != later_.end()) {
+    next_ = first->first;
+    first_ = std::move(first->second);
+    later_.erase(first);
+  }
   return lives;
 }
 

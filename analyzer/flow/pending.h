@@ -15,7 +15,7 @@ void mergeInto(Lives &lives, Live live);
 /// The states of one region that wait at blocks until all paths that lead there have arrived.
 class Pending {
 public:
-  bool isEmpty() const { return waiting_.empty(); }
+  bool isEmpty() const { return next_ == ~0u; }
   /// Offset of the first block at which states wait; `~0u`: there is none.
   uint32_t next() const { return next_; }
   void wait(uint32_t offset, Live live);
@@ -33,11 +33,12 @@ private:
     unsigned rounds = 0;                ///< in so many rounds a path arrived
     std::unique_ptr<MachineState> seen; ///< all that has gone on from here, since it is kept
   };
-  bool bringsNothing(uint32_t offset, MachineState &state, uint32_t executed);
+  bool bringsNothing(uint32_t offset, HeldState &state, uint32_t executed);
 
-  std::map<uint32_t, Lives> waiting_;
   uint32_t next_ = ~0u;
-  unsigned rounds_ = 0; ///< times that joined states went back over a backward jump
+  Lives first_;                     ///< that wait at `next_`
+  std::map<uint32_t, Lives> later_; ///< that wait after it
+  unsigned rounds_ = 0;             ///< times that joined states went back over a backward jump
   std::map<uint32_t, Meeting> meetings_;
 };
 

@@ -1,10 +1,10 @@
 // A piece of a program that is run, and the states that run through it.
 #pragma once
 
+#include "analyzer/flow/held_state.h"
 #include "analyzer/program/call_site.h"
 #include "analyzer/program/project.h"
 #include "analyzer/rule/path_node.h"
-#include "interp/state/state.h"
 
 #include <tuple>
 
@@ -18,7 +18,7 @@ using SkipSwitches = std::array<SkipSwitch, 10>;
 
 /// One state on its path, and how it came there.
 struct Live {
-  MachineState state;
+  HeldState state;
   const PathNode *path = nullptr;
   /// Block skip switch per level, as far as this path has decided it.
   SkipSwitches skip{};

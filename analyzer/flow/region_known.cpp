@@ -18,6 +18,7 @@ bool RegionRun::isStraight() const { return at_ >= activation_.high && run_.call
 
 /// Reads the next block of the text, which is executed for the first time.
 void RegionRun::readStraight() {
+  isKept_ = false;
   if (!quick_ || run_.inFull) {
     unit_.reader->read(at_, own_);
     block_ = pattern_ = &own_;
@@ -86,6 +87,8 @@ void RegionRun::goOnAsKnownOnce(KnownBlocks::Known &known) {
 void RegionRun::keepBefore(const MachineState &state) {
   if (done_)
     return done_->move.catchUp(state, before_);
+  if (calculated_)
+    return keepVariables(state);
   keepMotion(state);
   if (!outcome_->plainMove)
     static_cast<ModeState &>(before_) = state;
@@ -98,6 +101,13 @@ void RegionRun::keepMotion(const MachineState &state) {
     const GroupIndex group = unit_.dialect->codes[use.code].group;
     before_.origin.all()[group] = state.origin.all()[group];
   }
+}
+
+/// The same after a block that has changed nothing but variables.
+void RegionRun::keepVariables(const MachineState &state) {
+  before_.locals = state.locals;
+  before_.commons = state.commons;
+  before_.seeksBranch = state.seeksBranch;
 }
 
 /// Does what such blocks do in these modes; false: it is not known.
@@ -117,6 +127,7 @@ bool RegionRun::doAsKnown(Live &live) {
 /// Makes the move, or the hole.
 void RegionRun::make(KnownBlocks::Known &known, Live &live) {
   done_ = &known;
+  calculated_ = false;
   outcome_ = &known.outcome;
   modes_ = known.after;
   blockUse_ = known.use;

@@ -91,7 +91,9 @@ bool RegionRun::arrive() {
       pending.wait(at_, std::move(live));
     lives_ = pending.take(at_);
   }
-  synced_ = nullptr;
+  const bool goesOn = waits_ && lives_.size() == 1 && lives_[0].state.serial() == waits_;
+  synced_ = goesOn ? &*lives_[0].state : nullptr;
+  waits_ = 0;
   return true;
 }
 
@@ -144,7 +146,7 @@ bool RegionRun::takeOver() {
   follow(*known);
   endStretch();
   before_ = lives_[0].state;
-  synced_ = &lives_[0].state;
+  synced_ = &*lives_[0].state;
   done_ = nullptr;
   modes_ = 0;
   plainRun_ = present;
@@ -188,7 +190,8 @@ bool RegionRun::read() {
     readStraight();
   } else { // may be executed often
     block_ = &run_.readBlocks.at(unit_, at_, own_);
-    pattern_ = block_ == &own_ ? &own_ : nullptr;
+    isKept_ = block_ != &own_;
+    pattern_ = isKept_ ? nullptr : &own_;
     spelling_ = nullptr;
   }
   return noteRead();
@@ -358,15 +361,18 @@ void RegionRun::executeBlock() {
   for (Live &live : lives_) {
     executeFor(live);
     tell(live);
-    if (!goesOnWithNext(live))
+    const uint64_t serial = calculated_ && single ? live.state.serial() : 0;
+    if (!goesOnWithNext(live)) {
+      waits_ = serial;
       continue;
+    }
     if (!single) {
       onward.push_back(std::move(live));
       continue;
     }
     stays = true;
-    if (done_ || !outcome_->setupChanged)
-      synced_ = &live.state;
+    if (done_ || calculated_ || !outcome_->setupChanged)
+      synced_ = &*live.state;
   }
   run_.endStop();
   at_ = next_;
@@ -381,7 +387,7 @@ void RegionRun::executeBlock() {
 }
 
 void RegionRun::executeFor(Live &live) {
-  if (synced_ == &live.state) {
+  if (synced_ == &*live.state) {
     keepBefore(live.state);
   } else {
     before_ = live.state;
@@ -411,6 +417,7 @@ void RegionRun::execute(Live &live) {
   unit_.executor().execute(*block_, before_, live.state, *outcome_, guardHolds);
   blockUse_ = stateUse;
   stateUse |= used;
+  calculated_ = onlyCalculates();
   if (decision_ != Truth::Unknown)
     decide();
   if (!activation_.heads.empty() || !run_.callStack.empty())
@@ -418,6 +425,20 @@ void RegionRun::execute(Live &live) {
   // A cycle among the blocks of a contour reads none of its own.
   if (region_.kind == RegionKind::Profile && outcome_->flow.kind == FlowKind::Profile)
     outcome_->flow = Flow();
+}
+
+/// Whether what was executed has changed nothing but variables, and which branch of an IF is
+/// looked for: statements alone, while no other part of the machine waits for the end of a block.
+bool RegionRun::onlyCalculates() const {
+  constexpr uint32_t events = bitOf(EventKind::Block) | bitOf(EventKind::Statement) |
+                              bitOf(EventKind::Assignment) | bitOf(EventKind::UnsetRead) |
+                              bitOf(EventKind::DomainError);
+  const auto leads = [&](FlowKind kind) { return outcome_->flow.kind == kind; };
+  return !block_->items.empty() && block_->words.empty() && !(outcome_->kinds & ~events) &&
+         !outcome_->foreign && before_.compensation == phaseOff && before_.pendingCycle == noCode &&
+         !before_.modalCalls && !run_.inFull &&
+         (leads(FlowKind::Next) || leads(FlowKind::LoopBegin) || leads(FlowKind::LoopEnd) ||
+          leads(FlowKind::Structure) || leads(FlowKind::Jump));
 }
 
 void RegionRun::tell(Live &live) {

@@ -44,7 +44,7 @@ private:
   void goOnUntold(Live &live);
   /// Whether the block at `at_` is the only one that follows, for one state.
   bool goesStraight() const {
-    return lives_.size() == 1 && synced_ == &lives_[0].state && activation_.pending.next() > at_ &&
+    return lives_.size() == 1 && synced_ == &*lives_[0].state && activation_.pending.next() > at_ &&
            at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end;
   }
   bool isStraight() const;
@@ -75,6 +75,8 @@ private:
   void execute(Live &live);
   void keepBefore(const MachineState &state);
   void keepMotion(const MachineState &state);
+  void keepVariables(const MachineState &state);
+  bool onlyCalculates() const;
   void tell(Live &live);
   void interruptRecord() {
     if (recorder_)
@@ -85,10 +87,15 @@ private:
   void runsInto(Live &live);
   bool goesOnWithNext(Live &live);
   Step stepOf(Live &live) {
-    return {activation_,  live,
-            at_,          before_,
-            *block_,      *outcome_,
-            run_.stretch, firstTime_ && run_.callStack.empty() ? known_.get() : nullptr};
+    return {activation_,
+            live,
+            at_,
+            before_,
+            *block_,
+            *outcome_,
+            run_.stretch,
+            firstTime_ && run_.callStack.empty() ? known_.get() : nullptr,
+            isKept_ ? uint64_t(unit_.source.id()) << 32 | at_ : 0};
   }
   SourceRange blockRange() const { return {unit_.source.id(), block_->begin, block_->end}; }
 
@@ -108,6 +115,7 @@ private:
   bool firstTime_ = false;     ///< the block was not executed before
   bool goesOn_ = false;        ///< the block only goes on as the one before
   const Block *block_ = &own_; ///< that is executed
+  bool isKept_ = false;        ///< it was read for an earlier execution
   Block *pattern_ = nullptr;   ///< the same, where another may be read over it
   Block own_;                  ///< where it is read when the run does not keep it
   Outcome *outcome_ = &ownOutcome_;
@@ -115,6 +123,8 @@ private:
   Truth decision_ = Truth::Unknown;      ///< of the operator, for what the block leaves open
   MachineState before_;                  ///< before the block
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
+  uint64_t waits_ = 0;      ///< serial number of a state that was so before it went to wait
+  bool calculated_ = false; ///< the block before changed nothing but variables
   PlainRun plainRun_;
   unsigned repeats_ = 0; ///< blocks of the stretch that were told to all although they went on
   StateUse blockUse_;    ///< what executing the block has looked at

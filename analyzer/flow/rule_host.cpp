@@ -22,7 +22,7 @@ void RuleHost::executed(const Step &step, bool continues) {
                              caller, step.stretch);
   else
     dispatcher_.dispatch(step.unit(), step.block, step.outcome, step.before, step.live.state,
-                         caller, step.ahead);
+                         caller, step.ahead, step.place);
 }
 
 /// A rule says of a block what it said of one that differs in numbers only, unless it is told of

@@ -88,7 +88,7 @@ void Structures::decide(Step &step, Truth condition, uint32_t other, bool loops)
   const FlowShape &shape = run_.shape(step.unit(), step.region().program);
   if (condition == Truth::No)
     passed(step, shape, other);
-  live.state.seeksBranch = !loops && shape.back.lookup(other) == step.at;
+  live.state->seeksBranch = !loops && shape.back.lookup(other) == step.at;
   loops_.goTo(step, other, std::move(live), condition == Truth::No);
 }
 

@@ -1,6 +1,7 @@
 // Shapes of blocks: what is known of one block holds for all that differ from it in coordinates.
 #include "analyzer/rule/block_shape.h"
 
+#include "analyzer/program/call_site.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/value/sum.h"
 
@@ -72,6 +73,75 @@ bool asksNumbers(const CodeInfo &code, llvm::StringRef id) {
   });
 }
 
+namespace {
+
+/// What of an event the block's text does not decide.
+void addNumbers(Sum &sum, const Event &event) {
+  switch (event.kind) {
+  case EventKind::Statement:
+    return sum.add(event.item());
+  case EventKind::Assignment:
+    return sum.add(uint64_t(event.variable()));
+  case EventKind::UnsetRead:
+  case EventKind::DomainError:
+    return sum.add(event.place());
+  case EventKind::ToolWord:
+  case EventKind::FeedWord:
+  case EventKind::SpeedWord:
+  case EventKind::OffsetWord:
+    return sum.add(event.wordValue());
+  case EventKind::Dwell:
+    return sum.add(event.seconds());
+  default:
+    return;
+  }
+}
+
+/// How a block's event is told from others of its kind.
+void addEvent(Sum &sum, const Event &event) {
+  sum.add(uint64_t(event.kind) | uint64_t(event.motion) << 8 | uint64_t(event.axes) << 16 |
+          uint64_t(event.code) << 32 | uint64_t(event.by) << 48);
+  if (event.kind == EventKind::Motion)
+    sum.add(uint64_t(event.certain) << 1 | uint64_t(event.inMachineCoordinates()));
+  else if (!event.certain)
+    sum.add(0);
+}
+
+void addValue(Sum &sum, const Value &value) {
+  sum.add(uint64_t(value.kind));
+  if (value.kind == Value::Kind::Number)
+    sum.add(value.number);
+}
+
+} // namespace
+
+uint64_t shapeAt(uint64_t place, const CallSite *caller, const Block &block,
+                 const Outcome &outcome) {
+  constexpr uint32_t others = bitOf(EventKind::ToolChange) | bitOf(EventKind::Syntax);
+  if (!block.issues.empty() || block.skip >= 0 || block.kind != BlockKind::Normal ||
+      outcome.foreign || (outcome.kinds & others))
+    return 0;
+  Sum sum(place);
+  for (const CallSite *call = caller; call; call = call->before)
+    sum.add(uint64_t(reinterpret_cast<uintptr_t>(call->program)) ^ uint64_t(call->next) << 32 ^
+            uint64_t(call->once) << 1 ^ uint64_t(call->macro) << 2);
+  for (const Event &event : outcome.events) {
+    addEvent(sum, event);
+    addNumbers(sum, event);
+  }
+  for (const CodeUse &use : outcome.codes)
+    sum.add(use.code);
+  const Flow &flow = outcome.flow;
+  sum.add(uint64_t(flow.kind) | uint64_t(outcome.callsModally) << 8 |
+          uint64_t(flow.condition) << 16 | uint64_t(outcome.holes.size()) << 32);
+  if (flow.kind != FlowKind::Next) {
+    addValue(sum, flow.target);
+    addValue(sum, flow.repeat);
+    sum.add(flow.choice);
+  }
+  return sum.get();
+}
+
 uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outcome) {
   constexpr uint32_t others =
       bitOf(EventKind::ToolChange) | bitOf(EventKind::Syntax) | bitOf(EventKind::Statement);
@@ -92,14 +162,8 @@ uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outc
       sum.add(uint64_t(word.mantissa) << 8 | word.decimals);
     }
   }
-  for (const Event &event : outcome.events) {
-    sum.add(uint64_t(event.kind) | uint64_t(event.motion) << 8 | uint64_t(event.axes) << 16 |
-            uint64_t(event.code) << 32 | uint64_t(event.by) << 48);
-    if (event.kind == EventKind::Motion)
-      sum.add(uint64_t(event.certain) << 1 | uint64_t(event.inMachineCoordinates()));
-    else if (!event.certain)
-      sum.add(0);
-  }
+  for (const Event &event : outcome.events)
+    addEvent(sum, event);
   for (const CodeUse &use : outcome.codes)
     sum.add(use.code);
   sum.add(uint64_t(outcome.flow.kind) | uint64_t(outcome.callsModally) << 8 |

@@ -11,6 +11,11 @@ namespace ncvet {
 /// (statements, expressions, bad text, a block skip, another tool).
 uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outcome);
 
+/// The same of a block that is executed again: `place` is a number for file and offset. It is that
+/// of no other block, nor of one that is called from elsewhere.
+uint64_t shapeAt(uint64_t place, const CallSite *caller, const Block &block,
+                 const Outcome &outcome);
+
 /// A number for those parts of the states before and after a block that `use` names, and for the
 /// modes that every rule may look at without notice: compensation, profiles, transformations,
 /// cycles, modal calls.

@@ -139,12 +139,12 @@ void Dispatcher::prepare(FileUnit &unit, const Block &block, const Outcome &outc
 
 void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                           const MachineState &before, const MachineState &after,
-                          const CallSite *caller, TextAhead *ahead) {
+                          const CallSite *caller, TextAhead *ahead, uint64_t place) {
   if (!(outcome.kinds & kinds_))
     return;
   prepare(unit, block, outcome, before, after, caller);
   context_.ahead_ = ahead;
-  if (!shapes_ || caller || !(tellAgain(outcome) || tellKnown(block, outcome)))
+  if (!shapes_ || (caller && !place) || !(tellAgain(outcome) || tellKnown(place, outcome)))
     tellAll(outcome);
 }
 
@@ -166,18 +166,15 @@ void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {
 /// Tells those that have not said that blocks of this shape do not interest them; false: that is
 /// not known of it. What is met for the first time is only noted: in some programs no block has the
 /// shape of another.
-bool Dispatcher::tellKnown(const Block &block, const Outcome &outcome) {
-  const uint64_t shape = shapeOf(context_.dialect(), block, outcome);
+bool Dispatcher::tellKnown(uint64_t place, const Outcome &outcome) {
+  const Block &block = context_.block();
+  const uint64_t shape = place ? shapeAt(place, context_.caller(), block, outcome)
+                               : shapeOf(context_.dialect(), block, outcome);
   if (!shape)
     return false;
-  const size_t place = shape % KnownShapes::places;
-  if (shapes_->met[place] != shape) {
-    shapes_->met[place] = shape;
+  if (std::exchange(shapes_->met[shape % KnownShapes::places], shape) != shape)
     return false;
-  }
-  if (shapes_->all[shapes_->at[place]].shape != shape)
-    makeRoom(shape);
-  KnownShape &known = shapes_->all[shapes_->at[place]];
+  KnownShape &known = knownShape(shape);
   const uint64_t modes = modesOf(known.use, context_.before(), context_.after());
   for (const KnownModes &there : known.modes)
     if (there.modes == modes) {
@@ -189,19 +186,27 @@ bool Dispatcher::tellKnown(const Block &block, const Outcome &outcome) {
       tellAwake(there, outcome);
       return true;
     }
+  findingPlace_ = place != 0;
   findOut(known, outcome);
   return true;
 }
 
-/// Gives up the shape that was met first for another one.
-void Dispatcher::makeRoom(uint64_t shape) {
-  shapes_->at[shape % KnownShapes::places] = uint8_t(shapes_->next);
-  KnownShape &room = shapes_->all[shapes_->next];
+/// What is known of the shape; where nothing is, the shape that was met first may be given up.
+Dispatcher::KnownShape &Dispatcher::knownShape(uint64_t shape) {
+  std::vector<KnownShape> &all = shapes_->all;
+  uint16_t &at = shapes_->at[shape % KnownShapes::places];
+  if (at < all.size() && all[at].shape == shape)
+    return all[at];
+  at = uint16_t(shapes_->next);
+  if (all.size() < KnownShapes::most)
+    all.emplace_back();
+  KnownShape &room = all[at];
   shapes_->next = (shapes_->next + 1) % unsigned(KnownShapes::most);
   room.shape = shape;
   room.use = {};
   for (KnownModes &modes : room.modes)
     modes.modes = 0;
+  return room;
 }
 
 /// Tells all, and notes who need not be told of such a block again.
@@ -267,8 +272,9 @@ bool Dispatcher::sleepsInShape(const Event &event, const Listener &listener) {
   const uint64_t reports = context_.collector_.reports();
   ruleSleep = RuleSleep::No;
   tellOne(event, listener);
+  const RuleSleep said = std::exchange(ruleSleep, RuleSleep::No);
   const bool sleeps =
-      std::exchange(ruleSleep, RuleSleep::No) == RuleSleep::InShape ||
+      said == RuleSleep::InShape || (said == RuleSleep::AtBlock && findingPlace_) ||
       (!listener.rule && !asksNumbers(context_.code(event), allRules()[listener.id].info.id));
   return sleeps && reports == context_.collector_.reports() && coversModes(stateUse);
 }
@@ -304,7 +310,8 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
     context_.rule_ = listener.id;
     const StateUse used = std::exchange(stateUse, StateUse());
     listener.rule->on(outcome.events[event], context_);
-    if (std::exchange(ruleSleep, RuleSleep::No) != RuleSleep::No) {
+    const RuleSleep said = std::exchange(ruleSleep, RuleSleep::No);
+    if (said == RuleSleep::InStretch || said == RuleSleep::InShape) {
       asleepUse_ |= stateUse;
       awake_.erase(awake_.begin() + ptrdiff_t(i));
     } else {

@@ -19,9 +19,10 @@ public:
   uint32_t kinds() const { return kinds_; }
   /// Some rule wants to know of moves that only go on as the block before.
   bool wantsEveryMove() const { return !everyBlock_.empty(); }
+  /// `place`: a number for file and offset of a block that is executed again; 0: of others.
   void dispatch(FileUnit &unit, const Block &block, const Outcome &outcome,
                 const MachineState &before, const MachineState &after, const CallSite *caller,
-                TextAhead *ahead = nullptr);
+                TextAhead *ahead = nullptr, uint64_t place = 0);
   /// Every rule is told of every event that it listens for, whatever it has said of blocks like it.
   void tellInFull() { shapes_.reset(); }
   /// As `dispatch`, for a plain move that only goes on as the block before: told to those who want
@@ -101,18 +102,18 @@ private:
   /// Shapes that were met last.
   struct KnownShapes {
     /// A program has some dozens of shapes, and perhaps many more of which no block has the same.
-    static constexpr size_t most = 128, places = 2048;
-    std::array<KnownShape, most> all;
+    static constexpr size_t most = 512, places = 4096;
+    std::vector<KnownShape> all;
     unsigned next = 0;                  ///< which of them is given up next
     std::array<uint64_t, places> met{}; ///< by place: the shape that was met there last
-    std::array<uint8_t, places> at{};   ///< which of `all` it may be
+    std::array<uint16_t, places> at{};  ///< which of `all` it may be
     /// The same by `Outcome::known`, which says shape and modes.
     std::array<KnownModes, 256> again;
   };
   bool tellAgain(const Outcome &outcome);
-  bool tellKnown(const Block &block, const Outcome &outcome);
+  bool tellKnown(uint64_t place, const Outcome &outcome);
   void tellAwake(const KnownModes &modes, const Outcome &outcome);
-  void makeRoom(uint64_t shape);
+  KnownShape &knownShape(uint64_t shape);
   void findOut(KnownShape &shape, const Outcome &outcome);
   void tellAll(const Outcome &outcome);
   void tellOne(const Event &event, const Listener &listener);
@@ -145,6 +146,7 @@ private:
   uint32_t kinds_ = 0;
   std::unique_ptr<KnownShapes> shapes_ = std::make_unique<KnownShapes>();
   KnownModes *finding_ = nullptr; ///< of whom it is found out who is told
+  bool findingPlace_ = false;     ///< of one block of the text alone
   RuleContext context_;
 };
 

@@ -9,7 +9,8 @@ namespace ncvet {
 enum class RuleSleep : uint8_t {
   No,
   InStretch, ///< until the stretch of blocks ends
-  InShape    ///< of any block of this shape in these modes
+  InShape,   ///< of any block of this shape in these modes
+  AtBlock    ///< of this block of the text in these modes
 };
 
 /// Of the rule that is being told, on this thread; the dispatcher looks at it after each call.
@@ -26,6 +27,10 @@ inline void sleepInStretch() { ruleSleep = RuleSleep::InStretch; }
 /// coordinate, no other number of the cycle in force, nothing that the rule remembers, no text and
 /// no other block.
 inline void sleepInShape() { ruleSleep = RuleSleep::InShape; }
+
+/// The same of this block of the text alone, where texts decide too: that of the block, of others
+/// and of callers. It counts when the block is executed again.
+inline void sleepAtBlock() { ruleSleep = RuleSleep::AtBlock; }
 
 /// Whether a number of the block decides what the table has to say of a code for rule `id`.
 bool asksNumbers(const CodeInfo &code, llvm::StringRef id);

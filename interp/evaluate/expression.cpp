@@ -163,7 +163,10 @@ std::optional<size_t> placeOf(const MachineState &state, int64_t number) {
 Value evaluate(const Block &block, uint16_t index, const MachineState &state, Outcome *outcome) {
   if (index >= block.expressions.size())
     return Value::unknown();
-  return ExpressionEvaluator(block, state, outcome).run(block.expressions[index]);
+  const Expression &expression = block.expressions[index];
+  if (expression.count == 1 && block.operations[expression.first].op == Op::Number)
+    return Value::of(block.operations[expression.first].value);
+  return ExpressionEvaluator(block, state, outcome).run(expression);
 }
 
 Value operandOf(const Block &block, const Expression &expression, uint32_t place,

@@ -248,33 +248,32 @@ Interval numberOf(Truth truth) {
 
 bool OperatorStack::apply(Operator op) {
   const OperatorRow &row = rows[size_t(op)];
-  std::array<Value, 3> values;
+  while (values_.size() < row.operands) // what is missing is unknown
+    values_.insert(values_.begin(), Value::unknown());
+  Value *const values = values_.end() - row.operands;
   std::array<Interval, 3> numbers;
-  bool unknown = false;
-  for (size_t i = row.operands; i-- > 0;) {
-    values[i] = pop();
+  bool unknown = false, vacant = false;
+  for (size_t i = 0; i < row.operands; ++i) {
     numbers[i] = values[i].asNumber();
     unknown |= values[i].kind == Value::Kind::Unknown;
+    vacant |= values[i].isVacant();
   }
+  bool inside = true;
   if (rules_.strict && unknown && !isComparison(op)) {
-    push(Value::unknown());
     // Divided by zero, whatever is divided.
-    return row.outside != divisorIsZero || !values[1].isConstant() || !divisorIsZero(&numbers[0]);
-  }
-  // `-#1` of a vacant variable is vacant, and vacant is equal only to vacant.
-  if (op == Operator::Negate && values[0].isVacant()) {
-    push(values[0]);
-    return true;
-  }
-  const bool vacant = values[0].isVacant() || values[1].isVacant();
-  if ((op == Operator::Equal || op == Operator::NotEqual) && vacant && !unknown) {
+    inside = row.outside != divisorIsZero || !values[1].isConstant() || !divisorIsZero(&numbers[0]);
+    values[0] = Value::unknown();
+  } else if (op == Operator::Negate && vacant) {
+    // `-#1` of a vacant variable is vacant, and vacant is equal only to vacant.
+  } else if ((op == Operator::Equal || op == Operator::NotEqual) && vacant && !unknown) {
     const bool same = values[0].isVacant() && values[1].isVacant();
-    push(Value::of(same == (op == Operator::Equal)));
-    return true;
+    values[0] = Value::of(same == (op == Operator::Equal));
+  } else {
+    inside = !row.outside || !row.outside(numbers.data());
+    values[0] = inside ? Value::of(row.compute(numbers.data(), rules_)) : Value::unknown();
   }
-  const bool outside = row.outside && row.outside(numbers.data());
-  push(outside ? Value::unknown() : Value::of(row.compute(numbers.data(), rules_)));
-  return !outside;
+  values_.truncate(values_.size() - (row.operands - 1u));
+  return inside;
 }
 
 } // namespace ncvet

@@ -38,6 +38,8 @@ public:
       return onSurface(ctx);
     if (event.kind == EventKind::Code && wraps(ctx.code(event)))
       surfaceEnds(ctx);
+    else if (!asksNumbers(ctx.code(event), id))
+      sleepInShape();
     const bool here = ctx.codeWord(event);
     if (event.kind == EventKind::Code || !here)
       ctx.reportNotices(id, event);

@@ -29,9 +29,7 @@ public:
         ctx.before().must(Fact::InContour) ||               // it has feeds of its own
         ctx.before().profile == ProfileMode::Recorded ||    // so has the cycle that reads it
         ctx.after().may(Fact::UnknownCode)) {
-      if (!inverseEach_)
-        sleepInShape();
-      return;
+      return sleepInShape();
     }
     const CodeInfo &code = ctx.code(event);
     if (isSet)
@@ -73,9 +71,7 @@ private:
                                 event.motion == MotionKind::ArcCcw;
     if (!cuts || !code.needsFeed || event.inMachineCoordinates() ||
         after.profile == ProfileMode::Recorded || !after.must(Fact::FeedIsLead)) {
-      if (!inverseEach_)
-        sleepInShape();
-      return;
+      return sleepInShape();
     }
     const Origin &lead = after.origin.of(StatePart::Feed); // read only here: it changes with each F
     if (!memory().once.speaks(lead, ctx))

@@ -1,5 +1,5 @@
 // A feed of zero or less.
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -10,7 +10,7 @@ public:
 
   void on(const Event &event, RuleContext &ctx) const override {
     if (!(event.feed().hi <= 0))
-      return;
+      return sleepInShape();
     // Of several words the last one counts.
     if (ctx.block().repeated & maskOf(event.word->address))
       for (const Word &word : ctx.block().words)

@@ -2,7 +2,7 @@
 #include "analyzer/facts/called_blocks.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/expression.h"
 
 #include "llvm/ADT/DenseSet.h"
@@ -18,7 +18,7 @@ public:
     const Block &block = ctx.block();
     const Item &item = block.items[event.item()];
     if (item.kind != ItemKind::Input)
-      return;
+      return sleepAtBlock();
     const SourceRange range = ctx.range(item);
     const SourceRange name{ctx.source().id(), item.nameBegin, item.nameEnd};
     int64_t index = 0;

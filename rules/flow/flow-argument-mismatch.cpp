@@ -1,6 +1,6 @@
 // A call and what it calls do not agree in their arguments.
 #include "analyzer/program/block_reading.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/condition.h"
@@ -25,6 +25,7 @@ public:
     case EventKind::Code:
       return atCode(event, ctx);
     case EventKind::Statement:
+      sleepAtBlock();
       wordsBeside(ctx.block().items[event.item()], ctx);
       return atDefinition(ctx.block().items[event.item()], ctx);
     case EventKind::Syntax: {
@@ -90,6 +91,8 @@ private:
   static void atCode(const Event &event, RuleContext &ctx) {
     const CodeInfo &code = ctx.code(event);
     const Block &block = ctx.block();
+    if (!asksNumbers(code, "flow-argument-mismatch"))
+      sleepAtBlock();
     ctx.reportNotices("flow-argument-mismatch", event);
     if (isMacro(code))
       repeated(ctx);

@@ -35,6 +35,7 @@ public:
     const Block &block = ctx.block();
     if (block.items.empty())
       return sleepInShape();
+    sleepAtBlock(); // unless it reads a variable
     for (const Item &item : block.items)
       if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)
         choice(item, ctx);

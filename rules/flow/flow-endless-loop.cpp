@@ -3,6 +3,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
@@ -26,6 +27,8 @@ public:
     if (event.kind == EventKind::Statement) {
       const size_t index = event.item();
       const Item &item = ctx.block().items[index];
+      if (item.kind != ItemKind::Structure && item.kind != ItemKind::Jump)
+        sleepAtBlock(); // unless it reads a variable
       if (item.kind == ItemKind::Structure && item.structure == Structure::While)
         return bracketed(item, ctx);
       if (item.kind == ItemKind::While && item.loop)

@@ -1,7 +1,7 @@
 // The variable of a counting loop is written inside the loop.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/expression.h"
 
 #include <cmath>
@@ -23,6 +23,8 @@ public:
     if (item.kind == ItemKind::Structure && item.structure == Structure::For) {
       memory().counts = true;
       realCounter(item, ctx);
+    } else {
+      sleepAtBlock();
     }
     memory().repeats |= item.kind == ItemKind::Repeat;
   }

@@ -1,6 +1,6 @@
 // Calls inside calls go deeper than the control can follow.
 #include "analyzer/program/block_reading.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -54,7 +54,7 @@ public:
       return macro(event, ctx);
     if (event.kind == EventKind::Statement) {
       memory().structures |= ctx.block().items[event.item()].kind == ItemKind::Structure;
-      return;
+      return sleepAtBlock();
     }
     if (event.flowIssue() != FlowIssue::TooDeep)
       return;
@@ -81,7 +81,7 @@ private:
     for (const CallSite *call = ctx.caller(); call; call = call->before)
       level += call->macro;
     if (level != macros_ + 1)
-      return;
+      return sleepAtBlock();
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is level {1} of macros, the control follows {2}: it stops here",
                       ctx.text(*event.word), level, macros_);

@@ -1,6 +1,6 @@
 // A section that is repeated ends before it begins, or holds the block that repeats it or an end.
 #include "analyzer/program/repeated_sections.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <map>
@@ -34,7 +34,7 @@ public:
     }
     const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Repeat || !item.single || item.arguments < 2)
-      return;
+      return sleepAtBlock();
     const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` repeats the one block of its label: it takes no second one",

@@ -1,5 +1,5 @@
 // The repeat count of a call is not a whole number of runs.
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
@@ -24,7 +24,7 @@ public:
       return atStatement(ctx.block().items[event.item()], ctx);
     const Word *count = ctx.block().find('L');
     if (!count || count->has(wordNoValue))
-      return;
+      return sleepInShape();
     const Interval value = ctx.value(*count);
     if (!value.isConstant())
       return;
@@ -53,7 +53,7 @@ private:
   void atStatement(const Item &item, RuleContext &ctx) const {
     if ((item.kind != ItemKind::Call && item.kind != ItemKind::Repeat) ||
         item.count == noExpression)
-      return;
+      return sleepAtBlock();
     const Expression &count = ctx.block().expressions[item.count];
     const Value value = evaluateInBlock(ctx.block(), item.count, ctx.before());
     if (!value.isConstant())

@@ -1,7 +1,7 @@
 // WHILE, DO and END do not belong together.
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include <set>
@@ -37,7 +37,7 @@ public:
       const ItemKind kind = ctx.block().items[event.item()].kind;
       memory().repeats |= kind == ItemKind::Repeat;
       memory().loops |= kind == ItemKind::While || kind == ItemKind::Do;
-      return;
+      return sleepAtBlock();
     }
     if (event.flowIssue() == FlowIssue::RepeatOverlap) {
       if (auto finding = ctx.report(ctx.flowRange(), event.certain))

@@ -1,5 +1,5 @@
 // A choice by value without a branch for every other value.
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -12,7 +12,7 @@ public:
     const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Jump || item.jump != JumpKind::ByValue || item.arguments % 2 ||
         !item.arguments)
-      return;
+      return sleepAtBlock();
     const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
       finding.message("`{0}` has no DEFAULT: every other value runs on into the next block",

@@ -1,5 +1,6 @@
 // A statement, expression or run of letters that does not fit the control's grammar.
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 namespace ncvet {
@@ -25,9 +26,14 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
-    if (event.kind == EventKind::Block)
+    if (event.kind == EventKind::Block) {
+      if (ctx.block().expressions.empty())
+        return sleepInShape();
+      sleepAtBlock();
       return depth(ctx);
+    }
     if (event.kind == EventKind::Statement) {
+      sleepAtBlock();
       const Item &item = ctx.block().items[event.item()];
       if (oneSeparator_)
         separators(item, ctx);

@@ -1,6 +1,6 @@
 // A fraction is compared for equality.
 #include "analyzer/program/block_reading.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "interp/evaluate/expression.h"
 
 #include <cmath>
@@ -16,6 +16,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    sleepAtBlock();
     const Block &block = ctx.block();
     const Item &item = block.items[event.item()];
     if (item.kind == ItemKind::Jump && item.jump == JumpKind::BySign)

@@ -2,6 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/project.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -153,8 +154,10 @@ private:
   /// value yet.
   void numbered(RuleContext &ctx) const {
     const Block &block = ctx.block();
-    if (block.operations.empty() || ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode))
-      return;
+    if (block.operations.empty())
+      return sleepInShape();
+    if (ctx.callDepth() > 0 || ctx.before().may(Fact::UnknownCode))
+      return sleepAtBlock();
     // A test for empty reads no value.
     if (llvm::any_of(block.operations, [](const ExpressionOp &op) {
           return op.op == Op::Vacant || (op.op == Op::Variable && op.value == 0);

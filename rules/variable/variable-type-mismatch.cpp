@@ -35,9 +35,11 @@ public:
     if (event.kind == EventKind::Block) {
       if (ctx.block().expressions.empty())
         return sleepInShape();
+      sleepAtBlock(); // unless it reads a variable
       truncated(ctx);
       return inWords(ctx);
     }
+    sleepAtBlock();
     if (marked_)
       mark(ctx.block().items[event.item()], ctx);
     const Block &block = ctx.block();

@@ -2,6 +2,7 @@
 #include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <map>
 #include <set>
@@ -33,6 +34,7 @@ public:
     const ItemKind kind = ctx.block().items[event.item()].kind;
     memory().defines |= kind == ItemKind::Definition;
     memory().assigns |= kind == ItemKind::Assignment;
+    sleepAtBlock();
   }
 
   void finish(const FileSummary &file, RuleContext &ctx) const override {
