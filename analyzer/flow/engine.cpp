@@ -43,7 +43,7 @@ void Engine::enter(const Region &region, EntryState entry) {
 /// A state with which a program begins; that of a subprogram's caller is not known.
 Lives Engine::startOf(bool subprogram) const {
   Lives lives(1);
-  lives[0].state = subprogram ? unknownState(*unit.dialect) : startOn(*unit.dialect, unit.machine);
+  lives[0].state = subprogram ? calledState(*unit.dialect) : startOn(*unit.dialect, unit.machine);
   return lives;
 }
 

@@ -151,4 +151,24 @@ MachineState startOn(const Dialect &dialect, const MachineProfile &machine) {
   return state;
 }
 
+MachineState calledState(const Dialect &dialect) {
+  MachineState state = unknownState(dialect);
+  const MachineState usual = initialState(dialect);
+  state.clear(Fact::UnknownCode);
+  state.modalCalls = nullptr;
+  state.switches = usual.switches;
+  state.frames = usual.frames;
+  state.pole = usual.pole;
+  if (!dialect.isLathe())
+    state.liveTool = usual.liveTool;
+  for (const StandardGroup which :
+       {StandardGroup::Polar, StandardGroup::Rotation, StandardGroup::Scaling, StandardGroup::Mirror,
+        StandardGroup::MacroModal, StandardGroup::Language, StandardGroup::ArcDistance,
+        StandardGroup::Cycle, StandardGroup::Diameter})
+    if (const GroupIndex group = dialect.group(which);
+        group != noGroup && group != dialect.group(StandardGroup::Motion))
+      state.groups[group] = usual.groups[group];
+  return state;
+}
+
 } // namespace ncvet

@@ -130,5 +130,32 @@ TEST(Engine, ModalCallsEnd) {
                          "O0002\nG66P2A#1\nX[#1+1.]\nM99\n%\n"));
 }
 
+/// What a subprogram sets itself is known though nobody in the folder calls it.
+TEST(Engine, ASubprogramWithoutACallerIsReadAsMostWouldCallIt) {
+  EXPECT_THAT(findingsOf("fanuc-mill", {{"O9", "%\nO9\nG90 G17 G54 G21 G40\n"
+                                              "G00 X0 Y0\n"
+                                              "G01 X5. F100.\n"
+                                              "G02 X10. Y0 I4. J0\n" // the centre is off by 1 mm
+                                              "M05\n"
+                                              "G01 X20.\n"
+                                              "M99\n%\n"}}),
+              testing::IsSupersetOf({"6 arc-radius-mismatch", "8 spindle-off-while-cutting"}));
+  EXPECT_THAT(findingsOf("sinumerik", {{"ARC.SPF", "N10 G90 G17 G71 G54\n"
+                                                   "N20 G0 X0 Y0\n"
+                                                   "N30 G1 X5 F100\n"
+                                                   "N40 G2 X10 Y0 I4 J0\n"
+                                                   "N50 M17\n"}}),
+              testing::Contains("4 arc-radius-mismatch"));
+}
+
+/// What its caller sets for it is not.
+TEST(Engine, WhatACallerSetsIsNotKnownInASubprogramWithoutOne) {
+  EXPECT_THAT(findingsOf("fanuc-mill", {{"O9", "%\nO9\nG01 X5. F100.\n"
+                                              "G02 X10. I2.5\n"
+                                              "G91 Z-2.\n"
+                                              "G90 M99\n%\n"}}),
+              testing::IsEmpty());
+}
+
 } // namespace
 } // namespace ncvet
