@@ -14,7 +14,7 @@ uint32_t movedOffset(uint32_t offset, llvm::ArrayRef<TextEdit> edits);
 /// tool goes as programmed, tools, spindle and dwells.
 class MotionRecord {
 public:
-  /// Follows the first program of the file. Nothing is recorded when the setup of the file fails or
+  /// Follows the main program of the file. Nothing is recorded when the setup of the file fails or
   /// more than `mostMotions` are made.
   static MotionRecord of(Session &session, SourceSet &sources, const SourceFile &file);
 

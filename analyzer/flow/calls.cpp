@@ -12,7 +12,7 @@ bool Calls::recurs(const Region &region, const Callee &callee) const {
   if (callee.kind != RegionKind::Subprogram)
     return false;
   return (callee.unit == &region.unit && callee.program == &region.program) ||
-         (callee.unit == &run_.unit && callee.program == &run_.unit.index.programs().front());
+         (callee.unit == &run_.unit && callee.program == run_.mainProgram);
 }
 
 /// What programs that are not known leave as it is, by custom.

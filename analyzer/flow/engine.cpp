@@ -19,7 +19,26 @@ constexpr CallSite somewhere;
 
 Engine::Engine(Project &programs, FileUnit &entry, const AnalysisLimits &bounds,
                const std::atomic<bool> *cancel)
-    : FlowRun(programs, entry, bounds), cancel_(cancel), flow_(*this) {}
+    : FlowRun(programs, entry, bounds), cancel_(cancel), flow_(*this) {
+  // Many write the subprograms of a file before the program that calls them.
+  const llvm::ArrayRef<ProgramInfo> all = unit.index.programs();
+  mainProgram = &all.front();
+  if (all.size() > 1 && all.front().hasHeader() && onlyReturns(all.front()))
+    mainProgram = llvm::find_if(all, [&](const ProgramInfo &one) { return !onlyReturns(one); });
+  if (mainProgram == all.end())
+    mainProgram = &all.front();
+}
+
+/// Whether the program is a subprogram, by its kind or by how its text ends.
+bool Engine::onlyReturns(const ProgramInfo &program) const {
+  if (program.kind != ProgramKind::Unknown)
+    return program.kind == ProgramKind::Subprogram;
+  constexpr uint32_t tail = 4096; // bytes: an end is among the last blocks
+  const uint32_t near = program.end > tail ? unit.source.lines().lineBegin(program.end - tail) : 0;
+  const Endings endings =
+      endingsOf(unit, std::max(near, program.body), program.end, /*runs=*/nullptr);
+  return endings.returns && !endings.ends;
+}
 
 Exits Engine::execute(const Region &region, Lives entry) {
   const bool straightOn = &region.unit == &unit && region.kind == RegionKind::Main &&
@@ -48,30 +67,24 @@ Lives Engine::startOf(bool subprogram) const {
 }
 
 void Engine::runMainProgram() {
-  const llvm::ArrayRef<ProgramInfo> programs = unit.index.programs();
-  const ProgramInfo &main = programs.front();
   // A file whose only end is a return is a subprogram: its caller, and with it the state on entry,
   // is not known.
-  const llvm::StringRef tail = unit.source.text().take_back(4096);
-  Endings endings;
-  if (programs.size() == 1) {
-    const uint32_t from =
-        unit.source.lines().lineBegin(uint32_t(unit.source.text().size() - tail.size()));
-    endings = endingsOf(unit, std::max(from, main.body), main.end, runs_);
-  }
-  const bool subprogram = main.kind == ProgramKind::Unknown ? endings.returns && !endings.ends
-                                                            : main.kind == ProgramKind::Subprogram;
-  enter({unit, main, main.body, RegionKind::Main},
+  const bool several = unit.index.programs().size() > 1;
+  const bool subprogram =
+      several ? mainProgram->kind == ProgramKind::Subprogram : onlyReturns(*mainProgram);
+  enter({unit, *mainProgram, mainProgram->body, RegionKind::Main},
         subprogram ? EntryState::CallerUnknown : EntryState::Known);
 }
 
-/// Programs that the first one did not call: main programs of their own when they end as such,
+/// Programs that the main program did not call: main programs of their own when they end as such,
 /// else subprograms whose caller is not known, of which only what is wrong for every caller counts.
 void Engine::runOtherPrograms() {
   const llvm::ArrayRef<ProgramInfo> programs = unit.index.programs();
-  for (size_t i = 1; i < programs.size() && !stopped; ++i) {
-    const ProgramInfo &program = programs[i];
-    if ((used.programs.count(program.number) && unit.index.find(program.number) == &program) ||
+  for (const ProgramInfo &program : programs) {
+    if (stopped)
+      return;
+    if (&program == mainProgram ||
+        (used.programs.count(program.number) && unit.index.find(program.number) == &program) ||
         (!program.name.empty() && used.names.count(program.name)))
       continue;
     const Endings endings = endingsOf(unit, program.body, program.end, runs_);
@@ -107,17 +120,16 @@ void Engine::follow() {
 }
 
 void Engine::follow(const SkipSwitches &skip) {
-  const ProgramInfo &main = unit.index.programs().front();
   Lives lives = startOf(false);
   lives[0].skip = skip;
-  execute({unit, main, main.body, RegionKind::Main}, std::move(lives));
+  execute({unit, *mainProgram, mainProgram->body, RegionKind::Main}, std::move(lives));
 }
 
 void Engine::followFrom(uint32_t from, const MachineState &state) {
   Lives lives(1);
   lives[0].state = state;
   lives[0].skip.fill(SkipSwitch::Off);
-  execute({unit, unit.index.programs().front(), from, RegionKind::Main}, std::move(lives));
+  execute({unit, *mainProgram, from, RegionKind::Main}, std::move(lives));
 }
 
 /// Tells what was seen of the file as a whole.

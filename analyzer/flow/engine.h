@@ -33,12 +33,12 @@ public:
 
   /// Runs all programs of the file.
   void run();
-  /// Runs the file's first program along one path only: block skip as `skip` has it, and no further
+  /// Runs the file's main program along one path only: block skip as `skip` has it, and no further
   /// than to where something unknown decides.
   void follow(const SkipSwitches &skip);
   /// The same with block skip off.
   void follow();
-  /// Takes such a run up again, where it came to the block `from` of the first program in `state`.
+  /// Takes such a run up again, where it came to the block `from` of the main program in `state`.
   void followFrom(uint32_t from, const MachineState &state);
 
   uint64_t blockCount() const { return blocks; }
@@ -48,6 +48,7 @@ public:
 private:
   Exits execute(const Region &region, Lives entry) override;
   void enter(const Region &region, EntryState entry);
+  bool onlyReturns(const ProgramInfo &program) const;
   void runMainProgram();
   void runOtherPrograms();
   void runOtherSubprograms();

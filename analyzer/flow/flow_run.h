@@ -90,14 +90,15 @@ struct FlowRun {
   Coverage covered;
   ReadBlocks readBlocks;
   std::vector<RunningRegion> callStack;
-  uint64_t steps = 0;         ///< blocks executed
-  uint64_t stretch = 0;       ///< number of the stretch of blocks that only go on
-  uint64_t knownBlocks = 0;   ///< kinds of blocks of which it is known what they do
-  unsigned stops = 0;         ///< programmed stops so far: at each one the operator decides
-  unsigned forks = 0;         ///< times that a path went on in more than one direction
-  uint64_t repeated = 0;      ///< blocks executed again, by what they cost
-  uint64_t blocks = 0;        ///< blocks with content of the file's main programs
-  bool abstract = false;      ///< the budget is spent: loops are no longer run for real
+  uint64_t steps = 0;       ///< blocks executed
+  uint64_t stretch = 0;     ///< number of the stretch of blocks that only go on
+  uint64_t knownBlocks = 0; ///< kinds of blocks of which it is known what they do
+  unsigned stops = 0;       ///< programmed stops so far: at each one the operator decides
+  unsigned forks = 0;       ///< times that a path went on in more than one direction
+  uint64_t repeated = 0;    ///< blocks executed again, by what they cost
+  uint64_t blocks = 0;      ///< blocks with content of the file's main programs
+  bool abstract = false;    ///< the budget is spent: loops are no longer run for real
+  const ProgramInfo *mainProgram = nullptr; ///< of the file, see `Engine`
   bool callerUnknown = false; ///< subprograms that nothing in the file calls are being run
   bool stopped = false;
   bool inFull = false; ///< every block is read, executed and told in full: see docs/fast-path.md

@@ -92,7 +92,8 @@ void Structures::decide(Step &step, Truth condition, uint32_t other, bool loops)
   loops_.goTo(step, other, std::move(live), condition == Truth::No);
 }
 
-/// Where the text is read as it runs, exits of loops are looked at also on the way past a body.
+/// Where the text is read as it runs, exits with the label of a body are looked at also on the way
+/// past it.
 void Structures::passed(const Step &step, const FlowShape &shape, uint32_t to) {
   const FileUnit &unit = step.unit();
   if (unit.dialect->loadsWhole)
@@ -102,7 +103,8 @@ void Structures::passed(const Step &step, const FlowShape &shape, uint32_t to) {
     const uint32_t exit = *next;
     Block block;
     unit.reader->read(exit, block);
-    if (!block.items.empty())
+    if (!block.items.empty() &&
+        block.items.front().label == step.block.items[size_t(step.outcome.flow.item)].label)
       run_.issue(FlowIssue::StructureMismatch, step,
                  {unit.source.id(), block.items.front().begin, block.items.front().end});
   }

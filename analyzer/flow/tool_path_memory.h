@@ -18,7 +18,7 @@ struct PathEdit {
   int64_t lines = 0; ///< so many lines it has put in; below zero: taken out
 };
 
-/// Between two blocks of the first program of a file that simply follow one another: all that its
+/// Between two blocks of the main program of a file that simply follow one another: all that its
 /// path depends on from there.
 struct PathPoint {
   uint32_t next = 0; ///< offset of the second block
@@ -33,7 +33,7 @@ struct PathPoint {
   uint64_t detours = 0;  ///< jumps, and calls in the file itself
 };
 
-/// Follows the first program of a file, and after each edit of the file again. From time to time it
+/// Follows the main program of a file, and after each edit of the file again. From time to time it
 /// keeps a point from which the path can be taken up: the next run begins at the last one before
 /// the edit, and ends at the first one after it that it reaches in the same state.
 ///

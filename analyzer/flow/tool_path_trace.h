@@ -7,7 +7,7 @@
 
 namespace ncvet {
 
-/// Follows the first program of `unit` along the one path that `trace` follows, as far as
+/// Follows the main program of `unit` along the one path that `trace` follows, as far as
 /// `mostMoves`. The path beside compensated contours is added where a tool's radius is known.
 ToolPath traceToolPath(Project &project, FileUnit &unit, const AnalysisLimits &limits,
                        size_t mostMoves);

@@ -32,7 +32,7 @@ enum class TracedPath : uint8_t {
   Programmed
 };
 
-/// Follows the first program of `unit` with all that it calls: block skip off, optional stops off.
+/// Follows the main program of `unit` with all that it calls: block skip off, optional stops off.
 /// `cancel`, when given, ends it early.
 void trace(Project &project, FileUnit &unit, const AnalysisLimits &limits, TraceSink &sink,
            TracedPath path = TracedPath::ToolCentre, const std::atomic<bool> *cancel = nullptr);

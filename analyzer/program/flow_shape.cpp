@@ -17,6 +17,7 @@ struct Open {
   uint32_t offset;
   Bracket bracket;
   uint64_t label;                 ///< number or label; 0: none
+  uint32_t head;                  ///< of an IF: its own offset, whichever branch is open
   std::vector<uint32_t> branches; ///< of an IF: the ELSEIFs so far
   std::vector<uint32_t> breaks, continues;
 };
@@ -37,6 +38,31 @@ bool isBranch(const Item &item) {
     return false;
   }
 }
+
+/// A branch of an IF.
+struct OpenBranch {
+  uint32_t head; ///< of the IF
+  uint32_t at;   ///< of the branch
+};
+
+/// A bracket with a label.
+struct Labelled {
+  uint32_t at;
+  llvm::SmallVector<OpenBranch, 2> branches; ///< that hold it, the outermost first
+
+  /// Whether the two are in different branches of one IF: no pass through it runs both.
+  bool excludes(const Labelled &other) const {
+    for (size_t i = 0; i < std::min(branches.size(), other.branches.size()); ++i)
+      if (branches[i].head != other.branches[i].head)
+        return false;
+      else if (branches[i].at != other.branches[i].at)
+        return true;
+    return false;
+  }
+};
+/// Branches in each other that are kept of a bracket, and brackets of one label that exclude each
+/// other: more than people write, and few enough for a text that only nests.
+constexpr size_t mostBranches = 16, mostOfALabel = 64;
 
 class ShapeReader {
 public:
@@ -62,6 +88,8 @@ private:
       return begin(at, Bracket::Numbered);
     case ItemKind::End:
       label_ = item.loop;
+      if (find({Bracket::Numbered}) == open_.size())
+        label_ = 0; // the loop whose number is missing
       return end(at, next, {Bracket::Numbered});
     case ItemKind::Structure:
       label_ = item.label;
@@ -153,15 +181,32 @@ private:
   void begin(uint32_t at, Bracket bracket) {
     if (bracket != Bracket::Numbered && label_) {
       // Labels of a subprogram are its own.
-      const auto [first, fresh] =
-          labels_.try_emplace({bracket == Bracket::Sub ? 0 : scope_, label_}, at);
-      if (!fresh)
-        shape_.duplicates[at] = first->second;
+      std::vector<Labelled> &known = labels_[{bracket == Bracket::Sub ? 0 : scope_, label_}];
+      Labelled here{at, openBranches()};
+      const auto first =
+          llvm::find_if(known, [&](const Labelled &other) { return !here.excludes(other); });
+      if (first != known.end())
+        shape_.duplicates[at] = first->at;
+      else if (known.size() < mostOfALabel)
+        known.push_back(std::move(here));
     }
     enlist(bracket, label_, open_.size());
-    open_.push_back({at, bracket, label_, {}, {}, {}});
+    if (bracket == Bracket::If)
+      ifs_.push_back(open_.size());
+    open_.push_back({at, bracket, label_, at, {}, {}, {}});
     openSubs_ += bracket == Bracket::Sub;
     shape_.depth = std::max(shape_.depth, unsigned(open_.size()));
+  }
+
+  /// The outermost branches of IFs that are open.
+  llvm::SmallVector<OpenBranch, 2> openBranches() const {
+    llvm::SmallVector<OpenBranch, 2> result;
+    for (const size_t i : ifs_)
+      if (result.size() < mostBranches)
+        result.push_back({open_[i].head, open_[i].offset});
+      else
+        break;
+    return result;
   }
 
   /// Innermost open bracket of these kinds with the current label; `open_.size()`: none.
@@ -189,6 +234,8 @@ private:
       strike(open_.back());
       openSubs_ -= open_.back().bracket == Bracket::Sub;
       open_.pop_back();
+      if (!ifs_.empty() && ifs_.back() == open_.size())
+        ifs_.pop_back();
     }
   }
 
@@ -257,7 +304,8 @@ private:
   uint64_t label_ = 0; ///< of the current bracket
   unsigned scope_ = 0; ///< subprogram that it is in; 0: none
   unsigned subprograms_ = 0;
-  std::map<std::pair<unsigned, uint64_t>, uint32_t> labels_; ///< scope and label: first bracket
+  std::vector<size_t> ifs_; ///< indices of the open IFs
+  std::map<std::pair<unsigned, uint64_t>, std::vector<Labelled>> labels_; ///< by scope and label
 };
 
 } // namespace

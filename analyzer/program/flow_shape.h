@@ -28,7 +28,9 @@ struct FlowShape {
   llvm::DenseMap<uint32_t, uint32_t> back;
   /// From a branch (ELSEIF) or an exit of a loop to where control goes on.
   llvm::DenseMap<uint32_t, uint32_t> out;
-  /// From a bracket whose label an earlier one of its program carries to that one.
+  /// From a bracket whose label an earlier one of its program carries to that one. Those in
+  /// branches of one IF that exclude each other do not count: the control reads the one that it
+  /// takes.
   llvm::DenseMap<uint32_t, uint32_t> duplicates;
   std::vector<uint32_t> mismatched; ///< brackets without their partner, sorted
   std::vector<uint32_t> strayExits; ///< exits that are in no loop with their label, sorted

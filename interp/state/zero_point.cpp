@@ -162,9 +162,9 @@ MachineState calledState(const Dialect &dialect) {
   if (!dialect.isLathe())
     state.liveTool = usual.liveTool;
   for (const StandardGroup which :
-       {StandardGroup::Polar, StandardGroup::Rotation, StandardGroup::Scaling, StandardGroup::Mirror,
-        StandardGroup::MacroModal, StandardGroup::Language, StandardGroup::ArcDistance,
-        StandardGroup::Cycle, StandardGroup::Diameter})
+       {StandardGroup::Polar, StandardGroup::Rotation, StandardGroup::Scaling,
+        StandardGroup::Mirror, StandardGroup::MacroModal, StandardGroup::Language,
+        StandardGroup::ArcDistance, StandardGroup::Cycle, StandardGroup::Diameter})
     if (const GroupIndex group = dialect.group(which);
         group != noGroup && group != dialect.group(StandardGroup::Motion))
       state.groups[group] = usual.groups[group];

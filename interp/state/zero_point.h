@@ -49,8 +49,8 @@ Place offsetsOfTool(const MachineProfile &machine, const MachineState &state, do
 /// profile knows.
 MachineState startOn(const Dialect &dialect, const MachineProfile &machine);
 
-/// State on entry of a program that others call, where no caller is known: one that calls it as most
-/// would. What a caller sets for it is not known (tool, speed, feed, units, plane, place,
+/// State on entry of a program that others call, where no caller is known: one that calls it as
+/// most would. What a caller sets for it is not known (tool, speed, feed, units, plane, place,
 /// compensation); what changes the meaning of all words (polar coordinates, scaling, frames, modal
 /// cycles and calls, diameters, other such switches, codes that nobody knows) is as at power-on, as
 /// nothing that the program sets itself would be known else.

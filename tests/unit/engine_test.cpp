@@ -133,13 +133,14 @@ TEST(Engine, ModalCallsEnd) {
 /// What a subprogram sets itself is known though nobody in the folder calls it.
 TEST(Engine, ASubprogramWithoutACallerIsReadAsMostWouldCallIt) {
   EXPECT_THAT(findingsOf("fanuc-mill", {{"O9", "%\nO9\nG90 G17 G54 G21 G40\n"
-                                              "G00 X0 Y0\n"
-                                              "G01 X5. F100.\n"
-                                              "G02 X10. Y0 I4. J0\n" // the centre is off by 1 mm
-                                              "M05\n"
-                                              "G01 X20.\n"
-                                              "M99\n%\n"}}),
-              testing::IsSupersetOf({"6 arc-radius-mismatch", "8 spindle-off-while-cutting"}));
+                                               "S1000 M03\n"
+                                               "G00 X0 Y0\n"
+                                               "G01 X5. F100.\n"
+                                               "G02 X10. Y0 I4. J0\n" // the centre is off by 1 mm
+                                               "M05\n"
+                                               "G01 X20.\n"
+                                               "M99\n%\n"}}),
+              testing::IsSupersetOf({"7 arc-radius-mismatch", "9 spindle-off-while-cutting"}));
   EXPECT_THAT(findingsOf("sinumerik", {{"ARC.SPF", "N10 G90 G17 G71 G54\n"
                                                    "N20 G0 X0 Y0\n"
                                                    "N30 G1 X5 F100\n"
@@ -151,10 +152,23 @@ TEST(Engine, ASubprogramWithoutACallerIsReadAsMostWouldCallIt) {
 /// What its caller sets for it is not.
 TEST(Engine, WhatACallerSetsIsNotKnownInASubprogramWithoutOne) {
   EXPECT_THAT(findingsOf("fanuc-mill", {{"O9", "%\nO9\nG01 X5. F100.\n"
-                                              "G02 X10. I2.5\n"
-                                              "G91 Z-2.\n"
-                                              "G90 M99\n%\n"}}),
+                                               "G02 X10. I2.5\n"
+                                               "G01 Z-2.\n"
+                                               "M99\n%\n"}}),
               testing::IsEmpty());
+}
+
+/// Many write the subprograms of a file before the program that calls them.
+TEST(Engine, TheMainProgramIsTheFirstThatDoesMoreThanReturn) {
+  const std::string subprogram = "O1000\nG01 Z-1. F100.\nM99\n";
+  const std::string mainProgram = "O7\nT1 M06\nG90 G54 G00 X0 Y0\nS500 M03\nG43 H01 Z5.\n"
+                                  "M98 P1000\nG00 G53 G49 Z0.\nM30\n";
+  EXPECT_THAT(findingsOf("haas-mill", {{"PART.nc", "%\n" + subprogram + mainProgram + "%\n"}}),
+              testing::IsEmpty());
+  // What it calls is checked as it calls it.
+  EXPECT_THAT(
+      findingsOf("haas-mill", {{"PART.nc", "%\nO1000\nG01 Z-1.\nM99\n" + mainProgram + "%\n"}}),
+      testing::Contains("3 feed-missing"));
 }
 
 } // namespace

@@ -51,5 +51,33 @@ TEST(FanucCalls, OfTheBuildersCodesTakeAllWords) {
     EXPECT_THAT(movesOf(call), IsEmpty()) << call;
 }
 
+/// Two letters of a statement or of a function are enough (0i and later).
+TEST(FanucStatements, MayBeCutToTwoLetters) {
+  EXPECT_THAT(traceOf("fanuc-mill", "O1\nG90 G21\n#1=0\n"
+                                    "WH[#1LT3]DO1\n"
+                                    "#1=#1+1\n"
+                                    "EN1\n"
+                                    "IF[#1EQ3]GO10\n"
+                                    "G00 X99.\n"
+                                    "N10 G00 X[FI[2.9]]\nM30\n"),
+              ElementsAre("9 rapid X2", "10 end"));
+}
+
+/// Lines at which the rule of the grammar speaks.
+std::vector<uint32_t> misreadLines(const std::string &blocks) {
+  std::vector<uint32_t> lines;
+  for (const test::Seen &seen :
+       test::analyseProgram("fanuc-mill", {{"PART.nc", "%\nO1\n" + blocks + "M30\n%\n"}}, "",
+                            [](const Dialect &table) { return RuleSelection::defaults(table); }))
+    if (seen.rule == "syntax-error")
+      lines.push_back(seen.line);
+  return lines;
+}
+
+TEST(FanucStatements, WhileWantsItsDoAndThenAStatement) {
+  EXPECT_THAT(misreadLines("#1=0\nWHILE[#1LT3]\n#1=#1+1\nEND1\n"), ElementsAre(4u));
+  EXPECT_THAT(misreadLines("#1=0\nIF[#1EQ0]THEN\n#1=1\nENDIF\n"), ElementsAre(4u, 6u));
+}
+
 } // namespace
 } // namespace ncvet

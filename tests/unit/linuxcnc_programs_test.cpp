@@ -122,6 +122,25 @@ TEST(LinuxCnc, LoopsRunUntilTheirTestOrABreakEndsThem) {
               ElementsAre("9 variable-domain-error", "10 variable-domain-error"));
 }
 
+TEST(LinuxCnc, ALabelMayBeInBranchesThatExcludeEachOther) {
+  const std::string branch = "o102 repeat [2]\nG0 X1\no102 endrepeat\n";
+  EXPECT_THAT(errors("#1 = 5\no101 if [#1 EQ 1]\n" + branch + "o101 elseif [#1 EQ 5]\n" + branch +
+                     "o101 else\n" + branch + "o101 endif\nM2\n"),
+              IsEmpty());
+  EXPECT_THAT(errors("#1 = 5\no101 if [#1 EQ 5]\n" + branch + branch + "o101 endif\nM2\n"),
+              ElementsAre("6 flow-duplicate-label"));
+}
+
+/// The interpreter looks at an exit where it executes it, and at one with the label of a body that
+/// it passes over (2.9.0).
+TEST(LinuxCnc, AnExitInABranchThatIsNotTakenIsNotLookedAt) {
+  EXPECT_THAT(errors("#1 = 5\no101 if [#1 EQ 1]\no105 break\no101 endif\nM2\n"), IsEmpty());
+  EXPECT_THAT(errors("#1 = 5\no101 if [#1 EQ 1]\no101 break\no101 endif\nM2\n"),
+              ElementsAre("3 flow-structure-mismatch"));
+  EXPECT_THAT(errors("#1 = 5\no101 if [#1 EQ 5]\no105 break\no101 endif\nM2\n"),
+              ElementsAre("3 flow-structure-mismatch"));
+}
+
 TEST(LinuxCnc, NothingLeadsOutOfALoopOrAnIfThatIsNeverClosed) {
   EXPECT_THAT(errors("o1 do\n"
                      "o1 continue\n"

@@ -5,8 +5,22 @@ namespace ncvet {
 
 bool IsoScanner::takeKeyword(llvm::StringRef word) {
   if (!isKeyword(word))
-    return false;
+    return takeShort(word);
   at_ += word.size();
+  return true;
+}
+
+/// The first two letters of a statement's word stand for it, where what comes next is no letter:
+/// `WH[#1LT5]DO1`, `GO10`, `EN1` (0i and later).
+bool IsoScanner::takeShort(llvm::StringRef word) {
+  constexpr size_t letters = 2;
+  if (lexical_.arithmetic != Arithmetic::MacroB30 || word.size() <= letters ||
+      !isKeyword(word.take_front(letters)))
+    return false;
+  const char *const next = at_ + letters;
+  if (next >= end_ || (*next != '[' && *next != '#' && !isNumberDigit(*next)))
+    return false;
+  at_ = next;
   return true;
 }
 
@@ -22,7 +36,7 @@ bool IsoScanner::scanStatement() {
   case 'I':
     return scanIf();
   case 'T':
-    return takeKeyword("THEN");
+    return scanThen();
   case 'G':
     return scanGoto();
   case 'W':
@@ -57,9 +71,33 @@ bool IsoScanner::scanIf() {
   return true;
 }
 
+/// `THEN`, and a statement after it in the same block.
+bool IsoScanner::scanThen() {
+  const char *const begin = at_;
+  if (!takeKeyword("THEN"))
+    return false;
+  if (const char *const next = afterBlanks(at_); next >= end_ || isLineEnd(*next) || *next == '(')
+    issue(SyntaxIssueKind::BadStatement, begin, at_);
+  return true;
+}
+
+/// `GO1 X5.`: a G with the letter O for a zero, and not the short form of GOTO, which ends its
+/// block.
+bool IsoScanner::isMistypedRapid() const {
+  const char *p = at_ + 2;
+  if (p >= end_ || !isNumberDigit(*p))
+    return false;
+  while (p < end_ && isNumberDigit(*p))
+    ++p;
+  p = afterBlanks(p);
+  return p < end_ && !isLineEnd(*p) && *p != '(' && *p != ';';
+}
+
 bool IsoScanner::scanGoto() {
   Item item = itemAt(ItemKind::Jump, at_);
-  if (!takeKeyword("GOTO") && !takeKeyword("GO TO"))
+  if (isKeyword("GO TO"))
+    at_ += llvm::StringRef("GO TO").size();
+  else if (isMistypedRapid() || !takeKeyword("GOTO"))
     return false;
   skipBlanks();
   item.value = operand();
@@ -77,6 +115,8 @@ bool IsoScanner::scanWhile() {
   skipBlanks();
   if (takeKeyword("DO"))
     item.loop = loopNumber();
+  else
+    issue(SyntaxIssueKind::BadStatement, base_ + item.begin, at_);
   add(item);
   return true;
 }
@@ -84,8 +124,9 @@ bool IsoScanner::scanWhile() {
 /// `DO 1`, `END 1`
 bool IsoScanner::scanLoopMark(llvm::StringRef keyword, ItemKind kind) {
   Item item = itemAt(kind, at_);
-  if (!takeKeyword(keyword))
-    return false;
+  const char *const after = at_ + keyword.size();
+  if ((isKeyword(keyword) && after < end_ && isLetter(*after)) || !takeKeyword(keyword))
+    return false; // `ENDIF` is none of this language
   item.loop = loopNumber();
   add(item);
   return true;

@@ -77,9 +77,12 @@ private:
     return llvm::StringRef(at_, size_t(end_ - at_)).startswith_insensitive(word);
   }
   bool takeKeyword(llvm::StringRef word);
+  bool takeShort(llvm::StringRef word);
+  bool isMistypedRapid() const;
   uint8_t loopNumber();
   bool scanStatement();
   bool scanIf();
+  bool scanThen();
   bool scanGoto();
   bool scanWhile();
   bool scanLoopMark(llvm::StringRef keyword, ItemKind kind);

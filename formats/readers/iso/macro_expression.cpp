@@ -429,9 +429,14 @@ bool MacroExpression::function(unsigned depth) {
   if (bool good = false; names_ && function30(depth, good))
     return good;
   for (const FunctionName &entry : functions) {
-    if (!beginsWith({at_, size_t(end_ - at_)}, entry.name))
+    const llvm::StringRef text(at_, size_t(end_ - at_));
+    // Of a name that only one function has the first two letters stand for it (0i and later).
+    constexpr size_t letters = 2;
+    const bool isShort = names_ && entry.name.size() > letters && text.size() > letters &&
+                         text[letters] == '[' && beginsWith(text, entry.name.take_front(letters));
+    if (!isShort && !beginsWith(text, entry.name))
       continue;
-    const char *const after = at_ + entry.name.size();
+    const char *const after = at_ + (isShort ? letters : entry.name.size());
     const char *const bracket = ngc_ ? afterBlanks(after) : afterSpaces(after);
     if (bracket == end_ || *bracket != '[')
       continue;

@@ -65,7 +65,7 @@ struct SelectionRun {
   bool isTooLong = false;
 };
 
-/// Follows the file's first program. The selection is [begin, end). Moves are told as they would be
+/// Follows the file's main program. The selection is [begin, end). Moves are told as they would be
 /// with the changes of the selection's coordinates; a coordinate that a later block does not name
 /// stays where the selection has left it.
 SelectionRun runSelection(Project &project, FileUnit &unit, uint32_t begin, uint32_t end,
