@@ -3,6 +3,8 @@
 #include "formats/dialect/control_facts.h"
 #include "formats/text/number_text.h"
 
+#include <cmath>
+
 namespace ncvet {
 namespace {
 
@@ -11,7 +13,8 @@ constexpr double pathTolerance = 1e-4; // mm
 class TurningReturnPath final : public Rule {
 public:
   void listen(Subscriptions &to) override {
-    if (to.dialect().facts->turning.returnsByAxes)
+    together_ = to.flag("together");
+    if (together_ || to.dialect().facts->turning.returnsByAxes)
       to.on(EventKind::CycleRun);
   }
 
@@ -35,6 +38,8 @@ public:
       return;
     const bool inside = rise < 0;
     const double x = end.toX.value(), z = end.toZ.value();
+    if (together_)
+      return returnsTogether(event, profile, {z, x}, {startZ.value(), startX.value()}, inside, ctx);
     const bool zFirst = startX.value() < x;
     bool crosses = false;
     if (zFirst) {
@@ -69,6 +74,50 @@ public:
   }
 
 private:
+  bool together_ = false; ///< both axes go back at once, at their own speeds
+
+  /// Reported only where both ways on which the tool may go back lead through the part: straight,
+  /// and with the axes at the same speed until the shorter way is done. Places are Z and X.
+  static void returnsTogether(const Event &event, const Profile &profile, const Point &from,
+                              const Point &to, bool inside, RuleContext &ctx) {
+    const double perLength = ctx.dialect().lengthsPerUnit(Axis::X);
+    const Vector way(to.x() - from.x(), (to.y() - from.y()) / perLength);
+    const double both = std::min(std::fabs(way.x()), std::fabs(way.y()));
+    const Point corner(from.x() + std::copysign(both, way.x()),
+                       from.y() + std::copysign(both, way.y()) * perLength);
+    if (!crosses(profile, {from, to}, inside) || !crosses(profile, {from, corner, to}, inside))
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding
+          .message("after its last block `{0}` returns from X{1} Z{2} to X{3} Z{4} with both axes "
+                   "at once: that path crosses the part",
+                   ctx.code(event).name, text(from.y(), ctx), text(from.x(), ctx),
+                   text(to.y(), ctx), text(to.x(), ctx))
+          .note(profile.blocks.back().range, "the last block of the profile");
+  }
+
+  /// Whether a way of straight lines passes a corner of the contour on the part's side.
+  static bool crosses(const Profile &profile, llvm::ArrayRef<Point> way, bool inside) {
+    for (size_t leg = 1; leg < way.size(); ++leg) {
+      const Point &from = way[leg - 1], &to = way[leg];
+      const double length = to.x() - from.x();
+      if (std::fabs(length) <= pathTolerance)
+        continue;
+      for (size_t i = 0; i < profile.lastCut; ++i) {
+        const ProfileBlock &block = profile.blocks[i];
+        if (!block.moves || !block.toX.isConstant() || !block.toZ.isConstant())
+          continue;
+        const double part = (block.toZ.value() - from.x()) / length;
+        if (part <= 0 || part >= 1)
+          continue;
+        const double x = from.y() + part * (to.y() - from.y());
+        if (inside ? x > block.toX.value() + pathTolerance : x < block.toX.value() - pathTolerance)
+          return true;
+      }
+    }
+    return false;
+  }
+
   /// Whether the place lies in what an outside contour leaves uncut: below both ends of an
   /// element that passes by it.
   static bool isInside(const Profile &profile, double x, double z) {
