@@ -148,6 +148,11 @@ private:
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     if (!isIn(ctx, origin, program) || callersEnd(cycle, ctx))
       return true;
+    // A part of the same program that it calls by a block's number.
+    if (const CallSite *caller = ctx.caller(); caller && caller->program == &program &&
+                                               origin.begin < caller->next &&
+                                               caller->next <= ctx.block().begin)
+      return true;
     // The caller's next motion code ends it: what follows the call decides.
     return endsByMotion(cycle, ctx.dialect()) && ctx.callDepth() > 0;
   }
