@@ -9,8 +9,9 @@ namespace {
 constexpr unsigned step = 32;
 /// The same of blocks that only go on, which end at any other one.
 constexpr unsigned stretchStep = 16;
-/// So many blocks are waited for the end of a contour.
-constexpr unsigned longestWait = 2 * longestRun;
+/// So many blocks are waited for the end of a contour, in which nothing can be compared, or in
+/// which rules remember what they forget there; and so often it is looked for.
+constexpr unsigned longestWait = 2 * longestRun, shortWait = 2 * step, look = 4;
 /// Before so many blocks rules are not asked again: where nothing can be compared, and where
 /// they have had something to say.
 constexpr unsigned shortPause = 3;
@@ -55,12 +56,17 @@ bool RunRecorder::mayBegin(uint32_t offset, MachineState &state, const PlainRun 
   };
   if (whole_.isRecording()) {
     const bool meets = offset == whole_.nextKnown();
-    if (whole_.unseen() < step && !meets)
+    const uint64_t unseen = whole_.unseen();
+    if ((unseen < step || unseen % look != 0) && !meets)
       return false;
     collect(state);
     remember();
-    // Inside of a contour nothing can be compared: it is waited for its end.
-    if (!memory_.isComparable() && whole_.unseen() < longestWait)
+    uint64_t wait = 0;
+    if (!memory_.isComparable())
+      wait = longestWait;
+    else if (!meets && !whole_.mayEnd(memory_))
+      wait = shortWait;
+    if (unseen < wait)
       return false;
     if (whole_.mark(offset, state, plain, memory_, dispatcher_.gathered()) && !whole_.isFull() &&
         !meets)

@@ -25,6 +25,8 @@ public:
   void take(const StraightRun &run);
   /// Blocks that were executed since it was last seen whether they still are a run.
   uint64_t unseen() const { return here_.blocks - run_->blocks; }
+  /// Whether rules remember what they did when it began.
+  bool mayEnd(const RuleMemory &memory) const { return run_->memory.isSame(memory, use_.aside); }
   /// What was executed up to `end` belongs to the run, if it still is one.
   bool mark(uint32_t end, const MachineState &state, const PlainRun &plain,
             const RuleMemory &memory, Gatherings gathered);

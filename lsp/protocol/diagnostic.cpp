@@ -4,6 +4,7 @@
 #include "formats/finding/page_text.h"
 #include "formats/finding/plain_message.h"
 #include "formats/text/file_uri.h"
+#include "formats/text/json_text.h"
 
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/FileUtilities.h"
@@ -29,6 +30,14 @@ int severityNumber(Severity severity) {
 /// `DiagnosticTag.Unnecessary`: code that nothing reaches is shown faded.
 constexpr int tagUnnecessary = 1;
 
+std::string textOf(Position at) {
+  return "{\"line\":" + std::to_string(at.line) + ",\"character\":" + std::to_string(at.character) +
+         "}";
+}
+
+/// A string of JSON.
+std::string textOf(std::string text) { return jsonText(Json(std::move(text))); }
+
 } // namespace
 
 std::string DiagnosticWriter::lineOf(SourceRange range) {
@@ -38,35 +47,56 @@ std::string DiagnosticWriter::lineOf(SourceRange range) {
       .str();
 }
 
-Json DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) {
+std::string DiagnosticWriter::rangeText(SourceRange range) {
+  Positions &positions = places_.of(range.file);
+  const Position begin = positions.at(range.begin); // ascending order is the quick one
+  return "{\"start\":" + textOf(begin) + ",\"end\":" + textOf(positions.at(range.end)) + "}";
+}
+
+std::string DiagnosticWriter::relatedText(SourceRange range, llvm::StringRef message) {
+  return "{\"location\":{\"uri\":" + textOf(places_.uri(range.file)) +
+         ",\"range\":" + rangeText(range) + "},\"message\":" + textOf(plainMessage(message)) + "}";
+}
+
+std::string DiagnosticWriter::diagnostic(const Finding &finding, const RuleInfo &rule) {
   std::string message = plainMessage(finding.message);
   if (finding.certainty == Certainty::Possible)
     message += " (on some of the paths that lead here)";
-  Json related = Json::array();
-  const auto further = [&](SourceRange range, const std::string &marked) {
-    const std::string text = plainMessage(marked);
+  std::string related = "[]";
+  const auto further = [&](SourceRange range, const std::string &text) {
     if (support_.related)
-      related.push_back({{"location", places_.location(range)}, {"message", text}});
+      appendJson(related, relatedText(range, text));
     else
-      message += "\n" + lineOf(range) + ": " + text;
+      message += "\n" + lineOf(range) + ": " + plainMessage(text);
   };
   for (const Note &note : finding.notes)
     further(note.range, note.message);
   for (const PathStep &step : finding.path)
     further(step.range, step.message);
-  Json json = {{"range", places_.range(finding.range)},
-               {"severity", severityNumber(finding.severity)},
-               {"code", rule.id.str()},
-               {"source", "ncvet"},
-               {"message", std::move(message)}};
-  if (!related.empty())
-    json["relatedInformation"] = std::move(related);
+  std::string json = "{\"range\":" + rangeText(finding.range) +
+                     ",\"severity\":" + std::to_string(severityNumber(finding.severity)) +
+                     ",\"code\":" + textOf(rule.id.str()) +
+                     ",\"source\":\"ncvet\",\"message\":" + textOf(std::move(message));
+  if (related.size() > 2) // both brackets
+    json += ",\"relatedInformation\":" + related;
   if (support_.tags && rule.unreachable)
-    json["tags"] = {tagUnnecessary};
+    json += ",\"tags\":[" + std::to_string(tagUnnecessary) + "]";
   if (support_.codeLink)
     if (std::string page = rulePageUri(rule); !page.empty())
-      json["codeDescription"] = {{"href", std::move(page)}};
-  return json;
+      json += ",\"codeDescription\":{\"href\":" + textOf(std::move(page)) + "}";
+  return json + "}";
+}
+
+std::string DiagnosticWriter::changes(const Fix &fix) {
+  std::map<FileId, std::string> byFile; // lists of edits
+  for (const TextEdit &edit : fix.edits)
+    appendJson(byFile.try_emplace(edit.range.file, "[]").first->second,
+               "{\"range\":" + rangeText(edit.range) + ",\"newText\":" +
+                   textOf(sources_.get(edit.range.file).displayText(edit.text)) + "}");
+  std::string json;
+  for (const auto &[file, edits] : byFile)
+    json += (json.empty() ? "{" : ",") + textOf(places_.uri(file)) + ":" + edits;
+  return json.empty() ? "{}" : json + "}";
 }
 
 std::string rulePageUri(const RuleInfo &rule) {

@@ -15,18 +15,23 @@ struct DiagnosticSupport {
   bool codeLink = false; ///< `codeDescription`
 };
 
-/// Writes findings of one check. Keeps the positions of each file.
+/// Writes findings of one check as JSON text, which is what is kept and sent of them: a check of a
+/// text with a thousand findings writes them all again after each edit. Keeps the positions of each
+/// file.
 class DiagnosticWriter {
 public:
   DiagnosticWriter(const SourceSet &sources, PositionEncoding encoding, DiagnosticSupport support)
       : sources_(sources), places_(sources, encoding), support_(support) {}
 
-  Json diagnostic(const Finding &finding, const RuleInfo &rule);
-  /// The edits of a fix by URI.
-  Json changes(const Fix &fix) { return places_.changes(fix.edits); }
+  /// A `Diagnostic`.
+  std::string diagnostic(const Finding &finding, const RuleInfo &rule);
+  /// The edits of a fix by URI, as `WorkspaceEdit.changes` has them.
+  std::string changes(const Fix &fix);
 
 private:
   std::string lineOf(SourceRange range);
+  std::string rangeText(SourceRange range);
+  std::string relatedText(SourceRange range, llvm::StringRef message);
 
   const SourceSet &sources_;
   Places places_;

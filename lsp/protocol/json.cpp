@@ -37,4 +37,13 @@ std::pair<uint32_t, uint32_t> offsetsOf(Positions &positions, const Json &range)
   return {std::min(begin, end), std::max(begin, end)};
 }
 
+void appendJson(std::string &list, llvm::StringRef value) {
+  if (list.size() == 2) // both brackets
+    list.pop_back();
+  else
+    list.back() = ',';
+  list += value;
+  list += ']';
+}
+
 } // namespace ncvet::lsp

@@ -27,4 +27,7 @@ Position positionOf(const Json &position);
 /// Begin and end as offsets, in this order whatever the client says.
 std::pair<uint32_t, uint32_t> offsetsOf(Positions &positions, const Json &range);
 
+/// Adds a value to a list, both as text.
+void appendJson(std::string &list, llvm::StringRef value);
+
 } // namespace ncvet::lsp

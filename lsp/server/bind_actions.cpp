@@ -36,11 +36,13 @@ public:
   bool add(const Json &changes) {
     for (const auto &[uri, edits] : changes.items())
       for (const Json &edit : edits)
-        if (llvm::any_of(changes_[uri], [&](const Json &other) { return touch(edit, other); }))
+        if (touches(uri, edit))
           return false;
     for (const auto &[uri, edits] : changes.items())
-      for (const Json &edit : edits)
+      for (const Json &edit : edits) {
+        taken_[uri].emplace(place(edit, "start"), place(edit, "end"));
         changes_[uri].push_back(edit);
+      }
     ++count_;
     return true;
   }
@@ -49,12 +51,18 @@ public:
 
 private:
   using Place = std::pair<uint32_t, uint32_t>;
-  static Place place(const Json &position) { return {position["line"], position["character"]}; }
-  static bool touch(const Json &a, const Json &b) {
-    const Json &one = a["range"], &other = b["range"];
-    return place(one["start"]) <= place(other["end"]) && place(other["start"]) <= place(one["end"]);
+  static Place place(const Json &edit, const char *end) {
+    const Json &position = edit["range"][end];
+    return {position["line"], position["character"]};
+  }
+  /// Those that are there lie apart: of all that begin before the new one ends, the last ends last.
+  bool touches(const std::string &uri, const Json &edit) {
+    const auto &taken = taken_[uri];
+    const auto next = taken.upper_bound(place(edit, "end"));
+    return next != taken.begin() && std::prev(next)->second >= place(edit, "start");
   }
 
+  std::map<std::string, std::map<Place, Place>> taken_; ///< by file: begins and ends of edits
   Json changes_ = Json::object();
   unsigned count_ = 0;
 };
@@ -63,7 +71,7 @@ void fixesOfFinding(const Problem &problem, const CheckResult &result, const Vie
                     Json &actions) {
   if (problem.fixTitle.empty())
     return;
-  Json fix = action(problem.fixTitle, "quickfix", problem.changes);
+  Json fix = action(problem.fixTitle, "quickfix", Json::parse(problem.changes));
   if (!problem.safe && view.client.annotatesChanges)
     annotate(fix["edit"], view.document, [&](const std::string &) -> EditNote {
       return {"unsafe", "Not safe: the program may move otherwise afterwards", problem.fixTitle,
@@ -77,7 +85,7 @@ void fixesOfFinding(const Problem &problem, const CheckResult &result, const Vie
   Gathered all;
   for (const Problem &other : result.problems)
     if (other.rule == problem.rule && other.safe)
-      all.add(other.changes);
+      all.add(Json::parse(other.changes));
   if (all.count() > 1)
     actions.push_back(action(
         ("Fix all " + llvm::Twine(all.count()) + " findings of " + allRules()[problem.rule].info.id)

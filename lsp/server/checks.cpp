@@ -27,7 +27,7 @@ Problem problemOf(const Finding &finding, const SourceSet &sources, DiagnosticWr
   problem.begin = finding.range.begin;
   problem.end = finding.range.end;
   problem.rule = finding.rule;
-  problem.diagnostic = jsonText(writer.diagnostic(finding, rule));
+  problem.diagnostic = writer.diagnostic(finding, rule);
   if (finding.fix) {
     problem.fixTitle = plainMessage(finding.fix->description);
     problem.safe = finding.fix->safety == FixSafety::Safe;

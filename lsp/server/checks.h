@@ -23,7 +23,7 @@ struct Problem {
   std::string diagnostic; ///< `Diagnostic` as JSON: most are sent, few are looked into
   std::string fixTitle;   ///< empty: there is no fix
   bool safe = false;
-  Json changes; ///< edits of the fix by URI
+  std::string changes; ///< edits of the fix by URI, as JSON
 };
 
 /// What a check of one version of a document gave.

@@ -21,16 +21,20 @@ bool ProblemBoard::isPresent(const std::string &path,
 }
 
 std::string ProblemBoard::collect(const std::string &path) const {
+  std::vector<const CheckResult *> telling;
+  for (const auto &[checked, result] : results_)
+    if (const auto file = result->files.find(path);
+        file != result->files.end() && isPresent(path, file->second))
+      telling.push_back(result.get());
   std::string all = none.str();
   std::set<std::tuple<uint32_t, uint32_t, RuleId>> known;
-  for (const auto &[checked, result] : results_) {
-    const auto file = result->files.find(path);
-    if (file == result->files.end() || !isPresent(path, file->second))
-      continue;
+  // A check tells of one place once; what several tell is to be told once.
+  const bool repeats = telling.size() > 1;
+  for (const CheckResult *result : telling)
     for (const Problem &problem : result->problems)
-      if (problem.path == path && known.emplace(problem.begin, problem.end, problem.rule).second)
+      if (problem.path == path &&
+          (!repeats || known.emplace(problem.begin, problem.end, problem.rule).second))
         appendJson(all, problem.diagnostic);
-  }
   return all;
 }
 

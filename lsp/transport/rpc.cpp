@@ -21,15 +21,6 @@ bool isId(const Json &id) { return id.is_number_integer() || id.is_string(); }
 
 } // namespace
 
-void appendJson(std::string &list, llvm::StringRef value) {
-  if (list.size() == 2) // both brackets
-    list.pop_back();
-  else
-    list.back() = ',';
-  list += value;
-  list += ']';
-}
-
 Reply::~Reply() {
   // While an exception unwinds, whoever catches it answers.
   if (rpc_ && std::uncaught_exceptions() == 0)

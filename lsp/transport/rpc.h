@@ -18,9 +18,6 @@ namespace ncvet::lsp {
 
 using Json = nlohmann::json;
 
-/// Adds a value to a list, both as text.
-void appendJson(std::string &list, llvm::StringRef value);
-
 /// Error codes of JSON-RPC and of the language server protocol.
 enum class RpcError : int {
   ParseError = -32700,

@@ -14,10 +14,15 @@ namespace {
 
 struct CompensationWrongSideMemory {
   using Point = std::array<Interval, 2>;
-  bool known = false; ///< of the last entry: from where to where
-  Point from{};
-  Point to{};
-  SourceRange entry{};
+  /// Of an entry: from where to where, and its block.
+  struct Entry {
+    Point from;
+    Point to;
+    SourceRange block;
+  };
+  /// The one that waits for its first element. Between contours nothing is remembered: else an edit
+  /// would have all that follows it checked again.
+  std::optional<Entry> entry;
   OncePerCause noses;
 };
 
@@ -204,36 +209,34 @@ private:
   void enters(const Event &event, RuleContext &ctx) const {
     // With AGAP=N the block of the code is the first element itself.
     // Where the tool is says nothing of where a recorded section begins.
-    memory().known = event.code != noCode && ctx.code(event).action != Action::CompensationOff &&
-                     ctx.before().profile != ProfileMode::Recorded &&
-                     ctx.machine().option("agap").value_or("") != "N";
-    memory().from = pointOf(ctx.before(), ctx.dialect());
-    memory().to = pointOf(ctx.after(), ctx.dialect());
-    memory().entry = ctx.blockRange();
+    const bool waits = event.code != noCode && ctx.code(event).action != Action::CompensationOff &&
+                       ctx.before().profile != ProfileMode::Recorded &&
+                       ctx.machine().option("agap").value_or("") != "N";
+    memory().entry.reset();
+    if (waits)
+      memory().entry = Memory::Entry{pointOf(ctx.before(), ctx.dialect()),
+                                     pointOf(ctx.after(), ctx.dialect()), ctx.blockRange()};
   }
 
   /// A mill that comes from beside the first element has to come from the side on which it stays.
   void firstElement(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
-    if (!memory().known)
+    const std::optional<Memory::Entry> entry = std::exchange(memory().entry, std::nullopt);
+    if (!entry)
       return;
     const Memory::Point end = pointOf(after, ctx.dialect());
     const CodeInfo *code = after.activeCode(ctx.dialect(), StandardGroup::Compensation);
-    const bool whole = std::all_of(memory().from.begin(), memory().from.end(),
-                                   [](const Interval &each) { return each.isConstant(); }) &&
-                       memory().to[0].isConstant() && memory().to[1].isConstant() &&
-                       end[0].isConstant() && end[1].isConstant();
-    if (!whole || !code || before.may(Fact::UnknownCode)) {
-      memory().known = false;
+    const bool whole = llvm::all_of(std::array{entry->from, entry->to, end}, [](const auto &point) {
+      return point[0].isConstant() && point[1].isConstant();
+    });
+    if (!whole || !code || before.may(Fact::UnknownCode))
       return;
-    }
-    const double dx = end[0].value() - memory().to[0].value(),
-                 dy = end[1].value() - memory().to[1].value();
-    memory().known = false;
+    const double dx = end[0].value() - entry->to[0].value(),
+                 dy = end[1].value() - entry->to[1].value();
     if (dx == 0 && dy == 0)
       return; // down after the entry, which was made above the work
-    const double ex = memory().from[0].value() - memory().to[0].value(),
-                 ey = memory().from[1].value() - memory().to[1].value();
+    const double ex = entry->from[0].value() - entry->to[0].value(),
+                 ey = entry->from[1].value() - entry->to[1].value();
     const double left = dx * ey - dy * ex, along = dx * ex + dy * ey;
     constexpr double tolerance = 1e-3;
     const bool right = code->action == Action::CompensationRight;
@@ -241,7 +244,7 @@ private:
         (right ? left <= tolerance : left >= -tolerance))
       return;
     const Origin &origin = after.origin.of(StatePart::Compensation);
-    if (auto finding = ctx.report(causePlace(ctx, origin, memory().entry).at, event.certain))
+    if (auto finding = ctx.report(causePlace(ctx, origin, entry->block).at, event.certain))
       finding
           .message("`{0}` keeps the tool {1} of the contour, and it comes from the other side: it "
                    "crosses the first element",

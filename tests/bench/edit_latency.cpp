@@ -1,11 +1,12 @@
 // Times kinds of edits at the client of the language server: how long after each the diagnostics of
 // the text as it is then come, and the changed stretch of its path.
 //
-//   ncvet_edit_latency NCVET FOLDER [EDITS]
+//   ncvet_edit_latency NCVET FOLDER [EDITS [TEXT]]
 //
-// FOLDER is that of `ncvet_bench_programs`. Each kind is a line: 50 and 99 of 100 edits take no
-// longer than the times told, in milliseconds, beside what is aimed at for the latter. Every second
-// edit takes back the one before it.
+// FOLDER is that of `ncvet_bench_programs`; with TEXT only the kinds in whose names it is. Each
+// kind is a line: 50 and 99 of 100 edits take no longer than the times told, in milliseconds,
+// beside what is aimed at for the latter. Every second edit takes back the one before it. A kind
+// whose edits take long makes fewer of them: how many is told last.
 #include "tests/support/language_client.h"
 
 #include <algorithm>
@@ -170,6 +171,7 @@ public:
   void add(Clock::time_point since) {
     all_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - since).count());
   }
+  size_t count() const { return all_.size(); }
   double sum() const { return std::accumulate(all_.begin(), all_.end(), 0.0); }
   double at(size_t percent) {
     std::sort(all_.begin(), all_.end());
@@ -182,9 +184,9 @@ private:
 
 /// The first edits fill what is kept from one check to the next: they do not count.
 constexpr unsigned warmUp = 4;
-/// Milliseconds after which no further path is asked for: where all that follows an edit is
-/// another, each takes as long as the one before.
-constexpr double longEnough = 4000;
+/// Milliseconds after which no further path is asked for, and no further edit made: where all that
+/// follows an edit is another, each takes as long as the one before.
+constexpr double enoughOfPaths = 4000, enoughOfEdits = 20'000;
 
 bool measure(const char *binary, const std::string &folder, const Kind &kind, unsigned edits) {
   std::string text;
@@ -204,7 +206,7 @@ bool measure(const char *binary, const std::string &folder, const Kind &kind, un
   };
   std::string pathId = ask("")["id"];
   Times findings, paths;
-  for (unsigned i = 0; i < warmUp + edits; ++i) {
+  for (unsigned i = 0; i < warmUp + edits && findings.sum() < enoughOfEdits; ++i) {
     const Edit edit = kind.edit(text, i);
     const Json range = {{"start", positionOf(text, edit.begin)},
                         {"end", positionOf(text, edit.end)}};
@@ -217,7 +219,7 @@ bool measure(const char *binary, const std::string &folder, const Kind &kind, un
     client.diagnostics(path, version);
     if (i >= warmUp)
       findings.add(sent);
-    if (paths.sum() > longEnough)
+    if (paths.sum() > enoughOfPaths)
       continue;
     const auto asked = Clock::now();
     pathId = ask(pathId)["id"];
@@ -225,8 +227,9 @@ bool measure(const char *binary, const std::string &folder, const Kind &kind, un
       paths.add(asked);
   }
   const double worst = findings.at(99);
-  std::printf("%-38s %8.1f %8.1f %8.0f  %-7s %8.1f %8.1f\n", kind.name, findings.at(50), worst,
-              kind.goal, worst <= kind.goal ? "" : "missed", paths.at(50), paths.at(99));
+  std::printf("%-38s %8.1f %8.1f %8.0f  %-7s %8.1f %8.1f %6zu\n", kind.name, findings.at(50), worst,
+              kind.goal, worst <= kind.goal ? "" : "missed", paths.at(50), paths.at(99),
+              findings.count());
   std::fflush(stdout);
   return client.shutDown() == 0;
 }
@@ -235,14 +238,16 @@ bool measure(const char *binary, const std::string &folder, const Kind &kind, un
 
 int main(int argc, char **argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "usage: ncvet_edit_latency NCVET FOLDER [EDITS]\n");
+    std::fprintf(stderr, "usage: ncvet_edit_latency NCVET FOLDER [EDITS [TEXT]]\n");
     return 2;
   }
   const unsigned edits = argc > 3 ? unsigned(std::stoul(argv[3])) : 200;
-  std::printf("%-38s %8s %8s %8s  %-7s %8s %8s\n", "edit (ms until its findings; its path)", "p50",
-              "p99", "goal", "", "path p50", "p99");
+  const std::string only = argc > 4 ? argv[4] : "";
+  std::printf("%-38s %8s %8s %8s  %-7s %8s %8s %6s\n", "edit (ms until its findings; its path)",
+              "p50", "p99", "goal", "", "path p50", "p99", "edits");
   bool fine = true;
   for (const Kind &kind : kinds)
-    fine &= measure(argv[1], argv[2], kind, edits);
+    if (std::string(kind.name).find(only) != std::string::npos)
+      fine &= measure(argv[1], argv[2], kind, edits);
   return fine && !::testing::Test::HasFailure() ? 0 : 1;
 }

@@ -22,8 +22,7 @@ using test::RandomEdits;
 std::string told(const CheckResult &result) {
   std::string all = result.error + (result.complete ? "complete\n" : "cut\n");
   for (const lsp::Problem &problem : result.problems)
-    all += problem.path + " " + problem.diagnostic + "\n" +
-           problem.changes.dump(-1, ' ', false, lsp::Json::error_handler_t::replace) + "\n";
+    all += problem.path + " " + problem.diagnostic + "\n" + problem.changes + "\n";
   return all;
 }
 
@@ -223,6 +222,34 @@ TEST(Incremental, AnEditCostsWhatItChanges) {
     EXPECT_EQ(taken > blocks * 4 / 5, c.taken) << taken;
     EXPECT_EQ(edited.difference(c.text), "");
     EXPECT_EQ(edited.taken().blocks > blocks * 4 / 5, c.taken) << "taken back";
+  }
+}
+
+/// What rules remember inside of a contour they forget at its end: only the changed one is followed
+/// again.
+TEST(Incremental, AnEditOfOneContourLeavesTheOthersAsTheyAre) {
+  constexpr unsigned contours = 400;
+  std::string text = "%\nO1\nG17 G21 G40 G49 G80 G90 G94\nT1 M06\nG54 G00 X0. Y0. S900 M03\nG43 "
+                     "H1 Z50.\n";
+  for (unsigned i = 0; i < contours; ++i) {
+    const auto x = [&](unsigned offset) { return "X" + std::to_string(60 * (i % 10) + offset); };
+    text += "G00 " + x(20) + ". Y15.\nZ2.\nG01 G41 D1 " + x(28) + ". Y8. F900.\nZ-3. F300.\nG03 " +
+            x(36) + ". Y0. R8. F900.\nG01 " + x(44) + ".\nY30.\n" + x(6) + ".\nY0.\n" + x(36) +
+            ".\nG40 " + x(20) + ". Y15.\nG00 Z5.\n";
+    for (unsigned k = 0; k < i % 7; ++k) // contours lie otherwise in each run
+      text += x(k) + ".5 Y4" + std::to_string(k) + ".\n";
+  }
+  text += "G00 Z50.\nG49\nM30\n%\n";
+  Edited edited("fanuc-0m", "/nowhere/O0001.nc");
+  ASSERT_EQ(edited.difference(text), "");
+  ASSERT_EQ(edited.difference(text), "");
+  std::string changed = text;
+  const size_t place = text.find("Y30.", text.size() / 2);
+  changed.replace(place, 4, "Y31.");
+  for (const std::string &version : {changed, text}) {
+    edited.taken();
+    EXPECT_EQ(edited.difference(version), "");
+    EXPECT_GT(edited.taken().blocks, contours * 12u); // of fifteen each
   }
 }
 
