@@ -6,6 +6,7 @@
 #include "lsp/features/writing/on_type.h"
 #include "lsp/features/writing/rename.h"
 #include "lsp/features/writing/rename_program.h"
+#include "lsp/features/writing/rename_shared.h"
 #include "lsp/features/writing/renumber.h"
 #include "lsp/server/bindings.h"
 #include "lsp/server/workspace_edit.h"
@@ -58,14 +59,20 @@ bool isProgramAt(View &view, uint32_t offset) {
   return one && isShared(*one) && targetOf(view.snapshot, view.snapshot.unit(), *one).has_value();
 }
 
-/// `WorkspaceEdit` of a rename; that of a file comes last.
-Json editOf(View &view, const ProgramRename &renamed) {
-  Json edit = {{"changes", view.places.changes(renamed.edits)}};
+/// `WorkspaceEdit` of edits in several files; `elsewhere` says what those of other files are.
+Json changesOf(View &view, llvm::ArrayRef<TextEdit> edits, const char *elsewhere) {
+  Json edit = {{"changes", view.places.changes(edits)}};
   if (view.client.annotatesChanges)
     annotate(edit, view.document, [&](const std::string &uri) -> EditNote {
       return uri == view.document.uri ? EditNote{"here", "In this text"}
-                                      : EditNote{"elsewhere", "Calls in other programs"};
+                                      : EditNote{"elsewhere", elsewhere};
     });
+  return edit;
+}
+
+/// `WorkspaceEdit` of a rename; that of a file comes last.
+Json editOf(View &view, const ProgramRename &renamed) {
+  Json edit = changesOf(view, renamed.edits, "Calls in other programs");
   if (renamed.from.empty())
     return edit;
   makeSteps(edit, view.document);
@@ -128,6 +135,8 @@ void bindRename(Context &context, std::shared_ptr<OwnMove> own) {
            return nullptr;
          if (isProgramAt(view, offset))
            spot.refused.clear();
+         else if (!spot.refused.empty() && isSharedVariable(view.snapshot, offset))
+           spot.refused = whyNotShared(view.snapshot, offset, view.programs());
          refused = spot.refused;
          return {{"range", view.places.range(spot.range)}, {"placeholder", spot.name}};
        });
@@ -145,7 +154,11 @@ void bindRename(Context &context, std::shared_ptr<OwnMove> own) {
     }
     RenameEdits renamed = rename(view.snapshot, offset, name);
     refused = renamed.refused;
-    return {{"changes", view.places.changes(renamed.edits)}};
+    if (refused.empty() || !isSharedVariable(view.snapshot, offset))
+      return {{"changes", view.places.changes(renamed.edits)}};
+    const SharedRename shared = renameShared(view.snapshot, offset, name, view.programs());
+    refused = shared.refused;
+    return changesOf(view, shared.edits, "The variable in other programs");
   });
 }
 

@@ -1,5 +1,6 @@
-// Programs renamed in all files that name them.
+// Programs, and variables that programs share, renamed in all files that name them.
 #include "lsp/features/writing/rename_program.h"
+#include "lsp/features/writing/rename_shared.h"
 #include "tests/support/marked_text.h"
 #include "tests/support/run_program.h"
 
@@ -32,6 +33,16 @@ public:
     const size_t at = text->text().find(place);
     EXPECT_NE(at, std::string::npos);
     return after(*text, lsp::renameProgram(*text, uint32_t(at), name, paths_));
+  }
+  /// The same of a variable that programs share.
+  Texts shared(llvm::StringRef dialect, const std::string &open, llvm::StringRef place,
+               llvm::StringRef name) {
+    const auto text = read(dialect, open);
+    const auto at = uint32_t(text->text().find(place) + 1);
+    const std::string why = lsp::whyNotShared(*text, at, paths_);
+    lsp::SharedRename made = lsp::renameShared(*text, at, name, paths_);
+    EXPECT_TRUE(why.empty() || why == made.refused) << why;
+    return after(*text, {std::move(made.edits), "", "", std::move(made.refused)});
   }
   /// The same where the open file is moved by the editor.
   Texts moved(llvm::StringRef dialect, const std::string &open, const std::string &to) {
@@ -124,6 +135,49 @@ TEST(RenameProgram, AProgramFollowsItsFile) {
   EXPECT_EQ(Programs(plates).moved("fanuc-mill", "O0020.nc", "O0020.tap"), plates);
   EXPECT_EQ(Programs(plates).moved("fanuc-mill", "O0020.nc", "HOLE.nc"), plates)
       << "it has no number any more: nobody knows which one is meant";
+}
+
+const Texts depths = {{"O0001.nc", "%\nO0001\n#102=5.\nM98 P20\nG00 X#102\nM30\n%\n"},
+                      {"O0020.nc", "%\nO0020\nG01 Z-#102 (DEPTH) F100.\n#103=1\nM98 P21\nM99\n%\n"},
+                      {"O0021.nc", "%\nO0021\nG00 Z[#102+#103]\nM99\n%\n"},
+                      {"O0030.nc", "%\nO0030\n#102=7.\nG00 X#102\nM30\n%\n"}};
+
+TEST(RenameShared, InTheProgramsThatCallEachOther) {
+  const Texts due = {{"O0001.nc", "%\nO0001\n#110=5.\nM98 P20\nG00 X#110\nM30\n%\n"},
+                     {"O0020.nc", "%\nO0020\nG01 Z-#110 (DEPTH) F100.\n#103=1\nM98 P21\nM99\n%\n"},
+                     {"O0021.nc", "%\nO0021\nG00 Z[#110+#103]\nM99\n%\n"},
+                     {"O0030.nc", depths.at("O0030.nc")}};
+  EXPECT_EQ(Programs(depths).shared("fanuc-mill", "O0001.nc", "#102", "110"), due) << "the caller";
+  EXPECT_EQ(Programs(depths).shared("fanuc-mill", "O0021.nc", "#102", "110"), due) << "the callee";
+}
+
+TEST(RenameShared, ParametersOfAChannel) {
+  EXPECT_EQ((Programs({{"SHAFT.MPF", "R5=3\nPART\nM30\n"}, {"PART.SPF", "G0 X=R5\nRET\n"}})
+                 .shared("sinumerik", "PART.SPF", "R5", "R7")),
+            (Texts{{"SHAFT.MPF", "R7=3\nPART\nM30\n"}, {"PART.SPF", "G0 X=R7\nRET\n"}}));
+}
+
+TEST(RenameShared, NotWhereAValueMayComeFromElsewhere) {
+  const auto refused = [](const char *file, const char *text, llvm::StringRef name = "110") {
+    Texts files = depths;
+    files[file] = text;
+    const Texts after = Programs(std::move(files)).shared("fanuc-mill", "O0020.nc", "#102", name);
+    return after.count("!") ? after.at("!") : "";
+  };
+  EXPECT_EQ(refused("O0001.nc", "%\nO0001\nM98 P20\n#102=5.\nM30\n%\n"),
+            "O0001.nc: `102` is read before it is written: its value comes from elsewhere");
+  EXPECT_EQ(refused("O0001.nc", "%\nO0001\n#102=5.\nM98 P20\nM98 P99\nM30\n%\n"),
+            "O0001.nc: line 5 calls a program that is not found, which shares `102`");
+  EXPECT_EQ(refused("O0001.nc", "%\nO0001\n#102=5.\nM98 P20\n#[#1]=2\nM30\n%\n"),
+            "O0001.nc: line 5 names a variable that only the run decides");
+  EXPECT_EQ(refused("O0040.nc", "%\nO0040\n#1=20\nM98 P#1\nM30\n%\n"),
+            "O0040.nc: line 4 calls a program that only the run decides");
+  EXPECT_EQ(refused("O0001.nc", "%\nO0001\nM30\n%\n"),
+            "a program that calls this one shares `102`");
+  EXPECT_EQ(refused("O0030.nc", depths.at("O0030.nc").c_str(), "103"),
+            "`103` is in use already: line 4");
+  EXPECT_EQ(refused("O0030.nc", depths.at("O0030.nc").c_str(), "5"),
+            "`5` is no other variable that these programs share");
 }
 
 } // namespace

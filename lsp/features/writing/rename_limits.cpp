@@ -20,11 +20,15 @@ std::string quoted(llvm::StringRef name) { return ("`" + name + "`").str(); }
 /// Asks all questions about one name.
 class RenameLimits {
 public:
-  RenameLimits(Snapshot &snapshot, const Occurrence &one)
-      : snapshot_(snapshot), names_(snapshot.names()), dialect_(snapshot.dialect()),
-        text_(snapshot.text()), one_(one), name_(names_.text(one)) {}
+  /// `snapshot`: of the document, when `unit` is that.
+  RenameLimits(FileUnit &unit, const Names &names, const Occurrence &one,
+               Snapshot *snapshot = nullptr)
+      : snapshot_(snapshot), unit_(unit), names_(names), dialect_(*unit.dialect),
+        text_(unit.source.text()), one_(one), name_(names_.text(one)) {}
 
   std::string why();
+  /// As far as it is a variable that other files share.
+  std::string whyInFile();
 
 private:
   std::string target();
@@ -42,7 +46,7 @@ private:
                         [&](uint32_t i) { return names_.all()[i].use == NameUse::Definition; });
   }
   std::string line(uint32_t offset) const {
-    return "line " + std::to_string(snapshot_.source().position(offset).line);
+    return "line " + std::to_string(unit_.source.position(offset).line);
   }
   bool isFirstWritten() const {
     const llvm::ArrayRef<uint32_t> same = names_.same(one_);
@@ -58,7 +62,7 @@ private:
   bool isCovered(uint32_t begin) const;
   bool isRemark(uint32_t offset);
   bool namesFile() const {
-    const llvm::StringRef stem = llvm::sys::path::stem(snapshot_.source().path());
+    const llvm::StringRef stem = llvm::sys::path::stem(unit_.source.path());
     llvm::StringRef digits = stem;
     digits.consume_front("%");
     if (!digits.consume_front("O"))
@@ -69,7 +73,8 @@ private:
             !digits.getAsInteger(10, number) && number == one_.key);
   }
 
-  Snapshot &snapshot_;
+  Snapshot *const snapshot_;
+  FileUnit &unit_;
   const Names &names_;
   const Dialect &dialect_;
   const llvm::StringRef text_;
@@ -112,7 +117,7 @@ std::string RenameLimits::target() {
     return line(computed) + " jumps to a block that only the run decides";
   if (one_.kind == NameKind::Block)
     return {};
-  if (snapshot_.unit().reader->labelKey(name_) == dialect_.lexical.endLabel)
+  if (unit_.reader->labelKey(name_) == dialect_.lexical.endLabel)
     return quoted(name_) + " has a meaning of its own for the control";
   return unseen();
 }
@@ -122,7 +127,7 @@ std::string RenameLimits::program() {
     return "program " + quoted(name_) + " is not defined in this file";
   if (namesFile())
     return "the file is named after the program: other files find it by that name";
-  for (uint32_t i = 0; i < snapshot_.unit().index.programs().size(); ++i)
+  for (uint32_t i = 0; i < unit_.index.programs().size(); ++i)
     if (names_.untold(i).call != UntoldNames::nowhere)
       return line(names_.untold(i).call) + " calls a program that only the run decides";
   return {};
@@ -153,6 +158,17 @@ std::string RenameLimits::variable() {
   return unseen();
 }
 
+std::string RenameLimits::whyInFile() {
+  if (std::string why = controlVariable(); !why.empty())
+    return why;
+  if (std::string why = numberedVariable(); !why.empty())
+    return why;
+  for (uint32_t i = 0; i < unit_.index.programs().size(); ++i)
+    if (names_.untold(i).call != UntoldNames::nowhere)
+      return line(names_.untold(i).call) + " calls a program that only the run decides";
+  return unseen();
+}
+
 /// Variables that the control itself reads or writes.
 std::string RenameLimits::controlVariable() const {
   const std::string why = quoted(name_) + " is a variable of the control";
@@ -178,7 +194,7 @@ std::string RenameLimits::controlVariable() const {
 
 /// Variables with numbers may be reached by a computed one.
 std::string RenameLimits::numberedVariable() {
-  for (uint32_t i = 0; i < snapshot_.unit().index.programs().size(); ++i)
+  for (uint32_t i = 0; i < unit_.index.programs().size(); ++i)
     if ((one_.scope == wholeFile || i == programOf()) &&
         names_.untold(i).variable != UntoldNames::nowhere)
       return line(names_.untold(i).variable) + " names a variable that only the run decides";
@@ -192,8 +208,8 @@ std::string RenameLimits::numberedVariable() {
 }
 
 std::optional<uint32_t> RenameLimits::find(uint32_t program, Action action) const {
-  const ProgramInfo &where = snapshot_.unit().index.programs()[program];
-  for (const Block &block : blocks(*snapshot_.unit().reader, where.begin, where.end))
+  const ProgramInfo &where = unit_.index.programs()[program];
+  for (const Block &block : blocks(*unit_.reader, where.begin, where.end))
     for (const Word &word : block.words)
       if (const CodeIndex code = codeOf(dialect_, word);
           code != noCode && dialect_.codes[code].action == action)
@@ -242,7 +258,7 @@ std::string RenameLimits::sharedVariable() {
     if (!here)
       return line(other.begin) + " calls a program of another file, which shares " + quoted(name_);
   }
-  for (uint32_t i = 0; i < snapshot_.unit().index.programs().size(); ++i)
+  for (uint32_t i = 0; i < unit_.index.programs().size(); ++i)
     if (names_.untold(i).call != UntoldNames::nowhere)
       return line(names_.untold(i).call) + " calls a program, which shares " + quoted(name_);
   if (find(0, Action::Return) && !find(0, Action::ProgramEnd) && !find(0, Action::ProgramEndRewind))
@@ -261,7 +277,12 @@ bool RenameLimits::isCovered(uint32_t begin) const {
 /// Whether a place lies in a comment or between quotes.
 bool RenameLimits::isRemark(uint32_t offset) {
   constexpr uint32_t longest = 1 << 16; // bytes; after it nobody knows
-  snapshot_.readAt(offset, block_);
+  if (snapshot_)
+    snapshot_->readAt(offset, block_);
+  else if (dialect_.lexical.blocksSpanLines) // where the block begins is not looked for
+    return false;
+  else
+    readBlockAt(unit_.source, *unit_.reader, offset, block_);
   if (offset - block_.begin > longest)
     return false;
   // There some comments show the values of variables.
@@ -330,7 +351,11 @@ std::string whyNotNumber(const Dialect &dialect, const Occurrence &one, llvm::St
 } // namespace
 
 std::string whyNotRenamed(Snapshot &snapshot, const Occurrence &one) {
-  return RenameLimits(snapshot, one).why();
+  return RenameLimits(snapshot.unit(), snapshot.names(), one, &snapshot).why();
+}
+
+std::string whyNotRenamedIn(FileUnit &unit, const Names &names, const Occurrence &one) {
+  return RenameLimits(unit, names, one).whyInFile();
 }
 
 std::string whyNotSpelled(Snapshot &snapshot, const Occurrence &one, llvm::StringRef name) {
