@@ -20,11 +20,7 @@ std::string contourAt(Snapshot &snapshot, const Block &block) {
   });
   if (!compensates) // the whole program has to be followed for it
     return {};
-  for (const CodeLens &lens : codeLenses(snapshot, {false, true, false}))
-    if (lens.kind == LensKind::Contour && lens.range.begin >= block.begin &&
-        lens.range.begin <= block.end)
-      return lens.title;
-  return {};
+  return titleOfContour(snapshot, block.begin);
 }
 
 } // namespace

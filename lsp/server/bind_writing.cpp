@@ -188,8 +188,10 @@ Json explainHint(View &view, Json hint) {
   return hint;
 }
 
-void resolveHint(Context &context) {
-  context.rpc.onRequest("inlayHint/resolve", [&context](const Json &params, Reply reply) {
+/// Binds the request for what was left out of an item, whose `data` names the version of the
+/// document.
+void onResolve(Context &context, const char *method, Json (*resolve)(View &, Json)) {
+  context.rpc.onRequest(method, [&context, resolve](const Json &params, Reply reply) {
     const Json data = params.value("data", Json());
     const Document *document =
         data.is_object() ? context.documents.find(data.value("uri", "")) : nullptr;
@@ -198,7 +200,7 @@ void resolveHint(Context &context) {
     if (document->version != data.at("version"))
       return reply.fail(RpcError::ContentModified, "the document has changed");
     context.answerFor(*document, std::move(reply),
-                      [params](View &view) { return explainHint(view, params); });
+                      [params, resolve](View &view) { return resolve(view, params); });
   });
 }
 
@@ -214,7 +216,15 @@ Json linkedTo(View &view, const Json &params) {
 
 Json lenses(View &view) {
   Json list = Json::array();
-  for (const CodeLens &lens : codeLenses(view.snapshot)) {
+  for (const CodeLens &lens : lensesToResolve(view.snapshot)) {
+    Json json = {{"range", view.places.range(lens.range)}};
+    if (lens.title.empty()) {
+      json["data"] = {{"uri", view.document.uri},
+                      {"version", view.document.version},
+                      {"offset", lens.range.begin}};
+      list.push_back(std::move(json));
+      continue;
+    }
     Json command = {{"title", lens.title}, {"command", ""}};
     if (!lens.places.empty()) {
       Json places = Json::array();
@@ -224,9 +234,19 @@ Json lenses(View &view) {
       command["arguments"] = {view.document.uri, toJson(view.positions.at(lens.range.begin)),
                               std::move(places)};
     }
-    list.push_back({{"range", view.places.range(lens.range)}, {"command", std::move(command)}});
+    json["command"] = std::move(command);
+    list.push_back(std::move(json));
   }
   return list;
+}
+
+/// Gives a lens over a contour its title: the whole program has to be followed for it.
+Json withTitle(View &view, Json lens) {
+  const std::string title =
+      titleOfContour(view.snapshot, lens.at("data").at("offset").get<uint32_t>());
+  lens["command"] = {{"title", title.empty() ? "largest tool radius: not known" : title},
+                     {"command", ""}};
+  return lens;
 }
 
 /// Semantic tokens, and those that were sent last, for replies that hold only what has changed.
@@ -314,10 +334,11 @@ void bindWriting(Context &context) {
   resolveCompletion(context);
   context.onDocument("textDocument/signatureHelp", signature);
   context.onDocument("textDocument/inlayHint", hinted);
-  resolveHint(context);
+  onResolve(context, "inlayHint/resolve", explainHint);
   context.onDocument("textDocument/linkedEditingRange", linkedTo);
   context.onDocument("textDocument/codeLens",
                      [](View &view, const Json &) { return lenses(view); });
+  onResolve(context, "codeLens/resolve", withTitle);
   auto tokens = std::make_shared<Tokens>(); // of the thread of features
   context.onDocument("textDocument/semanticTokens/full",
                      [tokens](View &view, const Json &) { return tokens->full(view); });

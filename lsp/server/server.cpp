@@ -134,7 +134,7 @@ Json capabilities(const Context &context) {
         {"resolveProvider", true}}},
       {"signatureHelpProvider", {{"triggerCharacters", {"(", ",", ";", " "}}}},
       {"inlayHintProvider", {{"resolveProvider", true}}},
-      {"codeLensProvider", {{"resolveProvider", false}}},
+      {"codeLensProvider", {{"resolveProvider", true}}},
       {"semanticTokensProvider",
        {{"legend", tokensLegend()}, {"full", {{"delta", true}}}, {"range", true}}},
       {"codeActionProvider",

@@ -68,7 +68,21 @@ TEST(CodeLens, CompensatedContoursTellTheLargestRadius) {
       lensesOf("fanuc-0m", "O1\nG21 G17 G90 G40 G54\nT1 M06\nS1000 M03\nG00 X-20. Y0.\nG01 Z-1. "
                            "F100.\nG41 X0. D1\nY20.\nG03 X10. Y10. R10.\nG01 X30.\nG40 Y-20.\n"
                            "M30\n");
-  EXPECT_NE(lenses.find("7: safe up to R10"), std::string::npos) << lenses;
+  EXPECT_NE(lenses.find("7: safe up to R10.00\n"), std::string::npos) << lenses;
+}
+
+TEST(CodeLens, AContourIsFollowedWhenItsLensIsLookedAt) {
+  const auto text = test::markedText(
+      "fanuc-0m", "O1\nG21 G17 G90 G40 G54\nT1 M06\nS1000 M03\nG00 X-20. Y0.\nG01 Z-1. F100.\nG41 "
+                  "X0. D1\nY20.\nG03 X10. Y10. R10.\nG01 X30.\nG40 Y-20.\nM30\nG42 X5. D1\n");
+  std::string titles;
+  for (const lsp::CodeLens &lens : lsp::lensesToResolve(*text))
+    titles +=
+        std::to_string(text->source().position(lens.range.begin).line) + ":" + lens.title +
+        (lens.title.empty() ? lsp::titleOfContour(*text, lens.range.begin) + " (later)" : "") +
+        "\n";
+  EXPECT_EQ(titles, "3:T1: 11 blocks\n7:safe up to R10.00 (later)\n13: (later)\n")
+      << "after the end nothing is executed, and nothing is known";
 }
 
 TEST(CodeLens, AnyTextHasLenses) {

@@ -3,6 +3,7 @@
 #include "tests/support/process.h"
 
 #include "gtest/gtest.h"
+#include "llvm/ADT/STLExtras.h"
 
 namespace {
 
@@ -138,6 +139,18 @@ TEST(FeaturesOfMills, WhereANameIsDeclared) {
   EXPECT_EQ(ask("textDocument/implementation")["range"]["start"]["line"], 4);
 }
 
+TEST(FeaturesOfMills, HoverInASubprogramTellsWhatItHasSetItself) {
+  LanguageClient client;
+  client.initialize(Json::object(), {{"dialect", "fanuc-mill"}});
+  const std::string path = "/nowhere/O0020.nc";
+  client.open(path, "%\nO0020 (HOLE)\nG17 G21 G90\nG01 X1. F100.\nY5.\nM99\n%\n");
+  const Json hover = client.request("textDocument/hover",
+                                    {{"textDocument", documentOf(path)}, {"position", at(4, 1)}});
+  const std::string text = hover["contents"]["value"];
+  for (const char *told : {"G90", "G01", "G17", "G21", "F100"})
+    EXPECT_NE(text.find(told), std::string::npos) << told << " is not in\n" << text;
+}
+
 TEST(FeaturesOfMills, HoverOnACompensatedContourTellsItsLargestTool) {
   LanguageClient client;
   client.initialize(Json::object(), {{"dialect", "haas-mill"}});
@@ -149,7 +162,13 @@ TEST(FeaturesOfMills, HoverOnACompensatedContourTellsItsLargestTool) {
   const Json hover =
       client.request("textDocument/hover",
                      {{"textDocument", documentOf("/nowhere/pocket.nc")}, {"position", at(5, 1)}});
-  EXPECT_NE(hover.dump().find("safe up to R4"), std::string::npos) << hover.dump();
+  EXPECT_NE(hover.dump().find("safe up to R4.00"), std::string::npos) << hover.dump();
+  const Json lenses =
+      client.request("textDocument/codeLens", {{"textDocument", documentOf("/nowhere/pocket.nc")}});
+  const auto open = llvm::find_if(lenses, [](const Json &lens) { return lens.contains("data"); });
+  ASSERT_NE(open, lenses.end()) << lenses.dump();
+  EXPECT_EQ((*open)["range"]["start"]["line"], 5);
+  EXPECT_EQ(client.request("codeLens/resolve", *open)["command"]["title"], "safe up to R4.00");
 }
 
 TEST_F(Features, CompletionKnowsTheWordsOfACycle) {

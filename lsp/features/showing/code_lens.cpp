@@ -6,8 +6,10 @@
 #include "analyzer/program/references.h"
 #include "formats/dialect/packed_call.h"
 #include "interp/evaluate/condition.h"
-#include "lsp/features/number_text.h"
 
+#include "llvm/Support/FormatVariadic.h"
+
+#include <cmath>
 #include <map>
 
 namespace ncvet::lsp {
@@ -37,7 +39,7 @@ public:
       snapshot_.unit().reader->read(at, block);
       ++blocks_;
       tool(block);
-      calls(block, callees);
+      codes(block, callees);
     }
     endTool(blocks_ + 1);
   }
@@ -67,6 +69,8 @@ public:
     return lenses;
   }
   std::vector<CodeLens> takeTools() { return std::move(tools_); }
+  /// Over blocks that switch compensation on, without titles.
+  std::vector<CodeLens> takeContours() { return std::move(contours_); }
 
 private:
   llvm::StringRef text(uint32_t begin, uint32_t end) const {
@@ -120,7 +124,8 @@ private:
       places.push_back(range);
   }
 
-  void calls(const Block &block, bool callees) {
+  /// Calls, and what else codes of the block begin.
+  void codes(const Block &block, bool callees) {
     for (const Item &item : block.items)
       if (callees && item.kind == ItemKind::Call && item.nameEnd > item.nameBegin)
         note(named_[text(item.nameBegin, item.nameEnd).upper()], {file_, item.begin, item.end});
@@ -131,6 +136,11 @@ private:
       if (index == noCode)
         continue;
       switch (dialect_.codes[index].action) {
+      case Action::CompensationLeft:
+      case Action::CompensationRight:
+        if (contours_.size() < mostLenses)
+          contours_.push_back({{file_, block.begin, block.end}, LensKind::Contour, {}, {}});
+        break;
       case Action::CallProgram:
       case Action::MacroCall:
       case Action::MacroModal:
@@ -205,11 +215,23 @@ private:
   size_t blocks_ = 0, toolBegins_ = 0;
   bool open_ = false; ///< the last of `tools_` still waits for its number of blocks
   std::string preselected_;
-  std::vector<CodeLens> tools_;
+  std::vector<CodeLens> tools_, contours_;
   std::map<int64_t, std::vector<SourceRange>> numbered_;
   std::map<std::string, std::vector<SourceRange>> named_; ///< in capitals
   std::map<uint32_t, std::vector<SourceRange>> local_;    ///< by the block that is called
 };
+
+/// Empty: nothing is known of it.
+std::string titleOf(const CompensatedContour &contour) {
+  if (!contour.largest && !contour.whole)
+    return {};
+  // What is rounded up would not fit.
+  std::string title =
+      contour.largest
+          ? llvm::formatv("safe up to R{0:f2}", std::floor(*contour.largest * 100) / 100).str()
+          : "safe with any radius";
+  return contour.whole ? title : title + ", as far as the contour is known";
+}
 
 void contours(Snapshot &snapshot, std::vector<CodeLens> &lenses) {
   size_t count = 0;
@@ -218,16 +240,22 @@ void contours(Snapshot &snapshot, std::vector<CodeLens> &lenses) {
       continue;
     Block block;
     snapshot.readAt(contour.begin, block);
-    std::string title = contour.largest ? "safe up to R" + numberText(*contour.largest)
-                        : contour.whole ? "safe with any radius"
-                                        : "";
-    if (title.empty())
-      continue;
-    if (!contour.whole)
-      title += ", as far as the contour is known";
-    lenses.push_back(
-        {{snapshot.source().id(), block.begin, block.end}, LensKind::Contour, title, {}});
+    if (std::string title = titleOf(contour); !title.empty())
+      lenses.push_back({{snapshot.source().id(), block.begin, block.end},
+                        LensKind::Contour,
+                        std::move(title),
+                        {}});
   }
+}
+
+void sortByPlace(std::vector<CodeLens> &lenses) {
+  llvm::stable_sort(
+      lenses, [](const CodeLens &a, const CodeLens &b) { return a.range.begin < b.range.begin; });
+}
+
+void append(std::vector<CodeLens> &lenses, std::vector<CodeLens> more) {
+  lenses.insert(lenses.end(), std::make_move_iterator(more.begin()),
+                std::make_move_iterator(more.end()));
 }
 
 } // namespace
@@ -235,24 +263,40 @@ void contours(Snapshot &snapshot, std::vector<CodeLens> &lenses) {
 std::vector<CodeLens> codeLenses(Snapshot &snapshot,
                                  const std::array<bool, size_t(LensKind::Count)> &on) {
   std::vector<CodeLens> lenses;
-  const auto append = [&](std::vector<CodeLens> more) {
-    lenses.insert(lenses.end(), std::make_move_iterator(more.begin()),
-                  std::make_move_iterator(more.end()));
-  };
   const bool callers = on[size_t(LensKind::Callers)], tools = on[size_t(LensKind::Tool)];
   if (callers || tools) {
     BlockScan scan(snapshot);
     scan.run();
     if (callers)
-      append(scan.callers());
+      append(lenses, scan.callers());
     if (tools)
-      append(scan.takeTools());
+      append(lenses, scan.takeTools());
   }
   if (on[size_t(LensKind::Contour)])
     contours(snapshot, lenses);
-  llvm::stable_sort(
-      lenses, [](const CodeLens &a, const CodeLens &b) { return a.range.begin < b.range.begin; });
+  sortByPlace(lenses);
   return lenses;
+}
+
+std::vector<CodeLens> lensesToResolve(Snapshot &snapshot) {
+  BlockScan scan(snapshot);
+  scan.run();
+  std::vector<CodeLens> lenses = scan.callers();
+  append(lenses, scan.takeTools());
+  append(lenses, scan.takeContours());
+  sortByPlace(lenses);
+  return lenses;
+}
+
+std::string titleOfContour(Snapshot &snapshot, uint32_t offset) {
+  Block block;
+  snapshot.readAt(offset, block);
+  for (const CompensatedContour &contour : snapshot.contours())
+    if (contour.unit == &snapshot.unit() && contour.begin >= block.begin &&
+        contour.begin <= block.end)
+      if (std::string title = titleOf(contour); !title.empty())
+        return title;
+  return {};
 }
 
 } // namespace ncvet::lsp

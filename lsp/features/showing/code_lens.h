@@ -15,7 +15,7 @@ enum class LensKind : uint8_t {
 struct CodeLens {
   SourceRange range; ///< of what it is shown above
   LensKind kind = LensKind::Callers;
-  std::string title;
+  std::string title;               ///< empty: see `lensesToResolve`
   std::vector<SourceRange> places; ///< the callers
 };
 
@@ -23,5 +23,12 @@ struct CodeLens {
 std::vector<CodeLens> codeLenses(Snapshot &snapshot,
                                  const std::array<bool, size_t(LensKind::Count)> &on = {true, true,
                                                                                         true});
+
+/// The same without following the program: contours, over each block that may begin one, have no
+/// title. `titleOfContour` gives it when the lens is looked at.
+std::vector<CodeLens> lensesToResolve(Snapshot &snapshot);
+
+/// "safe up to R6.00": what is known of the contour that begins in the block at `offset`.
+std::string titleOfContour(Snapshot &snapshot, uint32_t offset);
 
 } // namespace ncvet::lsp
