@@ -334,4 +334,21 @@ TEST(VscodeExtension, IsPackedWithItsClient) {
       << contentsOf(log);
 }
 
+/// Its bytes are compressed: that it is whole is seen by its size.
+TEST(VscodeExtension, APackageForAPlatformHasTheProgramInIt) {
+  if (!nodeModules(extension))
+    GTEST_SKIP() << "npm cannot fetch what the extension is built with: it is not packed";
+  const TemporaryFolder temporary;
+  const fs::path log = temporary.path() / "log";
+  const auto packed = packExtension(temporary.path() / "package", log, PackedServer::Program);
+  ASSERT_TRUE(packed) << contentsOf(log);
+  const std::map<std::string, uint32_t> files = filesOfZip(contentsOf(*packed));
+  const auto program = files.find("extension/bin/ncvet");
+  ASSERT_NE(program, files.end());
+  EXPECT_EQ(program->second, fs::file_size(NCVET_BINARY));
+  EXPECT_EQ(files.count("extension/server/lib/ncvet.wasm"), 0u) << "nobody needs it there";
+  const auto may = fs::status(packed->parent_path() / "bin" / "ncvet").permissions();
+  EXPECT_EQ(may & fs::perms::others_exec, fs::perms::others_exec);
+}
+
 } // namespace

@@ -15,8 +15,12 @@ inline const std::filesystem::path extensionFolder =
 /// What an extension is packed with beside its client.
 enum class PackedServer : uint8_t {
   None,
+  Program,  ///< ncvet itself, in a package for this platform
   InBrowser ///< the WebAssembly module of `./dev package npm`, and no client for Node
 };
+
+/// The platform of the program, as packages name it.
+inline constexpr const char *platform = "linux-x64";
 
 /// Packs a copy of the extension in `folder`, which is made; the path of the package. Nothing when
 /// npm cannot fetch what it is built with, or when it cannot be packed: `log` says which.
@@ -42,10 +46,17 @@ packExtension(const std::filesystem::path &folder, const std::filesystem::path &
     manifest.erase("main");
     std::ofstream(copy / "package.json") << manifest.dump(2);
   }
-  if (runOuter({"npm", "--prefix", copy.string(), "run", "package"}, log, 300) != 0)
+  std::vector<std::string> command = {"npm", "--prefix", copy.string(), "run", "package"};
+  if (server == PackedServer::Program) {
+    command.insert(command.begin(), {"env", std::string("NCVET_PROGRAM=") + NCVET_BINARY});
+    command.insert(command.end(), {"--", "--target", platform});
+  }
+  if (runOuter(command, log, 300) != 0)
     return std::nullopt;
   const auto manifest = nlohmann::json::parse(contentsOf(copy / "package.json"));
-  return copy / ("ncvet-" + manifest["version"].get<std::string>() + ".vsix");
+  const std::string name =
+      server == PackedServer::Program ? std::string("ncvet-") + platform : "ncvet";
+  return copy / (name + "-" + manifest["version"].get<std::string>() + ".vsix");
 }
 
 } // namespace ncvet::test

@@ -6,7 +6,7 @@ import net from 'node:net';
 import path from 'node:path';
 import { promisify } from 'node:util';
 
-const patience = 20000; // ms that anything may take
+const patience = 60000; // ms that anything may take, on a machine with much else to do
 const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 
 /** Waits until `look` gives something true; `what` is said when it never does. */

@@ -261,6 +261,26 @@ export const steps = {
     });
   },
 
+  async 'a variable is renamed in the programs that share it'(editor) {
+    editor.write('shared/O0400.nc', ['%', 'O0400 (MAIN, FANUC 0I-MF)', 'N10 G17 G21 G40 G80 G90 G94', 'N20 #102=5.', 'N30 M98 P0410', 'N40 M30', '%']);
+    editor.write('shared/O0410.nc', ['%', 'O0410 (SUB)', 'N10 G00 X#102', 'N20 M99', '%']);
+    await editor.open('shared/O0400.nc');
+    await until('the control', () => editor.control());
+    await editor.ask(`const edit = await vscode.commands.executeCommand('vscode.executeDocumentRenameProvider', ${editor.file('shared/O0400.nc')},
+      new vscode.Position(3, 6), '110'); await vscode.workspace.applyEdit(edit)`);
+    await until('both texts', async () => {
+      await editor.ask('await vscode.workspace.saveAll()');
+      return editor.read('shared/O0400.nc').includes('N20 #110=5.') && editor.read('shared/O0410.nc').includes('N10 G00 X#110');
+    });
+  },
+
+  async 'a lens over a contour tells the largest tool when it is seen'(editor) {
+    editor.write('contour.nc', [...drilling.slice(0, 6), 'G01 Z-1. F100.', 'G41 D1 X10. Y0.', 'Y10.', 'G03 X0. Y20. R10.', 'G01 X-10.', 'G40 X-30.',
+      'G00 Z50. M09', 'G49', 'M30', '%']);
+    await editor.open('contour.nc');
+    await until('the lens', async () => (await editor.texts('.codelens-decoration')).some((text) => text.includes('safe up to R10.00')));
+  },
+
   async 'a loop of the selection is written out'(editor) {
     editor.write('loop.nc', [...drilling.slice(0, 6), '#1=0', 'WHILE[#1LT3]DO1', 'G00 X[#1*10.]', '#1=#1+1', 'END1', ...drilling.slice(10)]);
     await editor.open('loop.nc');
@@ -317,6 +337,18 @@ export const steps = {
     for (const wanted of ['Choose Program…', 'Open Settings', 'How to Install']) holds(buttons.includes(wanted), `buttons: ${buttons}`);
     const colours = await editor.page.evaluate(() => new Set([...document.querySelectorAll('.view-line span span')].map((one) => getComputedStyle(one).color)).size);
     holds(colours >= 4, `${colours} colours without the server`);
+    await set(wrapper);
+    await until('the control again', async () => /guessed/.test((await editor.control()) ?? ''));
+  },
+
+  async 'the package for a platform brings its program'(editor, { wrapper }) {
+    const extension = await editor.ask(`return vscode.extensions.getExtension('ncvet.ncvet').extensionPath`);
+    if (!fs.existsSync(`${extension}/bin/ncvet`)) return; // a package for all platforms
+    const set = (file) => editor.ask(`await vscode.workspace.getConfiguration('ncvet').update('path', ${JSON.stringify(file)}, vscode.ConfigurationTarget.Global)`);
+    await set('');
+    editor.write('brought.nc', drilling);
+    await editor.open('brought.nc');
+    await until('findings', async () => (await editor.findings('brought.nc')).includes('9 cycle-left-active'));
     await set(wrapper);
     await until('the control again', async () => /guessed/.test((await editor.control()) ?? ''));
   },

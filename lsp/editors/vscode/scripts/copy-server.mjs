@@ -1,11 +1,22 @@
-// Copies the server as WebAssembly into the package, where `./dev package npm` has made it: it runs where the program is not
-// installed. Without it the extension needs the program.
-import { cpSync, existsSync, rmSync } from 'node:fs';
+// Copies into the package what checks programs where ncvet is not installed: the program that NCVET_PROGRAM names, in a
+// package for one platform; else the server as WebAssembly, where `./dev package npm` has made it. With neither the extension
+// needs an installed program.
+import { chmodSync, copyFileSync, cpSync, existsSync, mkdirSync, rmSync } from 'node:fs';
+import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const from = fileURLToPath(new URL('../../../../build/package/npm/package/', import.meta.url));
-const to = fileURLToPath(new URL('../server/', import.meta.url));
-rmSync(to, { recursive: true, force: true });
-for (const folder of existsSync(from) ? ['bin', 'lib'] : []) {
-  cpSync(`${from}${folder}`, `${to}${folder}`, { recursive: true });
+const module = fileURLToPath(new URL('../../../../build/package/npm/package/', import.meta.url));
+const [bin, server] = ['../bin/', '../server/'].map((folder) => fileURLToPath(new URL(folder, import.meta.url)));
+rmSync(bin, { recursive: true, force: true });
+rmSync(server, { recursive: true, force: true });
+const program = process.env.NCVET_PROGRAM ?? '';
+if (program !== '') {
+  const copy = `${bin}ncvet${path.extname(program) === '.exe' ? '.exe' : ''}`;
+  mkdirSync(bin);
+  copyFileSync(program, copy);
+  chmodSync(copy, 0o755);
+} else if (existsSync(module)) {
+  for (const folder of ['bin', 'lib']) {
+    cpSync(`${module}${folder}`, `${server}${folder}`, { recursive: true });
+  }
 }
