@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <malloc.h>
 #include <poll.h>
+#include <sys/inotify.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <map>
 #include <thread>
 
 namespace ncvet::system {
@@ -180,6 +182,53 @@ std::string lastCrash() {
   default:
     return "trap";
   }
+}
+
+struct FolderEvents::Queue {
+  int number;
+  std::map<std::string, int> watched; ///< the system's number of each folder
+};
+
+FolderEvents::FolderEvents() {
+  const int queue = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+  if (queue >= 0)
+    queue_ = std::make_unique<Queue>(Queue{queue, {}});
+}
+
+FolderEvents::~FolderEvents() {
+  if (queue_)
+    ::close(queue_->number);
+}
+
+void FolderEvents::watch(const std::set<std::string> &folders) {
+  constexpr uint32_t changes =
+      IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO | IN_ONLYDIR;
+  if (!queue_)
+    return;
+  std::map<std::string, int> now;
+  // Asking again is harmless, and finds folders that were removed and made again. What cannot be
+  // watched, as the system's number of watches is limited, is still looked at from time to time.
+  for (const std::string &folder : folders)
+    now[folder] = ::inotify_add_watch(queue_->number, folder.c_str(), changes);
+  std::set<int> kept;
+  for (const auto &[folder, number] : now)
+    kept.insert(number);
+  for (const auto &[folder, number] : queue_->watched)
+    if (number >= 0 && !kept.count(number))
+      ::inotify_rm_watch(queue_->number, number);
+  queue_->watched = std::move(now);
+}
+
+bool FolderEvents::wait(std::chrono::milliseconds longest) {
+  if (!queue_) {
+    std::this_thread::sleep_for(longest);
+    return false;
+  }
+  pollfd of = {queue_->number, POLLIN, 0};
+  if (::poll(&of, 1, int(longest.count())) <= 0)
+    return false; // a signal ends it as well
+  alignas(inotify_event) char events[16 * 1024];
+  return ::read(queue_->number, events, sizeof events) > 0;
 }
 
 } // namespace ncvet::system

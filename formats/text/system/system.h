@@ -6,7 +6,10 @@
 #include "llvm/Support/Error.h"
 #include "llvm/Support/MemoryBuffer.h"
 
+#include <chrono>
 #include <cstddef>
+#include <memory>
+#include <set>
 #include <string>
 
 namespace ncvet::system {
@@ -54,5 +57,23 @@ private:
 };
 /// What the last crash of this thread was: "segmentation fault".
 std::string lastCrash();
+
+/// Changes in folders, as far as the system tells of them.
+class FolderEvents {
+public:
+  FolderEvents();
+  ~FolderEvents();
+  FolderEvents(const FolderEvents &) = delete;
+
+  /// The folders of which it tells from now on, without those below them.
+  void watch(const std::set<std::string> &folders);
+  /// Waits so long, or until something has changed in one of them, and says whether it has. Of
+  /// folders on a network nobody tells, and some systems tell nothing.
+  bool wait(std::chrono::milliseconds longest);
+
+private:
+  struct Queue;
+  std::unique_ptr<Queue> queue_; ///< null: nobody tells of changes
+};
 
 } // namespace ncvet::system

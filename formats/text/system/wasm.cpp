@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <thread>
 
 namespace ncvet::system {
 
@@ -51,6 +52,15 @@ void noteCrashes(void (*)()) {}
 CrashStack::CrashStack() = default;
 CrashStack::~CrashStack() = default;
 std::string lastCrash() { return "abort"; }
+
+struct FolderEvents::Queue {};
+FolderEvents::FolderEvents() = default;
+FolderEvents::~FolderEvents() = default;
+void FolderEvents::watch(const std::set<std::string> &) {}
+bool FolderEvents::wait(std::chrono::milliseconds longest) {
+  std::this_thread::sleep_for(longest);
+  return false;
+}
 
 } // namespace ncvet::system
 

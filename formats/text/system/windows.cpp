@@ -140,4 +140,13 @@ std::string lastCrash() {
   }
 }
 
+struct FolderEvents::Queue {};
+FolderEvents::FolderEvents() = default;
+FolderEvents::~FolderEvents() = default;
+void FolderEvents::watch(const std::set<std::string> &) {}
+bool FolderEvents::wait(std::chrono::milliseconds longest) {
+  std::this_thread::sleep_for(longest);
+  return false;
+}
+
 } // namespace ncvet::system
