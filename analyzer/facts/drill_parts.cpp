@@ -4,20 +4,13 @@
 
 #include "formats/dialect/variable_key.h"
 
-#include <nlohmann/json.hpp>
-
 namespace ncvet {
 
 std::map<std::string, CodeIndex> drillParts(const Dialect &dialect, const MachineProfile &machine) {
   std::map<std::string, CodeIndex> parts;
-  const auto text = machine.option("drillParts");
-  const auto object = nlohmann::json::parse(text ? text->str() : "", nullptr, false);
-  if (!object.is_object())
-    return parts;
-  for (const auto &[name, code] : object.items())
-    if (code.is_string())
-      if (const CodeIndex index = dialect.find(code.get<std::string>()); index != noCode)
-        parts[llvm::StringRef(name).upper()] = index;
+  for (const auto &[name, code] : machine.names("drillParts"))
+    if (const CodeIndex index = dialect.find(code); index != noCode)
+      parts[llvm::StringRef(name).upper()] = index;
   return parts;
 }
 

@@ -40,6 +40,8 @@ struct MachineProfile {
   /// Value of an option, or none when the profile does not say.
   std::optional<llvm::StringRef> option(llvm::StringRef name) const;
   std::optional<double> number(llvm::StringRef name) const;
+  /// An option that gives names to names; empty when the profile does not say.
+  std::map<std::string, std::string> names(llvm::StringRef name) const;
 };
 
 } // namespace ncvet

@@ -6,6 +6,7 @@
 #include "lsp/server/bindings.h"
 #include "lsp/server/rewriting_actions.h"
 #include "lsp/server/workspace_edit.h"
+#include "lsp/transport/json_message.h"
 
 namespace ncvet::lsp {
 
@@ -77,7 +78,7 @@ void fixesOfFinding(const Problem &problem, const CheckResult &result, const Vie
       return {"unsafe", "Not safe: the program may move otherwise afterwards", problem.fixTitle,
               true};
     });
-  fix["diagnostics"] = {Json::parse(problem.diagnostic)};
+  fix["diagnostics"] = {parseMessage(problem.diagnostic)};
   fix["isPreferred"] = problem.safe;
   actions.push_back(std::move(fix));
   if (!problem.safe)
@@ -100,7 +101,7 @@ void suppressions(const Problem &problem, View &view, Json &actions) {
       return;
     Json silence =
         action(title.str(), "quickfix", {{view.document.uri, editsJson(view.positions, *edit)}});
-    silence["diagnostics"] = {Json::parse(problem.diagnostic)};
+    silence["diagnostics"] = {parseMessage(problem.diagnostic)};
     actions.push_back(std::move(silence));
   };
   offer("Allow " + rule + " here", allowHere(view.snapshot, problem.begin, rule));

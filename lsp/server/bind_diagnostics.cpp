@@ -4,6 +4,7 @@
 #include "lsp/server/bindings.h"
 #include "lsp/server/file_stamp.h"
 #include "lsp/server/progress.h"
+#include "lsp/transport/json_message.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/xxhash.h"
@@ -17,7 +18,7 @@ Json report(const std::string &diagnostics, const std::string &previous) {
   std::string id = llvm::utohexstr(llvm::xxHash64(diagnostics));
   if (id == previous)
     return {{"kind", "unchanged"}, {"resultId", std::move(id)}};
-  return {{"kind", "full"}, {"resultId", std::move(id)}, {"items", Json::parse(diagnostics)}};
+  return {{"kind", "full"}, {"resultId", std::move(id)}, {"items", parseMessage(diagnostics)}};
 }
 
 Json ofDocument(Context &context, View &view, const Json &params) {
@@ -79,8 +80,8 @@ private:
   static std::string merged(const std::string &own, const std::string &others) {
     if (others == "[]")
       return own;
-    Json all = Json::parse(own);
-    for (Json &other : Json::parse(others))
+    Json all = parseMessage(own);
+    for (Json &other : parseMessage(others))
       if (llvm::none_of(all, [&](const Json &one) {
             return one["range"] == other["range"] && one["code"] == other["code"];
           }))

@@ -3,7 +3,6 @@
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
-#include <nlohmann/json.hpp>
 
 #include <map>
 #include <set>
@@ -38,8 +37,8 @@ public:
     if (!axes_.empty())
       to.on(EventKind::Statement);
     to.handleNotices();
-    const std::map<std::string, std::string> planes = arcPlanes(to.machine());
-    for (const auto &[name, selects] : planes)
+    // Arcs of the machine's own that work in one plane.
+    for (const auto &[name, selects] : to.machine().names("arcMacroPlanes"))
       if (const CodeIndex arc = to.dialect().find(name), of = to.dialect().find(selects);
           arc != noCode && of != noCode)
         planeOf_[arc] = of;
@@ -78,18 +77,6 @@ public:
   }
 
 private:
-  /// The machine profile's `arcMacroPlanes`: arcs of the machine's own that work in one plane.
-  static std::map<std::string, std::string> arcPlanes(const MachineProfile &machine) {
-    std::map<std::string, std::string> planes;
-    const auto text = machine.option("arcMacroPlanes");
-    const auto object = nlohmann::json::parse(text ? text->str() : "", nullptr, false);
-    if (object.is_object())
-      for (const auto &[name, plane] : object.items())
-        if (plane.is_string())
-          planes[name] = plane.get<std::string>();
-    return planes;
-  }
-
   void arcInPlane(const Event &event, RuleContext &ctx) const {
     const auto wanted = planeOf_.find(ctx.code(event).base);
     if (wanted == planeOf_.end())
