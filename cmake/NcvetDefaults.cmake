@@ -28,6 +28,9 @@ if(NCVET_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
+# g++ collects garbage whenever its memory has doubled: a twelfth of the time. A batch needs 0.9 GB without.
+add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>")
+
 function(ncvet_warnings target)
   # In a batch a local name may hide one of another file, which only g++ can leave out.
   set(shadow -Wshadow)

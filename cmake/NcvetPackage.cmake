@@ -6,8 +6,8 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # the tests are in no package
 # their paths (and a solver that is not used), so the archives are listed here; lower layers come last.
 find_library(NCVET_STATIC_Z NAMES libz.a)
 find_library(NCVET_STATIC_TINFO NAMES libtinfo.a)
-set(layers ncvet_lsp ncvet_rules ncvet_analyzer ncvet_reports ncvet_interp ncvet_readers ncvet_dialect
-           ncvet_finding ncvet_text)
+set(layers ncvet_lsp ncvet_rules ncvet_check ncvet_analyzer ncvet_reports ncvet_interp ncvet_readers
+           ncvet_dialect ncvet_finding ncvet_text)
 add_executable(ncvet_static EXCLUDE_FROM_ALL $<TARGET_OBJECTS:ncvet>)
 foreach(layer IN LISTS layers)
   target_link_libraries(ncvet_static PRIVATE $<TARGET_FILE:${layer}>)

@@ -12,8 +12,5 @@ add_custom_command(
 ncvet_batched(rule_batches ncvet_rules 20 ${rule_sources})
 add_library(ncvet_rules STATIC ${rule_batches} ${rule_table})
 target_link_libraries(ncvet_rules PUBLIC ncvet_analyzer)
-# Of the rules a block runs little: g++'s third level of optimisation costs an eighth of their compile
-# time and gains nothing. A precompiled header holds for one level.
-target_compile_options(ncvet_rules PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O2>)
-target_precompile_headers(ncvet_rules PRIVATE ${CMAKE_SOURCE_DIR}/cmake/pch.h)
+ncvet_precompiled(ncvet_rules)
 ncvet_warnings(ncvet_rules)

@@ -1,5 +1,5 @@
 # The WebAssembly module ncvet.wasm and the script that loads it, for Node and for workers of browsers.
-foreach(layer ncvet_analyzer ncvet_rules ncvet_lsp ncvet)
+foreach(layer ncvet_analyzer ncvet_check ncvet_rules ncvet_lsp ncvet)
   target_compile_options(${layer} PRIVATE -include ${CMAKE_SOURCE_DIR}/cmake/cross/wasm_library.h)
 endforeach()
 # A module is fetched before it runs, and the server is a quarter of its code and runs little. em++
