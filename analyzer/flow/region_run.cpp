@@ -260,6 +260,7 @@ bool RegionRun::passOver() {
     interruptRecord();
   // The closing mark of the tape: what follows it is no program.
   const bool closes = block_->kind == BlockKind::Tape && activation_.executedAny;
+  pattern_ = nullptr; // an empty line that comes next is no move like the one before this block
   at_ = closes ? region_.program.end : block_->next;
   return true;
 }

@@ -478,6 +478,15 @@ TEST(FastPath, ListenersAreToldTheSameAndTheSameIsFoundInRandomLoops) {
     compare(sample);
 }
 
+TEST(FastPath, EmptyLinesAfterMovesAreNoMoves) {
+  std::string moves = "G21 G90 G54\n";
+  for (int i = 1; i <= 6; ++i)
+    moves += "G0 X" + std::to_string(i) + ".5 Y" + std::to_string(i) + ".25\n";
+  for (const char *dialect : {"linuxcnc", "haas-mill", "fanuc-0m", "sinumerik"})
+    for (const char *between : {"\n", "\n\n", "(A)\n(B)\n", "\n\nG0 X1. Y2.\n\n\n"})
+      compare({dialect, "moves, then empty lines", moves + between + "G0 Z50.\nM2\n", ""});
+}
+
 TEST(FastPath, ListenersAreToldTheSameAndTheSameIsFoundInWrittenPrograms) {
   for (const Sample &sample : writtenPrograms(9))
     compare(sample);
