@@ -320,11 +320,11 @@ constexpr Field codeFields[] = {
     flag<&CodeInfo::elsewhere>("elsewhere",
                                "the program that it calls is on the control or on another device: "
                                "it is not looked for"),
-    field<&CodeInfo::family>(
-        "family", text,
-        "of cycles: those that one code cancels; of feed modes: those in which F has one unit, so "
-        "that a change between them leaves F what it was",
-        "\"canned\""),
+    field<&CodeInfo::family>("family", text,
+                             "of cycles: those that one code cancels; `wait-mark`: sets a mark for "
+                             "other channels; of feed modes: those in which F has one unit, so "
+                             "that a change between them leaves F what it was",
+                             "\"canned\""),
     field<&CodeInfo::arguments>("arguments", whole(0, 100),
                                 "most arguments that its call takes; 0: not limited", "11"),
     field<&CodeInfo::storedAt>("storedAt", whole(0, 999999),

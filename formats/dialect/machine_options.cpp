@@ -117,6 +117,7 @@ constexpr Field optionFields[] = {
     elsewhere("skipFunction", boolean, "the option for G31", "true"),
     elsewhere("spindleEncoder", boolean, "rigid tapping and feed per revolution are possible",
               "true"),
+    elsewhere("spindles", whole(1, 20), "how many spindles the machine has", "2"),
     elsewhere("spindleOrientation", boolean, "an oriented stop (M19) is fitted", "true"),
     elsewhere("stockTopZ", number, "top of the stock where `stock` is not given", "0"),
     elsewhere("straightCorner", numberFrom(0),

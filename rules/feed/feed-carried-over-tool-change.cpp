@@ -1,0 +1,56 @@
+// The first cut of a tool runs with the feed of the tool before it.
+#include "analyzer/facts/lookahead.h"
+
+namespace ncvet {
+namespace {
+
+struct FeedCarriedOverToolChangeMemory {
+  bool hasCut = false;   ///< a tool before the one in use has cut
+  int64_t tool = notSet; ///< in use
+};
+
+class FeedCarriedOverToolChange final : public StatefulRule<FeedCarriedOverToolChangeMemory> {
+public:
+  void listen(Subscriptions &to) override {
+    to.on(EventKind::ToolChange);
+    to.onChange({EventKind::Motion, EventKind::CycleRun});
+  }
+
+  void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::ToolChange) {
+      const bool same = event.tool() >= 0 && event.tool() == memory().tool; // another offset of it
+      memory().tool = event.tool();
+      memory().hasCut = !same && ctx.before().must(Fact::Cut);
+      return;
+    }
+    if (!memory().hasCut || !cuts(event, ctx))
+      return;
+    memory().hasCut = false;
+    const MachineState &after = ctx.after();
+    const Origin &feed = after.origin.of(StatePart::Feed), &tool = after.origin.of(StatePart::Tool);
+    if (!after.must(Fact::FeedSet) || after.may(Fact::UnknownCode) || after.may(Fact::FeedIsLead) ||
+        !feed.known() || !tool.known() || feed.file != tool.file || feed.begin >= tool.begin ||
+        ctx.block().has(letterAddress('F')) || tool.file != ctx.source().id())
+      return;
+    if (auto finding = ctx.report(ctx.blockRange(), event.certain))
+      finding
+          .message("`{0}` cuts with the feed of the tool before: this one has none of its own",
+                   ctx.code(event).name)
+          .note(feed, "the feed is programmed here")
+          .note(tool, "the tool is called here");
+  }
+
+private:
+  static bool cuts(const Event &event, const RuleContext &ctx) {
+    if (event.code == noCode || !ctx.code(event).needsFeed)
+      return false;
+    return event.kind == EventKind::CycleRun
+               ? event.axes != 0 && !taps(ctx.code(event).cycle)
+               : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
+                     event.motion == MotionKind::ArcCcw;
+  }
+};
+
+} // namespace
+NCVET_RULE(FeedCarriedOverToolChange, feed_carried_over_tool_change)
+} // namespace ncvet
