@@ -47,7 +47,8 @@ private:
       found_ |= programsThreeAxes;
     if (findCode(dialect, block,
                  {Action::SpindleCw, Action::SpindleCcw, Action::SpindleStop, Action::LiveToolCw,
-                  Action::LiveToolCcw, Action::ToolChange}))
+                  Action::LiveToolCcw, Action::LiveToolStop, Action::AxisEngage,
+                  Action::ToolChange}))
       found_ |= programsSpindle;
   }
 

@@ -222,6 +222,11 @@ private:
                         : rise > 0             ? Side::Outside
                                                : Side::Inside;
     const Side byCode = sideByCode();
+    // From outside of all its points, down and up again: the contour begins with the face.
+    const ProfileBlock &last = profile_.blocks[profile_.lastCut - 1];
+    if (byCode == Side::Unknown && byStart == Side::Outside && last.toX.isConstant() &&
+        profile_.reachesX.lo < last.toX.value() - step)
+      return byStart;
     if (byCode == Side::Unknown)
       return byRise != Side::Unknown ? byRise : byStart;
     return byCode == byRise || byRise == Side::Unknown ? byCode : byStart;

@@ -4,6 +4,7 @@
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
 #include "interp/evaluate/program_operators.h"
+#include "interp/execute/switches_of_g.h"
 #include "interp/value/units.h"
 
 #include <bit>
@@ -444,8 +445,9 @@ void Execution::unknownCode(const Word &word) {
     state_.liveTool = spindleAny;
     state_.clear(Fact::SpindleStoppedByTap);
     stateUse.everything();
-    state_.switches.may = ~0u;
-    state_.switches.must = 0;
+    const uint32_t modes = switchesOfG(dialect_);
+    state_.switches.may |= ~modes;
+    state_.switches.must &= modes;
   }
 }
 

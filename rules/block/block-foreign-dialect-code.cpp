@@ -1,5 +1,6 @@
 // A code or word that is used as another control reads it.
 #include "analyzer/facts/foreign_block.h"
+#include "analyzer/facts/foreign_condition.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -21,7 +22,7 @@ public:
     carried_ = to.flag("tapeMarksCarried");
     variantNames_ = to.dialect().facts->text.variantNames;
     if (isoSigns_)
-      to.on({EventKind::WordIssue, EventKind::Syntax});
+      to.on({EventKind::WordIssue, EventKind::Syntax, EventKind::Statement});
     if (variantNames_)
       to.on(EventKind::Syntax);
   }
@@ -33,6 +34,8 @@ public:
         sleepInShape();
       return;
     }
+    if (event.kind == EventKind::Statement)
+      return condition(ctx.block().items[event.item()], ctx);
     if (event.kind == EventKind::Syntax) {
       const SyntaxIssue &issue = ctx.block().issues[event.issue()];
       const SourceRange range = ctx.range(issue);
@@ -96,6 +99,28 @@ private:
                    "parameters choose the variant",
                    text, code)
           .fix(FixSafety::Unsafe, ("write `" + code + "`").str(), ctx.replace(range, code.str()));
+  }
+
+  /// `R1==1 && R2==2`, `R1!=1`, `WHILE R1<5 DO`: signs and words of other languages.
+  static void condition(const Item &item, RuleContext &ctx) {
+    const ForeignSign sign = foreignSignIn(item, ctx.source().text(item.begin, ctx.block().end));
+    if (!sign)
+      return;
+    const auto at = item.begin + uint32_t(sign.at);
+    const SourceRange range{ctx.source().id(), at, at + uint32_t(sign.foreign.size())};
+    auto finding = ctx.report(range);
+    if (!finding)
+      return;
+    if (sign.own.empty())
+      finding
+          .message("`{0}` begins the body of a loop in other languages: here it begins with the "
+                   "next block",
+                   sign.foreign)
+          .fix(FixSafety::Unsafe, "delete the word", {{range.file, at - 1, range.end}, ""});
+    else
+      finding
+          .message("`{0}` is a sign of other languages: here it is `{1}`", sign.foreign, sign.own)
+          .fix(FixSafety::Unsafe, ("write `" + sign.own + "`").str(), ctx.replace(range, sign.own));
   }
 
   /// `%` alone: here a program's name and kind follow the sign.

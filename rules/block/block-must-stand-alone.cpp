@@ -1,4 +1,5 @@
 // A code that needs a block of its own shares it with words that are not its own.
+#include "analyzer/facts/foreign_condition.h"
 #include "analyzer/facts/word_checks.h"
 #include "formats/dialect/control_facts.h"
 
@@ -152,6 +153,9 @@ private:
         return;
     const bool bracket = item.kind == ItemKind::Structure;
     const SourceRange range = ctx.range(item);
+    if (ctx.dialect().facts->text.isoSignsForeign && // block-foreign-dialect-code speaks
+        foreignSignIn(item, ctx.source().text(item.begin, block.end)))
+      return;
     const bool marked = bracket && (block.hasLabel() || block.skip >= 0);
     if (block.words.empty() && block.items.size() == 1 && !marked)
       return;

@@ -31,6 +31,22 @@ public:
   }
 
 private:
+  /// Directly before the finishing cycle of a lathe, which cuts the contour with it, or after it.
+  static bool isForFinish(const RuleContext &ctx) {
+    const auto finishes = [&](const Block &block) {
+      const CodeInfo *const cycle =
+          findCode(ctx.dialect(), block, {Action::Cycle, Action::ProfileRun});
+      return cycle && cycle->cycle == CycleKind::Finish;
+    };
+    Block block;
+    if (!ctx.dialect().isLathe())
+      return false;
+    if (readPrevious(ctx, block) && finishes(block))
+      return true;
+    BlocksAhead ahead(ctx);
+    return ahead.next(block) && finishes(block);
+  }
+
   /// The first piece of the contour is made at feed.
   void firstMove(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
@@ -154,6 +170,8 @@ private:
   }
 
   void atCode(const Event &event, RuleContext &ctx) const {
+    if (isForFinish(ctx))
+      return;
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
     if (off)

@@ -9,6 +9,8 @@ public:
   void listen(Subscriptions &to) override {
     to.onAction({Action::CallLocal, Action::CallProgram});
     to.onNotices("flow-call-format");
+    if (to.dialect().limits.packedCallDigits)
+      to.on(EventKind::FlowIssue);
     if (to.flag("statements"))
       to.on({EventKind::Statement, EventKind::WordIssue});
   }
@@ -16,6 +18,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Statement)
       return atStatement(ctx.block().items[event.item()], ctx);
+    if (event.kind == EventKind::FlowIssue)
+      return neither(event, ctx);
     if (event.kind == EventKind::WordIssue) {
       if (event.wordIssue() == WordIssue::Special)
         number(ctx);
@@ -57,6 +61,43 @@ private:
           .message("`{0}` has more digits than a program's number: the count of runs is a word of "
                    "its own here",
                    ctx.text(*program));
+  }
+
+  /// `M98 P31201`: there is neither a program of that number, nor one of its last digits to run as
+  /// often as the first ones say.
+  static void neither(const Event &event, RuleContext &ctx) {
+    const Flow &flow = ctx.outcome().flow;
+    if (event.flowIssue() != FlowIssue::UnknownProgram || flow.macro || !flow.word ||
+        !flow.word->isNumber() || ctx.index().programs().size() < 2)
+      return;
+    const llvm::StringRef digits = ctx.text(*flow.word).drop_until(llvm::isDigit);
+    const unsigned own = ctx.dialect().limits.packedCallDigits;
+    if (digits.size() <= own)
+      return tooShort(digits, own, ctx);
+    if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` is neither the number of a program nor `{1}` runs of program {2}: the "
+                   "file has none of both",
+                   ctx.text(*flow.word), digits.drop_back(own), digits.take_back(own));
+  }
+
+  /// `M98 P510` for five runs of O0010: the number has four digits then.
+  static void tooShort(llvm::StringRef digits, unsigned own, RuleContext &ctx) {
+    for (size_t count = 1; count < digits.size(); ++count) {
+      int64_t number = 0;
+      if (digits.drop_front(count).getAsInteger(10, number) || !ctx.index().find(number))
+        continue;
+      const std::string whole =
+          (digits.take_front(count) + std::string(own - (digits.size() - count), '0') +
+           digits.drop_front(count))
+              .str();
+      if (auto finding = ctx.report(ctx.flowRange()))
+        finding.severity(Severity::Warning)
+            .message("`P{0}` calls program {0}, which the file does not have: {1} runs of program "
+                     "{2} are `P{3}`",
+                     digits, digits.take_front(count), number, whole);
+      return;
+    }
   }
 
   /// `L100` where L names an element of a contour, and a call has its name in brackets.

@@ -32,7 +32,7 @@ public:
       if (item.kind == ItemKind::Structure && item.structure == Structure::While)
         return bracketed(item, ctx);
       if (item.kind == ItemKind::While && item.loop)
-        return numbered(item, ctx);
+        return &item == &ctx.block().items.back() ? numbered(item, ctx) : void();
       if (item.kind == ItemKind::Structure &&
           (item.structure == Structure::Loop || item.structure == Structure::Repeat))
         return endedBelow(item, ctx);
@@ -41,13 +41,22 @@ public:
       return backwards(item, ctx);
     }
     if (event.flowIssue() != FlowIssue::EndlessLoop ||
-        (restarts_ && ctx.outcome().flow.kind == FlowKind::Return))
+        (restarts_ && ctx.outcome().flow.kind == FlowKind::Return) || goesOnInHead(ctx))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");
   }
 
 private:
+  /// Whether statements follow in the block that begins the loop: not all controls run them, and
+  /// those that do may change there what decides.
+  static bool goesOnInHead(const RuleContext &ctx) {
+    Block head;
+    readBlockAt(ctx.source(), ctx.index().reader(), ctx.flowRange().begin, head);
+    return !head.items.empty() && head.items.back().kind != ItemKind::While &&
+           llvm::any_of(head.items, [](const Item &one) { return one.kind == ItemKind::While; });
+  }
+
   bool restarts_ = false; ///< a return code of a main program begins the next part
 
   /// A choice that leads back, over blocks that write nothing of what it looks at and lead nowhere

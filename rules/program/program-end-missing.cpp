@@ -16,11 +16,15 @@ public:
     to.onAction({Action::ProgramHead, Action::Reset});
     fileIsProgram_ = to.dialect().facts->program.fileIsProgram;
     tapeMarkEnds_ = to.dialect().facts->program.tapeMarkEnds;
+    bool rewinds = false;
     for (const CodeInfo &code : to.dialect().codes) {
-      if (code.action == Action::ProgramEndRewind)
+      // Of several the first one is the usual one: others end part of a job.
+      if (code.action == Action::ProgramEndRewind && !rewinds) {
         end_ = code.name;
-      else if (code.action == Action::ProgramEnd && end_.empty())
+        rewinds = true;
+      } else if (code.action == Action::ProgramEnd && end_.empty()) {
         end_ = code.name;
+      }
       hasHead_ |= code.action == Action::ProgramHead || code.action == Action::Reset;
     }
   }

@@ -17,6 +17,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::SpeedWord});
     highestCuttingSpeed_ = to.number("cuttingSpeedAbove", 1000);
+    unitOpen_ = to.flag("unitOpen");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -67,9 +68,12 @@ private:
     if (state.activeAction(ctx.dialect(), StandardGroup::SpeedMode) != Action::SurfaceSpeed)
       return;
     constexpr double feetPerMetre = 3.28;
+    const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
     const bool inch =
-        state.active(ctx.dialect(), StandardGroup::Units) != groupUnset &&
-        state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) != Truth::No;
+        units != noGroup &&
+        ((unitOpen_ && !state.mayBeStated(units)) ||
+         (state.active(ctx.dialect(), StandardGroup::Units) != groupUnset &&
+          state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) != Truth::No));
     // A number above the limit of the spindle is no speed in revolutions either.
     const bool aboveLimit =
         state.speedLimit->isConstant() && event.speed().value() > state.speedLimit->value();
@@ -102,6 +106,7 @@ private:
   }
 
   double highestCuttingSpeed_ = 1000; // m/min
+  bool unitOpen_ = false;             ///< a program that states no unit may be in feet
 };
 
 } // namespace

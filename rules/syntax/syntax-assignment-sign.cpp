@@ -46,6 +46,12 @@ public:
             ctx.text(where));
       return;
     }
+    if (issue.kind == SyntaxIssueKind::AssignmentInTest && ctx.text(where).startswith("==")) {
+      if (auto finding = ctx.report(where))
+        finding.message("`==` compares two values; a word takes its value with `=`")
+            .fix(FixSafety::Unsafe, "write `=`", ctx.replace(where, "="));
+      return;
+    }
     if (issue.kind == SyntaxIssueKind::AssignmentInTest) {
       if (auto finding = ctx.report(where))
         finding.message("`=` gives a value; two values are compared with `==`")

@@ -21,9 +21,6 @@ public:
                  ? "`{0}` has no bracket to match it"
                  : "`{0}` is not closed: the control cannot tell where it ends";
       break;
-    case SyntaxIssueKind::UnclosedString:
-      what = "the string `{0}` has no closing quotation mark";
-      break;
     case SyntaxIssueKind::StrayParenthesis:
       what = "`{0}` closes what nothing has opened";
       break;

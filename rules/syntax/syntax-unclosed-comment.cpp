@@ -32,6 +32,11 @@ public:
             .fix(FixSafety::Unsafe, "close the comment at the end of the block",
                  ctx.insertBefore(issue.end, ctx.text(range).startswith("{") ? "}" : ")"));
       return;
+    case SyntaxIssueKind::UnclosedString:
+      if (auto finding = ctx.report(range))
+        finding.message("the string `{0}` has no closing quotation mark",
+                        ctx.source().displayText(ctx.text(range)));
+      return;
     case SyntaxIssueKind::NestedComment: {
       const bool braces = ctx.text(range).startswith("{");
       if (nestedStops_) {

@@ -78,6 +78,10 @@ private:
   void afterRetract(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
     const Origin &off = state.origin.of(StatePart::RadiusOffset);
+    // A change of the tool takes its first edge by itself.
+    const Origin &tool = state.origin.of(StatePart::Tool);
+    if (tool.known() && tool.file == off.file && tool.begin > off.begin)
+      return;
     if (event.inMachineCoordinates() || state.radiusOffset != 0 || state.tool == 0 ||
         !state.must(Fact::ToolCalled) || ctx.before().may(Fact::UnknownCode) ||
         !memory().once.maySpeak(off, ctx) || !isOfRetract(ctx, off) ||

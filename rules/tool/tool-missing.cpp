@@ -33,7 +33,7 @@ public:
       return;
     if (event.kind == EventKind::Motion &&
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
-         event.motion == MotionKind::Skip))
+         event.motion == MotionKind::Skip || event.inMachineCoordinates()))
       return;
     const bool unsaid =
         !ctx.after().may(Fact::SpeedSet) && !ctx.after().may(Fact::SpindleStated) && !nameless;

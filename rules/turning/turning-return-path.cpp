@@ -36,7 +36,7 @@ public:
         profile.blocks[profile.lastCut - 1].toX.value() - profile.blocks.front().toX.value();
     if (rise > -pathTolerance && rise < pathTolerance)
       return;
-    const bool inside = rise < 0;
+    const bool inside = rise < 0 && profile.side != Side::Outside;
     const double x = end.toX.value(), z = end.toZ.value();
     if (together_)
       return returnsTogether(event, profile, {z, x}, {startZ.value(), startX.value()}, inside, ctx);

@@ -137,6 +137,13 @@ uint16_t SinumerikExpression::parseCondition() {
   return index;
 }
 
+/// `AC`, `IC`, `DC`, `ACP`, `ACN`: says how the value in brackets after it counts.
+static bool isReading(llvm::StringRef name) {
+  return llvm::StringSwitch<bool>(name.upper())
+      .Cases("AC", "IC", "DC", "ACP", "ACN", true)
+      .Default(false);
+}
+
 uint16_t SinumerikExpression::parseValue(WordReading &reading) {
   reading = WordReading::Modal;
   return read([&] {
@@ -151,7 +158,7 @@ uint16_t SinumerikExpression::parseValue(WordReading &reading) {
                     .Case("ACN", WordReading::RotaryNegative)
                     .Default(WordReading::Modal);
     if (reading == WordReading::Modal)
-      return group(0);
+      return isReading(head) ? false : group(0);
     at_ = after + 1;
     return group(1) && take(')');
   });

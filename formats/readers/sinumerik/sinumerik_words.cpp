@@ -92,6 +92,11 @@ void SinumerikScanner::scanLetter() {
     at_ = value + 1;
     return scanValue(address, begin);
   }
+  if (value + 1 < end_ && value[0] == '=' && value[1] == '=') { // the value counts
+    issue(SyntaxIssueKind::AssignmentInTest, value, value + 2);
+    at_ = value + 2;
+    return scanValue(address, begin);
+  }
   if (value < end_ && *value == '[')
     return scanIndexed(begin, address);
   if (value < end_ && *value == '(' && value == at_) {
