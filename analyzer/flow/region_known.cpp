@@ -129,10 +129,10 @@ void RegionRun::make(KnownBlocks::Known &known, Live &live) {
   done_ = &known;
   calculated_ = false;
   outcome_ = &known.outcome;
-  modes_ = known.after;
   blockUse_ = known.use;
   stateUse |= blockUse_;
   known.move.make(*block_, unit_.source.id(), before_, live.state, known.outcome);
+  modes_ = known.after ? known.after : modesNumber(*unit_.dialect, live.state);
 }
 
 /// The block was executed in full, in `modes_`: finds out what others like it do.
@@ -151,9 +151,12 @@ void RegionRun::learn(Live &live) {
   KnownBlocks::Known &known = known_->add(*spelling_, modes);
   known.move = std::move(*move);
   known.outcome = *outcome_;
-  known.outcome.known = ++run_.knownBlocks;
   known.use = blockUse_;
   modes_ = known.after = modesNumber(*unit_.dialect, live.state);
+  if (known.move.engages) // the modes after it are not always the same
+    known.outcome.known = known.after = 0;
+  else
+    known.outcome.known = ++run_.knownBlocks;
 }
 
 } // namespace ncvet

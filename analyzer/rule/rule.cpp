@@ -67,8 +67,10 @@ const ArcWords &RuleContext::arcWords() const {
 }
 
 const ArcGeometry &RuleContext::arc() const {
+  if (std::exchange(centresOf_, unit_) != unit_)
+    centres_ = arcCentresOf(*dialect_, *machine_);
   if (!arc_)
-    arc_ = arcGeometry(arcWords(), *dialect_, *machine_, *block_, *before_, *after_);
+    arc_ = arcGeometry(arcWords(), *dialect_, *machine_, centres_, *block_, *before_, *after_);
   return *arc_;
 }
 

@@ -291,6 +291,8 @@ private:
   TextAhead *ahead_ = nullptr;
   mutable std::optional<ArcWords> arcWords_;
   mutable std::optional<ArcGeometry> arc_;
+  mutable const FileUnit *centresOf_ = nullptr; ///< for whose control and machine these are:
+  mutable ArcCentres centres_ = ArcCentres::Incremental;
   SourceRange flowRange_, flowRelated_;
 };
 

@@ -20,6 +20,8 @@ void KnownMove::make(const Block &block, FileId file, const MachineState &before
   state.factsMust = factsMust;
   state.feed.peek() = feed;
   state.idleBlocks = idleBlocks;
+  state.compensation = compensation;
+  state.radiusOffset.peek() = radiusOffset;
   if (forgetsLevel)
     state.fedFrom.forget();
   if (losesTool)
@@ -27,10 +29,23 @@ void KnownMove::make(const Block &block, FileId file, const MachineState &before
   for (const PlainMove::Step &step : steps)
     step.target.move(block.words[step.word], unit, state);
   state.machineAxes = machineAxes;
+  if (engages)
+    noteEntry(before, state);
   if (hole != HoleEnd::None)
     drill(block, state, outcome);
   else if (tracksDepth)
     trackDepth(before, state, isRapid);
+}
+
+/// From which side the tool comes to its contour.
+void KnownMove::noteEntry(const MachineState &before, MachineState &state) {
+  const Interval way = state.at(Axis::X) - before.at(Axis::X);
+  const uint64_t side = way.hi < 0   ? bitOf(Fact::EnteredInward)
+                        : way.lo > 0 ? bitOf(Fact::EnteredOutward)
+                                     : 0;
+  constexpr uint64_t both = bitOf(Fact::EnteredInward) | bitOf(Fact::EnteredOutward);
+  state.factsMay = (state.factsMay & ~both) | side;
+  state.factsMust = (state.factsMust & ~both) | side;
 }
 
 void KnownMove::drill(const Block &block, MachineState &state, Outcome &outcome) const {
@@ -69,6 +84,8 @@ void KnownMove::catchUp(const MachineState &after, MachineState &before) const {
   before.statedMay = statedMay;
   before.statedMust = statedMust;
   before.idleBlocks = idleBlocks;
+  before.compensation = compensation;
+  before.radiusOffset.peek() = radiusOffset;
   if (hole != HoleEnd::None)
     before.cycle = after.cycle;
 }

@@ -36,6 +36,7 @@ struct KnownMove {
   bool tracksDepth = false;  ///< of a mill
   bool forgetsLevel = false; ///< from which the tool was fed down
   bool losesTool = false;    ///< where it is along its axis is not known before the move
+  bool engages = false;      ///< compensation: what is noted of it depends on the way along X
   HoleEnd hole = HoleEnd::None;
   Axis tool = Axis::Z; ///< the axis along which it drills
   // As they are after the block.
@@ -44,6 +45,8 @@ struct KnownMove {
   uint32_t machineAxes = 0;
   uint32_t cycleWords = 0;
   uint8_t idleBlocks = 0;
+  uint8_t compensation = phaseOff;
+  int32_t radiusOffset = notSet;
   Interval feed;
 
   /// Does to `state`, which equals `before`, what executing the block does, and puts the hole into
@@ -54,6 +57,7 @@ struct KnownMove {
   void catchUp(const MachineState &after, MachineState &before) const;
 
 private:
+  static void noteEntry(const MachineState &before, MachineState &state);
   void drill(const Block &block, MachineState &state, Outcome &outcome) const;
 };
 

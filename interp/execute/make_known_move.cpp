@@ -17,6 +17,7 @@ constexpr uint32_t knownEvents = bitOf(EventKind::Block) | bitOf(EventKind::Code
                                  bitOf(EventKind::FeedWord) | bitOf(EventKind::SpeedWord) |
                                  bitOf(EventKind::OffsetWord) | bitOf(EventKind::Motion) |
                                  bitOf(EventKind::CycleRun) | bitOf(EventKind::CoordinateChange) |
+                                 bitOf(EventKind::CompensationMove) |
                                  bitOf(EventKind::SpindleChange) | bitOf(EventKind::WordIssue);
 
 /// The one event of this kind; null: there is none, or several.
@@ -56,6 +57,9 @@ bool isNumberless(Action action) {
   case Action::ConstantSpeed:
   case Action::ReturnInitial:
   case Action::ReturnR:
+  case Action::CompensationOff:
+  case Action::CompensationLeft:
+  case Action::CompensationRight:
   case Action::SpindleCw:
   case Action::SpindleCcw:
   case Action::CoolantOn:
@@ -84,8 +88,6 @@ bool Execution::isKnownCode(const CodeUse &use) const {
       (code.effect.index != 0xFF && code.effect.offByZero))
     return false;
   switch (code.action) {
-  case Action::CompensationOff:
-    return before_.compensation == phaseOff;
   case Action::CycleCancel:
     return before_.cycleActive(dialect_) == Truth::No;
   case Action::LengthOff:
@@ -98,10 +100,24 @@ bool Execution::isKnownCode(const CodeUse &use) const {
   }
 }
 
+/// Whether no number of the block decides how compensation goes on, but the way along X where it is
+/// engaged or taken off.
+bool Execution::isKnownCompensation() const {
+  if (before_.compensation == phaseOff && state_.compensation == phaseOff)
+    return true;
+  if (!std::has_single_bit(before_.compensation) || !std::has_single_bit(state_.compensation))
+    return false;
+  const bool atX = !before_.inMachineCoordinates(Axis::X) && !state_.inMachineCoordinates(Axis::X);
+  if (outcome_.kinds & bitOf(EventKind::CompensationMove))
+    return atX;
+  // Whether a line in the plane is a slanted one its numbers decide.
+  return state_.compensation != phaseOn || (before_.factsMust & bitOf(Fact::ContourCompensated)) ||
+         block_.hasAny(arcWords) || !(axesOf(dialect_, block_) & planeAxes(dialect_, state_));
+}
+
 /// Whether the block is of a kind whose numbers decide nothing but where it leads.
 bool Execution::isKnownKind() const {
   constexpr uint8_t usual = wordPoint | wordMinus | wordLeadingZero;
-  constexpr uint64_t contour = bitOf(Fact::CompensatedCut) | bitOf(Fact::ContourCompensated);
   constexpr size_t most = 200; // words: the index of one is a byte
   if ((outcome_.kinds & ~knownEvents) || outcome_.flow.kind != FlowKind::Next ||
       outcome_.callsModally != Truth::No || outcome_.foreign || block_.words.size() > most ||
@@ -109,11 +125,8 @@ bool Execution::isKnownKind() const {
     return false;
   if (before_.modalCalls || before_.pendingCycle != noCode || before_.seeksBranch ||
       before_.profile != ProfileMode::Off || polarMayBeOn() || hasAngleWord() ||
-      block_.hasAny(dialect_.polarWords) || before_.compensation != state_.compensation ||
+      block_.hasAny(dialect_.polarWords) || !isKnownCompensation() ||
       (diameterMayBeOn() && (state_.groups[masks_.diameter] & ~masks_.diameterOn)))
-    return false;
-  if (state_.compensation != phaseOff &&
-      (state_.compensation != phaseOn || (before_.factsMust & contour) != contour))
     return false;
   return lengthFactor().isConstant() && incremental() != Truth::Unknown &&
          llvm::all_of(outcome_.codes, [&](const CodeUse &use) { return isKnownCode(use); });
@@ -217,6 +230,9 @@ std::optional<KnownMove> Execution::asKnownMove(const StateUse &use) const {
   move.machineAxes = state_.machineAxes;
   move.cycleWords = state_.cycle.present;
   move.idleBlocks = state_.idleBlocks;
+  move.compensation = state_.compensation;
+  move.radiusOffset = state_.radiusOffset.peek();
+  move.engages = outcome_.kinds & bitOf(EventKind::CompensationMove);
   move.feed = state_.feed.peek();
   return move;
 }

@@ -72,9 +72,10 @@ namespace {
 class ArcReading {
 public:
   ArcReading(const ArcWords &words, const Dialect &dialect, const MachineProfile &machine,
-             const Block &block, const MachineState &before, const MachineState &after)
-      : words_(words), dialect_(dialect), machine_(machine), block_(block), before_(before),
-        after_(after) {}
+             ArcCentres centres, const Block &block, const MachineState &before,
+             const MachineState &after)
+      : words_(words), dialect_(dialect), machine_(machine), centres_(centres), block_(block),
+        before_(before), after_(after) {}
 
   ArcGeometry run() {
     const std::array<double, 2> lengths{dialect_.lengthsPerUnit(words_.axes[0]),
@@ -133,20 +134,16 @@ private:
 
   /// A control whose centres are coordinates, unless the machine was set otherwise.
   void applySettings() {
-    auto centres = machine_.option("arcCentres");
-    if (const auto usual = dialect_.options.find("arcCentres");
-        !centres && usual != dialect_.options.end())
-      centres = llvm::StringRef(usual->second);
-    if (centres == llvm::StringRef("by-mode")) {
-      const Truth absolute = after_.isActive(dialect_, StandardGroup::Distance, {Action::Absolute});
-      result_.centreAbsolute = absolute == Truth::Yes;
-      if (absolute == Truth::Unknown)
-        result_.centreWords.reset();
-    } else if (centres && *centres != "incremental") {
-      result_.centreAbsolute = *centres == "absolute";
-      if (!result_.centreAbsolute)
-        result_.centreWords.reset();
-    }
+    if (centres_ == ArcCentres::Incremental)
+      return;
+    const Truth absolute =
+        centres_ == ArcCentres::ByMode
+            ? after_.isActive(dialect_, StandardGroup::Distance, {Action::Absolute})
+        : centres_ == ArcCentres::Absolute ? Truth::Yes
+                                           : Truth::Unknown;
+    result_.centreAbsolute = absolute == Truth::Yes;
+    if (absolute == Truth::Unknown)
+      result_.centreWords.reset();
   }
 
   /// Codes of the program that say the same.
@@ -164,6 +161,7 @@ private:
   const ArcWords &words_;
   const Dialect &dialect_;
   const MachineProfile &machine_;
+  const ArcCentres centres_;
   const Block &block_;
   const MachineState &before_, &after_;
   ArcGeometry result_;
@@ -171,12 +169,24 @@ private:
 
 } // namespace
 
+ArcCentres arcCentresOf(const Dialect &dialect, const MachineProfile &machine) {
+  auto centres = machine.option("arcCentres");
+  if (const auto usual = dialect.options.find("arcCentres");
+      !centres && usual != dialect.options.end())
+    centres = llvm::StringRef(usual->second);
+  if (!centres || *centres == "incremental")
+    return ArcCentres::Incremental;
+  return *centres == "by-mode"    ? ArcCentres::ByMode
+         : *centres == "absolute" ? ArcCentres::Absolute
+                                  : ArcCentres::Unknown;
+}
+
 ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
-                        const MachineProfile &machine, const Block &block,
+                        const MachineProfile &machine, ArcCentres centres, const Block &block,
                         const MachineState &before, const MachineState &after) {
   if (!words.planeKnown)
     return {};
-  return ArcReading(words, dialect, machine, block, before, after).run();
+  return ArcReading(words, dialect, machine, centres, block, before, after).run();
 }
 
 } // namespace ncvet

@@ -29,8 +29,25 @@ ArcWords arcWords(const Dialect &dialect, const MachineState &state, const Block
 /// is.
 std::optional<double> placeInPlane(const Dialect &dialect, const MachineState &state, Axis axis);
 
+/// What centre words are where no code of the program says it.
+enum class ArcCentres : uint8_t {
+  Incremental, ///< distances from the start point
+  Absolute,    ///< coordinates
+  ByMode,      ///< as coordinates are: G90 or G91
+  Unknown
+};
+
+/// As the machine is set, or usual for the control.
+ArcCentres arcCentresOf(const Dialect &dialect, const MachineProfile &machine);
+
+/// `centres`: see `arcCentresOf`.
 ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
-                        const MachineProfile &machine, const Block &block,
+                        const MachineProfile &machine, ArcCentres centres, const Block &block,
                         const MachineState &before, const MachineState &after);
+inline ArcGeometry arcGeometry(const ArcWords &words, const Dialect &dialect,
+                               const MachineProfile &machine, const Block &block,
+                               const MachineState &before, const MachineState &after) {
+  return arcGeometry(words, dialect, machine, arcCentresOf(dialect, machine), block, before, after);
+}
 
 } // namespace ncvet

@@ -24,6 +24,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind != EventKind::WordIssue)
+      sleepAtBlock();
     if (event.kind == EventKind::Statement)
       return numberedAgain(event.item(), ctx);
     if (event.kind == EventKind::Assignment)

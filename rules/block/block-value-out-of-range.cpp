@@ -74,8 +74,10 @@ public:
     }
     if (event.kind == EventKind::Assignment)
       return alarm(event, ctx);
-    if (event.kind == EventKind::Statement)
+    if (event.kind == EventKind::Statement) {
+      sleepAtBlock();
       return tooLongText(ctx.block().items[event.item()], ctx);
+    }
     if (event.kind == EventKind::Block)
       return ofWords(ctx);
     if (event.kind != EventKind::Code)

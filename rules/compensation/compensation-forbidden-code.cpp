@@ -25,6 +25,9 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind != EventKind::Code &&
+        ctx.before().compensationActive(ctx.dialect()) == Truth::No)
+      return sleepAtBlock();
     if (event.kind != EventKind::Code)
       return eachPrepared(event, ctx, [&](const Expression &value) { waits(value, ctx); });
     const CodeInfo &code = ctx.code(event);

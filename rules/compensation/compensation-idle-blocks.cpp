@@ -56,9 +56,10 @@ private:
                        state.profile != ProfileMode::Recorded;
     if (ctx.block().isEmpty())
       return; // a remark is no block of the path
-    const bool follows = followsOn(memory().afterInfeed, ctx);
+    const bool starting = ctx.before().compensation == phaseStarting;
+    const bool follows = (alone || starting) && followsOn(memory().afterInfeed, ctx);
     // Until the first move in the plane nothing in between makes a difference.
-    if (follows && !axes && ctx.before().compensation == phaseStarting) {
+    if (follows && !axes && starting) {
       memory().afterInfeed = ctx.block().next;
       return;
     }

@@ -2,7 +2,7 @@
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/repeated_sections.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "analyzer/rule/text_answers.h"
 
 namespace ncvet {
@@ -23,6 +23,7 @@ public:
       ctx.reportNotices(id, event);
       return again(event, ctx);
     }
+    sleepAtBlock();
     const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Assignment)
       return;

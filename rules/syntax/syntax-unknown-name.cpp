@@ -2,6 +2,7 @@
 #include "analyzer/facts/defined_elements.h"
 #include "analyzer/facts/instruction_name.h"
 #include "analyzer/facts/word_checks.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -49,6 +50,8 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    if (event.kind == EventKind::Assignment || event.kind == EventKind::Statement)
+      sleepAtBlock();
     if (event.kind == EventKind::Assignment)
       return defined_ ? undefined(event, ctx) : parameter(event, ctx);
     if (event.kind == EventKind::UnsetRead)

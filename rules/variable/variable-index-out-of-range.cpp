@@ -35,6 +35,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Block && gaps_.empty() && ctx.block().operations.empty())
       return sleepInShape();
+    sleepAtBlock(); // unless it computes an index
     if (event.kind == EventKind::Block && !gaps_.empty())
       return inGaps(ctx);
     if (event.kind == EventKind::Block) {

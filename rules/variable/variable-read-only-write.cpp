@@ -1,5 +1,5 @@
 // A system variable that the control alone writes.
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
 namespace {
@@ -13,6 +13,7 @@ public:
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
+    sleepAtBlock();
     const Item &item = ctx.block().items[event.item()];
     if (item.kind != ItemKind::Assignment)
       return;
