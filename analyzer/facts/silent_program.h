@@ -64,4 +64,19 @@ inline bool startsNoSpindle(const RuleContext &ctx) {
   });
 }
 
+/// Whether the spindle of such a program may be turned by a code of the builder: it holds one that
+/// the table lacks, or names no speed that a spindle would be missing for.
+inline bool builderMayTurnSpindle(const RuleContext &ctx) {
+  if (!startsNoSpindle(ctx))
+    return false;
+  const Dialect &dialect = ctx.dialect();
+  return noRunningProgramHas(ctx,
+                             [](const Block &block) { return block.has(letterAddress('S')); }) ||
+         !noRunningProgramHas(ctx, [&](const Block &block) {
+           return llvm::any_of(block.words, [&](const Word &word) {
+             return word.address == letterAddress('M') && codeOf(dialect, word) == noCode;
+           });
+         });
+}
+
 } // namespace ncvet

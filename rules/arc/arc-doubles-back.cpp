@@ -3,6 +3,8 @@
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
+#include <cmath>
+
 namespace ncvet {
 namespace {
 
@@ -19,7 +21,7 @@ public:
     if (event.code == noCode || !event.certain || !ctx.codeWord(event) || !words.hasCentre() ||
         words.foreign || words.angle)
       return sleepInShape();
-    if (!isOverHalfATurn(event, ctx) || ctx.before().may(Fact::UnknownCode))
+    if (!isHalfATurnOrMore(event, ctx) || ctx.before().may(Fact::UnknownCode))
       return;
     const ExecutedBlock here = executedBlock(ctx);
     const auto begin = directionAt(here, false), end = directionAt(here, true);
@@ -43,17 +45,20 @@ public:
   }
 
 private:
-  /// Whether the arc makes more than half a turn, as an arc of less does when it is turned the
+  /// Whether the arc makes half a turn or more, as an arc of no more does when it is turned the
   /// other way round. Neighbours of others are not read: it costs time.
-  static bool isOverHalfATurn(const Event &event, RuleContext &ctx) {
+  static bool isHalfATurnOrMore(const Event &event, RuleContext &ctx) {
     const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
     if (!arc.start || !arc.end || !centre || arc.radius)
       return false;
     const Vector from = *arc.start - *centre, to = *arc.end - *centre;
     const double sine = cross(from, to) * (event.motion == MotionKind::ArcCw ? -1 : 1);
-    constexpr double least = 0.02; // sine of what is more than half a turn, or less than a whole
-    return sine < -least * from.norm() * to.norm();
+    // Sine of what is less than half a turn for certain, and of what is less than a whole one.
+    constexpr double little = 0.02;
+    const double scale = from.norm() * to.norm();
+    const bool half = std::fabs(sine) <= little * scale && from.dot(to) < 0;
+    return half || sine < -little * scale;
   }
 
   double cosine_ = 0; ///< of the turn from which on the path doubles back

@@ -97,10 +97,13 @@ private:
       return false;
     const auto unit = millimetresPer(ctx.dialect(), ctx.before());
     bool looks = false;
+    AddressMask outwards = 0; // beyond the reference point, as far as it is an end of the axis
     for (const Word &word : ctx.block().words)
-      if (ctx.dialect().axisWords & maskOf(word.address))
-        looks |= word.isNumber() && word.value() * unit.value_or(1) > longest_;
-    if (!looks)
+      if ((ctx.dialect().axisWords & maskOf(word.address)) && word.isNumber()) {
+        looks |= word.value() * unit.value_or(1) > longest_;
+        outwards |= word.value() > 0 ? maskOf(word.address) : 0;
+      }
+    if (!looks && !outwards)
       return false;
     // The first move after it that is none to the reference point.
     BlocksBefore before(ctx);
@@ -108,8 +111,13 @@ private:
     while (before.next(block)) {
       const bool home = findCode(ctx.dialect(), block, {Action::ReferenceReturn});
       if (before.unit().source.id() == on.file && block.begin <= on.begin && on.begin < block.next)
-        return home;
-      if (block.hasAny(ctx.dialect().axisWords) && !home)
+        return home && (looks || (!ctx.dialect().isLathe() && block.hasAny(outwards)));
+      if (home)
+        continue;
+      looks &= !block.hasAny(ctx.dialect().axisWords);
+      for (const Word &word : block.words)
+        outwards &= ~maskOf(word.address);
+      if (!looks && !outwards)
         return false;
     }
     return false;
@@ -150,7 +158,7 @@ private:
       finding.severity(Severity::Warning)
           .message(cycle ? "`{0}` is called with {1} still on"
                    : afterHome(event, on, ctx)
-                       ? "a move as long as a coordinate after the way home: {1} is still on"
+                       ? "a move that looks like a coordinate after the way home: {1} is still on"
                        : "the first move with this tool is a distance: {1} is still on",
                    ctx.code(event).name, name)
           .note(on, "it is switched on here");

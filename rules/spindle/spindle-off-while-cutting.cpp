@@ -63,7 +63,7 @@ public:
          (anyMachine_ && saysNothingOfTools(ctx))))
       return;
     if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
-        !memory().once.speaks(origin, ctx) || (builderStarts_ && startsNoSpindle(ctx)))
+        !memory().once.speaks(origin, ctx) || (builderStarts_ && builderMayTurnSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle

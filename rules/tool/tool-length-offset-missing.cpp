@@ -56,7 +56,7 @@ public:
       return;
     // A program that never speaks of length offsets may be for a machine without any, and with one
     // tool the zero is where this tool touched the work.
-    const bool uses = programUsesOffsets(ctx);
+    const bool uses = programUsesOffsets(ctx) || namesOffset(ctx);
     std::optional<int32_t> &onlyTool = memory().onlyTool.look();
     const bool first = onlyTool.value_or(state.tool) == state.tool;
     if (!uses && !onlyTool)
@@ -106,6 +106,12 @@ private:
         return false;
     }
     return false;
+  }
+
+  /// `Z10. H1`: the number of a length offset, and no code that switches it on.
+  static bool namesOffset(const RuleContext &ctx) {
+    return !ctx.dialect().offsetsOfTool && ctx.block().has(letterAddress('H')) &&
+           !findCode(ctx.dialect(), ctx.block(), {Action::Cycle, Action::CallProgram});
   }
 
   /// Whether the file names a code of the length offset's group anywhere; looked up once a file.
