@@ -229,16 +229,15 @@ void RegionRun::noteText(uint32_t end) {
 
 /// What is to be noted of every block that was read; false: the analysis was cancelled.
 bool RegionRun::noteRead() {
-  if (!countSteps(1))
-    return false;
-  noteText(block_->next);
-  return true;
+  const bool goesOn = countSteps(1);
+  if (goesOn)
+    noteText(block_->next);
+  return goesOn;
 }
 
 /// So many blocks were read; false: the analysis was cancelled.
 bool RegionRun::countSteps(uint64_t blocks) {
-  const uint64_t before = run_.steps;
-  run_.steps += blocks;
+  const uint64_t before = std::exchange(run_.steps, run_.steps + blocks);
   if (before / cancelInterval == run_.steps / cancelInterval)
     return true;
   if (isCancelled()) {

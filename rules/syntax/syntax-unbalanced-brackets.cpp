@@ -10,6 +10,7 @@ public:
   void listen(Subscriptions &to) override {
     if (to.dialect().lexical.commaSeparates || to.dialect().facts->text.bracketsApart)
       to.on(EventKind::Syntax);
+    strings_ = to.flag("strings", true);
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -24,6 +25,11 @@ public:
     case SyntaxIssueKind::StrayParenthesis:
       what = "`{0}` closes what nothing has opened";
       break;
+    case SyntaxIssueKind::UnclosedString:
+      if (!strings_)
+        return;
+      what = "the string `{0}` has no closing quotation mark";
+      break;
     default:
       return;
     }
@@ -31,6 +37,9 @@ public:
     if (auto finding = ctx.report(range))
       finding.message(what, ctx.source().displayText(ctx.text(range)));
   }
+
+private:
+  bool strings_ = true; ///< false: syntax-unclosed-comment tells them
 };
 
 } // namespace

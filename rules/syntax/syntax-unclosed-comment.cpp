@@ -16,6 +16,7 @@ public:
     to.on(EventKind::Syntax);
     if (to.dialect().facts->text.tapeMarkInComments)
       to.onChange({EventKind::Block});
+    strings_ = to.flag("strings");
     nestedStops_ = to.dialect().facts->text.noNestedComments;
   }
 
@@ -33,6 +34,8 @@ public:
                  ctx.insertBefore(issue.end, ctx.text(range).startswith("{") ? "}" : ")"));
       return;
     case SyntaxIssueKind::UnclosedString:
+      if (!strings_)
+        return;
       if (auto finding = ctx.report(range))
         finding.message("the string `{0}` has no closing quotation mark",
                         ctx.source().displayText(ctx.text(range)));
@@ -82,6 +85,7 @@ private:
     }
   }
 
+  bool strings_ = false;     ///< strings are told here, not by syntax-unbalanced-brackets
   bool nestedStops_ = false; ///< the control stops at a `(` inside a comment
 };
 
