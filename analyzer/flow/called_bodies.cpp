@@ -7,7 +7,7 @@ namespace {
 
 /// Results of one called program that are remembered.
 constexpr size_t memosPerProgram = 64;
-/// After so many runs none of which was like one that is remembered, only every so manieth is
+/// After so many runs none of which was like one that is remembered, only one of so many is
 /// compared with them: a macro in a loop is called with other numbers each time.
 constexpr unsigned mostInVain = 256, lookedAtThen = 16;
 /// What a called body costs besides its blocks, in plain moves: states are copied and compared.

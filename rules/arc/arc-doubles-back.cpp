@@ -45,8 +45,9 @@ public:
   }
 
 private:
-  /// Whether the arc makes half a turn or more, as an arc of no more does when it is turned the
-  /// other way round. Neighbours of others are not read: it costs time.
+  /// Whether the arc makes more than half a turn, as one of less does when it is turned the other
+  /// way round, or half a turn after a line. Neighbours of others are not read: it costs time, and
+  /// of half turns in a chain none is turned otherwise than its neighbours.
   static bool isHalfATurnOrMore(const Event &event, RuleContext &ctx) {
     const ArcGeometry &arc = ctx.arc();
     const auto centre = arc.centre();
@@ -58,7 +59,9 @@ private:
     constexpr double little = 0.02;
     const double scale = from.norm() * to.norm();
     const bool half = std::fabs(sine) <= little * scale && from.dot(to) < 0;
-    return half || sine < -little * scale;
+    const bool afterLine =
+        ctx.before().activeAction(ctx.dialect(), StandardGroup::Motion) == Action::Linear;
+    return half ? afterLine : sine < -little * scale;
   }
 
   double cosine_ = 0; ///< of the turn from which on the path doubles back
