@@ -1,6 +1,7 @@
 // The HTML report in a real Chromium: what a person sees and does there. Skipped without Chromium
 // and Node.
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +34,8 @@ protected:
     shop_.run(command);
     shop_.file("steps.json", Json(steps).dump());
     const std::string page = "file://" + (shop_.path() / "report.html").string() + fragment;
-    const fs::path script = fs::path(NCVET_SOURCE_DIR) / "tests" / "browser" / "chromium.mjs";
+    const fs::path script =
+        fs::path(ncvet::places::sourceFolder()) / "tests" / "browser" / "chromium.mjs";
     const fs::path log = shop_.path() / "browser.log";
     runOuter({"node", script.string(), "chromium", page, (shop_.path() / "steps.json").string()},
              log, 120);

@@ -1,5 +1,7 @@
 #include "tests/clauses/clause_files.h"
 
+#include "tests/support/places.h"
+
 #include "llvm/ADT/StringSwitch.h"
 #include "llvm/Support/MemoryBuffer.h"
 #include <nlohmann/json.hpp>
@@ -126,8 +128,8 @@ llvm::Expected<std::vector<Clause>> readClauses(const std::string &path) {
 
 std::vector<std::string> clauseFiles() {
   std::vector<std::string> files;
-  for (const auto &category :
-       std::filesystem::directory_iterator(std::filesystem::path(NCVET_SOURCE_DIR) / "rules")) {
+  for (const auto &category : std::filesystem::directory_iterator(
+           std::filesystem::path(places::sourceFolder()) / "rules")) {
     const std::filesystem::path folder = category.path() / "clauses";
     if (!std::filesystem::is_directory(folder))
       continue;
@@ -140,7 +142,7 @@ std::vector<std::string> clauseFiles() {
 
 Frame frameOf(llvm::StringRef dialect) {
   static const Json frames =
-      llvm::cantFail(parsedFile(std::string(NCVET_SOURCE_DIR) + "/tests/clauses/frames.json"));
+      llvm::cantFail(parsedFile(places::sourceFolder() + "/tests/clauses/frames.json"));
   Frame frame;
   if (const auto object = frames.find(dialect.str()); object != frames.end()) {
     llvm::cantFail(read(*object, "file", frame.file, "frames.json"));

@@ -1,5 +1,6 @@
 // A crash in one file costs the result of this file: the others are reported, and the server lives.
 #include "tests/support/language_client.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +25,7 @@ protected:
 #ifdef NCVET_SANITIZED
     GTEST_SKIP() << "under a sanitizer a crash ends the process";
 #endif
-    shop.binary(NCVET_CRASHING_BINARY);
+    shop.binary(places::crashingProgram());
     shop.file("good.nc", programWithoutFeed());
     shop.file("other.nc", programWithoutFeed());
   }
@@ -81,7 +82,7 @@ TEST_F(Crash, IsInTheReports) {
 TEST_F(Crash, LeavesTheServerAlive) {
   const std::string bad = (shop.path() / "bad.nc").string();
   const std::string good = (shop.path() / "good.nc").string();
-  LanguageClient client(NCVET_CRASHING_BINARY);
+  LanguageClient client(places::crashingProgram());
   client.initialize(Json::object(), {{"dialect", "haas-lathe"}});
   client.open(bad, programWith("(CRASH)"));
   client.diagnostics(bad);

@@ -1,5 +1,6 @@
 // README.md and docs/: their commands print what they show, their JSON files are accepted, their
 // links lead to files.
+#include "tests/support/places.h"
 #include "tests/support/plain_words.h"
 #include "tests/support/process.h"
 
@@ -17,7 +18,7 @@ struct Document {
 };
 
 std::vector<Document> documents() {
-  const std::filesystem::path root = NCVET_SOURCE_DIR;
+  const std::filesystem::path root = places::sourceFolder();
   std::vector<std::filesystem::path> paths = {root / "README.md", root / "CONTRIBUTING.md",
                                               root / "rulesets/README.md"};
   for (const auto &entry : std::filesystem::directory_iterator(root / "docs"))
@@ -56,7 +57,7 @@ std::vector<Shown> shownCommands(llvm::StringRef rest) {
 
 TEST(Documents, ShowWhatTheirCommandsPrint) {
   test::Shop shop;
-  std::filesystem::create_directory_symlink(std::string(NCVET_SOURCE_DIR) + "/tests",
+  std::filesystem::create_directory_symlink(places::sourceFolder() + "/tests",
                                             shop.path() / "tests");
   size_t count = 0;
   for (const Document &document : documents())
@@ -110,7 +111,8 @@ TEST(Documents, AreWrittenInPlainWords) {
 
 TEST(Documents, LinkToFilesThatExist) {
   for (const Document &document : documents()) {
-    const auto folder = (std::filesystem::path(NCVET_SOURCE_DIR) / document.path).parent_path();
+    const auto folder =
+        (std::filesystem::path(places::sourceFolder()) / document.path).parent_path();
     llvm::StringRef text = document.text;
     while (!text.empty()) {
       text = text.split("](").second;

@@ -2,6 +2,7 @@
 // `init`.
 #include "analyzer/setup/detect.h"
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include "llvm/Support/Regex.h"
@@ -17,7 +18,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 std::string sourceText(const std::string &name) {
-  auto buffer = llvm::MemoryBuffer::getFile(NCVET_SOURCE_DIR "/" + name);
+  auto buffer = llvm::MemoryBuffer::getFile(places::sourceFolder() + "/" + name);
   return buffer ? (*buffer)->getBuffer().str() : std::string();
 }
 
@@ -61,8 +62,12 @@ TEST(ManualPage, NamesEveryOptionAndEveryFormat) {
 std::vector<std::string> completed(const Shop &shop, const std::string &line) {
   const std::string script =
       "source /usr/share/bash-completion/bash_completion 2>/dev/null\n"
-      "source '" NCVET_SOURCE_DIR "/analyzer/cli/completion/ncvet.bash'\n"
-      "ncvet() { '" NCVET_BINARY "' \"$@\"; }\n"
+      "source '" +
+      places::sourceFolder() +
+      "/analyzer/cli/completion/ncvet.bash'\n"
+      "ncvet() { '" +
+      places::program() +
+      "' \"$@\"; }\n"
       "COMP_LINE='" +
       line +
       "'; COMP_POINT=${#COMP_LINE}; COMP_WORDS=($COMP_LINE)\n"
@@ -113,10 +118,10 @@ TEST(Action, GivesItsInputsToNcvet) {
   const auto log = shop.path() / "action.log";
   const auto summary = shop.path() / "summary.md", sarif = shop.path() / "out.sarif";
   const int code = runOuter(
-      {"env", "-C", shop.path().string(), "NCVET=" NCVET_BINARY, "INPUT_PATHS=jobs",
+      {"env", "-C", shop.path().string(), "NCVET=" + places::program(), "INPUT_PATHS=jobs",
        "INPUT_ARGUMENTS=--dialect haas-lathe --select feed-missing", "INPUT_FAIL_ON=warning",
        "INPUT_CHANGED_SINCE=", "INPUT_BASELINE=", "INPUT_SARIF=" + sarif.string(),
-       "GITHUB_STEP_SUMMARY=" + summary.string(), NCVET_SOURCE_DIR "/ci/github.sh"},
+       "GITHUB_STEP_SUMMARY=" + summary.string(), places::sourceFolder() + "/ci/github.sh"},
       log, 60);
   EXPECT_EQ(1, code);
   EXPECT_THAT(shop.text("action.log"),
@@ -197,7 +202,7 @@ TEST(ReportSchema, DescribesTheJsonReport) {
   shop.file("validate.py", script);
   const int code =
       runOuter({"/usr/bin/python3", (shop.path() / "validate.py").string(),
-                NCVET_SOURCE_DIR "/rulesets/schema/report.schema.json",
+                places::sourceFolder() + "/rulesets/schema/report.schema.json",
                 (shop.path() / "all.json").string(), (shop.path() / "absent.json").string()},
                shop.path() / "validate.log", 60);
   if (code == 77 || code == -1)

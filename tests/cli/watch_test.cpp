@@ -1,4 +1,5 @@
 // `ncvet check --watch` as a process: what makes it check again, what it prints, how it ends.
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include "gtest/gtest.h"
@@ -37,9 +38,9 @@ public:
   RunningWatch(const Shop &shop, std::vector<std::string> arguments) {
     // A build that runs in the background has made its children deaf to it.
     std::signal(SIGINT, SIG_DFL);
-    std::vector<std::string> words = {"env",      "-C",          shop.path().string(), NCVET_BINARY,
-                                      "check",    "--watch",     "--dialect",          "haas-lathe",
-                                      "--select", "feed-missing"};
+    std::vector<std::string> words = {
+        "env",     "-C",        shop.path().string(), places::program(), "check",
+        "--watch", "--dialect", "haas-lathe",         "--select",        "feed-missing"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const std::vector<llvm::StringRef> views(words.begin(), words.end());
     const llvm::Optional<llvm::StringRef> streams[] = {

@@ -1,6 +1,7 @@
 // Colours before the server answers: they are made of the tables, and are those that the server
 // gives.
 #include "tests/support/packed_extension.h"
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include "llvm/ADT/StringExtras.h"
@@ -14,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path editors = fs::path(NCVET_SOURCE_DIR) / "lsp" / "editors";
-const fs::path programs = fs::path(NCVET_SOURCE_DIR) / "tests" / "programs";
+const fs::path editors = fs::path(places::sourceFolder()) / "lsp" / "editors";
+const fs::path programs = fs::path(places::sourceFolder()) / "tests" / "programs";
 
 TEST(Colours, AreUpToDateWithTheTables) {
   if (!llvm::sys::findProgramByName("python3"))
@@ -43,9 +44,9 @@ TEST(Colours, OfTheGrammarsAreThoseOfTheServer) {
     GTEST_SKIP() << "npm cannot fetch vscode-textmate";
   const TemporaryFolder temporary;
   const fs::path log = temporary.path() / "log";
-  std::vector<std::string> command = {"node", NCVET_SOURCE_DIR "/tests/editors/vscode/colours.mjs",
-                                      modules->string(), NCVET_BINARY,
-                                      (editors / "vscode" / "syntaxes").string()};
+  std::vector<std::string> command = {
+      "node", places::sourceFolder() + "/tests/editors/vscode/colours.mjs", modules->string(),
+      places::program(), (editors / "vscode" / "syntaxes").string()};
   for (const auto &entry : fs::recursive_directory_iterator(programs)) {
     const std::string folder = entry.path().parent_path().filename().string();
     if (entry.path().extension() == ".nc" && entry.path().parent_path().parent_path() == programs)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/rule_pages.h"
 
@@ -15,7 +16,7 @@ namespace ncvet::test {
 class EditorPlan {
 public:
   explicit EditorPlan(const std::string &dialect) : dialect_(dialect) {
-    plan_ = {{"ncvet", NCVET_BINARY},
+    plan_ = {{"ncvet", places::program()},
              {"result", (shop_->path() / "result").string()},
              {"settings", {{"dialect", dialect}}},
              {"steps", nlohmann::json::array()}};
@@ -49,7 +50,7 @@ public:
   }
 
   /// The file with the plan, to be read by the editor's script.
-  std::string write(const char *plugin) {
+  std::string write(const std::string &plugin) {
     plan_["plugin"] = plugin;
     shop_->file("plan.json", plan_.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return (shop_->path() / "plan.json").string();
@@ -115,7 +116,7 @@ inline std::vector<std::filesystem::path> corpusOf(const std::string &dialect, s
   namespace fs = std::filesystem;
   std::vector<fs::path> files, some;
   const auto folder = folders.find(dialect);
-  const fs::path corpus = fs::path(NCVET_SOURCE_DIR) / ".." / "shared" / "corpus";
+  const fs::path corpus = fs::path(places::sourceFolder()) / ".." / "shared" / "corpus";
   if (folder == folders.end() || !fs::is_directory(corpus / folder->second))
     return some;
   for (const auto &file : fs::recursive_directory_iterator(corpus / folder->second))
@@ -143,7 +144,7 @@ inline void addPrograms(EditorPlan &plan, const char *step, const std::string &d
     const PageProgram &page = pages[i * pages.size() / std::min(most, pages.size())];
     plan.add(page.name() + endingOf(dialect), page.files[0].text);
   }
-  const fs::path golden = fs::path(NCVET_SOURCE_DIR) / "tests" / "programs" / dialect;
+  const fs::path golden = fs::path(places::sourceFolder()) / "tests" / "programs" / dialect;
   if (fs::is_directory(golden))
     for (const auto &file : fs::directory_iterator(golden))
       if (file.path().extension() == ".nc")

@@ -1,6 +1,7 @@
 // Programs in Emacs with Eglot as lsp/editors/ sets it up: the second opinion. Skipped where there
 // is no Emacs, or no Eglot.
 #include "tests/editors/editor_journeys.h"
+#include "tests/support/places.h"
 
 #include "gtest/gtest.h"
 
@@ -23,12 +24,12 @@ bool haveEglot() {
 void runEglot(EditorPlan &plan) {
   if (!haveEglot())
     GTEST_SKIP() << "Emacs or Eglot is absent: the language server is not tried with them";
-  const std::string file = plan.write(NCVET_SOURCE_DIR "/lsp/editors/emacs/ncvet.el"),
+  const std::string file = plan.write(places::sourceFolder() + "/lsp/editors/emacs/ncvet.el"),
                     home = (plan.folder() / "home").string();
   std::filesystem::create_directories(home);
   const int status =
       runOuter({"env", "NCVET_PLAN=" + file, "HOME=" + home, "XDG_CACHE_HOME=" + home, "emacs",
-                "--batch", "-q", "-l", NCVET_SOURCE_DIR "/tests/editors/eglot.el"},
+                "--batch", "-q", "-l", places::sourceFolder() + "/tests/editors/eglot.el"},
                plan.log(), 300);
   plan.expectDone(status);
 }

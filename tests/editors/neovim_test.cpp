@@ -1,5 +1,6 @@
 // Programs in Neovim with its client as lsp/editors/ sets it up. Skipped where there is no Neovim.
 #include "tests/editors/editor_journeys.h"
+#include "tests/support/places.h"
 
 #include "gtest/gtest.h"
 
@@ -10,13 +11,13 @@ namespace {
 void runNeovim(EditorPlan &plan) {
   if (!llvm::sys::findProgramByName("nvim"))
     GTEST_SKIP() << "nvim is absent: the language server is not tried with Neovim";
-  const std::string file = plan.write(NCVET_SOURCE_DIR "/lsp/editors/neovim"),
+  const std::string file = plan.write(places::sourceFolder() + "/lsp/editors/neovim"),
                     home = (plan.folder() / "home").string();
   const int status =
       runOuter({"env", "NCVET_PLAN=" + file, "HOME=" + home, "XDG_CONFIG_HOME=" + home,
                 "XDG_DATA_HOME=" + home, "XDG_STATE_HOME=" + home, "XDG_CACHE_HOME=" + home, "nvim",
                 "--headless", "-u", "NONE", "-i", "NONE", "-n", "-c",
-                "luafile " NCVET_SOURCE_DIR "/tests/editors/neovim.lua"},
+                "luafile " + places::sourceFolder() + "/tests/editors/neovim.lua"},
                plan.log(), 300);
   plan.expectDone(status);
 }

@@ -1,6 +1,7 @@
 // The view of the tool path as VS Code has it: what the server tells of an edit, taken into the
 // path that is shown, gives the path of the text as it is now. Skipped where there is no Node.
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include "gtest/gtest.h"
@@ -59,10 +60,10 @@ TEST_P(PathView, FollowsEditsAsIfAllWereDrawnAnew) {
   const fs::path program = temporary.path() / "PART.nc", log = temporary.path() / "log";
   std::ofstream(program) << GetParam().text();
   const fs::path follow =
-      fs::path(NCVET_SOURCE_DIR) / "tests" / "editors" / "path_view" / "follow.mjs";
-  const int status =
-      runOuter({"node", follow.string(), NCVET_BINARY, program.string(), GetParam().dialect, "120"},
-               log, 120);
+      fs::path(places::sourceFolder()) / "tests" / "editors" / "path_view" / "follow.mjs";
+  const int status = runOuter(
+      {"node", follow.string(), places::program(), program.string(), GetParam().dialect, "120"},
+      log, 120);
   EXPECT_EQ(status, 0);
   expectDone(log);
 }

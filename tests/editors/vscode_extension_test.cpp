@@ -3,6 +3,7 @@
 #include "lsp/features/showing/semantic_tokens.h"
 #include "lsp/server/settings.h"
 #include "tests/support/packed_extension.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 #include "tests/support/run_program.h"
 
@@ -124,7 +125,8 @@ TEST(VscodeExtension, ItsCommandsAreMade) {
 }
 
 TEST(VscodeExtension, IsUnderTheLicenceOfTheProject) {
-  EXPECT_EQ(contentsOf(extension / "LICENSE"), contentsOf(fs::path(NCVET_SOURCE_DIR) / "LICENSE"));
+  EXPECT_EQ(contentsOf(extension / "LICENSE"),
+            contentsOf(fs::path(places::sourceFolder()) / "LICENSE"));
 }
 
 /// The text of a snippet as it is before anything is filled in, and where its rest goes.
@@ -214,7 +216,7 @@ TEST(VscodeExtension, ItKnowsAProgramByItsFirstLines) {
   std::vector<std::string> command = {"node", (temporary.path() / "ask.js").string()};
   std::string due;
   for (const auto &entry :
-       fs::recursive_directory_iterator(fs::path(NCVET_SOURCE_DIR) / "tests" / "programs"))
+       fs::recursive_directory_iterator(fs::path(places::sourceFolder()) / "tests" / "programs"))
     if (entry.path().extension() == ".nc") {
       command.push_back(entry.path().string());
       due += "true " + entry.path().string() + "\n";
@@ -345,7 +347,7 @@ TEST(VscodeExtension, APackageForAPlatformHasTheProgramInIt) {
   const std::map<std::string, uint32_t> files = filesOfZip(contentsOf(*packed));
   const auto program = files.find("extension/bin/ncvet");
   ASSERT_NE(program, files.end());
-  EXPECT_EQ(program->second, fs::file_size(NCVET_BINARY));
+  EXPECT_EQ(program->second, fs::file_size(places::program()));
   EXPECT_EQ(files.count("extension/server/lib/ncvet.wasm"), 0u) << "nobody needs it there";
   const auto may = fs::status(packed->parent_path() / "bin" / "ncvet").permissions();
   EXPECT_EQ(may & fs::perms::others_exec, fs::perms::others_exec);

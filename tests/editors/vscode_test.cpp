@@ -2,6 +2,7 @@
 // installed:
 // `./dev packages vscode` does it.
 #include "tests/support/packed_extension.h"
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include "gtest/gtest.h"
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path steps = fs::path(NCVET_SOURCE_DIR) / "tests" / "editors" / "vscode";
+const fs::path steps = fs::path(places::sourceFolder()) / "tests" / "editors" / "vscode";
 
 /// Where `./dev packages vscode` has installed VS Code for this test; nothing when it has not.
 std::optional<fs::path> installed(const fs::path &folder) {
@@ -31,7 +32,7 @@ void drive(const fs::path &modules, const char *driver, const fs::path &packed,
   // Pictures of each step are kept for whoever wants to look at them.
   const char *const pictures = std::getenv("NCVET_PICTURES");
   const nlohmann::json plan = {{"modules", modules.string()},
-                               {"ncvet", NCVET_BINARY},
+                               {"ncvet", places::program()},
                                {"packed", packed.string()},
                                {"folder", (folder / "editor").string()},
                                {"pictures", pictures ? pictures : (folder / "pictures").string()}};
@@ -62,7 +63,7 @@ void driveWith(const char *driver, PackedServer server) {
 TEST(Vscode, DoesWhatAUserDoes) { driveWith("drive.mjs", PackedServer::None); }
 
 TEST(Vscode, ChecksProgramsInABrowser) {
-  if (!fs::exists(fs::path(NCVET_SOURCE_DIR) / "build/package/npm/package/lib/ncvet.wasm"))
+  if (!fs::exists(fs::path(places::sourceFolder()) / "build/package/npm/package/lib/ncvet.wasm"))
     GTEST_SKIP() << "./dev package npm makes the module that runs in a browser: it is not there";
   driveWith("web.mjs", PackedServer::InBrowser);
 }

@@ -2,6 +2,7 @@
 #include "analyzer/rule/rule.h"
 #include "lsp/features/showing/document_states.h"
 #include "lsp/server/checks.h"
+#include "tests/support/places.h"
 #include "tests/support/random_edits.h"
 
 #include "gtest/gtest.h"
@@ -398,7 +399,7 @@ class RealPrograms : public ::testing::TestWithParam<const char *> {};
 TEST_P(RealPrograms, EditsGiveWhatAFreshCheckGives) {
   namespace fs = std::filesystem;
   const fs::path folder =
-      fs::path(NCVET_SOURCE_DIR) / ".." / "shared" / "corpus" / "real" / GetParam();
+      fs::path(places::sourceFolder()) / ".." / "shared" / "corpus" / "real" / GetParam();
   if (!fs::exists(folder))
     GTEST_SKIP() << "no programs in " << folder;
   std::vector<fs::path> files;

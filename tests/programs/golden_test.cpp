@@ -1,4 +1,5 @@
 // Golden programs: every finding of the recommended rules is marked in the program, and no other.
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include "gtest/gtest.h"
@@ -25,7 +26,7 @@ void PrintTo(const Golden &golden, std::ostream *out) { *out << golden.name(); }
 /// tests/programs/<dialect>/*.nc; other files there are called programs, or belong to a golden one.
 std::vector<Golden> goldenPrograms() {
   std::vector<Golden> all;
-  for (const auto &folder : fs::directory_iterator(NCVET_SOURCE_DIR "/tests/programs")) {
+  for (const auto &folder : fs::directory_iterator(places::sourceFolder() + "/tests/programs")) {
     const std::string dialect = folder.path().filename().string();
     if (!folder.is_directory() || dialect == "examples")
       continue;

@@ -1,5 +1,6 @@
 // The programs that the manuals print are reported as the corpus beside the project says, when it
 // is there. Each program is listed with all of its errors and warnings: more is as wrong as less.
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include "gtest/gtest.h"
@@ -31,7 +32,7 @@ struct Printed {
 void PrintTo(const Printed &printed, std::ostream *out) { *out << printed.file; }
 
 std::string pathOf(const char *file) {
-  return std::string(NCVET_SOURCE_DIR) + "/../shared/corpus/" + file;
+  return places::sourceFolder() + "/../shared/corpus/" + file;
 }
 
 /// The machine of the course from which the Sinumerik programs are.

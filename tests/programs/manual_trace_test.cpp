@@ -1,6 +1,7 @@
 // The motions of the programs that the manuals print lead through the points that the corpus beside
 // the project gives for them, when it is there.
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include "gtest/gtest.h"
@@ -25,7 +26,7 @@ struct Way {
 void PrintTo(const Way &way, std::ostream *out) { *out << way.file; }
 
 std::string pathOf(const Way &way) {
-  return std::string(NCVET_SOURCE_DIR) + "/../shared/corpus/" + way.file;
+  return places::sourceFolder() + "/../shared/corpus/" + way.file;
 }
 
 std::vector<Way> ways() {

@@ -3,6 +3,7 @@
 #include "analyzer/rule/rule_page.h"
 #include "formats/finding/page_text.h"
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/plain_words.h"
 #include "tests/support/rule_pages.h"
 
@@ -84,7 +85,8 @@ std::string textsOf(llvm::StringRef source) {
 TEST(Sources, AreWrittenInPlainWords) {
   namespace fs = std::filesystem;
   for (const char *room : {"analyzer", "formats", "interp", "lsp", "rules"})
-    for (const auto &file : fs::recursive_directory_iterator(fs::path(NCVET_SOURCE_DIR) / room)) {
+    for (const auto &file :
+         fs::recursive_directory_iterator(fs::path(places::sourceFolder()) / room)) {
       const fs::path &path = file.path();
       if (path.extension() != ".cpp" && path.extension() != ".h")
         continue;
@@ -96,7 +98,8 @@ TEST(Sources, AreWrittenInPlainWords) {
 
 TEST(Tests, AreWrittenInPlainWords) {
   namespace fs = std::filesystem;
-  for (const auto &file : fs::recursive_directory_iterator(fs::path(NCVET_SOURCE_DIR) / "tests")) {
+  for (const auto &file :
+       fs::recursive_directory_iterator(fs::path(places::sourceFolder()) / "tests")) {
     const fs::path &path = file.path();
     if ((path.extension() == ".cpp" || path.extension() == ".h") && path.stem() != "plain_words" &&
         path.stem() != "page_form_test") { // the two that know the words

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/message_process.h"
+#include "tests/support/places.h"
 
 #include <cstdlib>
 #include <deque>
@@ -20,7 +21,7 @@ inline constexpr const char *debugRecordVariable = "NCVET_TEST_DEBUG_MESSAGES";
 /// reads as null.
 class DebugClient : public MessageProcess {
 public:
-  DebugClient() : MessageProcess(NCVET_BINARY, "dap") {}
+  DebugClient() : MessageProcess(places::program(), "dap") {}
 
   int64_t ask(const std::string &command, Json arguments = Json::object()) {
     send({{"seq", ++lastSeq_},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/message_process.h"
+#include "tests/support/places.h"
 
 #include <cstdlib>
 #include <deque>
@@ -27,7 +28,7 @@ inline std::vector<std::string> codes(const Json &diagnostics) {
 /// does not come in time is a failure of the test and reads as null.
 class LanguageClient : public MessageProcess {
 public:
-  explicit LanguageClient(const std::string &binary = NCVET_BINARY)
+  explicit LanguageClient(const std::string &binary = places::program())
       : MessageProcess(binary, "lsp") {}
 
   void notify(const std::string &method, Json params) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +11,7 @@
 namespace ncvet::test {
 
 inline const std::filesystem::path extensionFolder =
-    std::filesystem::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vscode";
+    std::filesystem::path(places::sourceFolder()) / "lsp" / "editors" / "vscode";
 
 /// What an extension is packed with beside its client.
 enum class PackedServer : uint8_t {
@@ -35,20 +36,20 @@ packExtension(const std::filesystem::path &folder, const std::filesystem::path &
   const fs::path copy = folder / "lsp" / "editors" / "vscode";
   fs::create_directories(copy.parent_path());
   for (const char *read : {"rulesets", "formats"})
-    fs::create_directory_symlink(fs::path(NCVET_SOURCE_DIR) / read, folder / read);
+    fs::create_directory_symlink(fs::path(places::sourceFolder()) / read, folder / read);
   fs::copy(extensionFolder, copy, fs::copy_options::recursive | fs::copy_options::skip_symlinks);
   for (const char *made : {"bin", "dist", "node_modules", "schema", "server"})
     fs::remove_all(copy / made);
   fs::create_directory_symlink(*modules, copy / "node_modules");
   if (server == PackedServer::InBrowser) {
-    fs::create_directory_symlink(fs::path(NCVET_SOURCE_DIR) / "build", folder / "build");
+    fs::create_directory_symlink(fs::path(places::sourceFolder()) / "build", folder / "build");
     auto manifest = nlohmann::ordered_json::parse(contentsOf(copy / "package.json"));
     manifest.erase("main");
     std::ofstream(copy / "package.json") << manifest.dump(2);
   }
   std::vector<std::string> command = {"npm", "--prefix", copy.string(), "run", "package"};
   if (server == PackedServer::Program) {
-    command.insert(command.begin(), {"env", std::string("NCVET_PROGRAM=") + NCVET_BINARY});
+    command.insert(command.begin(), {"env", "NCVET_PROGRAM=" + places::program()});
     command.insert(command.end(), {"--", "--target", platform});
   }
   if (runOuter(command, log, 300) != 0)

@@ -1,6 +1,7 @@
 // Runs the real binary as a process, in a folder of its own.
 #pragma once
 
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include "llvm/Support/MemoryBuffer.h"
@@ -94,7 +95,7 @@ private:
 
   TemporaryFolder folder_, logs_;
   std::string folderName_ = folder_.path().string();
-  std::string binary_ = NCVET_BINARY;
+  std::string binary_ = places::program();
   std::vector<std::string> environment_;
 };
 

@@ -2,6 +2,7 @@
 // package @vscode/debugprotocol, compiled by TypeScript. Skipped where npm cannot fetch them.
 #include "tests/support/debug_client.h"
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include <set>
@@ -12,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path debugProtocol = fs::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vscode";
+const fs::path debugProtocol =
+    fs::path(ncvet::places::sourceFolder()) / "lsp" / "editors" / "vscode";
 
 /// Commands that the adapter answers, all of which the tests ask for.
 const std::set<std::string> debugCommands = {"initialize",

@@ -1,4 +1,6 @@
 // ./dev: what its commands install is a group that it knows.
+#include "tests/support/places.h"
+
 #include "llvm/Support/MemoryBuffer.h"
 #include <gtest/gtest.h>
 
@@ -18,7 +20,7 @@ std::set<std::string> found(const std::string &text, const char *pattern) {
 }
 
 TEST(DevScript, KnowsEveryGroupOfPackagesThatItsCommandsInstall) {
-  const auto file = llvm::MemoryBuffer::getFile(NCVET_SOURCE_DIR "/dev");
+  const auto file = llvm::MemoryBuffer::getFile(ncvet::places::sourceFolder() + "/dev");
   ASSERT_TRUE(file);
   const std::string text = (*file)->getBuffer().str();
   const size_t begin = text.find("case $1 in"), end = text.find("esac", begin);

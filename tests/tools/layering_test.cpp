@@ -1,5 +1,7 @@
 // Holds every source file to the table of rooms: what it may include, and that it says what it is
 // for.
+#include "tests/support/places.h"
+
 #include "gtest/gtest.h"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ std::vector<std::string> wordsOf(const std::string &line) {
 /// The lines of a table of tests/shape, as words; comments and empty lines left out.
 std::vector<std::vector<std::string>> tableOf(const std::string &name) {
   std::vector<std::vector<std::string>> rows;
-  std::ifstream stream(fs::path(NCVET_SOURCE_DIR) / "tests/shape" / name);
+  std::ifstream stream(fs::path(ncvet::places::sourceFolder()) / "tests/shape" / name);
   for (std::string line; std::getline(stream, line);)
     if (std::vector<std::string> words = wordsOf(line); !words.empty())
       rows.push_back(std::move(words));
@@ -248,7 +250,7 @@ std::string readFile(const fs::path &path) {
 const std::map<std::string, std::string> &sources() {
   static const std::map<std::string, std::string> files = [] {
     std::map<std::string, std::string> result;
-    const fs::path root = NCVET_SOURCE_DIR;
+    const fs::path root = ncvet::places::sourceFolder();
     for (const char *top : {"formats", "interp", "analyzer", "rules", "lsp"}) {
       if (!fs::exists(root / top))
         continue;

@@ -3,6 +3,7 @@
 // where it is not on the path; where it is not there at all, the tests are skipped.
 #include "tests/support/linuxcnc_comparison.h"
 #include "tests/support/linuxcnc_generator.h"
+#include "tests/support/places.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ class LinuxCncInterpreter : public LinuxCncComparison {};
 
 std::vector<fs::path> realPrograms() {
   std::vector<fs::path> list;
-  const fs::path corpus = fs::path(NCVET_SOURCE_DIR) / ".." / "shared" / "corpus" / "real";
+  const fs::path corpus = fs::path(places::sourceFolder()) / ".." / "shared" / "corpus" / "real";
   for (const char *folder : {"linuxcnc", "linuxcnc-tests"}) {
     std::error_code none;
     for (const auto &entry : fs::recursive_directory_iterator(corpus / folder, none)) {
@@ -53,8 +54,8 @@ std::string titleOf(const fs::path &program) {
 /// The small programs beside this file.
 std::vector<std::string> smallPrograms() {
   std::vector<std::string> list;
-  for (const std::string &line :
-       linesOf(textOf(fs::path(NCVET_SOURCE_DIR) / "tests/tools/linuxcnc_small_programs.txt"))) {
+  for (const std::string &line : linesOf(
+           textOf(fs::path(places::sourceFolder()) / "tests/tools/linuxcnc_small_programs.txt"))) {
     if (line.empty() || line[0] == '#')
       continue;
     llvm::SmallVector<llvm::StringRef, 8> parts;

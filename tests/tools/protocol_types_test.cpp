@@ -3,6 +3,7 @@
 #include "lsp/server/server.h"
 #include "tests/support/language_client.h"
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The packages are those of the editor's extension, which speaks the protocol with the server.
-const fs::path extension = fs::path(NCVET_SOURCE_DIR) / "lsp" / "editors" / "vscode";
+const fs::path extension = fs::path(ncvet::places::sourceFolder()) / "lsp" / "editors" / "vscode";
 
 /// Suites in which a `LanguageClient` talks to the server.
 constexpr const char *journeys =

@@ -1,6 +1,7 @@
 // Holds SARIF reports to Microsoft's validator (npm: @microsoft/sarif-multitool), which checks them
 // against the published schema and the rules for good reports. Skipped where npm cannot fetch it.
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/sample_report.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +20,7 @@ constexpr const char *package = "@microsoft/sarif-multitool@5.7.0";
 
 /// The validator's binary, fetched once into the build folder; nothing when that fails.
 std::optional<fs::path> validator() {
-  const fs::path folder = fs::path(NCVET_BINARY).parent_path() / "sarif-multitool";
+  const fs::path folder = fs::path(places::program()).parent_path() / "sarif-multitool";
   const fs::path binary =
       folder / "node_modules" / "@microsoft" / "sarif-multitool-linux" / "Sarif.Multitool";
   if (!fs::exists(binary)) {
@@ -60,7 +61,7 @@ TEST(SarifValidatorTest, FindsNeitherErrorNorWarning) {
     GTEST_SKIP() << "npm cannot fetch " << package << ": SARIF is checked by structure only";
   setenv("DOTNET_SYSTEM_GLOBALIZATION_INVARIANT", "1", 1); // it runs without libicu then
 
-  const fs::path folder = fs::path(NCVET_BINARY).parent_path() / "sarif-validator";
+  const fs::path folder = fs::path(places::program()).parent_path() / "sarif-validator";
   fs::create_directories(folder);
   const auto validate = [&](const std::string &name, const std::string &sarif) {
     const fs::path file = folder / (name + ".sarif");

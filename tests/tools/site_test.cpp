@@ -1,6 +1,7 @@
 // The documentation as a static site: it is made, its links lead somewhere, and pages of rules are
 // for readers.
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include "gtest/gtest.h"
@@ -17,8 +18,10 @@ TEST(DocumentationSite, IsMadeWithoutABrokenLink) {
   const fs::path log = temporary.path() / "log", site = temporary.path() / "site";
   if (runOuter({python, "-c", "import markdown"}, log, 30) != 0)
     GTEST_SKIP() << "python3-markdown is not installed";
-  ASSERT_EQ(runOuter({python, "-B", NCVET_SOURCE_DIR "/docs/site/site.py", site.string()}, log, 60),
-            0)
+  ASSERT_EQ(
+      runOuter({python, "-B", ncvet::places::sourceFolder() + "/docs/site/site.py", site.string()},
+               log, 60),
+      0)
       << contentsOf(log);
   const std::string page = contentsOf(site / "rules" / "cycle-left-active.html");
   EXPECT_NE(page.find("T303 (DRILL 8)"), std::string::npos);

@@ -1,6 +1,7 @@
 // The program for Windows, under Wine, beside the one of this machine: it finds the same.
 #include "tests/support/language_client.h"
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +17,7 @@ using ::testing::StartsWith;
 class Windows : public ::testing::Test {
 protected:
   void SetUp() override {
-    const std::string program = std::string(NCVET_SOURCE_DIR) + "/build/windows/ncvet.exe";
+    const std::string program = places::sourceFolder() + "/build/windows/ncvet.exe";
     if (!std::filesystem::exists(program))
       GTEST_SKIP() << "./dev package windows has not been run here";
     if (!llvm::sys::findProgramByName("wine"))
@@ -35,10 +36,10 @@ protected:
 
   /// What both programs print of the same files, the report alone.
   void expectSame(const std::vector<std::string> &arguments) {
-    std::filesystem::create_directory_symlink(std::string(NCVET_SOURCE_DIR) + "/tests",
+    std::filesystem::create_directory_symlink(places::sourceFolder() + "/tests",
                                               shop_.path() / "tests");
     const ProcessResult there = shop_.run(arguments);
-    shop_.binary(NCVET_BINARY);
+    shop_.binary(places::program());
     const ProcessResult here = shop_.run(arguments);
     EXPECT_EQ(here.exitCode, there.exitCode) << there.err;
     EXPECT_EQ(here.out, there.out);

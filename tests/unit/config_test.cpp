@@ -1,6 +1,7 @@
 // Globs of the configuration.
 #include "analyzer/setup/config.h"
 #include "analyzer/setup/globs.h"
+#include "tests/support/places.h"
 #include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +70,7 @@ TEST(Profiles, EveryBuiltInProfileLoadsAndNamesKnownRules) {
 
 /// What the schema says there is, and what is read, are the same keys.
 TEST(ConfigSchema, EveryKeyIsReadAndNoOther) {
-  std::ifstream in(std::string(NCVET_SOURCE_DIR) + "/rulesets/schema/config.schema.json");
+  std::ifstream in(places::sourceFolder() + "/rulesets/schema/config.schema.json");
   const auto schema = nlohmann::json::parse(in, nullptr, false);
   ASSERT_TRUE(schema.is_object());
   test::TemporaryFolder folder;

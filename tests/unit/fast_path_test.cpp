@@ -5,6 +5,7 @@
 #include "formats/readers/select/make_reader.h"
 #include "formats/text/byte_search.h"
 #include "lsp/features/same_block.h"
+#include "tests/support/places.h"
 #include "tests/support/rule_pages.h"
 
 #include <random>
@@ -44,7 +45,7 @@ bool isProgram(const fs::path &path) {
 /// `step`th which is no longer than an editor's usual program.
 std::vector<Sample> writtenPrograms(unsigned step) {
   std::vector<Sample> all;
-  const fs::path own = NCVET_SOURCE_DIR "/tests/programs";
+  const fs::path own = places::sourceFolder() + "/tests/programs";
   for (const auto &file : fs::recursive_directory_iterator(own))
     if (file.is_regular_file() && file.path().extension() == ".nc") {
       const std::string folder = file.path().lexically_relative(own).begin()->string();
@@ -52,7 +53,7 @@ std::vector<Sample> writtenPrograms(unsigned step) {
                      contentOf(file.path()), ""});
     }
   constexpr uintmax_t longest = 30'000;
-  const fs::path corpus = NCVET_SOURCE_DIR "/../shared/corpus";
+  const fs::path corpus = places::sourceFolder() + "/../shared/corpus";
   std::vector<fs::path> others;
   if (fs::is_directory(corpus))
     for (const auto &file : fs::recursive_directory_iterator(corpus))

@@ -4,6 +4,7 @@
 #include "formats/dialect/loader.h"
 #include "formats/dialect/stored_names.h"
 #include "formats/schema/generated_files.h"
+#include "tests/support/places.h"
 
 #include "llvm/Support/MemoryBuffer.h"
 #include <gmock/gmock.h>
@@ -16,7 +17,7 @@
 namespace ncvet {
 namespace {
 
-const std::string root = NCVET_SOURCE_DIR "/rulesets/";
+const std::string root = places::sourceFolder() + "/rulesets/";
 
 std::string contentOf(const std::string &name) {
   auto buffer = llvm::MemoryBuffer::getFile(root + name);

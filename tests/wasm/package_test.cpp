@@ -2,6 +2,7 @@
 // Skipped where it is not built.
 #include "tests/support/language_client.h"
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/wasm/wasm_package.h"
 
 #include <gmock/gmock.h>
@@ -51,7 +52,7 @@ protected:
   void compare(const fs::path &folder) {
     const std::vector<std::string> words = {"check", "--exit-zero", "--no-cache", "--jobs",
                                             "1",     "--format",    "json",       folder.string()};
-    std::vector<std::string> program = {NCVET_BINARY}, package = {command()};
+    std::vector<std::string> program = {ncvet::places::program()}, package = {command()};
     program.insert(program.end(), words.begin(), words.end());
     package.insert(package.end(), words.begin(), words.end());
     const Measured expected = measure(program, shop_.path() / "program.json");
@@ -72,11 +73,11 @@ protected:
 };
 
 TEST_F(WasmPackageOverPrograms, FindsWhatTheProgramFindsInTheTestPrograms) {
-  compare(fs::path(NCVET_SOURCE_DIR) / "tests" / "programs");
+  compare(fs::path(ncvet::places::sourceFolder()) / "tests" / "programs");
 }
 
 TEST_F(WasmPackageOverPrograms, FindsWhatTheProgramFindsInTheCorpus) {
-  const fs::path corpus = fs::path(NCVET_SOURCE_DIR) / ".." / "shared" / "corpus";
+  const fs::path corpus = fs::path(ncvet::places::sourceFolder()) / ".." / "shared" / "corpus";
   if (!fs::exists(corpus))
     GTEST_SKIP() << "the corpus is not beside the project";
   compare(fs::canonical(corpus));

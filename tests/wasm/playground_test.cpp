@@ -1,6 +1,7 @@
 // The playground in a real Chromium: what a person sees and does there. Skipped where Chromium,
 // Node or the package are missing. NCVET_PICTURES=folder keeps a picture of each test.
 #include "tests/support/outer_program.h"
+#include "tests/support/places.h"
 #include "tests/wasm/wasm_package.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,7 @@ protected:
     if (const std::string why = whyNoWasmPackage(); !why.empty())
       GTEST_SKIP() << why;
     const fs::path log = shop_.path() / "build.log";
-    const fs::path script = fs::path(NCVET_SOURCE_DIR) / "playground" / "build.mjs";
+    const fs::path script = fs::path(ncvet::places::sourceFolder()) / "playground" / "build.mjs";
     ASSERT_EQ(runOuter({"node", script.string(), (wasmPackage() / "lib").string(), site().string()},
                        log, 60),
               0)
@@ -43,7 +44,7 @@ protected:
                  "'it did not become true: ' + is + ' ' + document.getElementById('state')."
                  "textContent; }; 0");
     shop_.file("steps.json", Json(steps).dump());
-    const fs::path tests = fs::path(NCVET_SOURCE_DIR) / "tests";
+    const fs::path tests = fs::path(ncvet::places::sourceFolder()) / "tests";
     const fs::path log = shop_.path() / "browser.log";
     std::vector<std::string> command = {
         "node",   (tests / "wasm" / "served.mjs").string(),      site().string(),

@@ -1,6 +1,7 @@
 // The npm package that `./dev package npm` makes, for tests that run it.
 #pragma once
 
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 #include <filesystem>
@@ -9,7 +10,7 @@ namespace ncvet::test {
 
 /// The unpacked package.
 inline std::filesystem::path wasmPackage() {
-  return std::filesystem::path(NCVET_SOURCE_DIR) / "build" / "package" / "npm" / "package";
+  return std::filesystem::path(places::sourceFolder()) / "build" / "package" / "npm" / "package";
 }
 
 /// Why the package cannot be tested; empty: it can.
@@ -20,7 +21,7 @@ inline std::string whyNoWasmPackage() {
   const fs::path module = wasmPackage() / "lib" / "ncvet.wasm";
   if (!fs::exists(module))
     return "the npm package is not built: ./dev package npm";
-  if (fs::last_write_time(module) < fs::last_write_time(NCVET_BINARY))
+  if (fs::last_write_time(module) < fs::last_write_time(places::program()))
     return "the npm package is older than the program: ./dev package npm";
   return "";
 }
