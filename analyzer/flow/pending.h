@@ -25,6 +25,7 @@ public:
   Lives take(uint32_t &offset);
   /// Joined states go back over a backward jump.
   void startRound() { ++rounds_; }
+  bool hasRounds() const { return rounds_ != 0; }
 
 private:
   /// What is remembered of a block at which paths arrive again and again.

@@ -2,8 +2,29 @@
 #pragma once
 
 #include "analyzer/program/project.h"
+#include "interp/execute/calculation.h"
 
 namespace ncvet {
+
+/// A block that only calculates, in the modes in which it was executed: what happens in it is the
+/// same again, but for the numbers of its variables.
+struct KnownCalculation {
+  uint64_t situation = 0;       ///< modes and callers
+  Truth condition = Truth::Yes; ///< see `Calculated`
+  bool goesOn = false;          ///< with the next block
+  std::unique_ptr<Outcome> outcome;
+  StateUse use; ///< what executing it has looked at
+};
+
+/// A block of the text as it was read.
+struct KeptBlock {
+  explicit KeptBlock(const Block &read) : block(read), calculation(calculationOf(read)) {}
+
+  const Block block;
+  const std::optional<Calculation> calculation;
+  llvm::SmallVector<KnownCalculation, 0> known;
+  unsigned tries = 0; ///< times that it was found out, or was to be
+};
 
 /// Keeps blocks of loops and called programs as they were read. Belongs to one run: the texts stay
 /// the same while it lasts.
@@ -11,10 +32,10 @@ class ReadBlocks {
 public:
   /// The block at `offset`, kept or read into `own`. It is kept from its second time on.
   const Block &at(const FileUnit &unit, uint32_t offset, Block &own) {
-    const uint64_t key = uint64_t(unit.source.id()) << 32 | offset;
+    const uint64_t key = keyOf(unit, offset);
     const auto known = blocks_.find(key);
     if (known != blocks_.end() && known->second)
-      return *known->second;
+      return known->second->block;
     unit.reader->read(offset, own);
     if (known == blocks_.end()) {
       if (blocks_.size() < mostBlocks)
@@ -22,8 +43,17 @@ public:
       return own;
     }
     if (isShort(own))
-      known->second = std::make_unique<const Block>(own);
+      known->second = std::make_unique<KeptBlock>(own);
     return own;
+  }
+  /// The same, where it is kept; null: it is not.
+  KeptBlock *find(const FileUnit &unit, uint32_t offset) const {
+    const auto known = blocks_.find(keyOf(unit, offset));
+    return known == blocks_.end() ? nullptr : known->second.get();
+  }
+  /// Whether it is to be found out once more what the block calculates.
+  bool mayLearn(KeptBlock &kept) {
+    return ++kept.tries <= mostTries && ++calculations_ <= mostCalculations;
   }
 
 private:
@@ -31,14 +61,22 @@ private:
   static constexpr size_t mostBlocks = 1u << 13;
   /// Parts of a block that is kept: with the number of blocks it bounds the memory, some 16 MiB.
   static constexpr size_t mostParts = 64;
+  /// Ways and modes in which one block is met again and again.
+  static constexpr unsigned mostTries = 12;
+  /// With an outcome each, some 6 MiB.
+  static constexpr size_t mostCalculations = 1u << 12;
 
+  static uint64_t keyOf(const FileUnit &unit, uint32_t offset) {
+    return uint64_t(unit.source.id()) << 32 | offset;
+  }
   static bool isShort(const Block &block) {
     return block.words.size() + block.items.size() + block.arguments.size() +
                block.operations.size() <=
            mostParts;
   }
 
-  llvm::DenseMap<uint64_t, std::unique_ptr<const Block>> blocks_; ///< by file and offset
+  llvm::DenseMap<uint64_t, std::unique_ptr<KeptBlock>> blocks_; ///< by file and offset
+  size_t calculations_ = 0;
 };
 
 } // namespace ncvet

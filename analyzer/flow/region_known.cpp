@@ -18,7 +18,7 @@ bool RegionRun::isStraight() const { return at_ >= activation_.high && run_.call
 
 /// Reads the next block of the text, which is executed for the first time.
 void RegionRun::readStraight() {
-  isKept_ = false;
+  kept_ = nullptr;
   if (!quick_ || run_.inFull) {
     unit_.reader->read(at_, own_);
     block_ = pattern_ = &own_;
@@ -105,6 +105,11 @@ void RegionRun::keepMotion(const MachineState &state) {
 
 /// The same after a block that has changed nothing but variables.
 void RegionRun::keepVariables(const MachineState &state) {
+  if (wrote_) { // the two keep lists of their own
+    if (written_)
+      writeVariable(before_, int64_t(written_), value_);
+    return;
+  }
   before_.locals = state.locals;
   before_.commons = state.commons;
   before_.seeksBranch = state.seeksBranch;

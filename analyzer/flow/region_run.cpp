@@ -56,8 +56,8 @@ RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives 
 Exits RegionRun::execute() {
   const CrashPlace place(unit_.source, at_);
   while (!run_.stopped && arrive()) {
-    if (isAtEnd() || goOnInStretch() || goOnAsKnown() || takeOver() || passEmptyLines() ||
-        !read() || passOver() || !spend())
+    if (isAtEnd() || goOnInStretch() || goOnAsKnown() || goOnCalculating() || takeOver() ||
+        passEmptyLines() || !read() || passOver() || !spend())
       continue;
     if (block_->skip >= 0)
       decideSkip();
@@ -94,6 +94,8 @@ bool RegionRun::arrive() {
   const bool goesOn = waits_ && lives_.size() == 1 && lives_[0].state.serial() == waits_;
   synced_ = goesOn ? &*lives_[0].state : nullptr;
   waits_ = 0;
+  if (!goesOn || lives_[0].state->seeksBranch)
+    modes_ = 0;
   return true;
 }
 
@@ -127,71 +129,14 @@ void RegionRun::runOut() {
   run_.endStop();
 }
 
-/// Goes over a run of blocks of which an earlier analysis knows what it does.
-bool RegionRun::takeOver() {
-  if ((!recorder_ && !replay_) || at_ == refused_)
-    return false;
-  refused_ = at_;
-  if (lives_.size() != 1 || !activation_.pending.isEmpty() || at_ < activation_.high) {
-    interruptRecord();
-    return false;
-  }
-  // What is not in step with the state begins anew with the next block.
-  PlainRun present = synced_ ? plainRun_ : PlainRun();
-  const auto may = [&](const RunPlace &run) { return mayTakeOver(run); };
-  const auto known = recorder_ ? recorder_->takeOver(at_, lives_[0].state, present, may)
-                               : replay_->takeOver(at_, lives_[0].state, present, may);
-  if (!known)
-    return false;
-  follow(*known);
-  endStretch();
-  before_ = lives_[0].state;
-  synced_ = &*lives_[0].state;
-  done_ = nullptr;
-  modes_ = 0;
-  plainRun_ = present;
-  at_ = known->end;
-  refused_ = ~0u;
-  return true;
-}
-
-/// A run is executed all the same where somebody wants to see what happens in it, and where a
-/// subprogram that was called begins in it.
-bool RegionRun::mayTakeOver(const RunPlace &known) const {
-  if (run_.listeners.mustSee(unit_.source.id(), known.begin, known.end))
-    return false;
-  const auto target = run_.used.localSubprograms.lower_bound(known.begin);
-  const auto finished = run_.used.finishedAhead.lower_bound(known.begin);
-  return (target == run_.used.localSubprograms.end() || *target >= known.end) &&
-         (finished == run_.used.finishedAhead.end() || finished->first >= known.end);
-}
-
-/// Takes over what a run of an earlier analysis has done, but for the state.
-void RegionRun::follow(const RunPlace &known) {
-  if (known.begin != activation_.runEnd) {
-    run_.cover(unit_, activation_.runBegin, activation_.runEnd);
-    activation_.runBegin = known.begin;
-  }
-  activation_.runEnd = activation_.high = known.end;
-  activation_.lastBegin = known.lastBegin;
-  activation_.lastEnd = known.lastEnd;
-  activation_.executedAny = true;
-  run_.blocks += known.blocks;
-  run_.steps += known.blocks;
-  if (isCancelled()) {
-    run_.stopped = true;
-    run_.cut(blockRange(), "cancelled");
-  }
-}
-
 /// Reads the next block; false: the analysis was cancelled.
 bool RegionRun::read() {
   if (isStraight()) {
     readStraight();
   } else { // may be executed often
-    block_ = &run_.readBlocks.at(unit_, at_, own_);
-    isKept_ = block_ != &own_;
-    pattern_ = isKept_ ? nullptr : &own_;
+    kept_ = run_.readBlocks.find(unit_, at_);
+    block_ = kept_ ? &kept_->block : &run_.readBlocks.at(unit_, at_, own_);
+    pattern_ = kept_ ? nullptr : &own_;
     spelling_ = nullptr;
   }
   return noteRead();
@@ -398,6 +343,8 @@ void RegionRun::executeFor(Live &live) {
   if (spelling_ && doAsKnown(live))
     return;
   execute(live);
+  if (kept_ && kept_->calculation && calculated_)
+    return learnCalculation(live.state);
   if (spelling_ && modes_)
     learn(live);
   else
@@ -408,6 +355,7 @@ void RegionRun::executeFor(Live &live) {
 void RegionRun::execute(Live &live) {
   outcome_ = &ownOutcome_;
   done_ = nullptr;
+  wrote_ = false;
   bool guardHolds = true;
   if (!block_->items.empty()) {
     const Truth guard = unit_.executor().guard(*block_, live.state);

@@ -51,6 +51,15 @@ private:
   bool goOnAsKnown();
   void goOnAsKnownOnce(KnownBlocks::Known &known);
   KnownBlocks::Known *knownHere();
+  bool goOnCalculating();
+  bool mayCalculate() const;
+  const KnownCalculation *calculationHere(Calculated &gives);
+  void calculate(const KnownCalculation &known, const Calculated &gives);
+  bool loopBegins() const { return outcome_->flow.kind == FlowKind::LoopBegin; }
+  void staysCalculated();
+  void leaveCalculated();
+  void learnCalculation(const MachineState &after);
+  uint64_t situation();
   void endStretch();
   bool mayTakeOver(const RunPlace &known) const;
   void follow(const RunPlace &known);
@@ -95,7 +104,7 @@ private:
             *outcome_,
             run_.stretch,
             firstTime_ && run_.callStack.empty() ? known_.get() : nullptr,
-            isKept_ ? uint64_t(unit_.source.id()) << 32 | at_ : 0};
+            kept_ ? uint64_t(unit_.source.id()) << 32 | at_ : 0};
   }
   SourceRange blockRange() const { return {unit_.source.id(), block_->begin, block_->end}; }
 
@@ -115,7 +124,7 @@ private:
   bool firstTime_ = false;     ///< the block was not executed before
   bool goesOn_ = false;        ///< the block only goes on as the one before
   const Block *block_ = &own_; ///< that is executed
-  bool isKept_ = false;        ///< it was read for an earlier execution
+  KeptBlock *kept_ = nullptr;  ///< the same, where it was read for an earlier execution
   Block *pattern_ = nullptr;   ///< the same, where another may be read over it
   Block own_;                  ///< where it is read when the run does not keep it
   Outcome *outcome_ = &ownOutcome_;
@@ -125,6 +134,10 @@ private:
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
   uint64_t waits_ = 0;      ///< serial number of a state that was so before it went to wait
   bool calculated_ = false; ///< the block before changed nothing but variables
+  bool wrote_ = false;      ///< and of these one at most: `written_`
+  uint64_t written_ = 0;    ///< key of that variable; 0: none
+  Value value_;             ///< and what it was given
+  uint64_t callers_ = 0;    ///< a number for the calls that lead here; 0: it is not made out
   PlainRun plainRun_;
   unsigned repeats_ = 0; ///< blocks of the stretch that were told to all although they went on
   StateUse blockUse_;    ///< what executing the block has looked at

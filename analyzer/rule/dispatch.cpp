@@ -142,19 +142,24 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
                           const CallSite *caller, TextAhead *ahead, uint64_t place) {
   if (!(outcome.kinds & kinds_))
     return;
+  const bool mayBeKnown = shapes_ && (!caller || place);
+  const KnownModes *const again = mayBeKnown ? toldAgain(outcome) : nullptr;
+  if (again && again->awake.empty()) {
+    stateUse |= again->asleepUse;
+    return;
+  }
   prepare(unit, block, outcome, before, after, caller);
   context_.ahead_ = ahead;
-  if (!shapes_ || (caller && !place) || !(tellAgain(outcome) || tellKnown(place, outcome)))
+  if (again)
+    tellAwake(*again, outcome);
+  else if (!mayBeKnown || !tellKnown(place, outcome))
     tellAll(outcome);
 }
 
-/// Tells those that are told of such blocks; false: it is not known who they are.
-bool Dispatcher::tellAgain(const Outcome &outcome) {
+/// Who is told of such blocks; null: that is not known.
+const Dispatcher::KnownModes *Dispatcher::toldAgain(const Outcome &outcome) const {
   const KnownModes &known = shapes_->again[outcome.known % shapes_->again.size()];
-  if (!outcome.known || known.modes != outcome.known)
-    return false;
-  tellAwake(known, outcome);
-  return true;
+  return outcome.known && known.modes == outcome.known ? &known : nullptr;
 }
 
 void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {

@@ -110,7 +110,7 @@ private:
     /// The same by `Outcome::known`, which says shape and modes.
     std::array<KnownModes, 256> again;
   };
-  bool tellAgain(const Outcome &outcome);
+  const KnownModes *toldAgain(const Outcome &outcome) const;
   bool tellKnown(uint64_t place, const Outcome &outcome);
   void tellAwake(const KnownModes &modes, const Outcome &outcome);
   KnownShape &knownShape(uint64_t shape);

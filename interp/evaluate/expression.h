@@ -2,12 +2,11 @@
 #pragma once
 
 #include "formats/readers/block.h"
-#include "interp/value/value.h"
+#include "interp/evaluate/variable_access.h"
 
 namespace ncvet {
 
-struct MachineState; // interp/state/state.h
-struct Outcome;      // interp/state/event.h
+struct Outcome; // interp/state/event.h
 
 /// Value of expression `index` of `block`. Domain errors and reads of vacant variables in
 /// arithmetic are emitted into `outcome`, which may be null.
@@ -33,13 +32,7 @@ inline llvm::ArrayRef<ExpressionOp> operationsOf(const Block &block, const Expre
 /// Truth of a value as a condition: comparisons give 1 or 0.
 Truth truthOf(const Value &value);
 
-/// Value of variable `number`: local, common, or unknown for the control's own.
-Value readVariable(const MachineState &state, int64_t number);
-/// Whether the program has given a named variable no value yet, unknown where it has on some paths;
-/// numbered ones keep theirs from one program to the next.
-Truth isUnset(const MachineState &state, double number);
 /// Emits `UnsetRead` where the variable of the operation is unset, or is on some paths.
 void emitUnsetRead(const MachineState &state, const ExpressionOp &op, Outcome &outcome);
-void writeVariable(MachineState &state, int64_t number, const Value &value);
 
 } // namespace ncvet

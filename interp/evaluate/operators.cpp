@@ -246,6 +246,22 @@ Interval numberOf(Truth truth) {
   return truth == Truth::Unknown ? Interval{0, 1} : Interval::exactly(truth == Truth::Yes);
 }
 
+std::optional<double> compute(Operator op, const double *numbers, size_t &count) {
+  const OperatorRow &row = rows[size_t(op)];
+  if (count < row.operands)
+    return std::nullopt;
+  std::array<Interval, 3> operands;
+  for (size_t i = 0, first = count - row.operands; i < row.operands; ++i)
+    operands[i] = {numbers[first + i], numbers[first + i]};
+  if (row.outside && row.outside(operands.data()))
+    return std::nullopt;
+  const Interval result = row.compute(operands.data(), OperatorRules());
+  if (!result.isConstant())
+    return std::nullopt;
+  count -= row.operands;
+  return result.value();
+}
+
 bool OperatorStack::apply(Operator op) {
   const OperatorRow &row = rows[size_t(op)];
   while (values_.size() < row.operands) // what is missing is unknown

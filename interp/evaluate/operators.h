@@ -6,6 +6,7 @@
 #include "llvm/ADT/SmallVector.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace ncvet {
 
@@ -70,6 +71,11 @@ bool mayFail(Operator op);
 Truth truthOf(const Interval &value);
 /// The number that a comparison gives.
 Interval numberOf(Truth truth);
+
+/// What the operator makes of the last of `count` known numbers, which it takes away. Nothing, and
+/// all of them stay, when there are too few, when they lie outside its domain, and where the result
+/// is no one number.
+std::optional<double> compute(Operator op, const double *numbers, size_t &count);
 
 /// Computes an expression in postfix order.
 class OperatorStack {

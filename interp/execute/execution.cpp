@@ -261,7 +261,7 @@ void Execution::run(bool guardHolds) {
           (block_.pointless & dialect_.pointAdvised) | (block_.pointed & dialect_.whole) ||
       block_.skip > int8_t(dialect_.lexical.skipLevels))
     wordIssues();
-  if (!block_.operations.empty())
+  if (!block_.operations.empty() && !block_.words.empty())
     wordDomains();
   if (block_.items.empty()) {
     if (runPlainMove())

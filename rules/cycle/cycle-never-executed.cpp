@@ -50,6 +50,8 @@ public:
     if (event.kind == EventKind::Block) {
       if (ctx.block().items.empty() && !ctx.block().hasAny(dataWords))
         return sleepInShape();
+      if (!ctx.block().items.empty() && callParameters_.empty())
+        return sleepAtBlock();
       checkLooseWords(ctx);
       checkLooseParameters(ctx);
       return;

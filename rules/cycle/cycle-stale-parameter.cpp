@@ -1,5 +1,6 @@
 // A cycle takes a value that was meant for another one.
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/evaluate/condition.h"
 
@@ -24,9 +25,12 @@ public:
     to.handleNotices();
     kept_ = to.dialect().facts->cycles.valuesInVariables;
     for (const CodeInfo &code : to.dialect().codes)
-      for (const WordSpec &spec : code.words)
+      for (const WordSpec &spec : code.words) {
+        if (spec.variable)
+          ofCycles_.insert(spec.variable);
         if (spec.variable && spec.need != Need::Optional)
           parameters_.insert(spec.variable);
+      }
     to.on(EventKind::Statement);
     to.onCode([](const CodeInfo &code) {
       return llvm::any_of(code.words,
@@ -96,9 +100,10 @@ private:
 
   /// A value that a block of its own gives is meant for whatever comes.
   void assigned(const Item &item, RuleContext &ctx) const {
-    const auto meant = item.kind == ItemKind::Assignment
-                           ? memory().meant.find(ctx.block().keyOf(item.target))
-                           : memory().meant.end();
+    const uint64_t key = item.kind == ItemKind::Assignment ? ctx.block().keyOf(item.target) : 0;
+    if (!ofCycles_.count(key))
+      return sleepAtBlock();
+    const auto meant = memory().meant.find(key);
     if (meant == memory().meant.end())
       return;
     // A cycle that runs in every block takes it too.
@@ -131,6 +136,7 @@ private:
   }
 
   bool kept_ = false;             ///< values that stay the same are reported too
+  std::set<uint64_t> ofCycles_;   ///< keys of the variables that codes take
   std::set<uint64_t> parameters_; ///< keys of the variables that some code requires
 
   /// A word that may be beside the code, and of which the table says nothing more.

@@ -97,7 +97,7 @@ private:
     const SourceRange name{ctx.source().id(), item.nameBegin, item.nameEnd};
     if (item.kind != ItemKind::Assignment || item.value == noExpression ||
         !ctx.text(name).startswith("%"))
-      return;
+      return sleepAtBlock();
     const Value value = evaluateInBlock(ctx.block(), item.value, ctx.before());
     if (!value.isConstant() || value.number.value() == std::floor(value.number.value()))
       return;

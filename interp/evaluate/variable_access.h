@@ -1,0 +1,20 @@
+// Reads and writes the variables of programs.
+#pragma once
+
+#include "interp/value/value.h"
+
+namespace ncvet {
+
+struct MachineState; // interp/state/state.h
+
+/// A variable may be written with any number of digits; no control has so many.
+constexpr double pastNumbers = 0x1p63;
+
+/// Value of variable `number`: local, common, or unknown for the control's own.
+Value readVariable(const MachineState &state, int64_t number);
+/// Whether the program has given a named variable no value yet, unknown where it has on some paths;
+/// numbered ones keep theirs from one program to the next.
+Truth isUnset(const MachineState &state, double number);
+void writeVariable(MachineState &state, int64_t number, const Value &value);
+
+} // namespace ncvet
