@@ -28,7 +28,7 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     constexpr auto tool = uint16_t(1u << unsigned(Axis::Z));
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
-    if (isRapidWithFeed(ctx) && !leadsDownBelowZero(ctx))
+    if (isRapidWithFeed(ctx) && !endsLowerBelowZero(ctx))
       memory().feedsRapids = true;
     alongOther(event, ctx);
     if (!(event.axes & tool) || event.inMachineCoordinates() || !from.isConstant() ||
@@ -123,11 +123,13 @@ private:
            (axesOf(ctx.dialect(), next) >> unsigned(Axis::Z) & 1);
   }
 
-  /// Down below zero at rapid, with a feed in the block or in the move after it: G1 was meant.
+  /// Down below zero at rapid, with a feed in the block or in the move after it: G1 was meant. With
+  /// the feed in its own block a move that begins below zero counts too.
   bool withFeed(const Event &event, RuleContext &ctx) const {
-    if (!event.certain || !leadsDownBelowZero(ctx))
-      return false;
     const bool here = ctx.block().has(letterAddress('F'));
+    if (!event.certain ||
+        !(isRapidWithFeed(ctx) ? endsLowerBelowZero(ctx) : leadsDownBelowZero(ctx)))
+      return false;
     // Another G code may take the words, whatever the table knows of it.
     if (ctx.block().has(letterAddress('G')) && !ctx.find({Action::Rapid}))
       return false;
@@ -154,9 +156,13 @@ private:
     return ctx.block().has(letterAddress('F')) && ctx.find({Action::Rapid});
   }
 
-  static bool leadsDownBelowZero(const RuleContext &ctx) {
+  static bool endsLowerBelowZero(const RuleContext &ctx) {
     const Interval &from = ctx.before().at(Axis::Z), &to = ctx.after().at(Axis::Z);
-    return from.isConstant() && to.isConstant() && from.value() >= 0 && to.value() < 0;
+    return from.isConstant() && to.isConstant() && to.value() < from.value() && to.value() < 0;
+  }
+
+  static bool leadsDownBelowZero(const RuleContext &ctx) {
+    return endsLowerBelowZero(ctx) && ctx.before().at(Axis::Z).value() >= 0;
   }
 
   /// The next block moves in the plane, still at rapid, and has a feed.

@@ -10,8 +10,10 @@ namespace {
 
 struct ToolOffsetMismatchMemory {
   bool read = false;
-  std::set<int64_t> tools; ///< numbers of the T words of the file
-  SourceRange waits;       ///< an edge that is programmed while its tool waits for its change
+  std::set<int64_t> tools;  ///< numbers of the T words of the file
+  std::set<int64_t> keep;   ///< tools of the file with an H of their own number
+  std::set<int64_t> others; ///< tools of the file with an H of another number
+  SourceRange waits;        ///< an edge that is programmed while its tool waits for its change
 };
 
 class ToolOffsetMismatch final : public StatefulRule<ToolOffsetMismatchMemory> {
@@ -63,7 +65,8 @@ public:
     const int32_t tool = state.tool != notSet ? state.tool : state.preselected;
     if (!event.offset().isConstant() || tool <= 0 || event.offset().value() == 0 ||
         event.offset().value() == tool ||
-        (onlyOtherTools_ && !isTool(int64_t(event.offset().value()), ctx)))
+        (onlyOtherTools_ && !isTool(int64_t(event.offset().value()), ctx) &&
+         !breaksHabit(word, ctx)))
       return;
     if (auto finding = ctx.report(word)) {
       finding
@@ -120,17 +123,39 @@ private:
     return true; // the text does not tell
   }
 
-  /// Whether a T word of the file has the number. Reads the whole file once.
+  /// Whether a T word of the file has the number.
   bool isTool(int64_t number, const RuleContext &ctx) const {
+    return numbersOfFile(ctx).tools.count(number) != 0;
+  }
+
+  /// The lengths of all other tools of the file, three at least, have the numbers of their tools:
+  /// what is a shop's scheme elsewhere is a slip here.
+  bool breaksHabit(const Word &word, const RuleContext &ctx) const {
+    constexpr size_t habit = 3; // tools
+    if (word.address != letterAddress('H'))
+      return false;
+    const Memory &known = numbersOfFile(ctx);
+    return known.keep.size() >= habit && known.others.size() == 1;
+  }
+
+  /// The numbers of T and H, by a look at the whole file, once.
+  const Memory &numbersOfFile(const RuleContext &ctx) const {
     Memory &known = memory();
-    if (!known.read) {
-      known.read = true;
-      for (const ProgramInfo &program : ctx.index().programs())
-        for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
-          if (const Word *tool = block.find(letterAddress('T')); tool && tool->isNumber())
-            known.tools.insert(int64_t(tool->value()));
+    if (std::exchange(known.read, true))
+      return known;
+    for (const ProgramInfo &program : ctx.index().programs()) {
+      int64_t inUse = 0;
+      for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+        if (const Word *tool = block.find(letterAddress('T')); tool && tool->isNumber()) {
+          inUse = int64_t(tool->value());
+          known.tools.insert(inUse);
+        }
+        const Word *length = block.find(letterAddress('H'));
+        if (inUse > 0 && length && length->isNumber() && length->value() != 0)
+          (int64_t(length->value()) == inUse ? known.keep : known.others).insert(inUse);
+      }
     }
-    return known.tools.count(number) != 0;
+    return known;
   }
 
   uint32_t dataInput_ = 0;      ///< the switch under which every block is data
