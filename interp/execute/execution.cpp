@@ -490,7 +490,11 @@ void Execution::finish() {
              (!dialect_.facts->text.statementsAlone || !calculatesOnly(block_))) {
     uint16_t moved = 0;
     for (const Event &event : outcome_.events)
-      moved |= event.kind == EventKind::Motion ? event.axes : 0;
+      if (event.kind == EventKind::Motion)
+        // A full circle leads round the plane whether or not its end is written.
+        moved |= event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw
+                     ? planeAxes(dialect_, state_)
+                     : event.axes;
     countIdle(moved);
   }
   if (state_.modalCalls)
