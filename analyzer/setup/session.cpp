@@ -453,6 +453,16 @@ namespace {
 /// Dialects of one maker begin with its name.
 llvm::StringRef makerOf(llvm::StringRef dialect) { return dialect.split('-').first; }
 
+/// Controls of one maker for the same kind of machine read each other's programs.
+bool areAlike(llvm::StringRef found, const Dialect &used) {
+  auto table = loadDialect(found, builtinDialects());
+  if (!table) {
+    llvm::consumeError(table.takeError());
+    return true;
+  }
+  return makerOf(found) == makerOf(used.id) && (*table)->isLathe() == used.isLathe();
+}
+
 } // namespace
 
 OtherControl Session::otherControl(const FileSetup &setup, llvm::StringRef fileName,
@@ -469,7 +479,7 @@ OtherControl Session::otherControl(const FileSetup &setup, llvm::StringRef fileN
     const auto [name, marks] = llvm::StringRef(detection.other).split(": ");
     return {name.str(), marks.str(), false};
   }
-  if (!detection.sure || makerOf(detection.dialect) == makerOf(setup.dialect->id))
+  if (!detection.sure || areAlike(detection.dialect, *setup.dialect))
     return {};
   return {detection.dialect, detection.reason, true};
 }

@@ -1,4 +1,5 @@
 // An arc whose end is not as far from its centre as its start.
+#include "analyzer/facts/length_text.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
@@ -42,10 +43,9 @@ public:
     }
     const bool certain = event.certain && !ctx.before().may(Fact::UnknownCode);
     if (auto finding = ctx.report(ctx.blockRange(), certain))
-      finding.message(
-          "the end of `{0}` does not lie on its circle: the start is {1:f3} mm from the "
-          "centre, the end {2:f3} mm",
-          ctx.code(event).name, atStart, atEnd);
+      finding.message("the end of `{0}` does not lie on its circle: the start is {1} from the "
+                      "centre, the end {2}",
+                      ctx.code(event).name, lengthText(ctx, atStart), lengthText(ctx, atEnd));
   }
 
 private:

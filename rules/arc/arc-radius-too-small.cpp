@@ -1,4 +1,5 @@
 // An arc whose radius is zero or does not reach from start to end.
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/references.h"
 
@@ -55,9 +56,9 @@ private:
     auto finding = ctx.report(word, certain);
     if (!finding)
       return;
-    finding.message("`{0}` is too small: start and end lie {1:f3} mm apart, so the radius must be "
-                    "at least {2:f3}",
-                    ctx.text(word), chord, chord / 2);
+    finding.message("`{0}` is too small: start and end lie {1} apart, so the radius must be "
+                    "at least {2}",
+                    ctx.text(word), lengthText(ctx, chord), placeText(ctx, chord / 2));
     if (const SourceRange cycle = cycleThatEnds(ctx); cycle.end)
       finding.note(cycle,
                    "the profile of this cycle ends with the block before the arc: the arc is "

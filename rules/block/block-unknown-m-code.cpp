@@ -29,6 +29,14 @@ public:
     const int64_t code = number.isConstant() ? int64_t(number.value()) : event.word->mantissa;
     if (memory().first.try_emplace(code, place).first->second != place)
       return;
+    if (wasStart(code, ctx)) {
+      if (auto finding = ctx.report(event))
+        finding.severity(Severity::Warning)
+            .message("`{0}` is no code of this control, and the spindle that its block gives a "
+                     "speed is stopped: `{1}` was meant",
+                     ctx.text(*event.word), startOf(ctx.dialect())->name);
+      return;
+    }
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is neither a code of this control nor named in the machine profile: "
                       "what it does is not known",
@@ -36,6 +44,24 @@ public:
   }
 
 private:
+  /// The code that starts the spindle; null: there is none.
+  static const CodeInfo *startOf(const Dialect &dialect) {
+    const auto start = llvm::find_if(dialect.codes, [](const CodeInfo &code) {
+      return code.letter == 'M' && code.action == Action::SpindleCw;
+    });
+    return start == dialect.codes.end() ? nullptr : &*start;
+  }
+
+  /// The block gives a speed to a spindle that is stopped, and has no other M code: another digit
+  /// of the code was meant.
+  static bool wasStart(int64_t code, const RuleContext &ctx) {
+    constexpr int64_t digits = 10, twoDigits = 100;
+    const CodeInfo *const start = startOf(ctx.dialect());
+    return start && code < twoDigits && code % digits == int64_t(start->number) / 10 % digits &&
+           ctx.block().has(letterAddress('S')) && ctx.before().spindle == spindleOff &&
+           !ctx.before().may(Fact::UnknownCode) && !(ctx.block().repeated & maskOf('M'));
+  }
+
   double above_ = -1; ///< codes up to here may be the machine builder's
 };
 

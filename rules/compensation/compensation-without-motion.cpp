@@ -33,10 +33,15 @@ public:
 private:
   /// Directly before the finishing cycle of a lathe, which cuts the contour with it, or after it.
   static bool isForFinish(const RuleContext &ctx) {
+    // The cycle may be what a code is under a condition: `G70` with P and Q.
     const auto finishes = [&](const Block &block) {
-      const CodeInfo *const cycle =
-          findCode(ctx.dialect(), block, {Action::Cycle, Action::ProfileRun});
-      return cycle && cycle->cycle == CycleKind::Finish;
+      return block.hasAny(maskOf('P') | maskOf('Q')) &&
+             llvm::any_of(codesOf(ctx.dialect(), block), [&](const CodeIndex index) {
+               return llvm::any_of(ctx.dialect().codes, [&](const CodeInfo &code) {
+                 return code.cycle == CycleKind::Finish &&
+                        (code.base == index || &code == &ctx.dialect().codes[index]);
+               });
+             });
     };
     Block block;
     if (!ctx.dialect().isLathe())

@@ -1,5 +1,6 @@
 // The end of a line does not lie in the direction of its angle.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -92,8 +93,8 @@ private:
     if (aside < leastAside || aside < leastSine * way.norm())
       return;
     if (auto finding = ctx.report(word))
-      finding.message("the line at `{0}` through its end passes {1:f3} mm beside its start",
-                      ctx.text(word), aside);
+      finding.message("the line at `{0}` through its end passes {1} beside its start",
+                      ctx.text(word), lengthText(ctx, aside));
   }
 
   static bool isArcActive(const MachineState &state, const Dialect &dialect) {

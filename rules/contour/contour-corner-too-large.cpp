@@ -1,5 +1,6 @@
 // A chamfer or rounding that does not fit on its neighbours, or is not positive.
 #include "analyzer/facts/corner_words.h"
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -82,15 +83,15 @@ private:
     const SourceRange next = ahead.range();
     if (*taken > in->length() + tolerance_) {
       if (auto finding = ctx.report(word))
-        finding.message("`{0}` takes {1:f3} mm of this line, and it is {2:f3} mm long",
-                        ctx.text(word), *taken, in->length());
+        finding.message("`{0}` takes {1} of this line, and it is {2} long", ctx.text(word),
+                        lengthText(ctx, *taken), lengthText(ctx, in->length()));
       return;
     }
     if (*taken > out->length() + tolerance_) {
       if (auto finding = ctx.report(word))
         finding
-            .message("`{0}` takes {1:f3} mm of the next line, which is {2:f3} mm long",
-                     ctx.text(word), *taken, out->length())
+            .message("`{0}` takes {1} of the next line, which is {2} long", ctx.text(word),
+                     lengthText(ctx, *taken), lengthText(ctx, out->length()))
             .note(next, "the next line");
       return;
     }
@@ -106,9 +107,10 @@ private:
       return;
     if (auto finding = ctx.report(word))
       finding
-          .message("`{0}` and the corner at its other end take {1:f3} mm of the next line, "
-                   "which is {2:f3} mm long",
-                   ctx.text(word), *taken + *further, out->length())
+          .message("`{0}` and the corner at its other end take {1} of the next line, "
+                   "which is {2} long",
+                   ctx.text(word), lengthText(ctx, *taken + *further),
+                   lengthText(ctx, out->length()))
           .note(next, "the next line");
   }
 

@@ -1,4 +1,5 @@
 // A cycle withdraws to a level inside the work, or below a clamp on the path to the next place.
+#include "analyzer/facts/length_text.h"
 #include "analyzer/rule/rule.h"
 #include "interp/cycles/cycle_moves.h"
 #include "interp/geometry/obstacle.h"
@@ -31,8 +32,8 @@ public:
         if (auto finding = ctx.report(event))
           finding.message(
               "on the path to this place `{0}` leads through a clamp: it goes across at "
-              "{1:f3}",
-              ctx.code(event).name, move.to[size_t(Axis::Z)].value());
+              "{1}",
+              ctx.code(event).name, placeText(ctx, move.to[size_t(Axis::Z)].value()));
         return;
       }
       from = move.to;

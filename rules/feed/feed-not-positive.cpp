@@ -1,4 +1,6 @@
 // A feed of zero or less.
+#include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 
 namespace ncvet {
@@ -17,11 +19,31 @@ public:
         if (word.address == event.word->address && word.offset > event.word->offset)
           return;
     const bool negative = event.feed().hi < 0;
+    if (!negative && isReplaced(ctx))
+      return;
     if (auto finding = ctx.report(event, event.certain))
       finding.message("`{0}`: {1}", ctx.text(*event.word),
                       negative
                           ? "a feed is above zero; the control stops with an alarm"
                           : "the axes do not move with a feed of zero, the tool rubs in the cut");
+  }
+
+private:
+  /// The block moves nothing, and the next block that feeds has a feed of its own.
+  static bool isReplaced(const RuleContext &ctx) {
+    constexpr unsigned furthest = 8; // blocks
+    const AddressMask moves = ctx.dialect().axisWords | ctx.dialect().incrementWords;
+    if (ctx.block().hasAny(moves))
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (next.has(letterAddress('F')))
+        return true;
+      if (next.hasAny(moves) && !findCode(ctx.dialect(), next, {Action::Rapid}))
+        return false;
+    }
+    return false;
   }
 };
 

@@ -1,5 +1,8 @@
 // A local call gives its target as a block number word.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
+#include "interp/evaluate/expression.h"
+#include "interp/value/macro_argument.h"
 
 namespace ncvet {
 namespace {
@@ -26,8 +29,11 @@ public:
       return;
     }
     ctx.reportNotices("flow-call-format", event);
-    if (ctx.code(event).action == Action::CallProgram)
+    if (ctx.code(event).action == Action::CallProgram) {
+      if (ctx.dialect().lexical.macro && !ctx.code(event).foreign)
+        arguments(event, ctx);
       return packed(event, ctx);
+    }
     if (ctx.code(event).action != Action::CallLocal)
       return;
     const Block &block = ctx.block();
@@ -44,6 +50,46 @@ public:
   }
 
 private:
+  /// `M98 P2 A5.`: a subprogram gets no arguments, and the called program reads one.
+  static void arguments(const Event &event, RuleContext &ctx) {
+    AddressMask own = lettersMask("GMNOPLQ");
+    for (const WordSpec &spec : ctx.code(event).words)
+      own |= spec.any;
+    std::map<double, const Word *> given; // by the variable that a macro call would set
+    for (const Word &word : ctx.block().words)
+      if (word.address < 26 && !(own & maskOf(word.address)))
+        if (const uint32_t number = macroArgument(char('A' + word.address));
+            number && !readVariable(ctx.before(), number).isConstant())
+          given.emplace(number, &word);
+    if (given.empty())
+      return;
+    const auto place = [](FileUnit &unit, const Block &block) {
+      return std::pair(&unit, unit.index.programAt(block.begin).begin);
+    };
+    const auto here = place(ctx.unit(), ctx.block());
+    constexpr unsigned furthest = 60; // blocks of the called program
+    BlocksAhead ahead(ctx);
+    Block block;
+    for (unsigned i = 0; i < furthest && ahead.next(block) && !given.empty(); ++i) {
+      if (place(ahead.unit(), block) == here)
+        return;
+      for (const ExpressionOp &op : block.operations)
+        if (const auto read = op.op == Op::Variable ? given.find(op.value) : given.end();
+            read != given.end()) {
+          if (auto finding = ctx.report(*read->second))
+            finding.severity(Severity::Warning)
+                .message("`{0}` hands no arguments over: `{1}` does not become #{2}, which the "
+                         "called program reads; a macro call does",
+                         ctx.text(*event.word), ctx.text(*read->second), unsigned(op.value))
+                .note(ahead.range(block), "it is read here");
+          return;
+        }
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Assignment)
+          given.erase(double(block.keyOf(item.target)));
+    }
+  }
+
   /// `M98 P051000`, the count of runs before the number, on a control that reads a number alone.
   static void packed(const Event &event, RuleContext &ctx) {
     const Limits &limits = ctx.dialect().limits;

@@ -1,4 +1,6 @@
 // A called program, or a locally called block, exists nowhere.
+#include "analyzer/facts/lookahead.h"
+#include "analyzer/program/references.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
@@ -39,6 +41,32 @@ bool isMistyped(const RuleContext &ctx) {
   });
 }
 
+/// How the control calls the block of this program that has the number of the called program;
+/// empty: there is none that begins a subprogram, or the control calls programs only.
+std::string callOfBlock(const Flow &flow, const RuleContext &ctx) {
+  const Dialect &dialect = ctx.dialect();
+  if (flow.kind == FlowKind::CallLocal || isNamed(flow) || !flow.target.isConstant() ||
+      dialect.lexical.flowWords)
+    return "";
+  const auto number = int64_t(flow.target.number.value());
+  const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+  const auto place =
+      resolveBlock(ctx.index(), program, Reference::toBlock(number), ctx.block().begin);
+  if (!place || *place < ctx.block().begin)
+    return "";
+  // After the end of the program, or after a return: nothing else leads there.
+  Block block;
+  ctx.index().read(*place, block);
+  if (!readBack(ctx, block) ||
+      !findCode(dialect, block, {Action::ProgramEnd, Action::ProgramEndRewind, Action::Return}))
+    return "";
+  const auto local = llvm::find_if(dialect.codes, [](const CodeInfo &code) {
+    return code.action == Action::CallLocal && code.letter == 'M' && !code.foreign;
+  });
+  const char *const form = dialect.facts->program.callsBlocks ? "{0} Q{1}" : "{0} P{1}";
+  return local == dialect.codes.end() ? "" : llvm::formatv(form, local->name, number).str();
+}
+
 class FlowUndefinedSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
@@ -60,6 +88,14 @@ public:
       return;
     if (isProtected(flow, ctx.dialect().limits.protectedPrograms))
       return;
+    if (const std::string call = callOfBlock(flow, ctx); !call.empty()) {
+      if (auto finding = ctx.report(ctx.flowRange(), event.certain))
+        finding.severity(Severity::Warning)
+            .message("`{0}` calls a program that was not found, and this one has a block of that "
+                     "number: `{1}` calls it",
+                     ctx.text(ctx.flowRange()), call);
+      return;
+    }
     // A subprogram may belong to a set of the machine's builder, which lies on the control.
     if (isNamed(flow) && ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram &&
         !isMistyped(ctx))

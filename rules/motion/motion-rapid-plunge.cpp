@@ -1,6 +1,7 @@
 // A rapid move along the tool axis leads into the work.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/codes_in_force.h"
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "formats/text/number_text.h"
 #include "interp/geometry/obstacle.h"
@@ -49,9 +50,9 @@ public:
     if (!top_ && (!cutsAcross(ctx) || isFedOnDown(ctx)))
       return;
     if (auto finding = ctx.report(event, top_.has_value()))
-      finding.message("this rapid move ends {0} mm below {1}: the tool goes into the work at full "
+      finding.message("this rapid move ends {0} below {1}: the tool goes into the work at full "
                       "speed",
-                      shortNumber(top - to.value()), top_ ? "the top of the stock" : "zero");
+                      shortLength(ctx, top - to.value()), top_ ? "the top of the stock" : "zero");
   }
 
 private:
@@ -77,9 +78,9 @@ private:
         return;
     }
     if (auto finding = ctx.report(event, event.certain))
-      finding.message("this rapid move ends {0} mm inside the stock, along the tool: it goes into "
+      finding.message("this rapid move ends {0} inside the stock, along the tool: it goes into "
                       "the work at full speed",
-                      shortNumber(*stock.max[axis] - to.value()));
+                      shortLength(ctx, *stock.max[axis] - to.value()));
   }
 
   /// The path down leads through a clamp.
@@ -109,9 +110,9 @@ private:
     if (incremental == Truth::Unknown || mirrored < level.value() || isFedOnDown(ctx))
       return false;
     if (auto finding = ctx.report(event))
-      finding.message("this rapid move goes {0} mm further down out of the cut: a retract has the "
+      finding.message("this rapid move goes {0} further down out of the cut: a retract has the "
                       "other sign",
-                      llvm::formatv("{0}", llvm::format("%g", from - to)));
+                      shortLength(ctx, from - to));
     return true;
   }
 
@@ -136,9 +137,9 @@ private:
     if (isRapidWithFeed(ctx) ? memory().feedsRapids : !here && !nextMoveIsFed(ctx))
       return false;
     if (auto finding = ctx.report(event))
-      finding.message("this rapid move ends {0} mm below zero, and {1} has a feed: the tool is not "
+      finding.message("this rapid move ends {0} below zero, and {1} has a feed: the tool is not "
                       "fed, it goes in at full speed",
-                      llvm::formatv("{0}", llvm::format("%g", -ctx.after().at(Axis::Z).value())),
+                      shortLength(ctx, -ctx.after().at(Axis::Z).value()),
                       here ? "its block" : "the next move");
     return true;
   }

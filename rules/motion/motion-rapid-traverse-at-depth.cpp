@@ -1,5 +1,7 @@
 // A rapid move in the plane while the tool is still at cutting depth.
 #include "analyzer/facts/codes_in_force.h"
+#include "analyzer/facts/length_text.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_tool.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
@@ -49,12 +51,22 @@ public:
       return;
     if (toolMeasures(ctx, measuring_)) // it touches, and cuts nothing
       return;
-    if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown))
-      finding.message("rapid in the plane at depth {0:f3}: the tool was fed in from {1:f3}",
-                      from.value(), level);
+    if (auto finding = ctx.report(event, before.is(Fact::AwayFromPart) != Truth::Unknown)) {
+      finding.message("rapid in the plane at depth {0}: the tool was fed in from {1}",
+                      placeText(ctx, from.value()), placeText(ctx, level));
+      if (comesFromCall(ctx))
+        finding.severity(Severity::Warning);
+    }
   }
 
 private:
+  /// A called program has left the tool down there, and the move leads out of what it has cut.
+  static bool comesFromCall(const RuleContext &ctx) {
+    Block block;
+    return readPrevious(ctx, block) && findCode(ctx.dialect(), block, {Action::CallProgram}) &&
+           ctx.before().is(Fact::AwayFromPart) == Truth::No && !staysWhereItHasCut(ctx.after());
+  }
+
   /// Through a clamp, or through stock into which nothing has cut yet. A path that leads down is
   /// another rule's.
   static bool throughObstacle(const Event &event, RuleContext &ctx) {

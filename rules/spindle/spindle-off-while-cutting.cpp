@@ -1,4 +1,5 @@
 // A feed move or a cutting cycle while the spindle does not turn.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/measuring_tool.h"
@@ -63,7 +64,8 @@ public:
          (anyMachine_ && saysNothingOfTools(ctx))))
       return;
     if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
-        !memory().once.speaks(origin, ctx) || (builderStarts_ && builderMayTurnSpindle(ctx)))
+        (builderStarts_ && builderMayTurnSpindle(ctx)) || isForHandling(state, ctx) ||
+        !memory().once.speaks(origin, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
@@ -150,6 +152,26 @@ private:
   static bool neverTurns(const MachineState &state, const RuleContext &ctx) {
     return nothingSaid(state) ||
            (!state.may(Fact::SpeedSet) && !state.may(Fact::SpindleStated) && startsNoSpindle(ctx));
+  }
+
+  /// A bar puller or a gripper: the spindle was stopped before its tool was called, and the next
+  /// thing that the program does is a code of the machine's builder.
+  static bool isForHandling(const MachineState &state, const RuleContext &ctx) {
+    constexpr unsigned furthest = 6; // blocks
+    const Origin &stop = state.origin.of(StatePart::Spindle);
+    const Origin &tool = state.origin.of(StatePart::Tool);
+    if (!stop.known() || !tool.known() || stop.file != tool.file || tool.begin < stop.begin)
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next) && !next.has(letterAddress('T')); ++i)
+      for (const Word &word : next.words) {
+        if (word.address != letterAddress('M'))
+          continue;
+        const CodeIndex code = codeOf(ctx.dialect(), word);
+        return code == noCode || ctx.dialect().codes[code].action == Action::MachineSpecific;
+      }
+    return false;
   }
 
   /// A hole that the block of the stop itself makes.

@@ -1,4 +1,5 @@
 // A spindle without a speed, with none above zero, or with that of the tool before.
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -37,6 +38,23 @@ public:
   }
 
 private:
+  /// The S is in one of the next blocks, and nothing moves before it.
+  static bool comesAtOnce(const RuleContext &ctx) {
+    constexpr unsigned furthest = 3; // blocks
+    const AddressMask moves = ctx.dialect().axisWords | ctx.dialect().incrementWords;
+    if (ctx.block().hasAny(moves))
+      return false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (next.has(letterAddress('S')))
+        return !findCode(ctx.dialect(), next, {Action::SpeedLimit});
+      if (next.hasAny(moves) || !next.items.empty())
+        return false;
+    }
+    return false;
+  }
+
   void atToolChange(RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     memory().cutWith = before.must(Fact::CutSinceTool) && before.must(Fact::SpeedSet)
@@ -72,8 +90,10 @@ private:
     // The S may come before the cut, where it is asked for again.
     if (starts && usesUp_ && ctx.after().origin.of(StatePart::Speed).known())
       return;
-    // The machine's builder may give a speed by a code of his own.
-    if (ctx.after().may(Fact::UnknownCode))
+    // The machine's builder may give a speed by a code of his own; a word that cannot be read may
+    // have been the S.
+    if (ctx.after().may(Fact::UnknownCode) || !ctx.block().issues.empty() ||
+        (starts && comesAtOnce(ctx)))
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::SpeedSet);
     if (auto finding = ctx.report(event, certain)) {

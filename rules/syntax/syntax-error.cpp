@@ -8,6 +8,7 @@ namespace {
 
 struct SyntaxErrorMemory {
   Aside<std::optional<uint32_t>> afterText; ///< where the last line of prose ends
+  Aside<std::optional<uint32_t>> ifBlock;   ///< the block at which brackets of IF were told
 };
 
 class SyntaxError final : public StatefulRule<SyntaxErrorMemory> {
@@ -44,48 +45,92 @@ public:
     const SyntaxIssue &issue = ctx.block().issues[event.issue()];
     if (ctx.block().repeatsIssue(event.issue()))
       return;
-    const char *what = nullptr;
-    switch (issue.kind) {
-    case SyntaxIssueKind::UnbalancedBracket:
-      if (ctx.dialect().lexical.commaSeparates ||
-          ctx.dialect().facts->text.bracketsApart) // syntax-unbalanced-brackets speaks
-        return;
-      what = "`{0}` has no bracket to match it";
-      break;
-    case SyntaxIssueKind::BadExpression:
-      if (namesLackedFunction(ctx, issue)) // syntax-unknown-name speaks
-        return;
-      what = "`{0}` is no expression that the control can compute";
-      break;
-    case SyntaxIssueKind::BadStatement:
-      if (lacksAction(ctx, issue)) // block-missing-word speaks
-        return;
-      what = "`{0}` is no statement that the control knows";
-      break;
-    case SyntaxIssueKind::UnknownWord:
-      if (!ctx.dialect().keywords.empty()) // syntax-unknown-name speaks
-        return;
-      what = "`{0}` is neither a word of address and number nor a statement";
-      break;
-    case SyntaxIssueKind::NotABlock: {
-      // Of lines of prose in a row only the first is reported.
-      std::optional<uint32_t> &afterText = memory().afterText.look();
-      const bool goesOn = ctx.block().begin == afterText;
-      afterText = ctx.block().next;
-      if (goesOn)
-        return;
-      what = "this is no block: the control reads none of it and stops";
-      break;
-    }
-    default:
+    const char *const what = meaning(issue, ctx);
+    if (!what)
       return;
-    }
     const SourceRange range = ctx.range(issue);
     if (auto finding = ctx.report(range))
       finding.message(what, ctx.source().displayText(ctx.text(range)));
   }
 
 private:
+  /// What is wrong; null: nothing, or another rule says it.
+  const char *meaning(const SyntaxIssue &issue, const RuleContext &ctx) const {
+    const bool noBrackets =
+        ctx.dialect().lexical.commaSeparates || ctx.dialect().facts->text.bracketsApart;
+    switch (issue.kind) {
+    case SyntaxIssueKind::UnbalancedBracket: // syntax-unbalanced-brackets speaks
+      return noBrackets ? nullptr : "`{0}` has no bracket to match it";
+    case SyntaxIssueKind::BadExpression:
+      if (namesLackedFunction(ctx, issue)) // syntax-unknown-name speaks
+        return nullptr;
+      return isOpenCondition(issue, ctx)
+                 ? "`{0}`: a condition wants brackets around all of it: `IF [{0}]`"
+                 : "`{0}` is no expression that the control can compute";
+    case SyntaxIssueKind::BadStatement:
+      return lacksAction(ctx, issue) ? nullptr : ofStatement(issue, ctx); // block-missing-word
+    case SyntaxIssueKind::UnknownWord:
+      return ctx.dialect().keywords.empty() ? ofWord(issue, ctx) : nullptr; // syntax-unknown-name
+    case SyntaxIssueKind::NotABlock: {
+      // Of lines of prose in a row only the first is reported.
+      std::optional<uint32_t> &afterText = memory().afterText.look();
+      const bool goesOn = ctx.block().begin == afterText;
+      afterText = ctx.block().next;
+      return goesOn ? nullptr : "this is no block: the control reads none of it and stops";
+    }
+    default:
+      return nullptr;
+    }
+  }
+
+  const char *ofStatement(const SyntaxIssue &issue, const RuleContext &ctx) const {
+    if (!ctx.text(ctx.range(issue)).equals_insensitive("THEN"))
+      return "`{0}` is no statement that the control knows";
+    return tellsOfIf(ctx) ? "`{0}` without a statement after it: this control has no IF of several "
+                            "blocks, nor ELSE and ENDIF"
+                          : nullptr;
+  }
+
+  const char *ofWord(const SyntaxIssue &issue, const RuleContext &ctx) const {
+    if (!isOfIf(ctx.text(ctx.range(issue))))
+      return "`{0}` is neither a word of address and number nor a statement";
+    return tellsOfIf(ctx) ? "`{0}`: this control has no IF of several blocks: an IF jumps, or has "
+                            "its statement in its own block"
+                          : nullptr;
+  }
+
+  /// Words of the IF of several blocks that other controls have.
+  static bool isOfIf(llvm::StringRef word) {
+    return word.equals_insensitive("ELSE") || word.equals_insensitive("ELSEIF") ||
+           word.equals_insensitive("ENDIF");
+  }
+
+  /// One program that is written with such an IF: its first word is told.
+  bool tellsOfIf(const RuleContext &ctx) const {
+    std::optional<uint32_t> &told = memory().ifBlock.look();
+    if (!told)
+      told = ctx.block().begin;
+    return told == ctx.block().begin;
+  }
+
+  /// `IF [#1] GE [2] GOTO 10`: the issue is all of the condition, and its first bracket ends
+  /// before.
+  static bool isOpenCondition(const SyntaxIssue &issue, const RuleContext &ctx) {
+    return llvm::any_of(ctx.block().items, [&](const Item &item) {
+      if (item.kind != ItemKind::If || item.condition >= ctx.block().expressions.size())
+        return false;
+      const SourceRange range = ctx.range(ctx.block().expressions[item.condition]);
+      const llvm::StringRef text = ctx.text(range);
+      int depth = 0;
+      for (size_t i = 0; i < text.size(); ++i) {
+        depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
+        if (depth == 0)
+          return range.begin == issue.begin && i + 1 < text.size();
+      }
+      return false;
+    });
+  }
+
   bool oneSeparator_ = false;
   bool statementsAlone_ = false; ///< no words beside assignments, jumps and loops
   bool loopsAlone_ = false;      ///< no words beside the brackets of loops
@@ -97,7 +142,11 @@ private:
     const bool loop =
         item.kind == ItemKind::While || item.kind == ItemKind::Do || item.kind == ItemKind::End;
     const bool other = item.kind == ItemKind::Assignment || item.kind == ItemKind::Jump;
-    if (block.words.empty() || !block.issues.empty() || !(loop || (other && statementsAlone_)))
+    if (block.words.empty() || !block.issues.empty())
+      return;
+    if (item.kind == ItemKind::If && &item == &block.items.back() && statementsAlone_)
+      return thenWords(item, ctx);
+    if (!(loop || (other && statementsAlone_)))
       return;
     const SourceRange range = ctx.range(item);
     if (auto finding = ctx.report(range))
@@ -105,6 +154,17 @@ private:
           .message("`{0}` shares its block with words: the control takes statements in blocks of "
                    "their own",
                    ctx.text(range));
+  }
+
+  /// `IF [#1 EQ 2] THEN G00 X5.`: words in the place of the statement.
+  static void thenWords(const Item &item, RuleContext &ctx) {
+    const Word &first = ctx.block().words.front();
+    if (first.offset < item.end ||
+        !ctx.source().text(item.end, first.offset).contains_insensitive("THEN"))
+      return;
+    if (auto finding = ctx.report(first))
+      finding.message("`{0}` after THEN: the control takes one statement of a macro there",
+                      ctx.text(first));
   }
 
   /// More brackets in each other than the control follows. Those that a condition needs do not

@@ -12,6 +12,7 @@ namespace {
 struct SyntaxMissingDecimalPointMemory {
   std::vector<SourceRange> places; ///< lengths without a point, the first ones of the file
   std::vector<SourceRange> others; ///< further words without one that have it where lengths do
+  bool inch = false;               ///< the file has lengths in inches
 };
 
 class SyntaxMissingDecimalPoint final : public StatefulRule<SyntaxMissingDecimalPointMemory> {
@@ -39,6 +40,8 @@ public:
     if (const auto reading = ctx.machine().option("decimalPoint");
         reading && *reading == "calculator")
       return;
+    memory().inch |=
+        ctx.after().isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch}) == Truth::Yes;
     if (lengths_)
       collect(ctx);
     for (const Word &word : ctx.block().words) {
@@ -81,12 +84,12 @@ public:
         continue;
       if (places.size() > most)
         finding.message("`{0}` and {1} further lengths have no decimal point, and {2} of this file "
-                        "have one: by parameter the control reads these as thousandths",
-                        ctx.text(place), without - 1, with);
+                        "have one: by parameter the control reads these as {3}",
+                        ctx.text(place), without - 1, with, parts());
       else
         finding.message("`{0}` has no decimal point, and other lengths of this file have one: by "
-                        "parameter the control reads it as thousandths",
-                        ctx.text(place));
+                        "parameter the control reads it as {1}",
+                        ctx.text(place), parts());
       finding.severity(Severity::Warning)
           .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(place.end, "."));
       if (places.size() > most)
@@ -97,12 +100,15 @@ public:
 private:
   static constexpr size_t enough = 20; ///< that many are kept
 
-  static void tell(const SourceRange &place, RuleContext &ctx) {
+  /// What a number without a point counts.
+  const char *parts() const { return memory().inch ? "ten-thousandths" : "thousandths"; }
+
+  void tell(const SourceRange &place, RuleContext &ctx) const {
     const llvm::StringRef word = ctx.text(place);
     if (auto finding = ctx.report(place))
       finding
-          .message("`{0}` has no decimal point: the control may read it as {1} thousandths", word,
-                   word.drop_front().ltrim("+-=0 "))
+          .message("`{0}` has no decimal point: the control may read it as {1} {2}", word,
+                   word.drop_front().ltrim("+-=0 "), parts())
           .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(place.end, "."));
   }
 

@@ -1,5 +1,6 @@
 // A tool change while the tool is in the work or too low.
 #include "analyzer/facts/block_before.h"
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
 #include "analyzer/program/project.h"
@@ -138,9 +139,9 @@ private:
       return false;
     if (auto finding = ctx.report(event, !before.may(Fact::UnknownCode)))
       finding
-          .message("the tool is changed {0} mm in X off the last cut: the next one may hit part, "
+          .message("the tool is changed {0} in X off the last cut: the next one may hit part, "
                    "chuck or clamps",
-                   shortNumber(off))
+                   shortLength(ctx, off))
           .note(lift, "nothing but this move has led away from it");
     return true;
   }

@@ -50,10 +50,13 @@ public:
       }
       if (auto finding = ctx.report(*word, event.certain))
         finding
-            .message(inside
-                         ? "`{0}` is positive, but `{1}` roughs inside: the bore is cut oversize"
+            .message(
+                *profile.maxX < 0 ? "`{0}` is positive, and the contour of `{1}` is at negative "
+                                    "X, where the allowance is negative too: the part is cut "
+                                    "undersize"
+                : inside ? "`{0}` is positive, but `{1}` roughs inside: the bore is cut oversize"
                          : "`{0}` is negative, but `{1}` roughs outside: the part is cut undersize",
-                     ctx.text(*word), cycle.name)
+                ctx.text(*word), cycle.name)
             .note(profile.blocks.front().range, "the profile begins here");
     }
   }
@@ -90,13 +93,22 @@ private:
           .severity(Severity::Style);
   }
 
+  /// The profile is one face or one diameter: there is no form to be falsified.
+  static bool isOneCut(const RuleContext &ctx) {
+    const Profile profile = readProfile(ctx);
+    return profile.known && llvm::count_if(profile.blocks, [](const ProfileBlock &block) {
+                              return block.moves && block.motion != MotionKind::Rapid;
+                            }) <= 1;
+  }
+
   static void checkNone(const Event &event, const CodeInfo &cycle, RuleContext &ctx) {
     const Word *x = wordOf(ctx.block(), cycle, Role::AllowanceX);
     const Word *z = wordOf(ctx.block(), cycle, Role::AllowanceZ);
     if (!x || !z)
       return;
     const Interval ofX = ctx.value(*x), ofZ = ctx.value(*z);
-    if (!ofX.isConstant() || !ofZ.isConstant() || ofX.value() != 0 || ofZ.value() != 0)
+    if (!ofX.isConstant() || !ofZ.isConstant() || ofX.value() != 0 || ofZ.value() != 0 ||
+        isOneCut(ctx))
       return;
     if (auto finding = ctx.report(*x, event.certain))
       finding

@@ -1,6 +1,6 @@
 // A drilling cycle that the main spindle drives runs beside its axis.
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
-#include "formats/text/number_text.h"
 
 #include <cmath>
 
@@ -34,9 +34,12 @@ public:
       return;
     if (auto finding = ctx.report(event, event.certain && noLive))
       finding
-          .message("`{0}` drills at X{1} while the main spindle turns: the drill is not on "
-                   "its axis",
-                   ctx.code(event).name, shortNumber(x.value()))
+          .message(before.at(Axis::C).isConstant()
+                       ? "`{0}` drills at X{1}, and the spindle that C has positioned turns: no "
+                         "driven tool was started"
+                       : "`{0}` drills at X{1} while the main spindle turns: the drill is not on "
+                         "its axis",
+                   ctx.code(event).name, shortPlace(ctx, x.value()))
           .note(before.origin.of(StatePart::Spindle), "the spindle is started here");
   }
 };

@@ -1,4 +1,5 @@
 // The passes of a thread do not fit its depth, or do not go deeper.
+#include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/facts/thread_passes.h"
@@ -57,9 +58,9 @@ private:
       return;
     if (auto finding = ctx.report(*heightWord, event.certain))
       finding
-          .message("the finishing allowance of {0} mm is not smaller than the thread `{1}` of "
+          .message("the finishing allowance of {0} is not smaller than the thread `{1}` of "
                    "`{2}`: nothing is left for the other passes",
-                   shortNumber(last->value()), ctx.text(*heightWord), code.name)
+                   shortLength(ctx, last->value()), ctx.text(*heightWord), code.name)
           .note(before.origin.of(StatePart::PendingCycle), "the data block");
   }
 
@@ -127,12 +128,45 @@ private:
       return;
     if (outside ? now >= from : now <= from)
       return; // beyond the start: it is the start that is not clear, or no pass is meant
+    if (comesCloser(ctx, now, from))
+      return;
     if (auto finding = ctx.report(*x))
       finding
           .message("the pass at `{0}` of `{1}` is less deep than the one before at X{2}: it cuts "
                    "nothing",
                    ctx.text(*x), code.name, shortNumber(last))
           .note(before.origin.of(StatePart::Cycle), code.name + " becomes active here");
+  }
+
+  /// The passes before and after this one all come closer to the start: it is the start that is
+  /// wrong, as another rule says.
+  static bool comesCloser(const RuleContext &ctx, double now, double from) {
+    constexpr unsigned mostBlocks = 30; // threads have fewer passes
+    unsigned others = 0;
+    double last = now;
+    for (const double pass : threadPassesAhead(ctx, from)) {
+      if (std::fabs(pass - from) > std::fabs(last - from))
+        return false;
+      last = pass;
+      ++others;
+    }
+    last = now;
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < mostBlocks; ++i, more = readBack(ctx, block)) {
+      const CodeInfo *cycle = findCode(ctx.dialect(), block, {Action::Cycle});
+      const Word *x = block.findAny(diameterWords);
+      if (!block.items.empty() || (block.has(letterAddress('G')) && !cycle))
+        return false;
+      const auto pass = x ? diameterOf(*x, ctx, from) : std::nullopt;
+      if (pass && std::fabs(*pass - from) < std::fabs(last - from))
+        return false;
+      others += pass.has_value();
+      last = pass.value_or(last);
+      if (cycle)
+        break;
+    }
+    return others > 1; // of two passes it may be the second
   }
 
   static constexpr AddressMask diameterWords = maskOf('X') | maskOf('U');

@@ -87,8 +87,11 @@ private:
       return;
     const double first = *end / *unit, last = later.back();
     if (first == last || (last < first) != (later.front() <= first) ||
-        (last < first ? from > first || from < last : from < first || from > last))
+        (last < first ? from > first : from < first))
       return;
+    // A list that is beyond its start and comes closer to it: it is the start that is wrong.
+    if ((last < first ? from < last : from > last) && later.size() < 2)
+      return; // of two passes it may be the second
     if (auto finding = ctx.report(word, event.certain))
       finding.message("`{0}` starts at X{1}, and its passes go from X{2} to X{3}: the tool returns "
                       "through the crest",

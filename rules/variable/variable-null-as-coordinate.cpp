@@ -19,7 +19,7 @@ public:
       return sleepInShape();
     for (const Word &word : ctx.block().words) {
       if (!(ctx.dialect().axisWords & maskOf(word.address)) || !word.has(wordExpression) ||
-          !evaluate(ctx.block(), uint16_t(word.mantissa), ctx.before(), nullptr).isVacant())
+          !isVacant(word, ctx))
         continue;
       if (ctx.callDepth() == 0) {
         if (auto finding = ctx.report(word))
@@ -37,14 +37,29 @@ public:
   }
 
 private:
+  /// The operation that reads the variable of `X#1` or `X-#1`; null for another expression.
+  static const ExpressionOp *variableOf(const Word &word, const Block &block) {
+    const Expression &e = block.expressions[size_t(word.mantissa)];
+    const bool sign = e.count == 2 && block.operations[e.first + 1].op == Op::Negate;
+    return (e.count == 1 || sign) && block.operations[e.first].op == Op::Variable
+               ? &block.operations[e.first]
+               : nullptr;
+  }
+
+  static bool isVacant(const Word &word, const RuleContext &ctx) {
+    if (evaluate(ctx.block(), uint16_t(word.mantissa), ctx.before(), nullptr).isVacant())
+      return true;
+    const ExpressionOp *const variable = variableOf(word, ctx.block());
+    return variable && readVariable(ctx.before(), int64_t(variable->value)).isVacant();
+  }
+
   /// Whether the word is an argument of the macro that no call gives. A macro whose argument some
   /// of them leave out, or that asks for it, leaves the word out on purpose.
   bool neverGiven(const Word &word, const RuleContext &ctx) const {
-    const Expression &e = ctx.block().expressions[size_t(word.mantissa)];
-    const ExpressionOp &op = ctx.block().operations[e.first];
-    if (e.count != 1 || op.op != Op::Variable || !ctx.caller() || !ctx.caller()->macro)
+    const ExpressionOp *const variable = variableOf(word, ctx.block());
+    if (!variable || !ctx.caller() || !ctx.caller()->macro)
       return false;
-    const auto number = uint32_t(op.value);
+    const auto number = uint32_t(variable->value);
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     return answers_.of({{ctx.source().id(), program.begin}, number},
                        [&] { return noCallGives(number, program, ctx); });

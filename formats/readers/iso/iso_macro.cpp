@@ -66,9 +66,38 @@ bool IsoScanner::scanIf() {
     return false;
   }
   Item item = itemAt(ItemKind::If, begin);
+  const char *const condition = at_;
   item.condition = operand();
+  if (passComparison()) {
+    Expression &whole = block_.expressions[item.condition];
+    whole.bad = true;
+    whole.end = offset(at_);
+    whole.first = uint32_t(block_.operations.size());
+    whole.count = 1;
+    block_.operations.push_back({Op::Unknown, whole.begin, 0});
+    issue(SyntaxIssueKind::BadExpression, condition, at_);
+  }
   add(item);
   return true;
+}
+
+/// `[#1]GE[2]`, a condition without brackets around all of it: passes over what is after its first
+/// operand. False, with nothing read: there is none.
+bool IsoScanner::passComparison() {
+  bool any = false;
+  for (;;) {
+    const char *const next = afterBlanks(at_);
+    const size_t length = MacroExpression::namesOperator({next, size_t(end_ - next)});
+    if (!length)
+      return any;
+    const char *const value = afterBlanks(next + length);
+    if (value >= end_ || (*value != '[' && *value != '#' && *value != '.' && *value != '-' &&
+                          !isNumberDigit(*value)))
+      return any;
+    at_ = value;
+    operand();
+    any = true;
+  }
 }
 
 /// `THEN`, and a statement after it in the same block.

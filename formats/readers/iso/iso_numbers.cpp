@@ -22,7 +22,7 @@ bool IsoScanner::scanNumber(Word &word, const char *begin) {
   const bool negative = takeSign(word, begin);
   Mantissa mantissa;
   const bool whole = takeWholePart(word, mantissa);
-  const bool any = takeFraction(word, begin, mantissa, whole) || whole;
+  const bool any = takeFraction(word, begin, mantissa) || whole;
   const auto isSign = [](char c) { return c == '-' || c == '+'; };
   if (at_ < end_ && (*at_ == '.' || (any && isSign(*at_) && at_ + 1 < end_ &&
                                      (isNumberDigit(at_[1]) || at_[1] == '.')))) {
@@ -64,10 +64,10 @@ bool IsoScanner::takeWholePart(Word &word, Mantissa &mantissa) {
   return count > 0;
 }
 
-/// The point, which may be a comma after a digit, and the digits after it; false when there is
+/// The point, which may be a comma before a digit, and the digits after it; false when there is
 /// none. Those that the mantissa does not hold are dropped.
-bool IsoScanner::takeFraction(Word &word, const char *begin, Mantissa &mantissa, bool whole) {
-  const bool comma = whole && at_ + 1 < end_ && *at_ == ',' && isNumberDigit(at_[1]);
+bool IsoScanner::takeFraction(Word &word, const char *begin, Mantissa &mantissa) {
+  const bool comma = commaFraction();
   if (at_ == end_ || (*at_ != '.' && !comma))
     return false;
   if (comma) {

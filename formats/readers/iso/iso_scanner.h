@@ -53,7 +53,9 @@ private:
   bool takeSign(Word &word, const char *begin);
   struct Mantissa;
   bool takeWholePart(Word &word, Mantissa &mantissa);
-  bool takeFraction(Word &word, const char *begin, Mantissa &mantissa, bool whole);
+  bool takeFraction(Word &word, const char *begin, Mantissa &mantissa);
+  /// `,15`: a decimal comma.
+  bool commaFraction() const { return at_ + 1 < end_ && *at_ == ',' && isNumberDigit(at_[1]); }
   void passBlanksInNumber();
   bool numberFollows() const {
     return at_ < end_ && (isNumberDigit(*at_) || *at_ == '-' || *at_ == '+' || *at_ == '.' ||
@@ -82,6 +84,7 @@ private:
   uint8_t loopNumber();
   bool scanStatement();
   bool scanIf();
+  bool passComparison();
   bool scanThen();
   bool scanGoto();
   bool scanWhile();

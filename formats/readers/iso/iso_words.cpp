@@ -87,7 +87,7 @@ void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
     word.flags |= wordIncremental;
     ++at_;
   }
-  if (numberFollows() && !signsExpression()) {
+  if (commaFraction() || (numberFollows() && !signsExpression())) {
     if (!scanNumber(word, begin))
       word.flags |= wordMalformed | wordNoValue;
     return addNumber(word, begin);

@@ -119,6 +119,10 @@ bool MacroExpression::namesFunction(llvm::StringRef letters) {
       functions, [&](const FunctionName &entry) { return letters.equals_insensitive(entry.name); });
 }
 
+size_t MacroExpression::namesOperator(llvm::StringRef text) {
+  return !text.empty() && llvm::isAlpha(text[0]) ? binaryAt(text).length : 0;
+}
+
 uint16_t MacroExpression::parse(Form form, Arithmetic arithmetic) {
   ngc_ = arithmetic == Arithmetic::Ngc;
   names_ = arithmetic == Arithmetic::MacroB30;

@@ -18,6 +18,8 @@ public:
 
   explicit MacroExpression(const BlockCursor &from) : ExpressionParser(from) {}
 
+  /// Bytes of the operator, spelled with letters, at the head of `text`; 0: there is none.
+  static size_t namesOperator(llvm::StringRef text);
   /// Whether these letters are the name of a function.
   static bool namesFunction(llvm::StringRef letters);
   /// Index into `block.expressions` of the expression read.
