@@ -1,6 +1,8 @@
 // Which later block relies on a mode that was changed at one place and not stated again.
 #include "analyzer/facts/mode_reliance.h"
 
+#include "formats/readers/table_words.h"
+
 namespace ncvet {
 
 namespace {
@@ -60,6 +62,10 @@ ModeChanges usedBy(const ModeChanges &changes, const Block &block, const Dialect
                code.action == Action::LocalShift || code.action == Action::PresetPosition ||
                code.action == Action::Dwell || code.action == Action::DataInput;
   });
+  for (const Word &word : block.words) // `MIRROR X0`: its axis words are of the frame
+    if (const CodeIndex index = codeOf(dialect, word); index != noCode)
+      special |= dialect.codes[index].action == Action::FrameSet ||
+                 dialect.codes[index].action == Action::FrameAdd;
   if (special)
     return {};
   if (rapid) // plane, feed, speed and compensation say nothing to a rapid move

@@ -64,6 +64,14 @@ inline bool startsNoSpindle(const RuleContext &ctx) {
   });
 }
 
+/// Whether the current program, and those that have called it, neither name a speed nor start a
+/// spindle: what stops it, or changes its tool, asks for none.
+inline bool namesNoSpindle(const RuleContext &ctx) {
+  const AddressMask words = maskOf(letterAddress('S')) | ctx.dialect().orientWords;
+  return startsNoSpindle(ctx) &&
+         noRunningProgramHas(ctx, [&](const Block &block) { return block.hasAny(words); });
+}
+
 /// Whether the spindle of such a program may be turned by a code of the builder: it holds one that
 /// the table lacks, or names no speed that a spindle would be missing for.
 inline bool builderMayTurnSpindle(const RuleContext &ctx) {

@@ -4,6 +4,7 @@
 #include "analyzer/flow/endings.h"
 #include "analyzer/flow/region_run.h"
 #include "analyzer/flow/unreached.h"
+#include "analyzer/program/turning_text.h"
 #include "interp/state/zero_point.h"
 
 #include <algorithm>
@@ -53,10 +54,24 @@ Exits Engine::execute(const Region &region, Lives entry) {
   return RegionRun(*this, flow_, region, std::move(entry), {&recorder}, cancel_).execute();
 }
 
+/// The plane that the machine's data choose, where no program has stated one.
+static void startInPlane(Action plane, const Dialect &dialect, MachineState &state) {
+  const GroupIndex group = dialect.group(StandardGroup::Plane);
+  const std::vector<CodeIndex> &members = dialect.groups[group].members;
+  for (size_t i = 0; i < members.size(); ++i)
+    if (dialect.codes[members[i]].action == plane) {
+      state.groups[group] = uint64_t(1) << i;
+      return;
+    }
+}
+
 /// Runs a program that no other calls.
 void Engine::enter(const Region &region, EntryState entry) {
   listeners.tell([&](FlowListener &listener) { listener.entered(entry); });
-  execute(region, startOf(entry != EntryState::Known));
+  Lives lives = startOf(entry != EntryState::Known);
+  if (entry == EntryState::Known && readsAsTurning(region.unit, region.program))
+    startInPlane(Action::PlaneZX, *unit.dialect, lives[0].state);
+  execute(region, std::move(lives));
 }
 
 /// A state with which a program begins; that of a subprogram's caller is not known.

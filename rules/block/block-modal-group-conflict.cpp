@@ -55,6 +55,8 @@ public:
       if (ctx.dialect().facts->cycles.lastCodeCounts && isMotion(other.action) &&
           isModalCycle(ctx.dialect(), code))
         continue;
+      if (isFeedBesideSpeed(other, code) || isFeedBesideSpeed(code, other))
+        continue;
       const char *why = conflict(ctx.dialect(), other, code, sameTwice_);
       if (!why)
         continue;
@@ -81,6 +83,16 @@ private:
              ctx.code(between).group == ctx.code(first).group &&
              conflict(ctx.dialect(), ctx.code(first), ctx.code(between), sameTwice_);
     });
+  }
+
+  /// `G95 G96`, `G94 G97`, where they are of one group: the code of the speed has a unit of the
+  /// feed itself, or leaves it as it is.
+  static bool isFeedBesideSpeed(const CodeInfo &feed, const CodeInfo &speed) {
+    const bool perMinute = feed.action == Action::FeedPerMinute;
+    return feed.group == speed.group &&
+           ((feed.action == Action::FeedPerRevolution && speed.action == Action::SurfaceSpeed) ||
+            ((perMinute || feed.action == Action::FeedPerRevolution) &&
+             speed.action == Action::ConstantSpeed));
   }
 
   /// Whether the code does nothing but become the active one of its group: then it excludes only

@@ -1,4 +1,5 @@
 // A code that needs a block of its own shares it with words that are not its own.
+#include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/foreign_condition.h"
 #include "analyzer/facts/word_checks.h"
 #include "formats/dialect/control_facts.h"
@@ -160,12 +161,16 @@ private:
     if (block.words.empty() && block.items.size() == 1 && !marked)
       return;
     if (auto finding = ctx.report(range))
-      finding.message(marked
-                          ? "`{0}` carries a label or a skip mark, which a bracket of structured "
+      // A name that no program in sight has may be a macro of the machine's builder.
+      finding
+          .severity(item.kind == ItemKind::Call && mayBeMacro(item, ctx)
+                        ? std::optional(Severity::Style)
+                        : std::nullopt)
+          .message(marked ? "`{0}` carries a label or a skip mark, which a bracket of structured "
                             "flow may not have"
                           : "`{0}` shares its block with other words: it wants a block of its "
                             "own",
-                      ctx.text(range));
+                   ctx.text(range));
   }
 
   static bool wantsOwnBlock(size_t index, const RuleContext &ctx) {
@@ -176,6 +181,22 @@ private:
              (index == 0 || block.items[index - 1].kind != ItemKind::If);
     return item.kind == ItemKind::Structure ||
            (item.kind == ItemKind::Call && !item.modal && !isMacro(item, ctx));
+  }
+
+  /// A bare name, and no program of it is known: definitions of the machine may have it as words.
+  static bool mayBeMacro(const Item &call, const RuleContext &ctx) {
+    const llvm::StringRef name =
+        ctx.text(SourceRange{ctx.source().id(), call.nameBegin, call.nameEnd});
+    const bool numbered =
+        name.size() > 1 && llvm::all_of(name.drop_front(), [](char c) { return llvm::isDigit(c); });
+    bool known = false;
+    if (call.arguments || numbered || ctx.text(ctx.range(call)).contains('('))
+      return false;
+    eachCalledBlock(ctx.unitOf(ctx.source().id()), ctx.block(), [&](const Block &) {
+      known = true;
+      return false;
+    });
+    return !known;
   }
 
   /// A name that the program defines as words: they take its place.

@@ -7,6 +7,7 @@ namespace {
 
 struct BlockOptionRequiredMemory {
   Aside<SourceRange> lastTool;
+  Aside<std::optional<SourceRange>> told; ///< of all tools of the program the first
 };
 
 class BlockOptionRequired final : public StatefulRule<BlockOptionRequiredMemory> {
@@ -42,13 +43,20 @@ private:
         before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}))
       return sleepInShape();
     const SourceRange lastTool = memory().lastTool.look();
-    if (lastTool.empty())
+    std::optional<SourceRange> &told = memory().told.look();
+    if (lastTool.empty() || turns(before, ctx.dialect()) || (told && !(*told == lastTool)))
       return;
+    told = lastTool;
     if (auto finding = ctx.report(lastTool, event.certain))
       finding
           .message("`{0}` has no `{1}`: it changes the tool only on a machine that is set up so",
                    ctx.text(lastTool), change_)
           .severity(Severity::Style);
+  }
+
+  /// A turret changes by T: on a control for mills and lathes the program's modes say which it is.
+  static bool turns(const MachineState &state, const Dialect &dialect) {
+    return state.isActive(dialect, StandardGroup::Plane, {Action::PlaneZX}) == Truth::Yes;
   }
 
   std::string change_;

@@ -1,5 +1,6 @@
 // An M code that neither this control's table nor the machine profile has.
-#include "analyzer/rule/rule.h"
+#include "analyzer/facts/machines_own_codes.h"
+#include "formats/dialect/control_facts.h"
 
 #include <map>
 
@@ -8,6 +9,7 @@ namespace {
 
 struct BlockUnknownMCodeMemory {
   std::map<int64_t, std::pair<FileId, uint32_t>> first; ///< where each code was met first
+  MachinesOwnCodes own; ///< of a control whose every code may be made
 };
 
 class BlockUnknownMCode final : public StatefulRule<BlockUnknownMCodeMemory> {
@@ -15,6 +17,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::UnknownCode);
     above_ = to.number("above", -1);
+    remapped_ = to.dialect().facts->program.remapsInIni;
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -27,6 +30,8 @@ public:
     // Once for each code: a machine's own codes come again and again.
     const auto place = std::pair(ctx.source().id(), event.word->offset);
     const int64_t code = number.isConstant() ? int64_t(number.value()) : event.word->mantissa;
+    if (remapped_)
+      return memory().own.meet(code, ctx.range(*event.word));
     if (memory().first.try_emplace(code, place).first->second != place)
       return;
     if (wasStart(code, ctx)) {
@@ -41,6 +46,11 @@ public:
       finding.message("`{0}` is neither a code of this control nor named in the machine profile: "
                       "what it does is not known",
                       ctx.text(*event.word));
+  }
+
+  void finish(const FileSummary &, RuleContext &ctx) const override {
+    if (remapped_)
+      memory().own.report(ctx, "a code of this control nor named in the machine profile");
   }
 
 private:
@@ -62,7 +72,8 @@ private:
            !ctx.before().may(Fact::UnknownCode) && !(ctx.block().repeated & maskOf('M'));
   }
 
-  double above_ = -1; ///< codes up to here may be the machine builder's
+  bool remapped_ = false; ///< the machine may define codes
+  double above_ = -1;     ///< codes up to here may be the machine builder's
 };
 
 } // namespace

@@ -217,11 +217,17 @@ private:
     if (event.kind == EventKind::FeedWord && event.wordValue().lo > 0 &&
         ctx.after().activeAction(ctx.dialect(), StandardGroup::FeedMode) == Action::FeedInverseTime)
       return;
-    outside(*event.word, event.wordValue(), ctx);
+    // `F0` in a block that moves nothing: the alarm comes with a move, which may have its own.
+    const bool idle = event.kind == EventKind::FeedWord && event.wordValue().isConstant() &&
+                      event.wordValue().value() == 0 && !ctx.find({Action::Dwell}) &&
+                      (!ctx.block().hasAny(ctx.dialect().axisWords) || ctx.find({Action::Rapid}));
+    outside(*event.word, event.wordValue(), ctx,
+            idle ? std::optional(Severity::Style) : std::nullopt);
   }
 
   /// What the address takes whatever is beside it.
-  static void outside(const Word &word, const Interval &value, RuleContext &ctx) {
+  static void outside(const Word &word, const Interval &value, RuleContext &ctx,
+                      std::optional<Severity> severity = std::nullopt) {
     const AddressInfo &address = ctx.dialect().addresses[word.address];
     if (!(value.hi < address.least) && !(value.lo > address.most))
       return;
@@ -237,7 +243,8 @@ private:
             : "from " + bound(std::fabs(address.least) < nothing ? 0 : address.least) + " to " +
                   bound(address.most);
     if (auto finding = ctx.report(word))
-      finding.message("{0} ({1}) is not {2}", withValue(ctx, word, value), address.title, range);
+      finding.severity(severity).message("{0} ({1}) is not {2}", withValue(ctx, word, value),
+                                         address.title, range);
   }
 
   static void skipInside(const SyntaxIssue &issue, RuleContext &ctx) {

@@ -9,6 +9,7 @@ class CompensationSwitchedOnArc final : public Rule {
 public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CompensationMove);
+    offOnly_ = to.flag("offOnly");
     entryArcs_ = to.dialect().facts->compensation.entryByArc;
   }
 
@@ -20,6 +21,8 @@ public:
       return;
     const CodeInfo &code = ctx.code(event);
     const bool off = code.action == Action::CompensationOff;
+    if (offOnly_ && !off && !ctx.asked())
+      return;
     const CodeUse *arc =
         ctx.find({Action::ArcCw, Action::ArcCcw, Action::CurveThrough, Action::CurveTangent});
     auto finding =
@@ -52,6 +55,7 @@ private:
     return action == Action::CurveThrough || action == Action::CurveTangent;
   }
 
+  bool offOnly_ = false;   ///< an arc may build compensation up, and nothing changes it
   bool entryArcs_ = false; ///< an arc may build compensation up
 };
 

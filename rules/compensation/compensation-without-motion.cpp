@@ -174,6 +174,14 @@ private:
                {Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff});
   }
 
+  static bool nextIsArc(RuleContext &ctx) {
+    BlocksAhead ahead(ctx);
+    Block next;
+    return ahead.next(next) &&
+           findCode(ctx.dialect(), next,
+                    {Action::ArcCw, Action::ArcCcw, Action::CurveThrough, Action::CurveTangent});
+  }
+
   void atCode(const Event &event, RuleContext &ctx) const {
     if (isForFinish(ctx))
       return;
@@ -200,6 +208,9 @@ private:
     if (!finding)
       return;
     const bool alone = axesOf(ctx.dialect(), ctx.block()) == 0;
+    // The code in a block of its own and a straight move in the next one: a habit, and no surprise.
+    if (cancelAlone_ && alone && nextMovesInPlane(ctx) && !nextIsArc(ctx))
+      finding.severity(Severity::Style);
     finding.message(
         "`{0}` has no move in the plane{1}: compensation is {2} by whichever move comes "
         "next",

@@ -25,6 +25,7 @@ public:
         to.dialect().facts->program.modesOutliveReturn)
       to.on(EventKind::Return);
     home_ = to.flag("afterHome");
+    notAtEnd_ = !to.flag("atEnd");
     if (to.dialect().group(StandardGroup::Distance) != noGroup) {
       to.onChange({EventKind::CycleRun, EventKind::Motion});
       to.onAction({Action::Absolute});
@@ -39,6 +40,8 @@ public:
     }
     if (event.kind == EventKind::CycleRun || event.kind == EventKind::Motion)
       return early(event, ctx);
+    if (notAtEnd_ && !ctx.asked())
+      return;
     if (event.kind == EventKind::Return)
       return atReturn(event, ctx);
     // A subprogram's end ends a main program too.
@@ -86,8 +89,9 @@ private:
           .note(on, "it is switched on here");
   }
 
-  bool home_ = false;   ///< the move after a way home is looked at
-  double longest_ = 20; ///< a rapid move away from home of more than this is a coordinate, mm
+  bool notAtEnd_ = false; ///< the end takes it back
+  bool home_ = false;     ///< the move after a way home is looked at
+  double longest_ = 20;   ///< a rapid move away from home of more than this is a coordinate, mm
 
   /// `G91 G28 Z0` and then a rapid move in the plane whose words look like places of the work.
   bool afterHome(const Event &event, const Origin &on, RuleContext &ctx) const {

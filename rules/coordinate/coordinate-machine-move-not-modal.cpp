@@ -45,9 +45,13 @@ private:
   void afterMachineMove(const Event &event, RuleContext &ctx) const {
     Block previous;
     BlocksBefore before(ctx);
-    if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
-        !ctx.codes().empty() || !ctx.before().must(Fact::AtMachinePosition) ||
-        !before.next(previous) || !findCode(ctx.dialect(), previous, {Action::MachineMove}) ||
+    // A rotary axis that goes to its own place has none of the moved offset to fear.
+    constexpr uint16_t rotary =
+        uint16_t(1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C));
+    if ((event.axes & rotary) || event.inMachineCoordinates() ||
+        event.motion == MotionKind::Reference || !ctx.codes().empty() ||
+        !ctx.before().must(Fact::AtMachinePosition) || !before.next(previous) ||
+        !findCode(ctx.dialect(), previous, {Action::MachineMove}) ||
         (axesOf(ctx.dialect(), previous) & event.axes))
       return;
     for (unsigned axis = 0; axis < axisCount; ++axis)

@@ -15,6 +15,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::FeedWord, EventKind::Motion});
     perMinuteBelow_ = to.number("perMinuteBelow", 1);
+    statedMode_ = to.flag("statedMode");
     perMinuteAbove_ = to.number("perMinuteAbove", 60'000);
     perRevolutionBelow_ = to.number("perRevolutionBelow", 0.008);
     perRevolutionAbove_ = to.number("perRevolutionAbove", 5);
@@ -51,6 +52,8 @@ public:
       return tooLittle(event, ctx);
     if (!tooSlow && !tooFast)
       return sleepInShape();
+    if (statedMode_ && !state.originOf(ctx.dialect(), StandardGroup::FeedMode).known())
+      return; // data of the machine say which mode it begins with
     if (carried &&
         !memory().once.speaks(state.originOf(ctx.dialect(), StandardGroup::FeedMode), ctx))
       return;
@@ -104,6 +107,7 @@ private:
     return false;
   }
 
+  bool statedMode_ = false;   ///< only under a mode that the program has
   double perMinuteBelow_ = 1; // mm/min
   double perMinuteAbove_ = 60'000;
   double perRevolutionBelow_ = 0.008; // mm

@@ -1,11 +1,16 @@
-// A modal call is still on when the program ends.
+// A modal call is still on when the tool changes or the program ends.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/report_once.h"
 
 namespace ncvet {
 namespace {
 
-class FlowModalCallLeftActive final : public Rule {
+struct FlowModalCallLeftActiveMemory {
+  OncePerCause once; ///< left on at a change of the tool, it is so at the end too
+};
+
+class FlowModalCallLeftActive final : public StatefulRule<FlowModalCallLeftActiveMemory> {
 public:
   void listen(Subscriptions &to) override {
     for (const CodeInfo &code : to.dialect().codes)
@@ -27,6 +32,8 @@ public:
       return;
     // After codes that nobody knows only what the program has begun itself is certain.
     if (state.may(Fact::UnknownCode) && cycle != Truth::Yes && call != Truth::Yes)
+      return;
+    if (!memory().once.speaks(begins(state, cycle), ctx))
       return;
     if (auto finding = ctx.report(event, cycle == Truth::Yes || call == Truth::Yes))
       finding

@@ -58,9 +58,22 @@ public:
                    "control stops with an alarm",
                    name)
           .note(*numbered, "the caller has one, but this control does not return to it");
+    else if (namesBlock(name, ctx))
+      finding.message("`{0}` is the number of a block, and a label is due here: the control finds "
+                      "no label of this name",
+                      name);
     else
       finding.message("`{0}` leads to a block that is not there: the control stops with an alarm",
                       name);
+  }
+
+  /// Whether the program has a block with this number where a label is looked for.
+  static bool namesBlock(llvm::StringRef name, const RuleContext &ctx) {
+    int64_t number = 0;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    return ctx.dialect().lexical.commaSeparates && name.consume_front_insensitive("N") &&
+           !name.getAsInteger(10, number) &&
+           ctx.index().block(program, number, program.body).has_value();
   }
 
   /// Whether the contour is one of a turning cycle.

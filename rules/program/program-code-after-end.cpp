@@ -49,6 +49,7 @@ private:
              case Structure::EndFor:
              case Structure::EndLoop:
              case Structure::EndTimes:
+             case Structure::Sub:
              case Structure::EndSub:
                return true;
              default:

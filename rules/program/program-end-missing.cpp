@@ -1,4 +1,5 @@
 // A path of the main program reaches the end of the text without an end code.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -48,17 +49,40 @@ public:
       return; // flow-return-missing speaks
     if (tapeMarkEnds_ && marks.size() == 1 && marks.front() >= where.end)
       return strayMark(event, marks.front(), where, ctx);
+    const ProgramInfo &program = ctx.index().programAt(where.begin);
+    if (fileIsProgram_ && isNamedAsItsFile(program, ctx))
+      return;
     auto finding = ctx.report(where, event.certain);
     if (!finding)
       return;
+    if (fileIsProgram_ && onlySets(program, ctx))
+      finding.severity(Severity::Style);
     // Without a number it may be a part of a program that somebody joins.
-    if (!fileIsProgram_ && !ctx.index().programAt(where.begin).hasHeader())
+    if (!fileIsProgram_ && !program.hasHeader())
       finding.severity(Severity::Warning);
     finding.message("the program runs out after this block: no `{0}` ends it", end_);
     endAfter(where, finding, ctx);
   }
 
 private:
+  /// A file with a subprogram of its own name is called, and what is beside that never runs.
+  static bool isNamedAsItsFile(const ProgramInfo &program, const RuleContext &ctx) {
+    const std::string shown = ctx.source().display();
+    const llvm::StringRef path = shown;
+    const llvm::StringRef stem = path.drop_front(path.rfind('/') + 1).rsplit('.').first;
+    return ctx.index().label(program, stem, program.body).has_value();
+  }
+
+  /// Neither a move nor a code of the machine: it is read before a program, and gives values.
+  static bool onlySets(const ProgramInfo &program, const RuleContext &ctx) {
+    const AddressMask acts =
+        ctx.dialect().axisWords | maskOf(letterAddress('M')) | maskOf(letterAddress('T'));
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end))
+      if (block.hasAny(acts))
+        return false;
+    return true;
+  }
+
   /// A `%` ends what another `%` has opened; alone it is a character that is no word.
   void strayMark(const Event &event, uint32_t line, const SourceRange &last,
                  RuleContext &ctx) const {

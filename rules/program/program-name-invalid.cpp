@@ -209,7 +209,8 @@ private:
     if (kind == ProgramKind::Unknown || (stem.equals_insensitive(programs[0].name) && !otherKind))
       return;
     if (auto finding = ctx.report(range))
-      finding.severity(Severity::Warning)
+      finding
+          .severity(Severity::Style) // (where it is copied from a disk it keeps the disk's name)
           .message("`{0}` is in the file `{1}`: the control files it under the name of its "
                    "header",
                    ctx.text(range), name);

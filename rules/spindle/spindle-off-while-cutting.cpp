@@ -23,6 +23,7 @@ public:
     to.onChange({EventKind::Motion, EventKind::CycleRun});
     anyMachine_ = to.flag("anyMachine");
     builderStarts_ = to.flag("builderStarts");
+    startWhereNamed_ = to.flag("startWhereNamed");
     const MachineProfile &machine = to.machine();
     top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
                                                   : machine.number("stockTopZ");
@@ -65,7 +66,7 @@ public:
       return;
     if (!memory().once.maySpeak(origin, ctx) || toolMeasures(ctx, measuring_) ||
         (builderStarts_ && builderMayTurnSpindle(ctx)) || isForHandling(state, ctx) ||
-        !memory().once.speaks(origin, ctx))
+        !memory().once.speaks(origin, ctx) || (startWhereNamed_ && namesNoSpindle(ctx)))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain && !may)) {
       // Neither speed nor spindle: the program may run axes in, guide a laser, or leave the spindle
@@ -198,9 +199,10 @@ private:
 
   MeasuringTools measuring_;
   bool anyMachine_ = false; ///< a program that names no spindle at all may be for a machine without
-  bool builderStarts_ = false; ///< a program that starts no spindle has it started by other codes
-  std::optional<double> top_;  ///< of the stock
-  bool hasHead_ = false;       ///< the control has a word that opens a program
+  bool startWhereNamed_ = false; ///< a program that never wants a spindle is for one with a switch
+  bool builderStarts_ = false;   ///< a program that starts no spindle has it started by other codes
+  std::optional<double> top_;    ///< of the stock
+  bool hasHead_ = false;         ///< the control has a word that opens a program
 };
 
 } // namespace

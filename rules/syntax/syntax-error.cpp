@@ -64,9 +64,7 @@ private:
     case SyntaxIssueKind::BadExpression:
       if (namesLackedFunction(ctx, issue)) // syntax-unknown-name speaks
         return nullptr;
-      return isOpenCondition(issue, ctx)
-                 ? "`{0}`: a condition wants brackets around all of it: `IF [{0}]`"
-                 : "`{0}` is no expression that the control can compute";
+      return ofExpression(issue, ctx);
     case SyntaxIssueKind::BadStatement:
       return lacksAction(ctx, issue) ? nullptr : ofStatement(issue, ctx); // block-missing-word
     case SyntaxIssueKind::UnknownWord:
@@ -83,7 +81,21 @@ private:
     }
   }
 
+  static const char *ofExpression(const SyntaxIssue &issue, const RuleContext &ctx) {
+    if (isOpenCondition(issue, ctx))
+      return "`{0}`: a condition wants brackets around all of it: `IF [{0}]`";
+    if (wantsBrackets(ctx, issue))
+      return "`{0}` wants brackets around all of it: outside of brackets the control reads no "
+             "operator";
+    if (wantsTwoBrackets(ctx, issue))
+      return "`{0}` is no expression that the control can compute: it reads `ATAN[y]/[x]`";
+    return "`{0}` is no expression that the control can compute";
+  }
+
   const char *ofStatement(const SyntaxIssue &issue, const RuleContext &ctx) const {
+    if (isForeignIf(ctx, issue))
+      return "`{0}` is no statement that the control knows: its conditions are written "
+             "`o1 if [#1 GT 0]` .. `o1 endif`";
     if (!ctx.text(ctx.range(issue)).equals_insensitive("THEN"))
       return "`{0}` is no statement that the control knows";
     return tellsOfIf(ctx) ? "`{0}` without a statement after it: this control has no IF of several "
@@ -129,6 +141,34 @@ private:
       }
       return false;
     });
+  }
+
+  /// `#1 - #2`: operators beside values that are sound by themselves.
+  static bool wantsBrackets(const RuleContext &ctx, const SyntaxIssue &issue) {
+    const llvm::StringRef text = ctx.text(ctx.range(issue));
+    if (ctx.dialect().lexical.arithmetic != Arithmetic::Ngc)
+      return false;
+    int depth = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+      depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
+      if (i > 0 && depth == 0 && llvm::StringRef("+-*/").contains(text[i]) &&
+          !text.startswith_insensitive("ATAN"))
+        return true;
+    }
+    return false;
+  }
+
+  /// `ATAN[#1/#2]`
+  static bool wantsTwoBrackets(const RuleContext &ctx, const SyntaxIssue &issue) {
+    const llvm::StringRef text = ctx.text(ctx.range(issue)).ltrim("[ \t");
+    return ctx.dialect().lexical.arithmetic == Arithmetic::Ngc &&
+           text.startswith_insensitive("ATAN") && !text.contains("]/[");
+  }
+
+  /// `IF [#1 GT 2] GOTO 10`, where conditions are O-words.
+  static bool isForeignIf(const RuleContext &ctx, const SyntaxIssue &issue) {
+    return ctx.dialect().lexical.flowWords &&
+           ctx.text(ctx.range(issue)).startswith_insensitive("IF");
   }
 
   bool oneSeparator_ = false;

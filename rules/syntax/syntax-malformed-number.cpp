@@ -31,6 +31,8 @@ public:
         return;
       if (isLong(ctx.text(range))) // block-value-out-of-range speaks
         return;
+      if (isLetterForZero(ctx.text(range)))
+        return letterForZero(range, ctx);
       if (auto finding = ctx.report(range))
         finding.message(
             "`{0}` is no number: one sign, one decimal point and at least one digit are due",
@@ -93,6 +95,18 @@ private:
                   FixSafety::Unsafe, "take the blank away",
                   ctx.replace(range, (word.take_front(1) + word.drop_front(1).ltrim(" \t")).str()));
       }
+  }
+
+  /// `YO`
+  static bool isLetterForZero(llvm::StringRef text) {
+    return text.size() == 2 && llvm::isAlpha(text[0]) && (text[1] | 32) == 'o';
+  }
+
+  static void letterForZero(SourceRange range, RuleContext &ctx) {
+    const std::string due = (ctx.text(range).take_front(1) + "0").str();
+    if (auto finding = ctx.report(range))
+      finding.message("`{0}` has the letter O: `{1}` is due", ctx.text(range), due)
+          .fix(FixSafety::Unsafe, "write `" + due + "`", ctx.replace(range, due));
   }
 
   /// A number that is one, but for its many digits.

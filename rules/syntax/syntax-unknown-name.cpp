@@ -162,6 +162,9 @@ private:
           name.contains('[') || ctx.index().definition(program, name) ||
           ctx.dialect().keyword(name) != noCode)
         return;
+      // Names as builders write them may be definitions of the machine, if none is like them.
+      if (mayBeOfMachine(name) && !nearlyDefined(name, ctx.index().definitions(program)))
+        return;
       if (auto finding = ctx.report(range))
         finding.severity(Severity::Warning)
             .message("the program defines no `{0}`: unless the machine's own definitions have it, "

@@ -37,6 +37,9 @@ public:
       if (!memory().first.end)
         memory().first = memory().named;
       memory().number = numberOf(event);
+      const Interval number = event.toolNumber();
+      if (mayChangeByT_ && number.isConstant() && number.value() == 0)
+        memory().named = {}; // the place is emptied
     } else if (event.kind == EventKind::ToolChange) {
       memory().named = {};
       memory().nameless.see(event, ctx);

@@ -139,9 +139,16 @@ private:
     });
   }
 
+  /// A name that a block defines.
+  struct DefinedName {
+    uint64_t key;
+    SourceRange range;
+    uint32_t block; ///< its begin
+  };
+
   static void check(const FileSummary &file, const ProgramInfo &program, RuleContext &ctx) {
     std::set<uint64_t> read;
-    std::vector<std::pair<uint64_t, SourceRange>> defined;
+    std::vector<DefinedName> defined;
     for (const Block &block : blocks(file.reader, program.begin, program.end)) {
       for (const ExpressionOp &op : block.operations)
         if (op.op == Op::Variable || op.op == Op::ElementAt)
@@ -149,18 +156,40 @@ private:
       for (const Item &item : block.items) {
         const SourceRange name{file.source.id(), item.nameBegin, item.nameEnd};
         if (item.kind == ItemKind::Definition)
-          defined.emplace_back(block.keyOf(item.target), name);
+          defined.push_back({block.keyOf(item.target), name, block.begin});
         else if (item.kind == ItemKind::Call || item.kind == ItemKind::Jump ||
                  (item.kind == ItemKind::Structure && item.structure == Structure::For))
           read.insert(variableKey(ctx.text(name))); // a name that may be a variable's
       }
     }
     const std::string text = file.source.text(program.begin, program.end).upper();
-    for (const auto &[key, range] : defined)
+    std::vector<SourceRange> unread; // of one block: told together
+    for (size_t i = 0; i < defined.size(); ++i) {
+      const DefinedName &name = defined[i];
       // Somewhere in a form that is not read closely: an index of a system variable, a message.
-      if (!read.count(key) && llvm::StringRef(text).count(ctx.text(range).upper()) < 3)
-        if (auto finding = ctx.report(range))
-          finding.message("nothing reads `{0}`", ctx.text(range));
+      if (!read.count(name.key) && llvm::StringRef(text).count(ctx.text(name.range).upper()) < 3)
+        unread.push_back(name.range);
+      if (i + 1 == defined.size() || defined[i + 1].block != name.block) {
+        unusedOfBlock(unread, ctx);
+        unread.clear();
+      }
+    }
+  }
+
+  static void unusedOfBlock(llvm::ArrayRef<SourceRange> names, RuleContext &ctx) {
+    if (names.empty())
+      return;
+    auto finding = ctx.report(names.front());
+    if (!finding)
+      return;
+    if (names.size() == 1)
+      finding.message("nothing reads `{0}`", ctx.text(names.front()));
+    else
+      finding.message("nothing reads `{0}`, nor {1} other name{2} of this definition",
+                      ctx.text(names.front()), names.size() - 1, names.size() > 2 ? "s" : "");
+    constexpr size_t mostNotes = 8; // as many as a reader is shown of findings alike
+    for (const SourceRange &further : names.drop_front().take_front(mostNotes))
+      finding.note(further, "nothing reads this one either");
   }
 
   bool overwritten_ = false; ///< values that are replaced unread are reported

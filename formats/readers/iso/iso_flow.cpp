@@ -48,17 +48,23 @@ void IsoScanner::scanFlowWord() {
   const char *const begin = at_++;
   skipBlanks();
   Item item = itemAt(ItemKind::Structure, begin);
-  const std::optional<llvm::StringRef> name = scanFlowName(item);
+  const char *const label = at_;
+  std::optional<llvm::StringRef> name = scanFlowName(item);
   if (!name)
     return;
+  const llvm::StringRef computed(label, size_t(at_ - label));
   skipBlanks();
   const llvm::SmallString<12> keyword = takeFlowKeyword();
   if (keyword.empty() && !name->empty())
     return numberedHeader(begin, *name);
   const bool call = keyword.equals_insensitive("call");
   const std::optional<Structure> structure = structureNamed(keyword);
-  if (!call && (!structure || name->empty()))
+  if (!call && !structure)
     return issue(SyntaxIssueKind::BadStatement, begin, at_);
+  if (!call && name->empty()) { // a bracket by an expression: both ends are written alike
+    name = computed;
+    item.value = noExpression;
+  }
   item.label = uint32_t(llvm::xxHash64(isoFlowLabel(*name))) | 1;
   nameItem(item, *name);
   if (call) {
@@ -134,7 +140,7 @@ void IsoScanner::scanFlowValue(Item &item) {
   case Structure::ElseIf:
   case Structure::While:
     item.condition = bracketIfAny(); // what else is here is an issue of its own
-    if (item.condition == noExpression && atLineEnd())
+    if (item.condition == noExpression && (atLineEnd() || *at_ == '(' || *at_ == ';'))
       issue(SyntaxIssueKind::BadStatement, begin, at_);
     break;
   case Structure::Times:
@@ -176,6 +182,23 @@ void IsoScanner::scanCallArguments(Item &item) {
     block_.arguments.push_back(argument);
     ++item.arguments;
   }
+  constexpr unsigned mostArguments = 30; // LinuxCNC 2.9, section 11.7.4: #1 to #30
+  if (item.arguments > mostArguments)
+    issue(SyntaxIssueKind::TooManyArguments, base_ + item.begin, at_);
+}
+
+/// `IF [#1 GT 2] GOTO 10`, where conditions are O-words: one issue for all of the line. False, with
+/// nothing read: there is none.
+bool IsoScanner::scanForeignIf() {
+  const char *const begin = at_;
+  constexpr size_t letters = 2;
+  if (!isKeyword("IF") || !startsBlock())
+    return false;
+  if (const char *const next = afterBlanks(at_ + letters); next >= end_ || *next != '[')
+    return false;
+  at_ = lineEnd();
+  issue(SyntaxIssueKind::BadStatement, begin, at_);
+  return true;
 }
 
 /// Nothing but a comment may be beside an O-word.

@@ -195,7 +195,9 @@ void IsoScanner::scanAssignment() {
   skipBlanks();
   if (at_ < end_ && *at_ == '=') {
     ++at_;
+    const char *const value = afterBlanks(at_);
     item.value = expression(MacroExpression::Form::Full);
+    passBareArithmetic(value);
     return add(item);
   }
   issue(SyntaxIssueKind::BadStatement, begin, at_ > begin ? at_ : begin + 1);

@@ -38,7 +38,7 @@ inline void IsoScanner::scanLetter() {
       (at_[2] == '=' || at_[3] == '=' || at_[4] == '=') && scanIndexed())
     return;
   if (at_ + 1 < end_ && isLetter(at_[1])) {
-    if (lexical_.macro && !lexical_.flowWords && scanStatement())
+    if (lexical_.flowWords ? upper == 'I' && scanForeignIf() : lexical_.macro && scanStatement())
       return;
     if (scanUnknownWord())
       return;

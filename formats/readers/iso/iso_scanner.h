@@ -46,6 +46,8 @@ private:
   void scanUnusualValue(AddressId address, const char *begin);
   bool opensExpression(const char *p) const;
   bool signsExpression() const;
+  void passBareArithmetic(const char *begin);
+  bool opensOperand(const char *p) const;
   void scanComma();
 
   // iso_numbers.cpp
@@ -106,6 +108,7 @@ private:
   void scanFlowValue(Item &item);
   uint16_t bracketIfAny();
   void scanCallArguments(Item &item);
+  bool scanForeignIf();
   void scanAfterFlowWord();
 
   // Here because they are all that most words need: they become part of the loop over the block.

@@ -93,8 +93,10 @@ void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
     return addNumber(word, begin);
   }
   if (lexical_.macro && at_ < end_ && (opensExpression(at_) || *at_ == '-' || *at_ == '+')) {
+    const char *const value = at_;
     word.mantissa = operand();
     word.flags |= wordExpression;
+    passBareArithmetic(value);
     // Where a number names a place of the program it cannot be computed.
     if (!lexical_.flowWords && (address == letterAddress('N') || address == letterAddress('O')))
       return issue(SyntaxIssueKind::BadExpression, begin, at_);
@@ -105,6 +107,29 @@ void IsoScanner::scanUnusualValue(AddressId address, const char *begin) {
   word.length = lengthFrom(begin);
   issue(SyntaxIssueKind::MissingValue, begin, at_);
   append(word);
+}
+
+/// `#1 - #2` where only brackets hold operators: one issue for all of it.
+void IsoScanner::passBareArithmetic(const char *begin) {
+  if (lexical_.arithmetic != Arithmetic::Ngc)
+    return;
+  bool any = false;
+  for (const char *p = afterBlanks(at_);
+       p < end_ && llvm::StringRef("+-*/").contains(*p) && opensOperand(afterBlanks(p + 1));
+       p = afterBlanks(at_)) {
+    at_ = afterBlanks(p + 1);
+    while (at_ < end_ && *at_ == '*') // `**`
+      ++at_;
+    operand();
+    any = true;
+  }
+  if (any)
+    issue(SyntaxIssueKind::BadExpression, begin, at_);
+}
+
+/// Whether a value is here: a number, a variable, a bracket, a function.
+bool IsoScanner::opensOperand(const char *p) const {
+  return p < end_ && (isNumberDigit(*p) || *p == '.' || *p == '*' || opensExpression(p));
 }
 
 /// `,R2` and its like; elsewhere a comma is no character of the language.

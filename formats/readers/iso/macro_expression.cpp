@@ -385,11 +385,17 @@ bool MacroExpression::function30(unsigned depth, bool &good) {
   return true;
 }
 
-/// `#<name>]` after EXISTS and its bracket.
+/// `#<name>]` after EXISTS and its bracket; a parameter by its number is always there.
 bool MacroExpression::exists() {
   if (!ngc_ || !take('#'))
     return false;
   skipBlanks();
+  if (const char *const at = at_; at_ < end_ && isNumberDigit(*at_)) {
+    if (!number())
+      return false;
+    emit(Op::Unknown, at);
+    return take(']');
+  }
   return at_ < end_ && *at_ == '<' && named(Op::Exists) && take(']');
 }
 

@@ -83,10 +83,40 @@ void SinumerikScanner::scanSizes(Item &item, const char *begin) {
   skipBlanks();
 }
 
-/// `DEF INT A=0, B[3]`
-void SinumerikScanner::scanDefinitions() {
+/// `A[0]=(1,2,3)`, `OSCTRL[Z]=(4,0)`: the list of values in brackets that is here, if there is a
+/// comma between them; `noExpression`, with nothing read: there is none.
+uint16_t SinumerikScanner::scanList() {
   skipBlanks();
   const char *const begin = at_;
+  if (at_ == end_ || *at_ != '(')
+    return noExpression;
+  bool comma = false;
+  int depth = 0;
+  const char *p = at_;
+  for (; p < end_ && !isLineEnd(*p) && *p != ';'; ++p) {
+    depth += *p == '(' || *p == '[' ? 1 : *p == ')' || *p == ']' ? -1 : 0;
+    comma |= depth == 1 && *p == ',';
+    if (depth == 0)
+      break;
+  }
+  if (!comma || p == end_ || *p != ')')
+    return noExpression;
+  do {
+    at_ = afterBlanks(at_ + 1);
+    if (at_ < p && *at_ != ',')
+      expression();
+    at_ = afterBlanks(at_);
+  } while (at_ < p && *at_ == ',');
+  if (at_ != p)
+    issue(SyntaxIssueKind::BadExpression, begin, p + 1);
+  at_ = p + 1;
+  return opaque(begin, at_);
+}
+
+/// `DEF INT A=0, B[3]`
+void SinumerikScanner::scanDefinitions(const char *keyword) {
+  skipBlanks();
+  const char *const begin = atBlockEnd() ? keyword : at_;
   const VariableType type = scanType();
   if (type == VariableType::None) {
     issue(SyntaxIssueKind::BadStatement, begin, at_);
@@ -110,7 +140,8 @@ void SinumerikScanner::scanDefinitions() {
       scanSizes(item, name.begin());
     if (isEquals(at_)) {
       ++at_;
-      item.value = expression();
+      const uint16_t list = item.arguments ? scanList() : noExpression;
+      item.value = list != noExpression ? list : expression();
       skipBlanks();
     }
     add(item);

@@ -352,6 +352,15 @@ bool SinumerikExpression::text() {
   return true;
 }
 
+/// `R24Y=` in `X=R24Y=5`: a word follows without a blank, for no value has a `=` right after it.
+llvm::StringRef SinumerikExpression::withoutGluedWord(llvm::StringRef name) const {
+  const llvm::StringRef parameter =
+      name.take_front(1 + name.drop_front().take_while(llvm::isDigit).size());
+  const char *const after = name.end();
+  const bool given = after < end_ && *after == '=' && !(after + 1 < end_ && after[1] == '=');
+  return given && parameter.size() < name.size() && parameterKey(parameter) ? parameter : name;
+}
+
 /// A variable, an element of an array, a function.
 bool SinumerikExpression::name(unsigned depth) {
   const char *const begin = at_;
@@ -361,7 +370,7 @@ bool SinumerikExpression::name(unsigned depth) {
     emit(Op::Opaque, begin);
     return true;
   }
-  const llvm::StringRef name = identifier();
+  const llvm::StringRef name = withoutGluedWord(identifier());
   at_ = name.end();
   if (const uint64_t key = parameterKey(name)) {
     emit(Op::Variable, begin, double(key));

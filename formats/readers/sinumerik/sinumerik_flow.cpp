@@ -47,7 +47,7 @@ void SinumerikScanner::scanStatement(Keyword keyword, const char *begin) {
   case Keyword::Case:
     return scanCase(begin);
   case Keyword::Def:
-    return scanDefinitions();
+    return scanDefinitions(begin);
   case Keyword::Proc:
     return scanParameters(ItemKind::Parameters, begin);
   case Keyword::Extern:

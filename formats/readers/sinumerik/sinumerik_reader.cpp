@@ -99,7 +99,8 @@ void SinumerikScanner::scanHeader() {
   const char *const begin = at_++;
   llvm::StringRef name = identifier();
   at_ = name.end();
-  if (name.startswith_insensitive("_N_"))
+  const bool unit = name.startswith_insensitive("_N_");
+  if (unit)
     name = name.drop_front(3);
   if (name.endswith_insensitive("_MPF") || name.endswith_insensitive("_SPF")) {
     block_.kind = BlockKind::ProgramHeader;
@@ -111,7 +112,8 @@ void SinumerikScanner::scanHeader() {
   } else {
     block_.kind = BlockKind::Tape;
     if (const char *const after = afterBlanks(at_);
-        (after == end_ || isLineEnd(*after) || *after == ';') && isData(name))
+        (after == end_ || isLineEnd(*after) || *after == ';') &&
+        (isData(name) || (unit && isFiled(after))))
       return skipUnit();
   }
   rest();
@@ -125,6 +127,16 @@ bool SinumerikScanner::isData(llvm::StringRef name) const {
   const llvm::StringRef kind = name.rsplit('_').second;
   return llvm::any_of(dialect_.facts->program.dataKinds,
                       [&](llvm::StringRef one) { return kind.equals_insensitive(one); });
+}
+
+/// Whether the line after the head says where the unit is filed: it is one of an archive, of a kind
+/// that is no program.
+bool SinumerikScanner::isFiled(const char *p) const {
+  while (p < end_ && !isLineEnd(*p))
+    ++p;
+  while (p < end_ && isLineEnd(*p))
+    ++p;
+  return llvm::StringRef(p, size_t(end_ - p)).startswith(";$PATH=");
 }
 
 /// The whole unit is one block, which holds nothing: it ends with the line before the next head.

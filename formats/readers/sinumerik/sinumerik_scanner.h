@@ -68,6 +68,7 @@ private:
   void scanComment();
   void scanHeader();
   bool isData(llvm::StringRef name) const;
+  bool isFiled(const char *p) const;
   void skipUnit();
   bool scanLabel();
   bool scanBadName();
@@ -86,6 +87,11 @@ private:
   void scanValue(AddressId address, const char *begin);
   void scanIndexed(const char *begin, AddressId address);
   void scanPolynomial(const char *begin);
+  uint16_t scanList();
+  bool switchesAxis(const char *begin) const;
+  bool givesParameters() const;
+  bool isLetterForZero(llvm::StringRef name, const char *after) const;
+  void letterForZero(llvm::StringRef name);
   bool scanNumber(Word &word, const char *begin);
   bool atDecimalComma() const;
   void scanAddress(AddressId address, const char *begin);
@@ -119,7 +125,7 @@ private:
   bool isTaken(llvm::StringRef name) const;
   VariableType scanType();
   void scanSizes(Item &item, const char *begin);
-  void scanDefinitions();
+  void scanDefinitions(const char *keyword);
   Argument scanParameter(char separator);
   void scanParameters(ItemKind kind, const char *begin);
   void scanRedefinition(const char *begin);

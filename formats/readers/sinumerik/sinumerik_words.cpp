@@ -56,6 +56,16 @@ void SinumerikScanner::scanDistant(char letter, const char *begin) {
   addWord(word, begin);
 }
 
+/// `R1=5 R2=0`: values of R parameters are all that the block has so far. Cycles of older controls
+/// are called right after them.
+bool SinumerikScanner::givesParameters() const {
+  return block_.words.empty() && !block_.items.empty() &&
+         llvm::all_of(block_.items, [&](const Item &item) {
+           return item.kind == ItemKind::Assignment && (base_[item.nameBegin] | 32) == 'r' &&
+                  isNumberDigit(base_[item.nameBegin + 1]);
+         });
+}
+
 /// A letter and its number, or what else begins with a letter.
 void SinumerikScanner::scanLetter() {
   const char *const begin = at_;
@@ -67,6 +77,9 @@ void SinumerikScanner::scanLetter() {
     return;
   if (letter == 'R' && next < end_ && (isNumberDigit(*next) || *next == '['))
     return scanAssignment(begin);
+  if (letter == 'L' && next < end_ && isNumberDigit(*next) && givesParameters() &&
+      scanStart(letter))
+    return;
   if (next < end_ && *next == ':' && scanLabel()) // too short, but nothing else
     return;
   ++at_;
@@ -154,6 +167,11 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
     at_ = from;
   }
   // An axis of the machine: where it goes says nothing of the workpiece's axes.
+  if (!(dialect_.known & maskOf(letterAddress(letter)))) { // `Q1=5`: one that the builder has named
+    Item item = itemAt(ItemKind::Output, begin);
+    item.value = expression();
+    return add(item);
+  }
   const uint16_t value = expression();
   if (value < block_.expressions.size() && !block_.expressions[value].bad) {
     block_.operations.push_back({Op::Opaque, offset(begin), 1});
@@ -251,6 +269,10 @@ void SinumerikScanner::scanIndexed(const char *begin, AddressId address) {
   }
   at_ = afterBlanks(p + 1);
   if (!isEquals(at_)) {
+    if (address == noAddress && switchesAxis(begin)) {
+      Item item = itemAt(ItemKind::Output, begin);
+      return add(item);
+    }
     issue(SyntaxIssueKind::MissingEquals, begin, p + 1);
     return;
   }
@@ -261,6 +283,15 @@ void SinumerikScanner::scanIndexed(const char *begin, AddressId address) {
   ++at_;
   const uint16_t value = expression();
   addExpression(address, begin, opaque(begin, base_ + block_.expressions[value].end));
+}
+
+/// `SCC[X]`, `DIAM90A[X]`: an axis gets a property, and no value.
+bool SinumerikScanner::switchesAxis(const char *begin) const {
+  const llvm::StringRef name =
+      llvm::StringRef(begin, size_t(end_ - begin)).take_while(isNameCharacter);
+  constexpr llvm::StringLiteral switches[] = {"SCC",     "FOCON",   "FOCOF",    "DIAMONA",
+                                              "DIAMOFA", "DIAM90A", "DIAMCHANA"};
+  return llvm::any_of(switches, [&](llvm::StringRef one) { return name.equals_insensitive(one); });
 }
 
 /// A number that is not as usual; false, with an issue, when there is no digit in it.
@@ -302,6 +333,21 @@ void SinumerikScanner::scanAddress(AddressId address, const char *begin) {
     scanValue(address, begin);
 }
 
+/// `YO`: the letter O for a zero.
+bool SinumerikScanner::isLetterForZero(llvm::StringRef name, const char *after) const {
+  return name.size() == 2 && (name[1] | 32) == 'o' &&
+         llvm::StringRef("XYZ").contains(char(name[0] & ~32)) &&
+         (after == end_ || (*after != '(' && *after != ':'));
+}
+
+void SinumerikScanner::letterForZero(llvm::StringRef name) {
+  at_ = name.end();
+  issue(SyntaxIssueKind::MalformedNumber, name.begin(), at_);
+  Word word;
+  word.address = letterAddress(char(name[0] & ~32));
+  addWord(word, name.begin());
+}
+
 /// Two letters and more: a keyword, an address with `=`, a variable, a code, a call.
 void SinumerikScanner::scanName() {
   const char *const begin = at_;
@@ -332,6 +378,8 @@ void SinumerikScanner::scanName() {
   }
   if (const CodeIndex code = codeNamed(name); code != noCode)
     return scanCode(code, name);
+  if (isLetterForZero(name, after))
+    return letterForZero(name);
   // `CR20`: an address of several letters and its number, without the `=`.
   const llvm::StringRef letters = name.take_while([](char c) { return !isNumberDigit(c); });
   const auto glued = addresses_.find(letters.upper());
@@ -416,7 +464,11 @@ void SinumerikScanner::scanAssignment(const char *begin, bool acting) {
     scanNumber(word, begin);
     item.value = constant(number, at_, word.value());
   } else {
-    item.value = expression();
+    const bool indexed = base_[item.nameEnd - 1] == ']';
+    if (const uint16_t list = indexed ? scanList() : noExpression; list != noExpression)
+      item.value = list;
+    else
+      item.value = expression();
   }
   add(item);
   if (acting)
