@@ -69,7 +69,7 @@ static void startInPlane(Action plane, const Dialect &dialect, MachineState &sta
 void Engine::enter(const Region &region, EntryState entry) {
   listeners.tell([&](FlowListener &listener) { listener.entered(entry); });
   Lives lives = startOf(entry != EntryState::Known);
-  if (entry == EntryState::Known && readsAsTurning(region.unit, region.program))
+  if (readsAsTurning(region.unit, region.program))
     startInPlane(Action::PlaneZX, *unit.dialect, lives[0].state);
   execute(region, std::move(lives));
 }

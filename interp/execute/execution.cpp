@@ -488,14 +488,7 @@ void Execution::finish() {
     state_.idleBlocks = 0;
   } else if (!branchesOnly(block_) &&
              (!dialect_.facts->text.statementsAlone || !calculatesOnly(block_))) {
-    uint16_t moved = 0;
-    for (const Event &event : outcome_.events)
-      if (event.kind == EventKind::Motion)
-        // A full circle leads round the plane whether or not its end is written.
-        moved |= event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw
-                     ? planeAxes(dialect_, state_)
-                     : event.axes;
-    countIdle(moved);
+    countIdle(axesMoved());
   }
   if (state_.modalCalls)
     outcome_.callsModally = firesModalCall();

@@ -49,6 +49,7 @@ private:
   PlainTarget plainTarget(const AddressInfo &address, Truth relative) const;
   bool runPlainMove();
   bool countIdle(uint16_t axes);
+  uint16_t axesMoved() const;
   void wordIssues();
   void syntaxIssues();
   void wordDomains();

@@ -449,4 +449,16 @@ void Execution::moveByModes(uint16_t axes) {
   moveBy(motion, motionCode_.word ? motionCode_.code : index, kindOf(motion->action), axes);
 }
 
+/// The axes of the block's moves. A full circle leads round the plane whether or not its end is
+/// written.
+uint16_t Execution::axesMoved() const {
+  uint16_t moved = 0;
+  for (const Event &event : outcome_.events)
+    if (event.kind == EventKind::Motion)
+      moved |= event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw
+                   ? planeAxes(dialect_, state_)
+                   : event.axes;
+  return moved;
+}
+
 } // namespace ncvet

@@ -5,6 +5,8 @@
 #include "formats/reports/tool_path_json.h"
 #include "formats/text/file_uri.h"
 
+#include "llvm/Support/FormatVariadic.h"
+
 namespace ncvet::lsp {
 
 namespace {
