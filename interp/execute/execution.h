@@ -43,6 +43,8 @@ public:
 private:
   // execution.cpp: the order of things
   bool inForeignLanguage() const;
+  bool choosesLanguageOnly() const;
+  void forgetForeign();
   CodeIndex plainMoveCode() const;
   bool restatesCodes();
   void emitCodes();

@@ -1,5 +1,6 @@
 // Blocks in the language of another control: what they do is not known.
 #include "interp/execute/execution.h"
+#include "interp/state/zero_point.h"
 
 namespace ncvet {
 
@@ -10,6 +11,28 @@ bool Execution::inForeignLanguage() const {
   return (now & masks_.foreign) && !(now & groupUnset);
 }
 
+/// Whether all words of the block are codes that choose the language.
+bool Execution::choosesLanguageOnly() const {
+  return block_.items.empty() && llvm::all_of(block_.words, [&](const Word &word) {
+           const CodeIndex code = word.isNumber() && word.address == letterAddress('G')
+                                      ? dialect_.find('G', word.codeNumber())
+                                      : noCode;
+           return code != noCode && info({code, &word}).group == masks_.language;
+         });
+}
+
+/// A block of the other language may set all that a program's caller may; what changes the meaning
+/// of all words it takes back before it leads to the control's own language again, as most do.
+void Execution::forgetForeign() {
+  stateUse.everything();
+  MachineState any = calledState(dialect_);
+  any.origin = state_.origin;
+  any.profile = state_.profile;
+  any.modalCalls = state_.modalCalls;
+  any.setGroup(masks_.language, state_.groups[masks_.language]);
+  state_ = std::move(any);
+}
+
 /// Only what leads back to the control's own language counts, what ends the program, and words that
 /// no other language has.
 void Execution::foreignBlock() {
@@ -17,13 +40,8 @@ void Execution::foreignBlock() {
   outcome_.setupChanged = true;
   if (block_.isEmpty())
     return;
-  stateUse.everything();
-  MachineState any = unknownState(dialect_);
-  any.origin = state_.origin;
-  any.profile = state_.profile;
-  any.modalCalls = state_.modalCalls;
-  any.setGroup(masks_.language, state_.groups[masks_.language]);
-  state_ = std::move(any);
+  if (!choosesLanguageOnly())
+    forgetForeign();
   for (const Word &word : block_.words) {
     if (word.address != keywordAddress &&
         (!word.isNumber() ||
