@@ -1,6 +1,8 @@
 // Runs called bodies, and remembers what each did for which state.
 #include "analyzer/flow/called_bodies.h"
 
+#include "interp/value/work_meter.h"
+
 namespace ncvet {
 
 namespace {
@@ -41,6 +43,11 @@ bool CalledBodies::isWorthLooking(Remembered &body) {
 
 /// Paths that return to the same place in the same modes are one, and go on along `path`.
 Exits CalledBodies::merge(Exits raw, const PathNode *path) {
+  if (raw.size() == 1) {
+    ++workDone; // as `mergeInto` counts it
+    raw.front().live.path = path;
+    return raw;
+  }
   std::map<int64_t, Lives> byTarget;
   for (Returned &exit : raw) {
     exit.live.path = path;

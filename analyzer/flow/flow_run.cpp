@@ -1,6 +1,8 @@
 // What all parts of the flow engine share while one file is run.
 #include "analyzer/flow/flow_run.h"
 
+#include "formats/readers/quick_reader.h"
+
 #include <algorithm>
 #include <new>
 
@@ -93,6 +95,12 @@ void FlowRun::issue(FlowIssue kind, const Step &step, const MachineState &before
     listeners.tell([&](FlowListener &listener) {
       listener.problem(step, {kind, before, after, where, related});
     });
+}
+
+const QuickReader *FlowRun::quickReader(const FileUnit &of) {
+  if (quick_.first != &of)
+    quick_ = {&of, dynamic_cast<const QuickReader *>(of.reader.get())};
+  return quick_.second;
 }
 
 const FlowShape &FlowRun::shape(const FileUnit &of, const ProgramInfo &program) {

@@ -15,6 +15,8 @@
 
 namespace ncvet {
 
+class QuickReader; // formats/readers/quick_reader.h
+
 /// What the main file's programs have named as targets so far.
 struct UsedTargets {
   std::set<int64_t> numbers;
@@ -80,6 +82,8 @@ struct FlowRun {
     visits.end();
   }
   const FlowShape &shape(const FileUnit &of, const ProgramInfo &program);
+  /// The file's reader, where it knows short ways; null: it knows none.
+  const QuickReader *quickReader(const FileUnit &of);
 
   Project &project;
   FileUnit &unit; ///< the file that is run
@@ -107,6 +111,7 @@ struct FlowRun {
 
 private:
   llvm::BumpPtrAllocator paths_;
+  std::pair<const FileUnit *, const QuickReader *> quick_{}; ///< of the file asked for last
   std::map<std::pair<FileId, uint32_t>, FlowShape> shapes_;
 };
 

@@ -1,6 +1,7 @@
 // Blocks that are executed again and again, read once.
 #pragma once
 
+#include "analyzer/flow/known_blocks.h"
 #include "analyzer/program/project.h"
 #include "interp/execute/calculation.h"
 
@@ -16,13 +17,22 @@ struct KnownCalculation {
   StateUse use; ///< what executing it has looked at
 };
 
-/// A block of the text as it was read.
+/// A call or a return in the modes in which it was executed: it leaves the state as it is.
+struct KnownFlow {
+  uint64_t situation = 0;
+  std::unique_ptr<Outcome> outcome;
+  StateUse use;
+};
+
+/// A block of the text as it was read, and what is known of it.
 struct KeptBlock {
   explicit KeptBlock(const Block &read) : block(read), calculation(calculationOf(read)) {}
 
   const Block block;
   const std::optional<Calculation> calculation;
-  llvm::SmallVector<KnownCalculation, 0> known;
+  llvm::SmallVector<KnownCalculation, 0> calculations;
+  llvm::SmallVector<std::unique_ptr<KnownBlocks::Known>, 0> moves; ///< `before`: the situation
+  llvm::SmallVector<KnownFlow, 0> flows;
   unsigned tries = 0; ///< times that it was found out, or was to be
 };
 
@@ -51,10 +61,8 @@ public:
     const auto known = blocks_.find(keyOf(unit, offset));
     return known == blocks_.end() ? nullptr : known->second.get();
   }
-  /// Whether it is to be found out once more what the block calculates.
-  bool mayLearn(KeptBlock &kept) {
-    return ++kept.tries <= mostTries && ++calculations_ <= mostCalculations;
-  }
+  /// Whether it is to be found out once more what the block does.
+  bool mayLearn(KeptBlock &kept) { return ++kept.tries <= mostTries && ++learned_ <= mostLearned; }
 
 private:
   /// Loops and subprograms of more blocks are seldom executed often.
@@ -63,8 +71,8 @@ private:
   static constexpr size_t mostParts = 64;
   /// Ways and modes in which one block is met again and again.
   static constexpr unsigned mostTries = 12;
-  /// With an outcome each, some 6 MiB.
-  static constexpr size_t mostCalculations = 1u << 12;
+  /// With an outcome each, some 8 MiB.
+  static constexpr size_t mostLearned = 1u << 12;
 
   static uint64_t keyOf(const FileUnit &unit, uint32_t offset) {
     return uint64_t(unit.source.id()) << 32 | offset;
@@ -76,7 +84,7 @@ private:
   }
 
   llvm::DenseMap<uint64_t, std::unique_ptr<KeptBlock>> blocks_; ///< by file and offset
-  size_t calculations_ = 0;
+  size_t learned_ = 0; ///< times that something was found out, or was to be
 };
 
 } // namespace ncvet

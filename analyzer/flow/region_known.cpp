@@ -60,6 +60,7 @@ KnownBlocks::Known *RegionRun::knownHere() {
   spelling_ = known_->read(at_);
   spelled_ = at_;
   pattern_ = nullptr;
+  kept_ = nullptr;
   if (!spelling_ || spelling_->refused >= hopeless)
     return nullptr;
   KnownBlocks::Known *const known = known_->find(*spelling_, modes_);
@@ -136,7 +137,7 @@ void RegionRun::make(KnownBlocks::Known &known, Live &live) {
   outcome_ = &known.outcome;
   blockUse_ = known.use;
   stateUse |= blockUse_;
-  known.move.make(*block_, unit_.source.id(), before_, live.state, known.outcome);
+  known.move.make(*block_, unit_.source.id(), before_, live.state, known.outcome, numbers_);
   modes_ = known.after ? known.after : modesNumber(*unit_.dialect, live.state);
 }
 

@@ -49,14 +49,13 @@ bool onlyDefines(const Block &block) {
 RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry,
                      KnownRuns known, const std::atomic<bool> *cancel)
     : run_(run), flow_(flow), region_(region), unit_(region.unit), cancel_(cancel),
-      quick_(dynamic_cast<const QuickReader *>(unit_.reader.get())), activation_(region),
-      recorder_(known.recorder), replay_(known.replay), lives_(std::move(entry)),
-      at_(region.start) {}
+      quick_(run.quickReader(unit_)), activation_(region), recorder_(known.recorder),
+      replay_(known.replay), lives_(std::move(entry)), at_(region.start) {}
 
 Exits RegionRun::execute() {
   const CrashPlace place(unit_.source, at_);
   while (!run_.stopped && arrive()) {
-    if (isAtEnd() || goOnInStretch() || goOnAsKnown() || goOnCalculating() || takeOver() ||
+    if (isAtEnd() || goOnInStretch() || goOnAsKnown() || goOnAgain() || takeOver() ||
         passEmptyLines() || !read() || passOver() || !spend())
       continue;
     if (block_->skip >= 0)
@@ -343,8 +342,8 @@ void RegionRun::executeFor(Live &live) {
   if (spelling_ && doAsKnown(live))
     return;
   execute(live);
-  if (kept_ && kept_->calculation && calculated_)
-    return learnCalculation(live.state);
+  if (kept_)
+    return learnAgain(live);
   if (spelling_ && modes_)
     learn(live);
   else

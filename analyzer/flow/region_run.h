@@ -51,15 +51,24 @@ private:
   bool goOnAsKnown();
   void goOnAsKnownOnce(KnownBlocks::Known &known);
   KnownBlocks::Known *knownHere();
-  bool goOnCalculating();
-  bool mayCalculate() const;
-  const KnownCalculation *calculationHere(Calculated &gives);
+  /// How control leaves a block that was executed before.
+  enum class Again : uint8_t { NotKnown, GoesOn, Leaves };
+  bool goOnAgain();
+  bool mayGoOnAgain() const;
+  Again calculateAgain(KeptBlock &kept);
+  Again moveAgain(KeptBlock &kept);
+  Again flowAgain(KeptBlock &kept);
+  bool begin(KeptBlock &kept);
+  uint64_t situation(const MachineState &state);
   void calculate(const KnownCalculation &known, const Calculated &gives);
   bool loopBegins() const { return outcome_->flow.kind == FlowKind::LoopBegin; }
-  void staysCalculated();
-  void leaveCalculated();
-  void learnCalculation(const MachineState &after);
-  uint64_t situation();
+  Again stay();
+  Again leave();
+  void learnAgain(Live &live);
+  void learnCalculation(const MachineState &after, uint64_t situation);
+  void learnMove(Live &live, uint64_t situation);
+  void learnFlow(const MachineState &after, uint64_t situation);
+  uint64_t situationIn(uint64_t modes);
   void endStretch();
   bool mayTakeOver(const RunPlace &known) const;
   void follow(const RunPlace &known);
@@ -132,12 +141,13 @@ private:
   Truth decision_ = Truth::Unknown;      ///< of the operator, for what the block leaves open
   MachineState before_;                  ///< before the block
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
-  uint64_t waits_ = 0;      ///< serial number of a state that was so before it went to wait
-  bool calculated_ = false; ///< the block before changed nothing but variables
-  bool wrote_ = false;      ///< and of these one at most: `written_`
-  uint64_t written_ = 0;    ///< key of that variable; 0: none
-  Value value_;             ///< and what it was given
-  uint64_t callers_ = 0;    ///< a number for the calls that lead here; 0: it is not made out
+  uint64_t waits_ = 0;         ///< serial number of a state that was so before it went to wait
+  bool calculated_ = false;    ///< the block before changed nothing but variables
+  bool wrote_ = false;         ///< and of these one at most: `written_`
+  uint64_t written_ = 0;       ///< key of that variable; 0: none
+  Value value_;                ///< and what it was given
+  KnownMove::Numbers numbers_; ///< of a move whose words are computed; kept for its storage
+  uint64_t callers_ = 0;       ///< a number for the calls that lead here; 0: it is not made out
   PlainRun plainRun_;
   unsigned repeats_ = 0; ///< blocks of the stretch that were told to all although they went on
   StateUse blockUse_;    ///< what executing the block has looked at

@@ -14,7 +14,8 @@ constexpr size_t mostOperands = 8;
 
 /// The number that the variable has for certain.
 std::optional<double> numberIn(const MachineState &state, double key) {
-  if (!(key < pastNumbers) || isUnset(state, key) != Truth::No)
+  if (!(key < pastNumbers) ||
+      (key >= double(firstNamedVariable) && isUnset(state, key) != Truth::No))
     return std::nullopt;
   const Value value = readVariable(state, int64_t(key));
   return value.isConstant() ? std::optional(value.number.value()) : std::nullopt;

@@ -107,9 +107,20 @@ std::optional<Value> shownIn(const MachineState &state, uint64_t key) {
 }
 } // namespace
 
+namespace {
+/// A numbered variable of programs that is before all in which the control says something.
+bool isPlain(const VariableRanges &ranges, int64_t number) {
+  return number > 0 && number <= ranges.lastCommon && (!ranges.place || number < ranges.place) &&
+         (!ranges.shown || ranges.shown->empty() || uint64_t(number) < ranges.shown->front().key);
+}
+} // namespace
+
 Value readVariable(const MachineState &state, int64_t number) {
   if (number == 0)
     return Value::vacant();
+  if (isPlain(state.ranges, number)) // by far the most
+    return number <= state.ranges.lastLocal ? state.locals.get(uint64_t(number))
+                                            : state.commons.get(uint64_t(number));
   if (const auto shown = shownIn(state, uint64_t(number)))
     return *shown;
   if (const auto axis = placeOf(state, number))
@@ -119,6 +130,14 @@ Value readVariable(const MachineState &state, int64_t number) {
   if (isCommon(state, number))
     return state.commons.get(uint64_t(number));
   return Value::unknown();
+}
+
+bool showsMachine(const MachineState &state, double number) {
+  if (!(number >= 0 && number < pastNumbers) || placeOf(state, int64_t(number)))
+    return true;
+  return state.ranges.shown && llvm::any_of(*state.ranges.shown, [&](const ShownVariable &one) {
+           return one.key == uint64_t(number);
+         });
 }
 
 Truth isUnset(const MachineState &state, double number) {

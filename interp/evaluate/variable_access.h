@@ -15,6 +15,8 @@ Value readVariable(const MachineState &state, int64_t number);
 /// Whether the program has given a named variable no value yet, unknown where it has on some paths;
 /// numbered ones keep theirs from one program to the next.
 Truth isUnset(const MachineState &state, double number);
+/// Whether it is no variable of programs, but one in which the control says what is in force.
+bool showsMachine(const MachineState &state, double number);
 void writeVariable(MachineState &state, int64_t number, const Value &value);
 
 } // namespace ncvet

@@ -69,6 +69,7 @@ private:
   // make_known_move.cpp
   bool isKnownCode(const CodeUse &use) const;
   bool isKnownCompensation() const;
+  bool isKnownExpression(const Word &word) const;
   bool isKnownKind() const;
   bool isKnownMotion(KnownMove &move) const;
   bool isKnownHole(KnownMove &move) const;

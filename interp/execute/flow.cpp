@@ -1,7 +1,7 @@
 // Calls, returns and ends: what a block's codes say about where control goes.
 #include "formats/dialect/packed_call.h"
 #include "interp/execute/execution.h"
-#include "interp/value/macro_argument.h"
+#include "interp/execute/macro_arguments.h"
 
 #include <cmath>
 
@@ -51,25 +51,9 @@ void Execution::callProgram(const CodeUse &use, bool macro) {
       flow.startAt = valueOf(value(*q));
     return;
   }
-  // Repeated I, J, K sets count on: I4 J5 K6 I7 J8 K9 …
-  unsigned sets[3] = {0, 0, 0};
-  bool second = false;
-  for (const Word &word : block_.words)
-    if (word.address >= letterAddress('I') && word.address <= letterAddress('K'))
-      second |= ++sets[word.address - letterAddress('I')] > 1;
-  sets[0] = sets[1] = sets[2] = 0;
-  for (const Word &word : block_.words) {
-    if (word.address >= 26 || &word == use.word || word.offset < use.word->offset)
-      continue;
-    const char letter = char('A' + word.address);
-    if (letter == 'P' || letter == 'L' || letter == 'G' || letter == 'N' || letter == 'O')
-      continue;
-    uint32_t variable = macroArgument(letter);
-    if (second && letter >= 'I' && letter <= 'K')
-      variable = 4 + 3 * sets[letter - 'I']++ + uint32_t(letter - 'I');
-    if (variable && variable <= 33)
-      flow.arguments.set(variable, valueOf(value(word)));
-  }
+  forEachArgument(block_, *use.word, [&](uint32_t variable, const Word &word) {
+    flow.arguments.set(variable, valueOf(value(word)));
+  });
 }
 
 /// G66 P: the call that was in force before runs after the moves of this one's program.

@@ -2,12 +2,30 @@
 // executed.
 #include "interp/execute/known_move.h"
 
+#include "interp/evaluate/known_number.h"
+
 #include <cmath>
 
 namespace ncvet {
 
+bool KnownMove::compute(const Block &block, const MachineState &before, Numbers &numbers) const {
+  numbers.clear();
+  if (!computes)
+    return true;
+  for (const PlainMove::Step &step : steps) {
+    const Word &word = block.words[step.word];
+    const std::optional<double> number = word.has(wordExpression)
+                                             ? knownNumber(block, uint16_t(word.mantissa), before)
+                                             : word.value() + 0.0;
+    if (!number)
+      return false;
+    numbers.push_back(*number);
+  }
+  return true;
+}
+
 void KnownMove::make(const Block &block, FileId file, const MachineState &before,
-                     MachineState &state, Outcome &outcome) const {
+                     MachineState &state, Outcome &outcome, llvm::ArrayRef<double> numbers) const {
   for (const Place &place : places) {
     const Word &word = block.words[place.word];
     state.origin.all()[place.part] = {file, word.offset, block.endOf(word)};
@@ -26,13 +44,18 @@ void KnownMove::make(const Block &block, FileId file, const MachineState &before
     state.fedFrom.forget();
   if (losesTool)
     state.at(tool) = Interval::unknown();
-  for (const PlainMove::Step &step : steps)
-    step.target.move(block.words[step.word], unit, state);
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const Word &word = block.words[steps[i].word];
+    if (word.has(wordExpression))
+      steps[i].target.move(numbers[i], unit, state);
+    else
+      steps[i].target.move(word, unit, state);
+  }
   state.machineAxes = machineAxes;
   if (engages)
     noteEntry(before, state);
   if (hole != HoleEnd::None)
-    drill(block, state, outcome);
+    drill(block, state, outcome, numbers);
   else if (tracksDepth)
     trackDepth(before, state, isRapid);
 }
@@ -48,11 +71,12 @@ void KnownMove::noteEntry(const MachineState &before, MachineState &state) {
   state.factsMust = (state.factsMust & ~both) | side;
 }
 
-void KnownMove::drill(const Block &block, MachineState &state, Outcome &outcome) const {
+void KnownMove::drill(const Block &block, MachineState &state, Outcome &outcome,
+                      llvm::ArrayRef<double> numbers) const {
   CycleWords &cycle = state.cycle;
-  for (const PlainMove::Step &step : steps) {
-    const Word &word = block.words[step.word];
-    cycle.value[word.address] = word.value();
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const Word &word = block.words[steps[i].word];
+    cycle.value[word.address] = word.has(wordExpression) ? numbers[i] : word.value();
   }
   cycle.present = cycleWords;
   outcome.holes[0] = state.position;

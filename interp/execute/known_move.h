@@ -36,6 +36,7 @@ struct KnownMove {
   bool tracksDepth = false;  ///< of a mill
   bool forgetsLevel = false; ///< from which the tool was fed down
   bool losesTool = false;    ///< where it is along its axis is not known before the move
+  bool computes = false;     ///< expressions give some of the numbers
   bool engages = false;      ///< compensation: what is noted of it depends on the way along X
   HoleEnd hole = HoleEnd::None;
   Axis tool = Axis::Z; ///< the axis along which it drills
@@ -49,16 +50,21 @@ struct KnownMove {
   int32_t radiusOffset = notSet;
   Interval feed;
 
+  /// Of `steps`, where expressions give some of them.
+  using Numbers = llvm::SmallVector<double, 6>;
+  /// Works them out; none where the words hold all of them. False: one of them is not known.
+  bool compute(const Block &block, const MachineState &before, Numbers &numbers) const;
   /// Does to `state`, which equals `before`, what executing the block does, and puts the hole into
-  /// `outcome`.
+  /// `outcome`. `numbers`: as `compute` gives them.
   void make(const Block &block, FileId file, const MachineState &before, MachineState &state,
-            Outcome &outcome) const;
+            Outcome &outcome, llvm::ArrayRef<double> numbers = {}) const;
   /// Makes `before`, the state before such a move, what `after` is.
   void catchUp(const MachineState &after, MachineState &before) const;
 
 private:
   static void noteEntry(const MachineState &before, MachineState &state);
-  void drill(const Block &block, MachineState &state, Outcome &outcome) const;
+  void drill(const Block &block, MachineState &state, Outcome &outcome,
+             llvm::ArrayRef<double> numbers) const;
 };
 
 } // namespace ncvet

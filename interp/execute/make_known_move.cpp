@@ -115,13 +115,25 @@ bool Execution::isKnownCompensation() const {
          block_.hasAny(arcWords) || !(axesOf(dialect_, block_) & planeAxes(dialect_, state_));
 }
 
+/// Whether the word is a coordinate that is computed of variables of programs.
+bool Execution::isKnownExpression(const Word &word) const {
+  const auto ofPrograms = [&](const ExpressionOp &op) {
+    return op.op != Op::Variable || !showsMachine(state_, op.value);
+  };
+  return word.flags == wordExpression && word.reading() == WordReading::Modal &&
+         (dialect_.axisWords & maskOf(word.address)) &&
+         llvm::all_of(operationsOf(block_, block_.expressions[size_t(word.mantissa)]), ofPrograms);
+}
+
 /// Whether the block is of a kind whose numbers decide nothing but where it leads.
 bool Execution::isKnownKind() const {
   constexpr uint8_t usual = wordPoint | wordMinus | wordLeadingZero;
   constexpr size_t most = 200; // words: the index of one is a byte
   if ((outcome_.kinds & ~knownEvents) || outcome_.flow.kind != FlowKind::Next ||
       outcome_.callsModally != Truth::No || outcome_.foreign || block_.words.size() > most ||
-      llvm::any_of(block_.words, [](const Word &word) { return word.flags & ~usual; }))
+      !block_.items.empty() || llvm::any_of(block_.words, [&](const Word &word) {
+        return (word.flags & ~usual) && !isKnownExpression(word);
+      }))
     return false;
   if (before_.modalCalls || before_.pendingCycle != noCode || before_.seeksBranch ||
       before_.profile != ProfileMode::Off || polarMayBeOn() || hasAngleWord() ||
@@ -201,7 +213,7 @@ bool Execution::knownPlaces(KnownMove &move, const StateUse &use) const {
     const auto *const word = llvm::find_if(block_.words, [&](const Word &candidate) {
       return candidate.offset == place.begin && block_.endOf(candidate) == place.end;
     });
-    if (word == block_.words.end() || before_.origin.all()[part] == place)
+    if (word == block_.words.end())
       return false;
     move.places.push_back({uint8_t(part), uint8_t(word - block_.words.begin())});
   }
@@ -218,8 +230,10 @@ std::optional<KnownMove> Execution::asKnownMove(const StateUse &use) const {
   move.unit = lengthFactor().lo;
   for (uint8_t i = 0; i < block_.words.size(); ++i)
     if (const AddressInfo &address = dialect_.addresses[block_.words[i].address];
-        address.kind == AddressKind::Axis || address.kind == AddressKind::Increment)
+        address.kind == AddressKind::Axis || address.kind == AddressKind::Increment) {
       move.steps.push_back({i, plainTarget(address, relative)});
+      move.computes |= block_.words[i].has(wordExpression);
+    }
   for (uint8_t i = 0; i < dialect_.groups.size(); ++i)
     if (changesGroup(i, before_, state_))
       move.codes.push_back({i, state_.groups[i]});
@@ -253,9 +267,13 @@ std::optional<KnownMove> makeKnownMove(const Dialect &dialect, const MachineProf
   if (move) { // what it does is what was done, and nothing else
     MachineState made = before, caughtUp = before;
     Outcome told = outcome;
-    move->make(block, file, before, made, told);
+    KnownMove::Numbers numbers;
+    const bool computed = move->compute(block, before, numbers);
+    if (computed)
+      move->make(block, file, before, made, told, numbers);
     move->catchUp(after, caughtUp);
-    if (!isSame(made, after) || !isSame(caughtUp, after) || told.holes != outcome.holes)
+    if (!computed || !isSame(made, after) || !isSame(caughtUp, after) ||
+        told.holes != outcome.holes)
       move.reset();
   }
   stateUse = used;

@@ -19,6 +19,10 @@ struct PlainTarget {
     double target = word.value() + 0.0;
     if (inIncrements && !(word.flags & wordPoint))
       target *= leastIncrement;
+    move(target, unit, state);
+  }
+  /// The same by a number that was computed.
+  void move(double target, double unit, MachineState &state) const {
     if (unit != 1 && isLength)
       target *= unit;
     if (isHalved)
