@@ -58,6 +58,8 @@ public:
   virtual void executed(const Step &step, bool continues) = 0;
   /// Whether it is told in vain of further blocks of the stretch that only go on.
   virtual bool sleepsThrough(uint64_t /*stretch*/) const { return false; }
+  /// Whether, though it is, it wants to be told of such blocks that lead to where the tool is.
+  virtual bool wantsStill() const { return false; }
   /// As `executed`, for a block that does what the one before did, numbers aside, but that names
   /// codes: whether nobody but those who are told of every move need be told of a further one.
   virtual bool executedAgain(const Step &step) {

@@ -56,6 +56,10 @@ public:
              entry.listener->sleepsThrough(stretch);
     });
   }
+  /// Whether somebody is told of those that lead to where the tool is all the same.
+  bool wantStill() const {
+    return llvm::any_of(all_, [](const Entry &entry) { return entry.listener->wantsStill(); });
+  }
   /// The same of a block that does what the one before did, see `FlowListener::executedAgain`.
   bool executedAgain(const Step &step, bool lost) const {
     if (!(step.outcome.kinds & kinds_ || everyBlock_))

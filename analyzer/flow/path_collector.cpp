@@ -130,7 +130,7 @@ void PathCollector::moved(const TracedMove &traced) {
   if (!next)
     return;
   next->file = files_.of(traced.unit->source.id());
-  next->line = traced.unit->source.lines().lineOf(traced.begin);
+  next->line = lines_.lineOf(traced.unit->source.lines(), traced.begin);
   hasCentre_ |= move.side != 0 && move.toolRadius && *move.toolRadius != 0;
   const auto number = uint32_t(path_.programmed.moves.size() - 1);
   sections_.moved(number, move.mark, move.kind == MoveKind::Linear || move.kind == MoveKind::Arc);
@@ -209,7 +209,7 @@ void CentreCollector::moved(const TracedMove &traced) {
   }
   if (PathMove *const next = writer_.add(traced.move)) {
     next->file = files_.of(traced.unit->source.id());
-    next->line = traced.unit->source.lines().lineOf(traced.begin);
+    next->line = lines_.lineOf(traced.unit->source.lines(), traced.begin);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "analyzer/flow/path_sections.h"
 #include "analyzer/flow/trace.h"
+#include "formats/text/line_cursor.h"
 #include "formats/text/source_set.h"
 
 namespace ncvet {
@@ -93,6 +94,7 @@ private:
   CurveWriter writer_;
   PathFiles &files_;
   PathSections sections_;
+  LineCursor lines_;
   Place others_;
   bool ended_ = false, hasCentre_ = false;
 };
@@ -121,6 +123,7 @@ private:
   size_t most_;
   CurveWriter writer_;
   PathFiles &files_;
+  LineCursor lines_;
 };
 
 } // namespace ncvet

@@ -44,8 +44,7 @@ uint64_t RegionRun::situation(const MachineState &state) {
     synced_ = &state;
     plainRun_ = {};
     modes_ = 0;
-    done_ = nullptr;
-    calculated_ = false;
+    copied_ = true;
   }
   if (!modes_)
     modes_ = modesNumber(*unit_.dialect, state);

@@ -86,6 +86,8 @@ void RegionRun::goOnAsKnownOnce(KnownBlocks::Known &known) {
 
 /// Makes `before_` the state, from which it only differs by what the block before did.
 void RegionRun::keepBefore(const MachineState &state) {
+  if (std::exchange(copied_, false))
+    return;
   if (done_)
     return done_->move.catchUp(state, before_);
   if (calculated_)

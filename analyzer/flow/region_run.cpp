@@ -335,6 +335,7 @@ void RegionRun::executeFor(Live &live) {
     keepBefore(live.state);
   } else {
     before_ = live.state;
+    copied_ = false;
     plainRun_ = {};
     modes_ = 0;
   }

@@ -141,6 +141,7 @@ private:
   Truth decision_ = Truth::Unknown;      ///< of the operator, for what the block leaves open
   MachineState before_;                  ///< before the block
   const MachineState *synced_ = nullptr; ///< of which `before_` is a copy, set-up part too
+  bool copied_ = false;                  ///< just now, so that it is in step already
   uint64_t waits_ = 0;         ///< serial number of a state that was so before it went to wait
   bool calculated_ = false;    ///< the block before changed nothing but variables
   bool wrote_ = false;         ///< and of these one at most: `written_`

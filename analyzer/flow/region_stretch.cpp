@@ -56,12 +56,19 @@ bool RegionRun::nobodyIsTold() const {
          run_.used.finishedAhead.empty() && run_.listeners.sleepThrough(run_.stretch);
 }
 
-/// As `goOnInStretch` where nobody is told of the blocks.
+/// As `goOnInStretch` where nobody is told of the blocks, but perhaps of those that lead nowhere.
 void RegionRun::goOnUntold(Live &live) {
+  const bool wantStill = run_.listeners.wantStill();
   while (!run_.stopped && mayGoOn() && readOver() && noteRead() && spend()) {
     keepBefore(live.state);
     done_ = nullptr;
     move_->make(*block_, unit_.source.id(), before_, live.state);
+    if (wantStill && move_->leadsNowhere(before_, live.state)) {
+      run_.visits.begin();
+      run_.visits.visit(live.path);
+      run_.listeners.executed(stepOf(live), true, run_.stopped);
+      run_.endStop();
+    }
     at_ = next_;
   }
 }

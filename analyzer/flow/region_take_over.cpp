@@ -22,6 +22,7 @@ bool RegionRun::takeOver() {
   follow(*known);
   endStretch();
   before_ = lives_[0].state;
+  copied_ = true;
   synced_ = &*lives_[0].state;
   done_ = nullptr;
   modes_ = 0;

@@ -23,6 +23,7 @@ public:
   FlowInterest interest() const override;
   void executed(const Step &step, bool continues) override;
   bool sleepsThrough(uint64_t stretch) const override { return dispatcher_.sleepThrough(stretch); }
+  bool wantsStill() const override { return dispatcher_.wantsStill(); }
   bool executedAgain(const Step &step) override;
   void problem(const Step &step, const FlowProblem &problem) override;
   void callReturned(const Step &step, const MachineState &after) override;

@@ -306,17 +306,22 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
   }
   // Where that is another, they would be awake.
   stateUse |= asleepUse_;
-  if (awake_.empty())
+  const bool still = !atStill_.empty() && before.position == after.position;
+  if (awake_.empty() && !still)
     return;
   prepare(unit, block, outcome, before, after, caller);
   ruleSleep = RuleSleep::No;
+  const size_t known = atStill_.size();
   for (size_t i = 0; i < awake_.size();) {
     const auto &[event, listener] = awake_[i];
     context_.rule_ = listener.id;
     const StateUse used = std::exchange(stateUse, StateUse());
     listener.rule->on(outcome.events[event], context_);
     const RuleSleep said = std::exchange(ruleSleep, RuleSleep::No);
-    if (said == RuleSleep::InStretch || said == RuleSleep::InShape) {
+    if (said == RuleSleep::InStretch || said == RuleSleep::InShape ||
+        said == RuleSleep::WhileMoving) {
+      if (said == RuleSleep::WhileMoving)
+        atStill_.push_back(awake_[i]);
       asleepUse_ |= stateUse;
       awake_.erase(awake_.begin() + ptrdiff_t(i));
     } else {
@@ -324,11 +329,14 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
     }
     stateUse |= used;
   }
+  for (size_t i = 0; still && i < known; ++i) // (who fell asleep at this move has been told of it)
+    tellOne(outcome.events[atStill_[i].event], atStill_[i].listener);
 }
 
 /// All who want to know of every move are told of the events of this one.
 void Dispatcher::wake(const Outcome &outcome) {
   awake_.clear();
+  atStill_.clear();
   asleepUse_ = {};
   for (uint32_t i = 0; i < outcome.events.size(); ++i)
     for (const auto &[kind, listener] : everyBlock_)

@@ -32,6 +32,8 @@ public:
                     uint64_t stretch);
   /// Whether nobody wants to know of further moves of the stretch.
   bool sleepThrough(uint64_t stretch) const { return stretch == stretch_ && awake_.empty(); }
+  /// Whether somebody wants to know of those that lead to where the tool is.
+  bool wantsStill() const { return !atStill_.empty(); }
   /// A `FlowIssue` event of its own, outside of what the block itself emitted.
   void flowIssue(FlowIssue issue, FileUnit &unit, const Block &block, const Outcome &outcome,
                  const MachineState &before, const MachineState &after, const CallSite *caller,
@@ -141,6 +143,7 @@ private:
   std::vector<std::vector<RuleId>> noticesOf_; ///< by code: rules for which the table has some
   std::vector<std::pair<EventKind, Listener>> everyBlock_; ///< of every move, by kind of event
   std::vector<Awake> awake_;                               ///< of the moves of the stretch
+  std::vector<Awake> atStill_;                             ///< of those that lead nowhere
   StateUse asleepUse_; ///< what the others looked at to find that they may sleep
   uint64_t stretch_ = ~uint64_t(0);
   uint32_t kinds_ = 0;

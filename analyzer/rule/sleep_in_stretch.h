@@ -8,9 +8,10 @@ namespace ncvet {
 /// How long the rule that is being told will have nothing to say of that event.
 enum class RuleSleep : uint8_t {
   No,
-  InStretch, ///< until the stretch of blocks ends
-  InShape,   ///< of any block of this shape in these modes
-  AtBlock    ///< of this block of the text in these modes
+  InStretch,   ///< until the stretch of blocks ends
+  WhileMoving, ///< the same, but for moves that lead to where the tool is
+  InShape,     ///< of any block of this shape in these modes
+  AtBlock      ///< of this block of the text in these modes
 };
 
 /// Of the rule that is being told, on this thread; the dispatcher looks at it after each call.
@@ -20,6 +21,10 @@ inline constinit thread_local RuleSleep ruleSleep = RuleSleep::No;
 /// one before: in the same modes, with the same facts known, with the same words. Only such things
 /// may decide it, no number of the block.
 inline void sleepInStretch() { ruleSleep = RuleSleep::InStretch; }
+
+/// The same of following moves that lead somewhere: of one that leaves every axis where it was the
+/// rule is told.
+inline void sleepWhileMoving() { ruleSleep = RuleSleep::WhileMoving; }
 
 /// The rule has nothing to say of this event in any block of this shape (see `shapeOf`) in these
 /// modes, wherever it comes, and remembers nothing of it. What decides that is the shape, the parts

@@ -62,7 +62,7 @@ std::optional<size_t> placeOf(const MachineState &state, int64_t number) {
     return std::nullopt;
   if (const int64_t axis = number - state.ranges.place; axis >= 0 && axis < int64_t(axisCount))
     return size_t(axis);
-  if (number < int64_t(firstSharedVariable))
+  if (number < int64_t(firstSharedVariable) || number >= int64_t(firstNamedVariable))
     return std::nullopt;
   static const auto names = [] {
     std::array<int64_t, axisCount> keys{};
@@ -80,13 +80,14 @@ Value constantOf(const Interval &known) {
 
 /// Value of a variable of the control that says what is in force; none: it is no such variable.
 std::optional<Value> shownIn(const MachineState &state, uint64_t key) {
-  if (!state.ranges.shown || state.commons.given(key) != Truth::No) // (the program wrote to it)
+  const ShownVariables *const all = state.ranges.shown;
+  if (!all || all->empty() || key < all->front().key || key > all->back().key ||
+      state.commons.given(key) != Truth::No) // (the program wrote to it)
     return std::nullopt;
   const auto byKey = [](const ShownVariable &a, uint64_t b) { return a.key < b; };
   std::optional<Value> shown;
-  for (auto at =
-           std::lower_bound(state.ranges.shown->begin(), state.ranges.shown->end(), key, byKey);
-       at != state.ranges.shown->end() && at->key == key; ++at) {
+  for (auto at = std::lower_bound(all->begin(), all->end(), key, byKey);
+       at != all->end() && at->key == key; ++at) {
     shown = shown ? shown : Value::unknown();
     switch (at->part) {
     case ShownVariable::Part::Tool:

@@ -3,7 +3,6 @@
 
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/measure.h"
-#include "interp/evaluate/program_operators.h"
 #include "interp/execute/switches_of_g.h"
 #include "interp/value/units.h"
 
@@ -356,20 +355,6 @@ void Execution::wordIssues() {
     outcome_.emit(EventKind::WordIssue).setWordIssue(WordIssue::SkipLevel);
   emit(WordIssue::NumberInside, block_.addresses & maskOf('N'));
   emit(WordIssue::Special, block_.addresses & dialect_.known & ~dialect_.plain);
-}
-
-/// What the expressions in words cannot compute; those of assignments are looked at where they are
-/// made.
-void Execution::wordDomains() {
-  if (llvm::none_of(block_.operations, [](const ExpressionOp &op) { return mayFail(op.op); }))
-    return;
-  Outcome computed;
-  for (const Word &word : block_.words)
-    if (word.has(wordExpression) && word.address != variableAddress)
-      evaluate(block_, uint16_t(word.mantissa), state_, &computed);
-  for (const Event &event : computed.events)
-    if (event.kind == EventKind::DomainError)
-      outcome_.emit(EventKind::DomainError).setPlace(event.place());
 }
 
 void Execution::resolveCodes() {

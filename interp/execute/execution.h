@@ -54,7 +54,6 @@ private:
   uint16_t axesMoved() const;
   void wordIssues();
   void syntaxIssues();
-  void wordDomains();
   bool runsEmpty() const;
   void resolveCodes();
   void computedCode(const Word &word);
@@ -76,6 +75,7 @@ private:
   bool knownPlaces(KnownMove &move, const StateUse &use) const;
 
   // statements.cpp: Macro B
+  void wordDomains();
   /// The IF of the block, as far as its items have been run.
   struct Guard {
     bool holds = true;        ///< what a statement after the IF asks

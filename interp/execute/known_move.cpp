@@ -44,13 +44,11 @@ void KnownMove::make(const Block &block, FileId file, const MachineState &before
     state.fedFrom.forget();
   if (losesTool)
     state.at(tool) = Interval::unknown();
-  for (size_t i = 0; i < steps.size(); ++i) {
-    const Word &word = block.words[steps[i].word];
-    if (word.has(wordExpression))
-      steps[i].target.move(numbers[i], unit, state);
-    else
-      steps[i].target.move(word, unit, state);
-  }
+  if (computes)
+    moveBy(numbers, block, state);
+  else
+    for (const PlainMove::Step &step : steps)
+      step.target.move(block.words[step.word], unit, state);
   state.machineAxes = machineAxes;
   if (engages)
     noteEntry(before, state);
@@ -58,6 +56,18 @@ void KnownMove::make(const Block &block, FileId file, const MachineState &before
     drill(block, state, outcome, numbers);
   else if (tracksDepth)
     trackDepth(before, state, isRapid);
+}
+
+/// Where expressions give some of the numbers.
+void KnownMove::moveBy(llvm::ArrayRef<double> numbers, const Block &block,
+                       MachineState &state) const {
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const Word &word = block.words[steps[i].word];
+    if (word.has(wordExpression))
+      steps[i].target.move(numbers[i], unit, state);
+    else
+      steps[i].target.move(word, unit, state);
+  }
 }
 
 /// From which side the tool comes to its contour.

@@ -62,6 +62,7 @@ struct KnownMove {
   void catchUp(const MachineState &after, MachineState &before) const;
 
 private:
+  void moveBy(llvm::ArrayRef<double> numbers, const Block &block, MachineState &state) const;
   static void noteEntry(const MachineState &before, MachineState &state);
   void drill(const Block &block, MachineState &state, Outcome &outcome,
              llvm::ArrayRef<double> numbers) const;

@@ -57,6 +57,12 @@ struct PlainMove {
   /// Does what executing the block does, after a block that only differs in its numbers and that
   /// has left the same facts.
   void make(const Block &block, FileId file, const MachineState &before, MachineState &state) const;
+  /// Whether it was made and has left each of its axes where it was.
+  bool leadsNowhere(const MachineState &before, const MachineState &after) const {
+    return llvm::all_of(steps, [&](const Step &step) {
+      return before.at(step.target.axis) == after.at(step.target.axis);
+    });
+  }
 };
 
 /// Keeps the level from which a mill's tool was fed in, and the area in which it has cut. The tool

@@ -1,4 +1,5 @@
 // Statements of Macro B: assignments, conditions, jumps and loops of a block.
+#include "interp/evaluate/program_operators.h"
 #include "interp/execute/execution.h"
 
 #include <cmath>
@@ -223,6 +224,20 @@ void Execution::callOrRepeat(size_t index) {
   if (item.value != noExpression)
     flow.target = evaluate(block_, item.value, state_, &outcome_);
   outcome_.emit(EventKind::Call);
+}
+
+/// What the expressions in words cannot compute; those of assignments are looked at where they are
+/// made.
+void Execution::wordDomains() {
+  if (llvm::none_of(block_.operations, [](const ExpressionOp &op) { return mayFail(op.op); }))
+    return;
+  Outcome computed;
+  for (const Word &word : block_.words)
+    if (word.has(wordExpression) && word.address != variableAddress)
+      evaluate(block_, uint16_t(word.mantissa), state_, &computed);
+  for (const Event &event : computed.events)
+    if (event.kind == EventKind::DomainError)
+      outcome_.emit(EventKind::DomainError).setPlace(event.place());
 }
 
 } // namespace ncvet

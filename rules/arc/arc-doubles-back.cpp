@@ -1,7 +1,9 @@
 // An arc that turns back on itself at both ends: the other direction of turning was meant.
 #include "analyzer/facts/direction_before.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/facts/path_ahead.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "interp/geometry/circle.h"
 
 #include <cmath>
 
@@ -23,18 +25,20 @@ public:
       return sleepInShape();
     if (!isHalfATurnOrMore(event, ctx) || ctx.before().may(Fact::UnknownCode))
       return;
-    const ExecutedBlock here = executedBlock(ctx);
-    const auto begin = directionAt(here, false), end = directionAt(here, true);
-    if (!begin || !end)
+    const auto arc = contourElementOf(executedBlock(ctx));
+    if (!arc)
+      return;
+    const Vector begin = arc->direction(arc->from), end = arc->direction(arc->to);
+    if (goesOnAhead(end, ctx))
       return;
     PathAhead ahead(ctx);
     if (!ahead.next())
       return;
     const auto after = directionAt(ahead.executed(), false);
-    if (!after || end->dot(*after) > cosine_)
+    if (!after || end.dot(*after) > cosine_)
       return;
     const auto before = directionBefore(ctx);
-    if (!before || before->dot(*begin) > cosine_)
+    if (!before || before->dot(begin) > cosine_)
       return;
     if (auto finding = ctx.report(ctx.blockRange()))
       finding
@@ -62,6 +66,80 @@ private:
     const bool afterLine =
         ctx.before().activeAction(ctx.dialect(), StandardGroup::Motion) == Action::Linear;
     return half ? afterLine : sine < -little * scale;
+  }
+
+  /// Whether the next block is a line or an arc that goes on from the arc without turning back: its
+  /// text is read, which costs far less than executing it. False also where the text does not say
+  /// it.
+  bool goesOnAhead(const Vector &end, const RuleContext &ctx) const {
+    const Dialect &dialect = ctx.dialect();
+    const MachineState &state = ctx.after();
+    const Block *const next = ctx.nextAlike();
+    const auto unit = millimetresPer(dialect, state);
+    const std::array<Axis, 2> axes = ctx.arcWords().axes;
+    const Interval &x = state.at(axes[0]), &y = state.at(axes[1]);
+    if (!next || !unit || dialect.isLathe() || !state.frames.empty() || next->skip >= 0 ||
+        (dialect.group(StandardGroup::Diameter) != noGroup && axes[0] == Axis::Z) ||
+        state.isActive(dialect, StandardGroup::Distance, {Action::Absolute}) != Truth::Yes ||
+        !x.isConstant() || !y.isConstant())
+      return false;
+    const auto direction = beginOf(*next, {x.value(), y.value()}, *unit, ctx);
+    if (!direction || end.dot(*direction) <= cosine_)
+      return false;
+    ctx.index().noteRead(next->begin, next->next);
+    return true;
+  }
+
+  /// Direction in which a move begins by the words of its block, which names its code.
+  static std::optional<Vector> beginOf(const Block &block, const Point &from, double unit,
+                                       const RuleContext &ctx) {
+    constexpr double shortest = 1e-3; // mm
+    const ArcWords &here = ctx.arcWords();
+    Point to = from, centre = from;
+    std::optional<double> radius;
+    Action action = Action::None;
+    bool hasCentre = false;
+    for (const Word &word : block.words) {
+      const CodeIndex code = codeOf(ctx.dialect(), word);
+      if (code != noCode && action == Action::None) {
+        action = ctx.dialect().codes[code].action;
+        continue;
+      }
+      if (word.address == letterAddress('F'))
+        continue;
+      if (!word.isNumber() || !word.has(wordPoint))
+        return std::nullopt;
+      const AddressInfo &address = ctx.dialect().addresses[word.address];
+      const double number = word.value() * unit;
+      bool isKnown = word.address == ctx.dialect().arcRadius;
+      if (isKnown)
+        radius = number;
+      for (unsigned i = 0; i < 2 && !isKnown; ++i) {
+        isKnown = address.kind == AddressKind::Axis && address.axis == here.axes[i];
+        if (isKnown)
+          to[i] = number;
+        else if ((isKnown = word.address == here.centreAddress[i]))
+          centre[i] += number, hasCentre = true;
+      }
+      if (!isKnown)
+        return std::nullopt;
+    }
+    if (action == Action::Linear)
+      return radius || hasCentre || distance(from, to) < shortest
+                 ? std::nullopt
+                 : std::optional<Vector>((to - from).normalized());
+    if (!isArc(action) || hasCentre == radius.has_value() || ctx.arc().centreAbsolute)
+      return std::nullopt;
+    const bool clockwise = action == Action::ArcCw;
+    if (radius) {
+      const auto found = centreByRadius(from, to, *radius, clockwise);
+      if (!found)
+        return std::nullopt;
+      centre = *found;
+    }
+    if (distance(centre, from) < shortest)
+      return std::nullopt;
+    return Vector(leftOf(from - centre).normalized() * (clockwise ? -1 : 1));
   }
 
   double cosine_ = 0; ///< of the turn from which on the path doubles back

@@ -205,18 +205,15 @@ private:
     place.list = {ctx.source().id(), listOf(event, ctx)};
     place.depth = ctx.callDepth();
     place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
-    for (unsigned i = 0; i < axisCount; ++i) {
-      if (i == unsigned(tool))
-        continue;
-      if (!position[i].isConstant()) {
-        if (event.axes >> i & 1)
-          return false;
-        continue;
-      }
-      place.at[i] = rounded(position[i].value());
-    }
     if (!position[0].isConstant())
       return false;
+    for (unsigned i = 0; i < axisCount; ++i)
+      if (i == unsigned(tool))
+        continue;
+      else if (position[i].isConstant())
+        place.at[i] = rounded(position[i].value());
+      else if (event.axes >> i & 1)
+        return false;
     if (frame) {
       const Point3 turned = *frame * Point3{position[0], position[1], position[2]};
       for (unsigned i = 0; i < turned.size(); ++i) {

@@ -1,6 +1,7 @@
 // A rapid move to where the tool has cut, and then the tool is changed.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <algorithm>
 #include <map>
@@ -32,7 +33,7 @@ public:
     if (zero_)
       nowhere(event, ctx);
     if (event.motion != MotionKind::Rapid)
-      return;
+      return sleepWhileMoving();
     constexpr uint16_t plane = 1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y);
     if (event.inMachineCoordinates() || !event.axes || (event.axes & ~plane))
       return;

@@ -77,14 +77,15 @@ private:
   /// `SUPA G0 Z500 D0`, and a cut without D1.
   void afterRetract(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
+    if (event.inMachineCoordinates() || state.radiusOffset != 0 || state.tool == 0 ||
+        !state.must(Fact::ToolCalled) || ctx.before().may(Fact::UnknownCode))
+      return sleepInShape();
     const Origin &off = state.origin.of(StatePart::RadiusOffset);
     // A change of the tool takes its first edge by itself.
     const Origin &tool = state.origin.of(StatePart::Tool);
     if (tool.known() && tool.file == off.file && tool.begin > off.begin)
       return;
-    if (event.inMachineCoordinates() || state.radiusOffset != 0 || state.tool == 0 ||
-        !state.must(Fact::ToolCalled) || ctx.before().may(Fact::UnknownCode) ||
-        !memory().once.maySpeak(off, ctx) || !isOfRetract(ctx, off) ||
+    if (!memory().once.maySpeak(off, ctx) || !isOfRetract(ctx, off) ||
         !memory().once.speaks(off, ctx))
       return;
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))

@@ -452,24 +452,46 @@ std::vector<Sample> randomLoops() {
                                             "ENDFOR",
                                             "G41 X=R1",
                                             "G40 X=R1"};
+  const std::vector<std::string> bracketed{"#2=[#2*0.5+1]",
+                                           "#<depth>=[0-#1]",
+                                           "o2 if [#1 GT 4]",
+                                           "G1 X#2 Y[#1*2] Z#<depth> F200",
+                                           "o2 else",
+                                           "G0 Z[5+#<depth>]",
+                                           "o2 endif",
+                                           "o3 repeat [2]",
+                                           "G91 X#2",
+                                           "o3 endrepeat",
+                                           "G90",
+                                           "o9 call [#1] [#2]",
+                                           "G2 X#1 Y0 R[10+#1]",
+                                           "#4=[1/[#1-5]]",
+                                           "G81 X#1 Z-2 R1",
+                                           "X#2",
+                                           "G80",
+                                           "X#5420 Y#5221"};
   std::mt19937 dice(11);
   std::vector<Sample> samples;
-  for (unsigned turn = 0; turn < 60; ++turn) {
-    const bool isMacro = turn % 3;
-    const std::vector<std::string> &lines = isMacro ? macro : structured;
-    std::string text = isMacro
-                           ? "%\nO1\nG21 G17 G90 G94 G54 G49 G80 G40\nT1 M6\nG43 H1 Z50.\n#101=0\n"
-                             "WHILE [#101 LT 6] DO 1\n"
-                           : "G71 G17 G90 G94 G54\nT1 M6 D1\nR1=0\nWHILE R1<6\n";
+  for (unsigned turn = 0; turn < 90; ++turn) {
+    const bool isMacro = turn % 3, isBracketed = turn % 6 == 3;
+    const std::vector<std::string> &lines = isMacro ? macro : isBracketed ? bracketed : structured;
+    std::string text =
+        isMacro       ? "%\nO1\nG21 G17 G90 G94 G54 G49 G80 G40\nT1 M6\nG43 H1 Z50.\n#101=0\n"
+                        "WHILE [#101 LT 12] DO 1\n"
+        : isBracketed ? "o9 sub\n#3=[#1+#2]\nG1 X#3 F100\no9 endsub\nG21 G17 G90 G94 G54 G40\n"
+                        "T1 M6\nG43 H1 Z50\nF100\n#1=0\n#2=1\no1 while [#1 LT 12]\n"
+                      : "G71 G17 G90 G94 G54\nT1 M6 D1\nR1=0\nWHILE R1<12\n";
     const size_t first = dice() % lines.size(), count = 3 + dice() % 9;
     for (size_t i = 0; i < count; ++i)
       text += lines[isMacro ? dice() % lines.size() : (first + i) % lines.size()] + "\n";
-    text += isMacro ? "N50 #101=#101+1\nEND 1\nM30\nO2\n#1=#26-0.1\n#105=#1+0.05\n"
-                      "IF [#1 LT 0] GOTO 9\nG1 Z#1\nN9 M99\nO3\n#107=#107+1\nX#107\nM99\n%\n"
-                    : "R1=R1+1\nENDWHILE\nM30\n";
-    const char *const controls[] = {"fanuc-mill", "haas-mill"};
-    samples.push_back(
-        {isMacro ? controls[turn % 2] : "sinumerik", "loop " + std::to_string(turn), text, ""});
+    text += isMacro       ? "N50 #101=#101+1\nEND 1\nM30\nO2\n#1=#26-0.1\n#105=#1+0.05\n"
+                            "IF [#1 LT 0] GOTO 9\nG1 Z#1\nN9 M99\nO3\n#107=#107+1\nX#107\nM99\n%\n"
+            : isBracketed ? "#1=[#1+1]\no1 endwhile\nM2\n"
+                          : "R1=R1+1\nENDWHILE\nM30\n";
+    const std::string control = isMacro       ? turn % 2 ? "haas-mill" : "fanuc-mill"
+                                : isBracketed ? "linuxcnc"
+                                              : "sinumerik";
+    samples.push_back({control, "loop " + std::to_string(turn), text, ""});
   }
   return samples;
 }
