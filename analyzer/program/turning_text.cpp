@@ -20,6 +20,10 @@ bool choosesDiameters(const Dialect &dialect) {
 /// What the blocks so far have.
 struct Marks {
   bool x = false, z = false, turning = false;
+  bool diameters = false, changes = false;
+
+  /// A turret changes by T alone, on most lathes.
+  bool ofLathe() const { return x && z && turning && (diameters || !changes); }
 
   /// False: the program is for a mill, or says its plane.
   bool see(const Block &block, const Dialect &dialect) {
@@ -37,11 +41,15 @@ struct Marks {
       case Action::PlaneXY:
       case Action::PlaneZX:
       case Action::PlaneYZ:
-      case Action::ToolChange: // a turret changes by T alone
         return false;
+      case Action::ToolChange:
+        changes = true;
+        break;
       case Action::DiameterOn:
       case Action::DiameterAbsolute:
       case Action::DiameterOff:
+        diameters = turning = true;
+        break;
       case Action::SurfaceSpeed:
         turning = true;
         break;
@@ -66,7 +74,7 @@ bool readsAsTurning(const FileUnit &unit, const ProgramInfo &program) {
   for (const Block &block : blocks(unit.index.reader(), program.body, program.end, mostBlocks))
     if (!marks.see(block, dialect))
       return false;
-  return marks.x && marks.z && marks.turning;
+  return marks.ofLathe();
 }
 
 } // namespace ncvet

@@ -52,7 +52,8 @@ public:
     if (!missingWords(ctx, event).empty())
       return;
     for (const Word &word : ctx.block().words) {
-      if (&word == event.word || own & maskOf(word.address) || isCalled(code, word, ctx))
+      if (&word == event.word || own & maskOf(word.address) || isCalled(code, word, ctx) ||
+          isHowItMoves(code, word, ctx))
         continue;
       auto finding = ctx.report(word);
       if (!finding)
@@ -132,6 +133,15 @@ private:
       finding.message("`{0}` belongs to the path and wants a block of the program: no synchronised "
                       "action takes it",
                       ctx.text(range));
+  }
+
+  /// `G0 G75 X0`: the way to a reference or fixed point is a rapid move in any case.
+  static bool isHowItMoves(const CodeInfo &code, const Word &word, const RuleContext &ctx) {
+    const CodeIndex other =
+        code.action == Action::ReferenceReturn && ctx.dialect().lexical.commaSeparates
+            ? codeOf(ctx.dialect(), word)
+            : noCode;
+    return other != noCode && ctx.dialect().codes[other].action == Action::Rapid;
   }
 
   /// The cycle that a modal call calls.

@@ -1,6 +1,7 @@
 // A straight plunge along the tool runs at the feed of the cuts in the plane.
 #include "analyzer/rule/rule.h"
 #include "formats/text/number_text.h"
+#include "interp/state/modes.h"
 
 namespace ncvet {
 namespace {
@@ -49,7 +50,8 @@ private:
     const MachineState &before = ctx.before(), &after = ctx.after();
     const Interval &from = before.at(Axis::Z), &to = after.at(Axis::Z);
     if (!from.isConstant() || !to.isConstant() || after.may(Fact::UnknownCode) ||
-        !after.feed.get().isConstant() || before.inMachineCoordinates(Axis::Z))
+        toolAxis(ctx.dialect(), after) != Axis::Z || !after.feed.get().isConstant() ||
+        before.inMachineCoordinates(Axis::Z))
       return false;
     const auto tool = ctx.machine().tools.find(after.tool.get());
     const llvm::StringRef kind =

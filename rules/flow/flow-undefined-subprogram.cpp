@@ -24,21 +24,24 @@ bool isNamed(const Flow &flow) {
   return flow.kind == FlowKind::CallNamed || flow.kind == FlowKind::CallModal;
 }
 
-/// Whether the name that is called has the number of a cycle of the control and almost its letters:
-/// `CYLCE81`.
-bool isMistyped(const RuleContext &ctx) {
+/// The cycle or instruction of the control whose number the called name has, and almost its
+/// letters: `CYLCE81`; null: there is none.
+const CodeInfo *mistypedFor(const RuleContext &ctx) {
   constexpr size_t shortest = 5; // shorter names are like each other by chance
-  constexpr unsigned most = 2;   // letters; two that are changed round are two
   const std::string text = ctx.text(ctx.flowRange()).split('(').first.trim().upper();
   const llvm::StringRef name = text, letters = name.rtrim("0123456789");
   if (letters.size() + 1 < shortest)
-    return false;
-  return llvm::any_of(ctx.dialect().codes, [&](const CodeInfo &code) {
+    return nullptr;
+  for (const CodeInfo &code : ctx.dialect().codes) {
     const llvm::StringRef known = code.name, own = known.rtrim("0123456789");
-    return !code.letter && own.size() >= shortest && own != letters &&
-           known.drop_front(own.size()) == name.drop_front(letters.size()) &&
-           own.edit_distance(letters, true, most) <= most;
-  });
+    // Two letters that are changed round are two; words without a number are many.
+    const unsigned most = own.size() < known.size() ? 2 : 1;
+    if (!code.letter && own.size() >= shortest && own != letters &&
+        known.drop_front(own.size()) == name.drop_front(letters.size()) &&
+        own.edit_distance(letters, true, most) <= most)
+      return &code;
+  }
+  return nullptr;
 }
 
 /// How the control calls the block of this program that has the number of the called program;
@@ -98,12 +101,17 @@ public:
     }
     // A subprogram may belong to a set of the machine's builder, which lies on the control.
     if (isNamed(flow) && ctx.index().programAt(ctx.block().begin).kind == ProgramKind::Subprogram &&
-        !isMistyped(ctx))
+        !mistypedFor(ctx))
       return;
     auto finding = ctx.report(ctx.flowRange(), event.certain && !builtIn);
     if (!finding)
       return;
-    if (local) // no folder of the control can hold it
+    const CodeInfo *const meant = isNamed(flow) ? mistypedFor(ctx) : nullptr;
+    if (meant)
+      finding.severity(Severity::Warning)
+          .message("`{0}` calls a program that was not found: was `{1}` meant?",
+                   ctx.text(ctx.flowRange()), meant->name);
+    else if (local) // no folder of the control can hold it
       finding.severity(Severity::Error)
           .message("`{0}` calls a block that this program does not have: the control stops here",
                    ctx.text(ctx.flowRange()));

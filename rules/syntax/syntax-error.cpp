@@ -96,6 +96,9 @@ private:
     if (isForeignIf(ctx, issue))
       return "`{0}` is no statement that the control knows: its conditions are written "
              "`o1 if [#1 GT 0]` .. `o1 endif`";
+    if (ctx.dialect().lexical.commaSeparates &&
+        ctx.text(ctx.range(issue)).startswith_insensitive("STEP"))
+      return "`{0}`: FOR counts by 1 and has no step; WHILE counts by any";
     if (!ctx.text(ctx.range(issue)).equals_insensitive("THEN"))
       return "`{0}` is no statement that the control knows";
     return tellsOfIf(ctx) ? "`{0}` without a statement after it: this control has no IF of several "

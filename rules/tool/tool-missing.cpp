@@ -15,6 +15,7 @@ public:
   void listen(Subscriptions &to) override {
     to.onChange({EventKind::Motion, EventKind::CycleRun, EventKind::ToolChange});
     anyMachine_ = to.flag("anyMachine");
+    whereNamed_ = to.flag("whereNamed");
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
@@ -39,6 +40,8 @@ public:
         !ctx.after().may(Fact::SpeedSet) && !ctx.after().may(Fact::SpindleStated) && !nameless;
     if (anyMachine_ && unsaid && saysNothingOfTools(ctx))
       return;
+    if (whereNamed_ && !nameless && callsNoTool(ctx))
+      return;
     const bool certain = event.certain && (nameless || !ctx.after().may(Fact::ToolCalled));
     if (auto finding = ctx.report(ctx.blockRange(), certain))
       finding.message("`{0}` cuts before any tool is called: whatever is in the machine cuts, with "
@@ -47,6 +50,14 @@ public:
   }
 
 private:
+  /// Whether the program and its callers have one tool, which is in the machine.
+  static bool callsNoTool(const RuleContext &ctx) {
+    return noRunningProgramHas(ctx, [&](const Block &block) {
+      return block.has(letterAddress('T')) || findCode(ctx.dialect(), block, {Action::ToolChange});
+    });
+  }
+
+  bool whereNamed_ = false; ///< only a program that calls a tool somewhere is judged
   bool anyMachine_ = false; ///< a program that names no tool at all may be for a machine without
 };
 

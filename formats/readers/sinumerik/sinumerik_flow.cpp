@@ -206,6 +206,11 @@ void SinumerikScanner::scanFor(const char *begin) {
   if (good) {
     at_ = identifier().end();
     item.limit = expression();
+    skipBlanks();
+    if (const llvm::StringRef step = identifier(); step.equals_insensitive("STEP")) {
+      rest();
+      issue(SyntaxIssueKind::BadStatement, step.begin(), at_);
+    }
   } else {
     issue(SyntaxIssueKind::BadStatement, begin, at_);
     rest();
