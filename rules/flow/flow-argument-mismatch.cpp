@@ -234,7 +234,15 @@ private:
     });
   }
 
+  /// What is said of the program's head is told there.
+  static bool isHeadOpen(const SourceRange &head, const RuleContext &ctx) {
+    const llvm::StringRef text = ctx.text(head);
+    return text.count('(') > text.count(')');
+  }
+
   static void atCall(const Event &event, RuleContext &ctx) {
+    if (ctx.flowRelated().end && isHeadOpen(ctx.flowRelated(), ctx))
+      return;
     const char *what = nullptr;
     std::optional<Severity> severity;
     switch (event.flowIssue()) {
