@@ -41,6 +41,11 @@ public:
     // rule speaks.
     if (staysPut && ctx.dialect().facts->arcs.centreAndEnd)
       return;
+    // A rotary axis gives the end: polar interpolation, or a builder's own.
+    constexpr uint16_t rotary =
+        1u << unsigned(Axis::A) | 1u << unsigned(Axis::B) | 1u << unsigned(Axis::C);
+    if (staysPut && (axesOf(ctx.dialect(), ctx.block()) & rotary))
+      return;
     // A radius of zero is reported as such.
     if (arc.radius && *arc.radius == 0)
       return;

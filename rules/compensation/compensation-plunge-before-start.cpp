@@ -8,6 +8,7 @@ namespace {
 class CompensationPlungeBeforeStart final : public Rule {
 public:
   void listen(Subscriptions &to) override {
+    onContour_ = to.flag("onContour");
     if (!to.dialect().isLathe())
       to.on(EventKind::CompensationMove);
   }
@@ -16,7 +17,7 @@ public:
     if (event.code == noCode || ctx.code(event).action == Action::CompensationOff ||
         !ctx.before().must(Fact::PlungedUncompensated))
       return;
-    if (isInCircle(ctx))
+    if (isInCircle(ctx) || (onContour_ && isOutside(ctx)))
       return;
     const CodeUse *use = ctx.find({Action::CompensationLeft, Action::CompensationRight});
     const SourceRange where = use ? ctx.range(*use->word) : ctx.blockRange();
@@ -28,6 +29,8 @@ public:
   }
 
 private:
+  bool onContour_ = false; ///< beside the contour the tool may go down
+
   /// The move leads from inside of the circle that is milled next out to it: down in the middle of
   /// a bore nothing is spoilt.
   static bool isInCircle(const RuleContext &ctx) {
@@ -39,6 +42,34 @@ private:
     constexpr double inside = 0.99; // of the radius
     return circle && circle->arc &&
            (Vector(x.value(), y.value()) - circle->centre).norm() < inside * circle->radius();
+  }
+
+  /// The tool went down outside of the box round the contour that it then walks.
+  static bool isOutside(const RuleContext &ctx) {
+    constexpr unsigned longest = 200; // elements
+    const Interval &x = ctx.before().at(Axis::X), &y = ctx.before().at(Axis::Y);
+    if (!x.isConstant() || !y.isConstant())
+      return false;
+    Interval boxX = emptyInterval, boxY = emptyInterval;
+    const auto take = [&](const MachineState &state) {
+      const Interval &toX = state.at(Axis::X), &toY = state.at(Axis::Y);
+      if (!toX.isConstant() || !toY.isConstant())
+        return false;
+      boxX = {std::min(boxX.lo, toX.lo), std::max(boxX.hi, toX.hi)};
+      boxY = {std::min(boxY.lo, toY.lo), std::max(boxY.hi, toY.hi)};
+      return true;
+    };
+    if (!take(ctx.after()))
+      return false;
+    PathAhead ahead(ctx);
+    for (unsigned i = 0; i < longest && ahead.next(); ++i) {
+      const ExecutedBlock executed = ahead.executed();
+      if (executed.after.compensation != phaseOn)
+        return !boxX.contains(x.value()) || !boxY.contains(y.value());
+      if (!take(executed.after))
+        return false;
+    }
+    return false;
   }
 };
 

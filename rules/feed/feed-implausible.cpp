@@ -38,6 +38,9 @@ public:
     if (!carried && value.value() > perMinuteAbove_ &&
         (!mode || mode->action == Action::FeedPerMinute))
       return tooMuch(event, ctx);
+    if (!mode && !carried && !ctx.dialect().isLathe() &&
+        value.value() * millimetresPerInch < perMinuteBelow_ && isOfMill(ctx))
+      return creeps(event, ctx);
     if (!mode)
       return sleepInShape();
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
@@ -81,6 +84,24 @@ private:
     if (auto finding = ctx.report(event))
       finding.message("`{0}` per revolution rubs and does not cut: was a digit or the point lost?",
                       ctx.text(*event.word));
+  }
+
+  /// A mill begins with the feed per minute, where nothing says otherwise.
+  static void creeps(const Event &event, RuleContext &ctx) {
+    if (auto finding = ctx.report(event))
+      finding.message(
+          "`{0}` is a feed per minute here, as no code says otherwise: its size is that "
+          "of a feed per revolution",
+          ctx.text(*event.word));
+  }
+
+  /// Nothing said so far speaks for a lathe, and the block moves.
+  static bool isOfMill(const RuleContext &ctx) {
+    const GroupIndex feed = ctx.dialect().group(StandardGroup::FeedMode);
+    const GroupIndex speed = ctx.dialect().group(StandardGroup::SpeedMode);
+    return feed != noGroup && ctx.block().hasAny(ctx.dialect().axisWords) &&
+           ctx.after().at(Axis::Y).isConstant() &&
+           (speed == noGroup || ctx.after().group(speed) == groupUnset);
   }
 
   static bool cuts(const Event &event) {

@@ -74,7 +74,8 @@ private:
     readBlockAt(file.source, file.reader, reached.end - 1, block);
     const bool ends =
         afterEnd_ && findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
-    if (block.skip >= 0 || !(ends || leadsAway(block, ctx.dialect())))
+    const bool alarm = raisesAlarm(block, ctx.dialect());
+    if (block.skip >= 0 || !(ends || alarm || leadsAway(block, ctx.dialect())))
       return;
     for (uint32_t at = reached.end; at < program.end; at = std::max(block.next, at + 1)) {
       file.reader.read(at, block);
@@ -84,6 +85,8 @@ private:
         continue;
       // What a jump names is for other arguments than those of the calls in this file.
       if (block.number >= 0 && llvm::is_contained(file.usedNumbers, block.number))
+        return;
+      if (alarm && onlyWaits(block, ctx.dialect()))
         return;
       if (!file.isReached(block.begin) && !onlyEndsLoop(block) && !endsAfterLoop(block, ctx))
         if (auto finding = ctx.report(contentOf(block, file.source)))
@@ -103,6 +106,24 @@ private:
   bool endsAfterLoop(const Block &block, const RuleContext &ctx) const {
     return !afterEnd_ &&
            findCode(ctx.dialect(), block, {Action::ProgramEnd, Action::ProgramEndRewind});
+  }
+
+  /// After an alarm programs wait, go on elsewhere or return by habit: nothing is lost.
+  static bool onlyWaits(const Block &block, const Dialect &dialect) {
+    return llvm::any_of(block.items,
+                        [](const Item &item) { return item.kind == ItemKind::Jump; }) ||
+           findCode(dialect, block,
+                    {Action::Return, Action::Dwell, Action::ProgramEnd, Action::ProgramEndRewind});
+  }
+
+  /// `#3000=1(..)` without a condition: the control stops there for good.
+  static bool raisesAlarm(const Block &block, const Dialect &dialect) {
+    const auto &messages = dialect.facts->messages;
+    return block.items.size() == 1 && block.items.front().kind == ItemKind::Assignment &&
+           llvm::any_of(messages.variables, [&](const auto variable) {
+             return block.keyOf(block.items.front().target) == uint64_t(variable) &&
+                    !llvm::is_contained(messages.stops, variable);
+           });
   }
 
   static bool leadsAway(const Block &block, const Dialect &dialect) {

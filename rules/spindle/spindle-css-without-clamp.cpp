@@ -1,4 +1,6 @@
 // Constant surface speed without a limit of the spindle's speed.
+#include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
 
@@ -10,6 +12,7 @@ public:
   void listen(Subscriptions &to) override {
     // A control that has no such limit cannot be asked for one.
     limit_ = "";
+    limitFollows_ = to.flag("limitFollows");
     for (const CodeInfo &code : to.dialect().codes)
       if (code.action == Action::SpeedLimit && limit_.empty())
         limit_ = code.name;
@@ -30,6 +33,8 @@ public:
     // Reported where the mode is switched on, not where it is said again.
     if (ctx.before().activeAction(ctx.dialect(), StandardGroup::SpeedMode) == Action::SurfaceSpeed)
       return;
+    if (limitFollows_ && comesAtOnce(ctx))
+      return;
     const bool certain = !state.may(Fact::SpeedLimitSet) && !state.may(Fact::UnknownCode);
     if (auto finding = ctx.report(event, certain)) {
       finding.message(
@@ -44,7 +49,32 @@ public:
   }
 
 private:
+  /// The limit is in one of the next blocks, and nothing moves before it.
+  static bool comesAtOnce(const RuleContext &ctx) {
+    constexpr unsigned furthest = 3; // blocks
+    const Dialect &dialect = ctx.dialect();
+    const AddressMask moves = dialect.axisWords | dialect.incrementWords;
+    if (ctx.block().hasAny(moves))
+      return false;
+    const auto limits = [&](const Block &block) {
+      return block.has(letterAddress('S')) &&
+             llvm::any_of(codesOf(dialect, block), [&](const CodeIndex index) {
+               return llvm::any_of(dialect.codes, [&](const CodeInfo &code) {
+                 return code.action == Action::SpeedLimit &&
+                        (code.base == index || &code == &dialect.codes[index]);
+               });
+             });
+    };
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next) && !next.hasAny(moves); ++i)
+      if (limits(next))
+        return true;
+    return false;
+  }
+
   std::string limit_;
+  bool limitFollows_ = false;                ///< the limit may come in one of the next blocks
   llvm::SmallVector<uint64_t, 2> variables_; ///< keys of those that hold a limit
 };
 

@@ -1,5 +1,6 @@
 // A tool change while the tool is in the work or too low.
 #include "analyzer/facts/block_before.h"
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/length_text.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
@@ -43,7 +44,7 @@ public:
       return;
     if (before.may(Fact::AwayFromPart)) {
       afterHole(event, ctx);
-      if (!afterCut(event, ctx))
+      if (!afterTurning(event, ctx) && !afterCut(event, ctx))
         nearCut(event, ctx);
       return;
     }
@@ -97,6 +98,65 @@ private:
       if (!onlySwitches(ctx.dialect(), block))
         return;
     }
+  }
+
+  /// The roughing, grooving or threading cycle that the block runs, perhaps as what its code is
+  /// under a condition; null: there is none. A finishing cycle is looked at as a cut.
+  static const CodeInfo *turningCycle(const Dialect &dialect, const Block &block) {
+    for (const CodeIndex index : codesOf(dialect, block))
+      for (const CodeInfo &code : dialect.codes)
+        if (code.base == index || &code == &dialect.codes[index])
+          switch (code.cycle) {
+          case CycleKind::RoughTurn:
+          case CycleKind::RoughFace:
+          case CycleKind::PatternRepeat:
+          case CycleKind::GrooveRadial:
+          case CycleKind::GrooveFace:
+          case CycleKind::ThreadMulti:
+            return &code;
+          default:
+            break;
+          }
+    return nullptr;
+  }
+
+  /// The block that runs such a cycle, when nothing has moved since then; an empty block: another.
+  static Block lastCycle(const RuleContext &ctx) {
+    const MachineState &before = ctx.before();
+    BlocksBefore way(ctx);
+    Block block;
+    bool more = way.next(block);
+    while (more && isPlain(block) && onlySwitches(ctx.dialect(), block))
+      more = way.next(block);
+    if (!more || !isPlain(block) || &way.unit() != &ctx.unit())
+      return {};
+    // The profile of a roughing cycle is not run by itself, on most controls.
+    const Origin &roughing = before.origin.of(StatePart::Roughing);
+    if (!ctx.dialect().profileRunsThrough && before.roughFirst >= 0 &&
+        block.number == before.roughLast && isHere(ctx, roughing))
+      readBlockOf(ctx, roughing, block);
+    return turningCycle(ctx.dialect(), block) ? block : Block();
+  }
+
+  /// Such a cycle ends where it began, which is close to the part.
+  static bool afterTurning(const Event &event, RuleContext &ctx) {
+    constexpr double nearZ = 20; // mm before the zero point
+    const Interval &z = ctx.before().at(Axis::Z);
+    const GroupIndex units = ctx.dialect().group(StandardGroup::Units);
+    const Block block = ctx.dialect().isLathe() ? lastCycle(ctx) : Block();
+    const CodeInfo *const cycle = turningCycle(ctx.dialect(), block);
+    if (!cycle || !z.isConstant() || z.value() > nearZ ||
+        ctx.before().inMachineCoordinates(Axis::Z) ||
+        (units != noGroup && ctx.before().group(units) != groupUnset &&
+         !ctx.before().isStated(units)))
+      return false;
+    if (auto finding = ctx.report(event, !ctx.before().may(Fact::UnknownCode)))
+      finding
+          .message("the tool is changed where `{0}` began and ended, close to the part: the next "
+                   "one may hit part, chuck or clamps",
+                   cycle->name)
+          .note(wordsRange(ctx, block), "the cycle runs here");
+    return true;
   }
 
   /// On a lathe the tool was lifted off the cut in X by a little, and has not moved since then.

@@ -1,4 +1,6 @@
 // Length compensation that is still on at a tool change, a machine move or the program's end.
+#include "analyzer/facts/blocks_ahead.h"
+#include "analyzer/facts/lookahead.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -35,7 +37,8 @@ public:
     const Truth on = state.isActive(ctx.dialect(), StandardGroup::LengthOffset,
                                     {Action::LengthPositive, Action::LengthNegative});
     const CodeInfo *code = state.activeCode(ctx.dialect(), StandardGroup::LengthOffset);
-    if (on != Truth::Yes || !code || state.lengthOffset == 0)
+    if (on != Truth::Yes || !code || state.lengthOffset == 0 ||
+        (event.kind != EventKind::ProgramEnd && isReplaced(ctx)))
       return;
     if (auto finding = event.word ? ctx.report(*event.word) : ctx.report(ctx.blockRange())) {
       finding
@@ -49,6 +52,27 @@ public:
       finding.fix(FixSafety::Unsafe, "insert `" + off + "` before this block",
                   ctx.insertBlockBefore(off));
     }
+  }
+
+private:
+  /// The next move along the tool axis switches another length on, or goes to the machine's zero
+  /// again; or the program ends before one, where it is told.
+  static bool isReplaced(const RuleContext &ctx) {
+    constexpr unsigned furthest = 30; // blocks
+    const auto tool = unsigned(toolAxis(ctx.dialect(), ctx.after()));
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest; ++i) {
+      if (!ahead.next(next))
+        return ahead.isOver();
+      if (findCode(ctx.dialect(), next,
+                   {Action::LengthPositive, Action::LengthNegative, Action::LengthOff,
+                    Action::ReferenceReturn, Action::MachineMove}))
+        return true;
+      if (axesOf(ctx.dialect(), next) >> tool & 1)
+        return false;
+    }
+    return false;
   }
 };
 

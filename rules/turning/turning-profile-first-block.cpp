@@ -1,6 +1,7 @@
 // The first block of a profile has the wrong motion code or axes for the roughing cycle.
 #include "analyzer/facts/profile_shape.h"
 #include "analyzer/facts/turning_profile.h"
+#include "analyzer/program/references.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 
@@ -27,11 +28,69 @@ public:
     const bool finishing = cycle.cycle == CycleKind::Finish;
     if (finishing && !finish_)
       return;
+    if (!finishing && !ctx.dialect().profileRunsThrough)
+      between(cycle, event, ctx);
+    if (codeRequired_ && !finishing && isEmpty(cycle, event, ctx))
+      return;
     for (const ProfileWay &way : profileWays(ctx))
       judge({event, cycle, way}, ctx);
   }
 
 private:
+  /// The control goes on after the profile: moves between the cycle and the profile are left out.
+  static void between(const CodeInfo &cycle, const Event &event, RuleContext &ctx) {
+    const int64_t first = ctx.outcome().flow.first;
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const auto place =
+        resolveBlock(ctx.index(), program, Reference::toBlock(first), ctx.block().begin);
+    constexpr unsigned furthest = 10; // blocks; a profile further off is not looked for here
+    Block block = ctx.block();
+    SourceRange lost;
+    for (unsigned i = 0; place && i < furthest && readOn(ctx.index(), block); ++i) {
+      if (block.begin >= *place || block.number == first)
+        break;
+      // With other work between them the profile is one of those that are kept apart.
+      if (i + 1 == furthest || block.skip >= 0 || !block.items.empty() ||
+          block.has(letterAddress('T')) ||
+          findCode(ctx.dialect(), block,
+                   {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind}) ||
+          block.has(letterAddress('P')))
+        return;
+      if (lost.empty() && block.hasAny(ctx.dialect().axisWords | ctx.dialect().incrementWords))
+        lost = wordsRange(ctx, block);
+    }
+    if (lost.empty() || *place <= ctx.block().begin)
+      return;
+    if (auto finding = ctx.report(lost, event.certain))
+      finding.severity(Severity::Warning)
+          .message("this block between `{0}` and N{1}, where its profile begins, is never run: the "
+                   "control goes on after the profile",
+                   cycle.name, first)
+          .note(ctx.blockRange(), "the cycle that works along the profile");
+  }
+
+  /// The number of the first block is in a line of its own.
+  static bool isEmpty(const CodeInfo &cycle, const Event &event, RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    const auto place = resolveBlock(
+        ctx.index(), program, Reference::toBlock(ctx.outcome().flow.first), ctx.block().begin);
+    if (!place)
+      return false;
+    Block block;
+    ctx.index().read(*place, block);
+    if (!block.words.empty() || !block.items.empty())
+      return false;
+    if (auto finding =
+            ctx.report(SourceRange{ctx.source().id(), block.begin, block.end}, event.certain))
+      finding
+          .message(
+              "the first block of the profile of `{0}` is empty: the G00 or G01 move that leads "
+              "to the contour belongs into it",
+              cycle.name)
+          .note(ctx.blockRange(), "the cycle that works along this profile");
+    return true;
+  }
+
   /// A cycle and one of the profiles along which it may work.
   struct Work {
     const Event &event;

@@ -38,6 +38,10 @@ public:
                         name, flow.first, flow.last);
       return;
     }
+    // A finishing cycle along the profile of the roughing cycle before says it once more.
+    if (flow.code != noCode && ctx.dialect().codes[flow.code].cycle == CycleKind::Finish &&
+        ctx.before().roughFirst == flow.first && ctx.before().roughLast == flow.last)
+      return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
     const bool noFirst =
         !resolveBlock(ctx.index(), program, Reference::toBlock(flow.first), ctx.block().begin);

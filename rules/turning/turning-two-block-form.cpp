@@ -17,7 +17,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleStart);
     mixed_ = to.flag("mixed");
-    if (mixed_)
+    if (mixed_ || llvm::any_of(to.dialect().codes, isGroove))
       to.on(EventKind::CycleRun);
     to.onNotices(id);
   }
@@ -33,7 +33,7 @@ public:
     if (mixed_)
       forms(event, code, ctx);
     if (event.kind == EventKind::CycleRun)
-      return;
+      return isGroove(code) ? relief(event, code, ctx) : void();
     if (!code.twoBlock || ctx.after().pendingCycle != event.code)
       return;
     BlocksAhead ahead(ctx);
@@ -68,6 +68,35 @@ public:
   }
 
 private:
+  /// A grooving cycle of two blocks.
+  static bool isGroove(const CodeInfo &code) {
+    return code.twoBlock &&
+           (code.cycle == CycleKind::GrooveRadial || code.cycle == CycleKind::GrooveFace);
+  }
+
+  /// R in the block that runs the cycle, and no block before it that gives the retract: it is the
+  /// relief at the bottom, and the tool moves sideways in the groove.
+  static void relief(const Event &event, const CodeInfo &code, RuleContext &ctx) {
+    const Word *const word = wordOf(ctx.block(), code, Role::Relief);
+    const auto value = valueOf(ctx, code, Role::Relief);
+    if (!word || !value || *value == 0 || ctx.before().pendingCycle != noCode)
+      return;
+    constexpr unsigned furthest = 200; // blocks
+    Block block;
+    bool more = readPrevious(ctx, block);
+    for (unsigned i = 0; more && i < furthest; ++i, more = readBack(ctx, block))
+      for (const CodeIndex index : codesOf(ctx.dialect(), block))
+        if (const CodeInfo &other = ctx.dialect().codes[index];
+            other.letter == code.letter && other.number == code.number &&
+            !block.hasAny(ctx.dialect().axisWords | ctx.dialect().incrementWords))
+          return; // the data last until others are given
+    if (auto finding = ctx.report(*word, event.certain))
+      finding.severity(Severity::Warning)
+          .message("`{0}` in the block that runs `{1}` is the relief at the bottom, where the tool "
+                   "moves sideways in the groove: the retract is in a block before it",
+                   ctx.text(*word), code.name);
+  }
+
   bool mixed_ = false; ///< a machine takes one of the two forms
 
   /// A parameter of the machine decides between the forms: one program has one of them.
