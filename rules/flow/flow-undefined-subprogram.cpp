@@ -66,8 +66,10 @@ std::string callOfBlock(const Flow &flow, const RuleContext &ctx) {
   const auto local = llvm::find_if(dialect.codes, [](const CodeInfo &code) {
     return code.action == Action::CallLocal && code.letter == 'M' && !code.foreign;
   });
-  const char *const form = dialect.facts->program.callsBlocks ? "{0} Q{1}" : "{0} P{1}";
-  return local == dialect.codes.end() ? "" : llvm::formatv(form, local->name, number).str();
+  if (local == dialect.codes.end())
+    return "";
+  const AddressMask word = addressesOf(*local, Role::Sequence);
+  return llvm::formatv("{0} {1}{2}", local->name, dialect.alternatives(word), number).str();
 }
 
 class FlowUndefinedSubprogram final : public Rule {
