@@ -155,6 +155,8 @@ private:
           .message("the tool is changed where `{0}` began and ended, close to the part: the next "
                    "one may hit part, chuck or clamps",
                    cycle->name)
+          // Before the face there may be room for the tools that turn by.
+          .severity(z.value() > 0 ? std::optional(Severity::Style) : std::nullopt)
           .note(wordsRange(ctx, block), "the cycle runs here");
     return true;
   }

@@ -1,4 +1,5 @@
 // The blocks that a turning cycle names as its profile do not exist or are in the wrong order.
+#include "analyzer/facts/cause_place.h"
 #include "analyzer/program/references.h"
 #include "analyzer/rule/rule.h"
 #include "formats/dialect/control_facts.h"
@@ -39,10 +40,10 @@ public:
       return;
     }
     // A finishing cycle along the profile of the roughing cycle before says it once more.
-    if (flow.code != noCode && ctx.dialect().codes[flow.code].cycle == CycleKind::Finish &&
-        ctx.before().roughFirst == flow.first && ctx.before().roughLast == flow.last)
-      return;
     const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    if (flow.code != noCode && ctx.dialect().codes[flow.code].cycle == CycleKind::Finish &&
+        roughingLacksIt(program, ctx))
+      return;
     const bool noFirst =
         !resolveBlock(ctx.index(), program, Reference::toBlock(flow.first), ctx.block().begin);
     if (auto finding = ctx.report(ctx.flowRange()))
@@ -53,6 +54,17 @@ public:
   }
 
 private:
+  /// Whether the roughing cycle before names the same blocks and did not find them either.
+  static bool roughingLacksIt(const ProgramInfo &program, const RuleContext &ctx) {
+    const Flow &flow = ctx.outcome().flow;
+    const Origin &roughing = ctx.before().origin.of(StatePart::Roughing);
+    return ctx.before().roughFirst == flow.first && ctx.before().roughLast == flow.last &&
+           isIn(ctx, roughing, program) &&
+           !resolveProfile(ctx.index(), program, Reference::toBlock(flow.first),
+                           Reference::toBlock(flow.last), roughing.begin)
+                .areInOrder();
+  }
+
   /// The word of a cycle that names its contour, or null.
   static const WordSpec *contourName(const CodeInfo &code) {
     for (const WordSpec &spec : code.words)
