@@ -62,13 +62,18 @@ public:
     return known == blocks_.end() ? nullptr : known->second.get();
   }
   /// Whether it is to be found out once more what the block does.
-  bool mayLearn(KeptBlock &kept) { return ++kept.tries <= mostTries && ++learned_ <= mostLearned; }
+  bool mayLearn(KeptBlock &kept) {
+    ++kept.tries;
+    return kept.tries > inVain && kept.tries <= mostTries && ++learned_ <= mostLearned;
+  }
 
 private:
   /// Loops and subprograms of more blocks are seldom executed often.
   static constexpr size_t mostBlocks = 1u << 13;
   /// Parts of a block that is kept: with the number of blocks it bounds the memory, some 16 MiB.
   static constexpr size_t mostParts = 64;
+  /// What is called some times is seldom called often.
+  static constexpr unsigned inVain = 2;
   /// Ways and modes in which one block is met again and again.
   static constexpr unsigned mostTries = 12;
   /// With an outcome each, some 8 MiB.

@@ -142,7 +142,8 @@ uint64_t shapeAt(uint64_t place, const CallSite *caller, const Block &block,
   return sum.get();
 }
 
-uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outcome) {
+uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outcome,
+                 const CallSite *caller) {
   constexpr uint32_t others =
       bitOf(EventKind::ToolChange) | bitOf(EventKind::Syntax) | bitOf(EventKind::Statement);
   if (!block.items.empty() || !block.expressions.empty() || !block.issues.empty() ||
@@ -151,6 +152,8 @@ uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outc
     return 0;
   const AddressMask coordinates = coordinatesOf(dialect, outcome);
   Sum sum(outcome.kinds);
+  if (caller)
+    sum.add(uint64_t(caller->depth) << 1 | uint64_t(caller->macro));
   // Of a zero it is no matter whether it has a point.
   sum.add(block.pointed);
   sum.add(block.pointless);

@@ -8,8 +8,10 @@ namespace ncvet {
 /// A number for the shape of a block that has been executed: its codes and addresses, how its words
 /// are spelled, the values of those that are no coordinates, and its events. Blocks of the same
 /// number have the same shape. 0: the block has none, because more than that decides what it means
-/// (statements, expressions, bad text, a block skip, another tool).
-uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outcome);
+/// (statements, expressions, bad text, a block skip, another tool). Of a block that is called, how
+/// deep and whether as a macro belongs to its shape, not from where.
+uint64_t shapeOf(const Dialect &dialect, const Block &block, const Outcome &outcome,
+                 const CallSite *caller = nullptr);
 
 /// The same of a block that is executed again: `place` is a number for file and offset. It is that
 /// of no other block, nor of one that is called from elsewhere.

@@ -142,8 +142,7 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
                           const CallSite *caller, TextAhead *ahead, uint64_t place) {
   if (!(outcome.kinds & kinds_))
     return;
-  const bool mayBeKnown = shapes_ && (!caller || place);
-  const KnownModes *const again = mayBeKnown ? toldAgain(outcome) : nullptr;
+  const KnownModes *const again = shapes_ ? toldAgain(outcome) : nullptr;
   if (again && again->awake.empty()) {
     stateUse |= again->asleepUse;
     return;
@@ -152,7 +151,7 @@ void Dispatcher::dispatch(FileUnit &unit, const Block &block, const Outcome &out
   context_.ahead_ = ahead;
   if (again)
     tellAwake(*again, outcome);
-  else if (!mayBeKnown || !tellKnown(place, outcome))
+  else if (!shapes_ || !tellKnown(place, outcome))
     tellAll(outcome);
 }
 
@@ -174,7 +173,7 @@ void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {
 bool Dispatcher::tellKnown(uint64_t place, const Outcome &outcome) {
   const Block &block = context_.block();
   const uint64_t shape = place ? shapeAt(place, context_.caller(), block, outcome)
-                               : shapeOf(context_.dialect(), block, outcome);
+                               : shapeOf(context_.dialect(), block, outcome, context_.caller());
   if (!shape)
     return false;
   if (std::exchange(shapes_->met[shape % KnownShapes::places], shape) != shape)

@@ -17,6 +17,8 @@ public:
   void on(const Event &, RuleContext &ctx) const override {
     if (ctx.block().expressions.empty())
       return sleepInShape();
+    if (ctx.outcome().known) // all its coordinates are numbers
+      return;
     for (const Word &word : ctx.block().words) {
       if (!(ctx.dialect().axisWords & maskOf(word.address)) || !word.has(wordExpression) ||
           !isVacant(word, ctx))
