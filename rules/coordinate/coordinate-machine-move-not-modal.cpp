@@ -1,5 +1,6 @@
 // A block looks as if the machine coordinates of the block before were still in force.
 #include "analyzer/facts/block_before.h"
+#include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/project.h"
 #include "analyzer/rule/sleep_in_stretch.h"
@@ -14,10 +15,14 @@ public:
     to.onChange({EventKind::Motion});
     least_ = to.number("least", 100);
     next_ = to.dialect().facts->coordinates.machineMoveOfOneBlock;
+    if (next_)
+      to.onAction({Action::MachineMove});
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &before = ctx.before(), &after = ctx.after();
+    if (event.kind == EventKind::Code)
+      return alone(event, ctx);
     if (next_)
       return afterMachineMove(event, ctx);
     if (event.inMachineCoordinates() || event.motion == MotionKind::Reference ||
@@ -41,6 +46,24 @@ public:
   }
 
 private:
+  /// `SUPA` in a block that moves nothing, and a move without it in the next one.
+  static void alone(const Event &event, RuleContext &ctx) {
+    const AddressMask axes = ctx.dialect().axisWords | ctx.dialect().polarWords;
+    if (ctx.block().hasAny(axes) || !ctx.block().items.empty())
+      return;
+    BlocksAhead ahead(ctx);
+    Block next;
+    if (!ahead.next(next) || !next.hasAny(axes) ||
+        findCode(ctx.dialect(), next, {Action::MachineMove, Action::ReferenceReturn}))
+      return;
+    if (auto finding = ctx.report(event, event.certain))
+      finding.severity(Severity::Style)
+          .message("`{0}` holds for its own block, which moves nothing: the next one is driven in "
+                   "work coordinates",
+                   ctx.code(event).name)
+          .note(ahead.range(next), "this move");
+  }
+
   /// The very next block goes on with another axis, as far as no work goes.
   void afterMachineMove(const Event &event, RuleContext &ctx) const {
     Block previous;

@@ -18,12 +18,16 @@ public:
         cancel_ = code.name;
         ofCycles_ = code.action == Action::CycleCancel;
         to.on({EventKind::ProgramEnd, EventKind::ToolChange, EventKind::Return});
+        if (!to.dialect().toolChangeByT)
+          to.on(EventKind::ToolWord);
         return;
       }
   }
 
   void on(const Event &event, RuleContext &ctx) const override {
     const MachineState &state = ctx.before();
+    if (event.kind == EventKind::ToolWord && !changesByT(ctx))
+      return;
     if (event.kind == EventKind::Return ? !begunHere(ctx) : ctx.callDepth() > 0)
       return;
     const Truth cycle = ofCycles_ ? state.cycleActive(ctx.dialect()) : Truth::No;
@@ -40,7 +44,9 @@ public:
           .message(
               "a modal call is still on {0}: every move from here on runs it again; `{1}` ends "
               "it",
-              event.kind == EventKind::ToolChange ? "at this tool change" : "at the program's end",
+              event.kind == EventKind::ToolChange || event.kind == EventKind::ToolWord
+                  ? "at this tool change"
+                  : "at the program's end",
               cancel_)
           .note(begins(state, cycle), "the modal call begins here")
           .fix(FixSafety::Unsafe, "insert " + cancel_ + " before this block",
@@ -48,6 +54,13 @@ public:
   }
 
 private:
+  /// A turret changes by T alone.
+  static bool changesByT(const RuleContext &ctx) {
+    return !ctx.find({Action::ToolChange}) &&
+           ctx.before().isActive(ctx.dialect(), StandardGroup::Plane, {Action::PlaneZX}) ==
+               Truth::Yes;
+  }
+
   /// Whether the program that returns has begun the call, and no caller is known that may end it.
   static bool begunHere(const RuleContext &ctx) {
     const ModalCall *call = ctx.before().modalCalls.get();

@@ -1,4 +1,5 @@
 // A variable or an element that the control does not have.
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/rule.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -297,6 +298,45 @@ private:
     return std::nullopt;
   }
 
+  /// Whether the expression has the variable, other than as the index of an array.
+  static bool reads(const Block &block, uint16_t index, uint64_t key) {
+    if (index >= block.expressions.size())
+      return false;
+    const auto operations = operationsOf(block, block.expressions[index]);
+    for (size_t i = 0; i < operations.size(); ++i)
+      if (operations[i].op == Op::Variable && uint64_t(operations[i].value) == key &&
+          (i + 1 == operations.size() || operations[i + 1].op != Op::ElementAt))
+        return true;
+    return false;
+  }
+
+  /// Whether the index is a variable that counts passes (`B=B+1`), and neither a condition nor a
+  /// FOR around the block is made with it: something else decides how many passes there are.
+  static bool countsUndecided(llvm::StringRef name, const ProgramInfo &program,
+                              const RuleContext &ctx) {
+    if (name.empty() || !llvm::all_of(name, [](char c) { return llvm::isAlnum(c) || c == '_'; }))
+      return false;
+    const uint64_t key = variableKey(name);
+    bool counts = false;
+    std::vector<bool> loops; // the FORs that are open, and whether each counts with the variable
+    for (const Block &block : blocks(ctx.index(), program.body, program.end)) {
+      if (block.begin == ctx.block().begin && llvm::is_contained(loops, true))
+        return false;
+      for (const Item &item : block.items) {
+        const bool own = item.target != noExpression && block.keyOf(item.target) == key;
+        if (reads(block, item.condition, key))
+          return false;
+        counts |= own && item.kind == ItemKind::Assignment && reads(block, item.value, key);
+        if (item.kind == ItemKind::Structure && item.structure == Structure::For)
+          loops.push_back(own);
+        else if (item.kind == ItemKind::Structure && item.structure == Structure::EndFor &&
+                 !loops.empty())
+          loops.pop_back();
+      }
+    }
+    return counts;
+  }
+
   /// `FIELD[2,5]`: `rest` begins after the bracket. Of several indices only numbers are looked at;
   /// one alone may be computed: `computed`.
   static void element(uint32_t offset, llvm::StringRef array, std::optional<double> computed,
@@ -334,8 +374,9 @@ private:
           continue;
         const SourceRange range{ctx.source().id(), offset,
                                 offset + uint32_t(array.size() + *close + 2)};
+        const bool counts = !written && countsUndecided(indices[i].trim(), program, ctx);
         if (auto finding = ctx.report(range))
-          finding
+          finding.severity(counts ? std::optional(Severity::Style) : std::nullopt)
               .message(sizes.size() == 1
                            ? "`{0}`: the elements of `{1}` are numbered 0 to {2}"
                            : "`{0}`: the elements of `{1}` are numbered 0 to {2} in place {3}",
