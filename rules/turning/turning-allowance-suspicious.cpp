@@ -42,7 +42,9 @@ public:
       if (!word)
         continue;
       const Interval value = ctx.value(*word);
-      if (!value.isConstant() || value.value() == 0 || (value.value() < 0) == inside)
+      const bool beyondAxis = *profile.maxX <= 0 && *profile.minX < 0;
+      if (!value.isConstant() || value.value() == 0 ||
+          (value.value() < 0) == (inside || beyondAxis))
         continue;
       if (spec.role == Role::StockX) {
         stockOnWrongSide(*word, event, cycle, inside, profile, ctx);
@@ -50,13 +52,13 @@ public:
       }
       if (auto finding = ctx.report(*word, event.certain))
         finding
-            .message(
-                *profile.maxX < 0 ? "`{0}` is positive, and the contour of `{1}` is at negative "
-                                    "X, where the allowance is negative too: the part is cut "
-                                    "undersize"
-                : inside ? "`{0}` is positive, but `{1}` roughs inside: the bore is cut oversize"
+            .message(beyondAxis ? "`{0}` is positive, and the contour of `{1}` is at negative "
+                                  "X, where the allowance is negative too: the part is cut "
+                                  "undersize"
+                     : inside
+                         ? "`{0}` is positive, but `{1}` roughs inside: the bore is cut oversize"
                          : "`{0}` is negative, but `{1}` roughs outside: the part is cut undersize",
-                ctx.text(*word), cycle.name)
+                     ctx.text(*word), cycle.name)
             .note(profile.blocks.front().range, "the profile begins here");
     }
   }
