@@ -128,7 +128,7 @@ std::optional<ContourElement> contourElementOf(const ExecutedBlock &executed) {
   if (const auto line = straightElement(executed))
     return ContourElement{line->from, line->to, Vector::Zero(), false, false};
   const Event *motion = moveInPlane(executed);
-  if (!motion || (motion->motion != MotionKind::ArcCw && motion->motion != MotionKind::ArcCcw))
+  if (!motion || !isArc(motion->motion))
     return std::nullopt;
   const bool clockwise = motion->motion == MotionKind::ArcCw;
   const ArcWords words = arcWords(executed.dialect, executed.after, executed.block);

@@ -14,11 +14,10 @@ namespace {
 /// The words of the block whose numbers are coordinates.
 AddressMask coordinatesOf(const Dialect &dialect, const Outcome &outcome) {
   constexpr AddressMask arcs = maskOf('I') | maskOf('J') | maskOf('K') | maskOf('R');
-  const bool isArc = llvm::any_of(outcome.events, [](const Event &event) {
-    return event.kind == EventKind::Motion &&
-           (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw);
+  const bool leadsRound = llvm::any_of(outcome.events, [](const Event &event) {
+    return event.kind == EventKind::Motion && isArc(event.motion);
   });
-  return dialect.axisWords | (isArc ? arcs : 0);
+  return dialect.axisWords | (leadsRound ? arcs : 0);
 }
 
 void addParts(Sum &sum, const StateUse &use, const MachineState &state) {

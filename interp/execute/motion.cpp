@@ -143,7 +143,7 @@ void Execution::compensationStep(MotionKind kind, uint16_t axes) {
       state_.group(group) != groupUnset)
     event.code = dialect_.groups[group].members[size_t(std::countr_zero(state_.group(group)))];
   const CodeInfo *motion = state_.activeCode(dialect_, StandardGroup::Motion);
-  if (motion && isArc(motion->action) == (kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw))
+  if (motion && isArc(motion->action) == isArc(kind))
     event.by = CodeIndex(motion - dialect_.codes.data());
   uint8_t phase = state_.compensation;
   if (starting)
@@ -236,7 +236,7 @@ void Execution::contourFacts(MotionKind kind, uint16_t axes) {
     return;
   }
   state_.set(Fact::CompensatedCut);
-  if (kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw ||
+  if (isArc(kind) ||
       block_.hasAny(lettersMask("IJKRA") | maskOf(commaA) | maskOf(commaC) | maskOf(commaR))) {
     state_.set(Fact::ContourCompensated);
     return;
@@ -455,9 +455,7 @@ uint16_t Execution::axesMoved() const {
   uint16_t moved = 0;
   for (const Event &event : outcome_.events)
     if (event.kind == EventKind::Motion)
-      moved |= event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw
-                   ? planeAxes(dialect_, state_)
-                   : event.axes;
+      moved |= isArc(event.motion) ? planeAxes(dialect_, state_) : event.axes;
   return moved;
 }
 

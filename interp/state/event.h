@@ -90,6 +90,11 @@ enum class FlowIssue : uint8_t {
 
 enum class MotionKind : uint8_t { Rapid, Feed, ArcCw, ArcCcw, Thread, Skip, Reference };
 constexpr uint8_t bitOf(MotionKind kind) { return uint8_t(1u << unsigned(kind)); }
+constexpr bool isArc(MotionKind kind) {
+  return kind == MotionKind::ArcCw || kind == MotionKind::ArcCcw;
+}
+/// A move along a line or an arc at the programmed feed.
+constexpr bool isFeed(MotionKind kind) { return kind == MotionKind::Feed || isArc(kind); }
 
 /// Something that happens in a block. Lives only while the block is looked at. What only some kinds
 /// have is read by the functions; each asserts that the event is of a kind that has it.

@@ -34,8 +34,7 @@ public:
 
 private:
   void atMotion(const Event &event, RuleContext &ctx) const {
-    const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                      event.motion == MotionKind::ArcCcw;
+    const bool cuts = isFeed(event.motion);
     if (!cuts || event.code == noCode || ctx.after().profile == ProfileMode::Recorded)
       return;
     // One finding for each contour: a run of blocks that cut.

@@ -91,8 +91,7 @@ private:
   /// the side on which the tool leaves the contour tells.
   static void onLathe(const Event &event, RuleContext &ctx) {
     const MachineState &before = ctx.before(), &after = ctx.after();
-    const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                      event.motion == MotionKind::ArcCcw;
+    const bool cuts = isFeed(event.motion);
     if (!cuts || event.code == noCode || before.compensation != phaseOn ||
         after.compensation != phaseOn || before.may(Fact::CompensatedCut) ||
         event.inMachineCoordinates() || before.may(Fact::UnknownCode))

@@ -21,7 +21,7 @@ public:
     if (!event.certain || event.code == noCode || event.inMachineCoordinates() ||
         ctx.before().profile == ProfileMode::Recorded || ctx.before().may(Fact::UnknownCode))
       return;
-    if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
+    if (isArc(event.motion))
       circleAndLine(event, ctx);
     else if (event.motion == MotionKind::Feed && ctx.code(event).action == Action::Linear)
       line(ctx);

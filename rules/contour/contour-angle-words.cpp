@@ -46,7 +46,7 @@ public:
     }
     if (!event.certain)
       return;
-    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    const bool arc = isArc(event.motion);
     if (arc || event.motion == MotionKind::Thread || (plain && event.motion == MotionKind::Rapid)) {
       if (auto finding = ctx.report(*angle))
         finding.message(

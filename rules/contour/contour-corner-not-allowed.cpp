@@ -120,8 +120,7 @@ private:
     if (passed && axesOf(ctx, next) && !(axesOf(ctx, next) & plane))
       return; // another rule says that no move follows in the plane
     const CodeInfo *arc = findCode(ctx.dialect(), next, {Action::ArcCw, Action::ArcCcw});
-    if (ctx.dialect().addresses[word.address].linesOnly &&
-        (arc || event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)) {
+    if (ctx.dialect().addresses[word.address].linesOnly && (arc || isArc(event.motion))) {
       if (auto finding = ctx.report(word))
         finding.message("`{0}` asks for a chamfer beside an arc: it lies between two lines",
                         ctx.text(word));

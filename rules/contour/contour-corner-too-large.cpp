@@ -30,7 +30,7 @@ public:
     const Word *word = ctx.block().findAny(words_);
     if (!word)
       return sleepInShape();
-    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    const bool arc = isArc(event.motion);
     const bool plain = maskOf(word->address) & (corners_.plain | maskOf('C'));
     if (event.motion != MotionKind::Feed && !(arc && !plain))
       return sleepInShape();

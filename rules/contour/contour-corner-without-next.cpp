@@ -28,7 +28,7 @@ public:
     if (!word)
       return sleepInShape();
     const bool plain = corners_.plain & maskOf(word->address);
-    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    const bool arc = isArc(event.motion);
     if (!(event.motion == MotionKind::Feed || (arc && !plain)))
       return sleepInShape();
     if (ctx.before().profile != ProfileMode::Off || !event.certain || !asksForCorner(ctx, *word) ||

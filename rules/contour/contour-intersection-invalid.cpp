@@ -71,7 +71,7 @@ public:
     }
     if (!event.certain || ctx.before().profile == ProfileMode::Recorded)
       return;
-    if (event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw)
+    if (isArc(event.motion))
       return afterArc(event, plane, ctx);
     const bool line = event.motion == MotionKind::Feed || event.motion == MotionKind::Rapid;
     if (!line || !block.has(commaA) || (axesOf(ctx, block) & plane) != plane)
@@ -93,7 +93,7 @@ private:
   void openElement(const Event &event, RuleContext &ctx) const {
     const Word *angle = ctx.block().findAny(ctx.dialect().lineAngleWords);
     const uint16_t plane = planeAxes(ctx.dialect(), ctx.after());
-    const bool arc = event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    const bool arc = isArc(event.motion);
     const ArcWords &words = ctx.arcWords();
     const bool circle = arc && ctx.dialect().facts->arcs.centreAndEnd && words.radius &&
                         words.hasCentre() && !words.angle && !angle;

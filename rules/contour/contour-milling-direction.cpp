@@ -52,7 +52,7 @@ private:
 
   /// Arcs of ZX are seen along Y from its positive end: Z points up and X to the left there.
   static void seenFrom(const Event &event, RuleContext &ctx) {
-    if ((event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw) ||
+    if (!isArc(event.motion) ||
         ctx.after().activeAction(ctx.dialect(), StandardGroup::Plane) != Action::PlaneZX)
       return;
     if (auto finding = ctx.report(event))

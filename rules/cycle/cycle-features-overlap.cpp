@@ -131,7 +131,7 @@ private:
     }
     if (attaches)
       return memory().current.start(to);
-    if (event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw)
+    if (!isArc(event.motion))
       return event.motion == MotionKind::Feed ? memory().current.line(to)
                                               : memory().current.loseTrack();
     const ArcGeometry arc = arcGeometry(arcWords(ctx.dialect(), after, ctx.block()), ctx.dialect(),

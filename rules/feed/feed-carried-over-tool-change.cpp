@@ -44,10 +44,8 @@ private:
   static bool cuts(const Event &event, const RuleContext &ctx) {
     if (event.code == noCode || !ctx.code(event).needsFeed)
       return false;
-    return event.kind == EventKind::CycleRun
-               ? event.axes != 0 && !taps(ctx.code(event).cycle)
-               : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                     event.motion == MotionKind::ArcCcw;
+    return event.kind == EventKind::CycleRun ? event.axes != 0 && !taps(ctx.code(event).cycle)
+                                             : isFeed(event.motion);
   }
 };
 

@@ -104,11 +104,7 @@ private:
            (speed == noGroup || ctx.after().group(speed) == groupUnset);
   }
 
-  static bool cuts(const Event &event) {
-    return event.code != noCode &&
-           (event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-            event.motion == MotionKind::ArcCcw);
-  }
+  static bool cuts(const Event &event) { return event.code != noCode && isFeed(event.motion); }
 
   /// The mode was switched after the F.
   static bool isCarried(RuleContext &ctx) {

@@ -67,8 +67,7 @@ private:
     const MachineState &after = ctx.after();
     const bool cuts = event.kind == EventKind::CycleRun
                           ? !cutsThread(code.cycle) && ctx.codeWord(event)
-                          : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                                event.motion == MotionKind::ArcCcw;
+                          : isFeed(event.motion);
     if (!cuts || !code.needsFeed || event.inMachineCoordinates() ||
         after.profile == ProfileMode::Recorded || !after.must(Fact::FeedIsLead)) {
       return sleepInShape();
@@ -87,8 +86,7 @@ private:
   /// A move with inverse time feed has the time of its own path, or none: the F of another block
   /// does not count for it. True when that is said.
   bool lacksItsTime(const Event &event, RuleContext &ctx) const {
-    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                       event.motion == MotionKind::ArcCcw;
+    const bool feeds = isFeed(event.motion);
     const MachineState &state = ctx.after();
     if (event.kind != EventKind::Motion || !feeds || event.code == noCode ||
         state.activeAction(ctx.dialect(), StandardGroup::FeedMode) != Action::FeedInverseTime ||

@@ -41,8 +41,7 @@ public:
     }
     if (afterTap_)
       pitchLeftOn(event, ctx);
-    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                       event.motion == MotionKind::ArcCcw;
+    const bool feeds = isFeed(event.motion);
     if (!feeds || event.code == noCode)
       return;
     if (forgets_)
@@ -210,8 +209,7 @@ private:
   /// The feed per revolution that the block of a tapping cycle switched on is still in force.
   void pitchLeftOn(const Event &event, RuleContext &ctx) const {
     const bool drills = event.kind == EventKind::CycleRun;
-    const bool feeds = drills || event.motion == MotionKind::Feed ||
-                       event.motion == MotionKind::ArcCw || event.motion == MotionKind::ArcCcw;
+    const bool feeds = drills || isFeed(event.motion);
     const MachineState &state = ctx.after();
     if (memory().tap.end == 0)
       return;

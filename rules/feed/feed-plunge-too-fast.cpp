@@ -31,8 +31,7 @@ public:
       return;
     }
     const SourceRange plunge = std::exchange(memory().plunge, {});
-    const bool cuts = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                      event.motion == MotionKind::ArcCcw;
+    const bool cuts = isFeed(event.motion);
     const Interval &feed = ctx.after().feed.get();
     if (!plunge.end || !cuts || !(event.axes & plane) || (event.axes & along) ||
         !feed.isConstant() || feed.value() <= 0 || feed.value() != memory().feed.value())

@@ -150,7 +150,7 @@ private:
   /// An arc whose ends lie inside of the volume, and whose path does not.
   static void bulge(const Event &event, RuleContext &ctx) {
     const MachineState &state = ctx.after();
-    if (event.motion != MotionKind::ArcCw && event.motion != MotionKind::ArcCcw)
+    if (!isArc(event.motion))
       return;
     const ArcGeometry &arc = ctx.arc();
     const std::optional<Point> centre = arc.centre();

@@ -63,8 +63,7 @@ private:
     return event.code != noCode &&
            (event.kind == EventKind::CycleRun
                 ? event.axes != 0
-                : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                      event.motion == MotionKind::ArcCcw || event.motion == MotionKind::Thread);
+                : isFeed(event.motion) || event.motion == MotionKind::Thread);
   }
 
   std::optional<unsigned> coolant_; ///< number of the switch

@@ -58,8 +58,7 @@ private:
       memory().moved = true;
       ask(wanted_, event, ctx);
     }
-    const bool turns = event.kind != EventKind::Motion || event.motion == MotionKind::ArcCw ||
-                       event.motion == MotionKind::ArcCcw ||
+    const bool turns = event.kind != EventKind::Motion || isArc(event.motion) ||
                        (event.code != noCode && ctx.code(event).action == Action::CurveFeed);
     if (!plane_ || !turns || memory().turned)
       return;

@@ -109,10 +109,8 @@ private:
       memory().itself = code.spindle == SpindleNeed::StartsItself;
       return;
     }
-    const bool cuts = event.kind == EventKind::CycleRun
-                          ? makesHole(code.cycle)
-                          : event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                                event.motion == MotionKind::ArcCcw;
+    const bool cuts =
+        event.kind == EventKind::CycleRun ? makesHole(code.cycle) : isFeed(event.motion);
     const Origin &start = ctx.after().origin.of(StatePart::Spindle);
     if (memory().itself && (ctx.after().liveTool & (spindleCw | spindleCcw)))
       return; // the driven tool cuts

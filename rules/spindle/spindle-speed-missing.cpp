@@ -128,8 +128,7 @@ private:
   /// A feed per revolution of a spindle that has no speed: the control stops.
   void atFeed(const Event &event, RuleContext &ctx) const {
     const MachineState &state = ctx.after();
-    const bool feeds = event.motion == MotionKind::Feed || event.motion == MotionKind::ArcCw ||
-                       event.motion == MotionKind::ArcCcw;
+    const bool feeds = isFeed(event.motion);
     if (!feeds)
       return sleepInShape();
     const bool none = !state.may(Fact::SpeedSet) ||
