@@ -42,7 +42,8 @@ public:
       if (!word)
         continue;
       const Interval value = ctx.value(*word);
-      const bool beyondAxis = *profile.maxX <= 0 && *profile.minX < 0;
+      // One place a little past the axis is where a face ends.
+      const bool beyondAxis = *profile.maxX <= 0 && *profile.minX < *profile.maxX;
       if (!value.isConstant() || value.value() == 0 ||
           (value.value() < 0) == (inside || beyondAxis))
         continue;
