@@ -30,8 +30,8 @@ bool isOfLanguage(const Finding &finding) {
 /// The lines of one file with findings that are no advice.
 struct WrongLines {
   std::set<uint32_t> all, ofLanguage, unreadable;
-  const Finding *first = nullptr; ///< the first that cannot be read, else the first
-  const Finding *firstOfLanguage = nullptr;
+  const Finding *first = nullptr;     ///< the first that cannot be read, else the first
+  const Finding *firstCode = nullptr; ///< that is another control's
 
   WrongLines(const LineIndex &lines, FileId file, llvm::ArrayRef<Finding> findings) {
     for (const Finding &finding : findings)
@@ -42,13 +42,10 @@ struct WrongLines {
 private:
   void add(const Finding &finding, uint32_t line) {
     all.insert(line);
-    if (isOfLanguage(finding)) {
+    if (isOfLanguage(finding))
       ofLanguage.insert(line);
-      // A comment that is not closed is no language of another control.
-      if (const llvm::StringRef id = allRules()[finding.rule].info.id;
-          !firstOfLanguage && id != "syntax-unclosed-comment")
-        firstOfLanguage = &finding;
-    }
+    if (!firstCode && allRules()[finding.rule].info.category == "block")
+      firstCode = &finding;
     const bool isSyntax = allRules()[finding.rule].info.category == "syntax";
     if (isSyntax)
       unreadable.insert(line);
@@ -94,8 +91,8 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   }
   if (!counted)
     return;
-  const bool byLanguage = other.hasTable && wrong.firstOfLanguage;
-  Finding one = byLanguage ? *wrong.firstOfLanguage : *wrong.first;
+  const bool byCode = other.hasTable && wrong.firstCode;
+  Finding one = byCode ? *wrong.firstCode : *wrong.first;
   const std::string cause =
       other.name.empty() ? "cannot be read: the text is no program of this control"
                          : "are for another control: " + other.name + " (" + other.marks + ")";

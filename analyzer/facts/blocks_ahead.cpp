@@ -204,4 +204,24 @@ SourceRange BlocksAhead::range(const Block &block) const {
   return wordsRange(readIn_->source.id(), block);
 }
 
+bool namesAxes(const Dialect &dialect, const Block &block) {
+  return block.hasAny(dialect.axisWords | dialect.incrementWords);
+}
+
+bool comesInTime(const RuleContext &ctx, unsigned furthest,
+                 llvm::function_ref<bool(const Block &)> gives,
+                 llvm::function_ref<bool(const Block &)> needs) {
+  if (namesAxes(ctx.dialect(), ctx.block()))
+    return false;
+  BlocksAhead ahead(ctx);
+  Block next;
+  for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+    if (gives(next))
+      return true;
+    if (needs(next))
+      return false;
+  }
+  return false;
+}
+
 } // namespace ncvet

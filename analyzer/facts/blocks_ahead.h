@@ -62,4 +62,12 @@ private:
   Way way_;
 };
 
+/// Whether one of the next blocks, `furthest` at most, `gives` something before one `needs` it.
+/// False when the current block moves an axis itself.
+bool comesInTime(const RuleContext &ctx, unsigned furthest,
+                 llvm::function_ref<bool(const Block &)> gives,
+                 llvm::function_ref<bool(const Block &)> needs);
+/// Whether the block has words of axes.
+bool namesAxes(const Dialect &dialect, const Block &block);
+
 } // namespace ncvet

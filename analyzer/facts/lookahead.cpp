@@ -92,6 +92,19 @@ const CodeInfo *findCode(const Dialect &dialect, const Block &block,
   return nullptr;
 }
 
+const CodeInfo *findReading(const Dialect &dialect, const Block &block,
+                            llvm::function_ref<bool(const CodeInfo &)> holds) {
+  for (const CodeIndex index : codesOf(dialect, block)) {
+    const CodeInfo &code = dialect.codes[index];
+    if (holds(code))
+      return &code;
+    for (const Variant &variant : code.variants)
+      if (holds(dialect.codes[variant.code]))
+        return &dialect.codes[variant.code];
+  }
+  return nullptr;
+}
+
 bool hasMotionCode(const Dialect &dialect, const Block &block) {
   for (const CodeIndex code : codesOf(dialect, block)) {
     const CodeInfo &info = dialect.codes[code];

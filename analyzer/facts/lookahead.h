@@ -32,6 +32,10 @@ llvm::SmallVector<CodeIndex, 6> codesOf(const Dialect &dialect, const Block &blo
 /// First code of the block with one of the actions, or null.
 const CodeInfo *findCode(const Dialect &dialect, const Block &block,
                          std::initializer_list<Action> actions);
+/// First code of the block that `holds`, or that does as what it is under one of its conditions
+/// (`G70` with P and Q); null: there is none.
+const CodeInfo *findReading(const Dialect &dialect, const Block &block,
+                            llvm::function_ref<bool(const CodeInfo &)> holds);
 /// True when the block holds a motion code (G00 to G03, threads) or a modal cycle.
 bool hasMotionCode(const Dialect &dialect, const Block &block);
 

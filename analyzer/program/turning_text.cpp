@@ -71,7 +71,7 @@ bool readsAsTurning(const FileUnit &unit, const ProgramInfo &program) {
       !choosesDiameters(dialect))
     return false;
   Marks marks;
-  for (const Block &block : blocks(unit.index.reader(), program.body, program.end, mostBlocks))
+  for (const Block &block : blocks(*unit.reader, program.body, program.end, mostBlocks))
     if (!marks.see(block, dialect))
       return false;
   return marks.ofLathe();

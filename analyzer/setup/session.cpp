@@ -455,7 +455,7 @@ llvm::StringRef makerOf(llvm::StringRef dialect) { return dialect.split('-').fir
 
 /// Controls of one maker for the same kind of machine read each other's programs.
 bool areAlike(llvm::StringRef found, const Dialect &used) {
-  auto table = loadDialect(found, builtinDialects());
+  auto table = shippedDialect(found.str());
   if (!table) {
     llvm::consumeError(table.takeError());
     return true;

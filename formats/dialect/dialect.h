@@ -189,8 +189,9 @@ struct Lexical {
   bool tapeLeader = false;      ///< what comes before the first `%` and a header is no code
   std::string headerMarks = "%O:"; ///< characters with which a program's first line may begin
   std::string endLabel;            ///< label that ends a repeated section; empty: there is none
-  std::string abortMark;   ///< a comment that begins with it stops the program; empty: none does
-  std::string callMark;    ///< "L<": a call by name begins with it; empty: with the name itself
+  std::string abortMark; ///< a comment that begins with it stops the program; empty: none does
+  std::string callMark;  ///< "L<": a call by name begins with it; empty: with the name itself
+  std::vector<std::string> axisSwitches; ///< `SCC[X]`: names that give an axis a property, no value
   std::string foreignJump; ///< word of a jump in the other language that the control knows
   uint8_t skipLevels = 9;  ///< block skip `/1` … `/9`; 1: plain `/` only
 };

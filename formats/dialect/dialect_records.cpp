@@ -156,6 +156,9 @@ constexpr Field lexicalFields[] = {
         "abortMark", text,
         "a comment that begins with it, in either case, stops the program with an alarm",
         "\"abort,\""),
+    field<&Lexical::axisSwitches>("axisSwitches", texts,
+                                  "names that give an axis a property and no value: `SCC[X]`",
+                                  R"(["SCC"])"),
     field<&Lexical::callMark>("callMark", text,
                               "how a call of a program by its name begins; `>` ends it", "\"L<\""),
     field<&Lexical::foreignJump>(

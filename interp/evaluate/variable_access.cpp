@@ -106,14 +106,13 @@ std::optional<Value> shownIn(const MachineState &state, uint64_t key) {
   }
   return shown;
 }
-} // namespace
 
-namespace {
 /// A numbered variable of programs that is before all in which the control says something.
 bool isPlain(const VariableRanges &ranges, int64_t number) {
   return number > 0 && number <= ranges.lastCommon && (!ranges.place || number < ranges.place) &&
          (!ranges.shown || ranges.shown->empty() || uint64_t(number) < ranges.shown->front().key);
 }
+
 } // namespace
 
 Value readVariable(const MachineState &state, int64_t number) {

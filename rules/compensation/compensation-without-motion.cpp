@@ -36,12 +36,8 @@ private:
     // The cycle may be what a code is under a condition: `G70` with P and Q.
     const auto finishes = [&](const Block &block) {
       return block.hasAny(maskOf('P') | maskOf('Q')) &&
-             llvm::any_of(codesOf(ctx.dialect(), block), [&](const CodeIndex index) {
-               return llvm::any_of(ctx.dialect().codes, [&](const CodeInfo &code) {
-                 return code.cycle == CycleKind::Finish &&
-                        (code.base == index || &code == &ctx.dialect().codes[index]);
-               });
-             });
+             findReading(ctx.dialect(), block,
+                         [](const CodeInfo &code) { return code.cycle == CycleKind::Finish; });
     };
     Block block;
     if (!ctx.dialect().isLathe())

@@ -32,18 +32,11 @@ private:
   /// The block moves nothing, and the next block that feeds has a feed of its own.
   static bool isReplaced(const RuleContext &ctx) {
     constexpr unsigned furthest = 8; // blocks
-    const AddressMask moves = ctx.dialect().axisWords | ctx.dialect().incrementWords;
-    if (ctx.block().hasAny(moves))
-      return false;
-    BlocksAhead ahead(ctx);
-    Block next;
-    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
-      if (next.has(letterAddress('F')))
-        return true;
-      if (next.hasAny(moves) && !findCode(ctx.dialect(), next, {Action::Rapid}))
-        return false;
-    }
-    return false;
+    return comesInTime(
+        ctx, furthest, [](const Block &next) { return next.has(letterAddress('F')); },
+        [&](const Block &next) {
+          return namesAxes(ctx.dialect(), next) && !findCode(ctx.dialect(), next, {Action::Rapid});
+        });
   }
 };
 

@@ -52,25 +52,15 @@ private:
   /// The limit is in one of the next blocks, and nothing moves before it.
   static bool comesAtOnce(const RuleContext &ctx) {
     constexpr unsigned furthest = 3; // blocks
-    const Dialect &dialect = ctx.dialect();
-    const AddressMask moves = dialect.axisWords | dialect.incrementWords;
-    if (ctx.block().hasAny(moves))
-      return false;
-    const auto limits = [&](const Block &block) {
-      return block.has(letterAddress('S')) &&
-             llvm::any_of(codesOf(dialect, block), [&](const CodeIndex index) {
-               return llvm::any_of(dialect.codes, [&](const CodeInfo &code) {
-                 return code.action == Action::SpeedLimit &&
-                        (code.base == index || &code == &dialect.codes[index]);
-               });
-             });
-    };
-    BlocksAhead ahead(ctx);
-    Block next;
-    for (unsigned i = 0; i < furthest && ahead.next(next) && !next.hasAny(moves); ++i)
-      if (limits(next))
-        return true;
-    return false;
+    return comesInTime(
+        ctx, furthest,
+        [&](const Block &next) {
+          return next.has(letterAddress('S')) &&
+                 findReading(ctx.dialect(), next, [](const CodeInfo &code) {
+                   return code.action == Action::SpeedLimit;
+                 });
+        },
+        [&](const Block &next) { return namesAxes(ctx.dialect(), next); });
   }
 
   std::string limit_;

@@ -41,18 +41,16 @@ private:
   /// The S is in one of the next blocks, and nothing moves before it.
   static bool comesAtOnce(const RuleContext &ctx) {
     constexpr unsigned furthest = 3; // blocks
-    const AddressMask moves = ctx.dialect().axisWords | ctx.dialect().incrementWords;
-    if (ctx.block().hasAny(moves))
-      return false;
-    BlocksAhead ahead(ctx);
-    Block next;
-    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
-      if (next.has(letterAddress('S')))
-        return !findCode(ctx.dialect(), next, {Action::SpeedLimit});
-      if (next.hasAny(moves) || !next.items.empty())
-        return false;
-    }
-    return false;
+    const auto limits = [&](const Block &next) {
+      return findCode(ctx.dialect(), next, {Action::SpeedLimit}) != nullptr;
+    };
+    return comesInTime(
+        ctx, furthest,
+        [&](const Block &next) { return next.has(letterAddress('S')) && !limits(next); },
+        [&](const Block &next) {
+          return next.has(letterAddress('S')) || namesAxes(ctx.dialect(), next) ||
+                 !next.items.empty();
+        });
   }
 
   void atToolChange(RuleContext &ctx) const {

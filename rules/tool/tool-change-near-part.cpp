@@ -103,21 +103,19 @@ private:
   /// The roughing, grooving or threading cycle that the block runs, perhaps as what its code is
   /// under a condition; null: there is none. A finishing cycle is looked at as a cut.
   static const CodeInfo *turningCycle(const Dialect &dialect, const Block &block) {
-    for (const CodeIndex index : codesOf(dialect, block))
-      for (const CodeInfo &code : dialect.codes)
-        if (code.base == index || &code == &dialect.codes[index])
-          switch (code.cycle) {
-          case CycleKind::RoughTurn:
-          case CycleKind::RoughFace:
-          case CycleKind::PatternRepeat:
-          case CycleKind::GrooveRadial:
-          case CycleKind::GrooveFace:
-          case CycleKind::ThreadMulti:
-            return &code;
-          default:
-            break;
-          }
-    return nullptr;
+    return findReading(dialect, block, [](const CodeInfo &code) {
+      switch (code.cycle) {
+      case CycleKind::RoughTurn:
+      case CycleKind::RoughFace:
+      case CycleKind::PatternRepeat:
+      case CycleKind::GrooveRadial:
+      case CycleKind::GrooveFace:
+      case CycleKind::ThreadMulti:
+        return true;
+      default:
+        return false;
+      }
+    });
   }
 
   /// The block that runs such a cycle, when nothing has moved since then; an empty block: another.

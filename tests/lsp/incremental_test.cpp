@@ -307,6 +307,29 @@ TEST(Incremental, WhatIsAfterTheClosingMarkStaysUnread) {
   EXPECT_EQ(edited.difference(text + "G01 X\n"), "");
 }
 
+/// A lathe program that names no plane: an arc with K says whose it is.
+std::string turning(const std::string &further) {
+  std::string text = "N1 G90 G95 DIAMON\nN2 T1 D1\nN3 G97 S500 M3\nN4 G0 X100 Z5\n";
+  for (unsigned i = 0; i < 300; ++i)
+    text += "G1 X" + std::to_string(99 - 0.1 * i) + " Z" + std::to_string(-0.05 * i) + " F0.2\n";
+  return text + "G2 X80 Z-20 I5 K0\n" + further + "G1 X110\nM30\n";
+}
+
+TEST(Incremental, ThePlaneOfALatheFollowsWhatIsWrittenFurtherDown) {
+  Edited edited("sinumerik", "/shop/SHAFT.MPF");
+  for (const char *further : {"", "G1 Y5\n", "", "G17\n", "G18\n", "G1 X82\n", ""})
+    EXPECT_EQ(edited.difference(turning(further)), "") << further;
+}
+
+TEST(Incremental, EditsOfALatheProgramTakeOverWhatIsFarFromThem) {
+  Edited edited("sinumerik", "/shop/SHAFT.MPF");
+  ASSERT_EQ(edited.difference(turning("")), "");
+  ASSERT_EQ(edited.difference(turning("G1 X81\n")), "");
+  edited.taken();
+  ASSERT_EQ(edited.difference(turning("G1 X82\n")), "");
+  EXPECT_GT(edited.taken().blocks, 200u);
+}
+
 TEST(Incremental, TheSecondCheckTakesOverMostOfTheFirst) {
   SessionOptions options;
   options.dialect = "haas-mill";

@@ -289,9 +289,8 @@ void SinumerikScanner::scanIndexed(const char *begin, AddressId address) {
 bool SinumerikScanner::switchesAxis(const char *begin) const {
   const llvm::StringRef name =
       llvm::StringRef(begin, size_t(end_ - begin)).take_while(isNameCharacter);
-  constexpr llvm::StringLiteral switches[] = {"SCC",     "FOCON",   "FOCOF",    "DIAMONA",
-                                              "DIAMOFA", "DIAM90A", "DIAMCHANA"};
-  return llvm::any_of(switches, [&](llvm::StringRef one) { return name.equals_insensitive(one); });
+  return llvm::any_of(dialect_.lexical.axisSwitches,
+                      [&](llvm::StringRef one) { return name.equals_insensitive(one); });
 }
 
 /// A number that is not as usual; false, with an issue, when there is no digit in it.
