@@ -101,10 +101,11 @@ private:
     const llvm::StringRef spelling = text_.slice(word.offset, block_.endOf(word));
     return spelling.drop_until(llvm::isDigit);
   }
-  void named(ReferenceKind kind, ReferredKind to, llvm::StringRef text) {
+  void named(ReferenceKind kind, ReferredKind to, llvm::StringRef text, int64_t runs = 1) {
     Reference reference;
     reference.kind = kind;
     reference.to = to;
+    reference.runs = runs;
     reference.text = text;
     visit_(reference);
   }
@@ -257,7 +258,8 @@ void BlockReferences::call(const Item &item) {
     return untoldProgram(item.begin);
   named(ReferenceKind::Call,
         item.positional ? ReferredKind::Subprogram : ReferredKind::NamedProgram,
-        text_.slice(item.nameBegin, item.nameEnd));
+        text_.slice(item.nameBegin, item.nameEnd),
+        item.count == noExpression ? 1 : constant(item.count).value_or(0));
 }
 
 /// The whole number that an expression is; none when it is computed.

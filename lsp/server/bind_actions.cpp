@@ -178,8 +178,9 @@ Json actionsAt(Context &context, View &view, Session &session, const Json &param
   if (begin < end)
     rewritingsOf(
         view, begin, end, [&](llvm::StringRef kind) { return wants(asked, kind); },
-        [&](std::string title, llvm::StringRef kind, Json changes) {
-          actions.push_back(action(std::move(title), kind, std::move(changes)));
+        [&](std::string title, llvm::StringRef kind, Json edit) {
+          actions.push_back(
+              {{"title", std::move(title)}, {"kind", kind.str()}, {"edit", std::move(edit)}});
         });
   if (wants(asked, "source.fixAll.ncvet")) {
     if (!view.client.resolvesEdits)

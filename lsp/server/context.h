@@ -39,6 +39,7 @@ struct ClientSupport {
   bool nestedSymbols = false;
   bool lineFoldingOnly = false;
   bool renamesFiles = false; ///< in a `WorkspaceEdit`
+  bool createsFiles = false; ///< in a `WorkspaceEdit`
   bool refreshesTokens = false, refreshesHints = false, refreshesLenses = false;
 };
 

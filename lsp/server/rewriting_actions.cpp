@@ -3,7 +3,9 @@
 
 #include "formats/dialect/vocabulary.h"
 #include "formats/text/failure.h"
+#include "formats/text/file_uri.h"
 #include "lsp/features/writing/rewritings.h"
+#include "lsp/server/workspace_edit.h"
 
 namespace ncvet::lsp {
 
@@ -37,6 +39,22 @@ llvm::Expected<AxisChanges> changesOf(const Json &axes) {
   return changes;
 }
 
+/// `WorkspaceEdit` of a rewriting.
+Json editOf(View &view, const Rewriting &made) {
+  Json edit = {{"changes", {{view.document.uri, editsJson(view.positions, made.edits)}}}};
+  if (!made.file)
+    return edit;
+  makeSteps(edit, view.document);
+  const std::string uri = uriOfPath(made.file->path);
+  const Json begin = {{"line", 0}, {"character", 0}};
+  const Json text = {{"range", {{"start", begin}, {"end", begin}}}, {"newText", made.file->text}};
+  Json &steps = edit["documentChanges"];
+  steps.push_back({{"kind", "create"}, {"uri", uri}});
+  steps.push_back(
+      {{"textDocument", {{"uri", uri}, {"version", nullptr}}}, {"edits", Json::array({text})}});
+  return edit;
+}
+
 } // namespace
 
 void rewritingsOf(View &view, uint32_t begin, uint32_t end,
@@ -52,9 +70,10 @@ void rewritingsOf(View &view, uint32_t begin, uint32_t end,
     if (view.cancelled || !wants(kind))
       return;
     Rewriting made = make();
-    if (made.refused.empty() && !view.cancelled)
-      add(std::move(made.title), kind,
-          {{view.document.uri, editsJson(view.positions, made.edits)}});
+    if (!made.refused.empty() || view.cancelled || (made.file && !view.client.createsFiles))
+      return;
+    Json edit = editOf(view, made);
+    add(std::move(made.title), kind, std::move(edit));
   };
   constexpr llvm::StringLiteral rewrite = "refactor.rewrite.ncvet";
   offer(rewrite, [&] { return renumberSelection(selection, step); });

@@ -86,8 +86,10 @@ ClientSupport readSupport(const Json &capabilities) {
   client.lineFoldingOnly = has({"textDocument", "foldingRange", "lineFoldingOnly"});
   if (has({"workspace", "workspaceEdit", "documentChanges"}))
     for (const Json &name :
-         lookUp(capabilities, {"workspace", "workspaceEdit", "resourceOperations"}))
+         lookUp(capabilities, {"workspace", "workspaceEdit", "resourceOperations"})) {
       client.renamesFiles |= name == "rename";
+      client.createsFiles |= name == "create";
+    }
   client.refreshesTokens = has({"workspace", "semanticTokens", "refreshSupport"});
   client.refreshesHints = has({"workspace", "inlayHint", "refreshSupport"});
   client.refreshesLenses = has({"workspace", "codeLens", "refreshSupport"});

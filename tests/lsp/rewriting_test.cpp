@@ -1,6 +1,7 @@
 // Changes of selected blocks: the text is another, and the machine does what the title says.
 #include "lsp/features/writing/rewritings.h"
 #include "tests/support/marked_text.h"
+#include "tests/support/process.h"
 
 #include "gtest/gtest.h"
 
@@ -13,15 +14,20 @@ using lsp::Selection;
 
 /// The text after a change of what is between both marks; `refused: WHY` where it is not made.
 std::string rewritten(llvm::StringRef dialect, llvm::StringRef program,
-                      llvm::function_ref<Rewriting(Selection &)> change) {
-  const auto text = test::markedText(dialect, program);
+                      llvm::function_ref<Rewriting(Selection &)> change,
+                      const std::string &path = "/nowhere/program.nc") {
+  const auto text = test::markedText(dialect, program, path);
   Selection selection(*text, text.marks[0], text.marks[1], nullptr, nullptr);
   selection.checkBy(*text.session);
   const Rewriting result = change(selection);
   EXPECT_FALSE(result.title.empty());
   EXPECT_NE(result.refused.empty(), result.edits.empty()) << result.refused;
-  return result.refused.empty() ? applyEdits(text->text(), result.edits)
-                                : "refused: " + result.refused;
+  if (!result.refused.empty())
+    return "refused: " + result.refused;
+  std::string made;
+  if (result.file)
+    made = "=== " + result.file->path + "\n" + result.file->text;
+  return applyEdits(text->text(), result.edits) + made;
 }
 
 std::string distances(llvm::StringRef dialect, llvm::StringRef program) {
@@ -303,6 +309,64 @@ TEST(Rewriting, SelectedBlocksBecomeASubprogram) {
         << dialect;
   EXPECT_EQ(extracted("linuxcnc", "G21 G90\nG0 X0 Y0\n<|>G0 X5\nX6\n<|>M2\n"),
             "o<part1> sub\nG0 X5\nX6\no<part1> endsub\nG21 G90\nG0 X0 Y0\no<part1> call\nM2\n");
+}
+
+TEST(Rewriting, WhereASubprogramIsAFileTheFileIsMade) {
+  const std::string main = "G17 G90 G54 G40 G94\nT1 D1\nM6\nS800 M3\nG0 X10 Y20\nG0 Z2\n";
+  EXPECT_EQ(rewritten("sinumerik",
+                      main + "<|>N30 G91 G1 X5 F100 ; FIRST\nY5\nG90\n<|>G0 Z50\nM30\n",
+                      lsp::extractSubprogram, "/nowhere/SHAFT.MPF"),
+            main + "N30 PART1\nG0 Z50\nM30\n"
+                   "=== /nowhere/PART1.SPF\nN30 G91 G1 X5 F100 ; FIRST\nY5\nG90\nM17\n");
+  EXPECT_EQ(rewritten("ecs",
+                      "%\nN10 G17 G90 G71\nN20 T1 M6\nN30 S800 M3\nN40 G0 X10 Y20\n<|>N50 G1 X5 "
+                      "F100\nN60 Y5<|>\nN70 G0 Z50\nN80 M30\n",
+                      lsp::extractSubprogram, "/nowhere/shaft.ecs"),
+            "%\nN10 G17 G90 G71\nN20 T1 M6\nN30 S800 M3\nN40 G0 X10 Y20\nN50 L<PART1>\nN70 G0 "
+            "Z50\nN80 M30\n=== /nowhere/part1.ecs\nN50 G1 X5 F100\nN60 Y5\nN70 M17\n")
+      << "every block of this control has a number";
+}
+
+TEST(Rewriting, AnArchiveGetsTheSubprogramAsAFurtherUnit) {
+  const std::string head = "%_N_SHAFT_MPF\n;$PATH=/_N_WKS_DIR/_N_JOB_WPD\nG17 G90 G54 G40 G94\nT1 "
+                           "D1\nM6\nS800 M3\nG0 X10 Y20\nG0 Z2\n";
+  EXPECT_EQ(rewritten("sinumerik", head + "<|>G1 X5 F100\nY5<|>\nG0 Z50\nM30\n",
+                      lsp::extractSubprogram, "/nowhere/job.arc"),
+            head + "PART1\nG0 Z50\nM30\n%_N_PART1_SPF\n;$PATH=/_N_WKS_DIR/_N_JOB_WPD\nG1 X5 "
+                   "F100\nY5\nM17\n");
+}
+
+TEST(Rewriting, TheNewFileTakesNoNameThatIsInUse) {
+  test::Shop shop;
+  shop.file("part1.spf", "M17\n").file("PART2.MPF", "M30\n");
+  const std::string main = "G17 G90 G54 G40 G94\nT1 D1\nM6\nS800 M3\nG0 X10 Y20\nG0 Z2\n";
+  const std::string result =
+      rewritten("sinumerik", main + "<|>G1 X5 F100\nY5\n<|>G0 Z50\nM30\n", lsp::extractSubprogram,
+                (shop.path() / "shaft.mpf").string());
+  EXPECT_NE(result.find("\nPART3\n"), std::string::npos) << result;
+  EXPECT_NE(result.find("part3.spf\nG1 X5"), std::string::npos) << result;
+}
+
+TEST(Rewriting, AVariableOfTheProgramStaysInIt) {
+  EXPECT_EQ(rewritten("sinumerik",
+                      "DEF REAL DEPTH=5\nG17 G90 G54 G40 G94\nT1 D1\nM6\nS800 M3\nG0 X10 Y20\n"
+                      "G0 Z2\n<|>G1 X=DEPTH F100\nY5\n<|>G0 Z50\nM30\n",
+                      lsp::extractSubprogram, "/nowhere/shaft.mpf")
+                .substr(0, 8),
+            "refused:");
+}
+
+TEST(Rewriting, ACalledFileIsWrittenInPlaceOfItsCall) {
+  test::Shop shop;
+  shop.file("HOLE.SPF", "; ONE HOLE\nN10 G91 G1 Z-1 F100\nG90 G0 Z50\nM17\n")
+      .file("hole.ecs", "N10 G91 G1 Z-1 F100\nN20 G90 G0 Z50\nN30 <RET>\n");
+  const std::string main = "G17 G90 G54 G40 G94\nT1 D1\nM6\nS800 M3\nG0 X10 Y20\nG0 Z2\n";
+  EXPECT_EQ(rewritten("sinumerik", main + "<|>HOLE P2<|>\nM30\n", lsp::inlineCall,
+                      (shop.path() / "shaft.mpf").string()),
+            main + "G91 G1 Z-1 F100\nG90 G0 Z50\nG91 G1 Z-1 F100\nG90 G0 Z50\nM30\n");
+  EXPECT_EQ(rewritten("ecs", "%\nN10 G17 G90 G71\nN40 G0 X10 Y20\n<|>N50 L<HOLE><|>\nN80 M30\n",
+                      lsp::inlineCall, (shop.path() / "shaft.ecs").string()),
+            "%\nN10 G17 G90 G71\nN40 G0 X10 Y20\nN50 G91 G1 Z-1 F100\nN60 G90 G0 Z50\nN80 M30\n");
 }
 
 TEST(Rewriting, BlocksThatLeadElsewhereAreNoSubprogram) {

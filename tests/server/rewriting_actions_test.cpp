@@ -60,6 +60,36 @@ TEST(RewritingActions, ACommandShiftsASelection) {
   EXPECT_TRUE(client.answer(command({{"Q", {{"shift", 5}}}})).contains("error"));
 }
 
+TEST(RewritingActions, AFileIsMadeWhereTheEditorMakesFiles) {
+  const std::string main = "/nowhere/SHAFT.MPF";
+  const auto extracted = [&](const Json &operations) {
+    LanguageClient client;
+    client.initialize(
+        {{"workspace",
+          {{"workspaceEdit", {{"documentChanges", true}, {"resourceOperations", operations}}}}}},
+        {{"dialect", "sinumerik"}});
+    client.open(main, "G17 G90 G54 G40 G94\nT1 D1\nM6\nS800 M3\nG0 X10 Y20\nG0 Z2\nG1 X5 F100\n"
+                      "Y5\nG0 Z50\nM30\n");
+    client.diagnostics(main);
+    return client.request(
+        "textDocument/codeAction",
+        {{"textDocument", documentOf(main)},
+         {"range", {{"start", at(6, 0)}, {"end", at(8, 0)}}},
+         {"context", {{"diagnostics", Json::array()}, {"only", {"refactor.extract"}}}}});
+  };
+  EXPECT_TRUE(extracted(Json::array()).empty());
+  const Json actions = extracted({"create"});
+  ASSERT_EQ(actions.size(), 1u) << actions.dump();
+  const Json &steps = actions[0]["edit"]["documentChanges"];
+  ASSERT_EQ(steps.size(), 3u) << actions.dump();
+  const std::string made = "file:///nowhere/PART1.SPF";
+  EXPECT_EQ(steps[0]["textDocument"]["uri"], "file://" + main);
+  EXPECT_EQ(steps[0]["edits"][0]["newText"], "PART1");
+  EXPECT_EQ(steps[1], (Json{{"kind", "create"}, {"uri", made}}));
+  EXPECT_EQ(steps[2]["textDocument"]["uri"], made);
+  EXPECT_EQ(steps[2]["edits"][0]["newText"], "G1 X5 F100\nY5\nM17\n");
+}
+
 /// Two programs on disk; the one that calls is open.
 class Renamed : public testing::Test {
 protected:

@@ -6,13 +6,17 @@
 #include "lsp/features/writing/rewritings.h"
 
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/FileSystem.h"
+#include "llvm/Support/Path.h"
 
 namespace ncvet::lsp {
 
 namespace {
 
-/// Numbers that are tried for the new program.
+/// Numbers that are tried for the new program, and numbers after `PART` for a new name.
 constexpr int64_t mostTries = 1000;
+/// Between the number of the last selected block and that of the return.
+constexpr int64_t numberStep = 10;
 
 /// How a control that names its programs by numbers calls one and returns from it.
 struct CallCodes {
@@ -39,6 +43,19 @@ CallCodes callCodes(const Dialect &dialect) {
   return codes;
 }
 
+/// Whether programs have names, and each is a file of its own.
+bool namesFiles(const Dialect &dialect) {
+  return !dialect.lexical.callMark.empty() || !dialect.subprogramExtensions.empty();
+}
+
+/// `L<PART1>`, or the bare name.
+std::string callOf(const Dialect &dialect, const std::string &name) {
+  const std::string &mark = dialect.lexical.callMark;
+  return mark + name + (llvm::StringRef(mark).endswith("<") ? ">" : "");
+}
+
+bool isLower(llvm::StringRef text) { return text.lower() == text && text.upper() != text; }
+
 class Extractor : Rewriter {
 public:
   explicit Extractor(Selection &selection)
@@ -48,6 +65,8 @@ public:
     if (isExtractable()) {
       if (dialect_.lexical.arithmetic == Arithmetic::Ngc)
         betweenBrackets();
+      else if (namesFiles(dialect_))
+        byName();
       else
         asProgram();
     }
@@ -122,6 +141,86 @@ private:
     const llvm::ArrayRef<uint32_t> marks = selection_.snapshot().unit().index.tapeMarks();
     return !marks.empty() && marks.back() > selection_.begin() ? marks.back()
                                                                : uint32_t(text_.size());
+  }
+
+  /// `PART1`, and the file PART1.SPF beside that of the text; in an archive a further program.
+  void byName() {
+    const CallCodes codes = callCodes(dialect_);
+    const std::string name = freeName();
+    if (!codes.back)
+      return void(refuse("the control has no code that returns"));
+    if (name.empty())
+      return void(refuse("no name is free"));
+    const ProgramInfo &own =
+        selection_.snapshot().unit().index.programAt(selection_.blocks().front().begin);
+    const llvm::StringRef lineEnd = lineEndOf(text_);
+    const std::string code =
+        (body() + numberAfter() + "M" + codeDigits(*codes.back, "") + lineEnd).str();
+    replaceBy(callOf(dialect_, name));
+    if (own.hasHeader())
+      return inArchive(own, name, code);
+    const std::string path = pathOf(name);
+    if (path.empty())
+      return void(refuse("the text is no file yet"));
+    if (llvm::sys::fs::exists(path) || selection_.isOpen(path))
+      return void(refuse("there is a file " + llvm::sys::path::filename(path).str() + " already"));
+    create(path, code);
+  }
+
+  /// A name that is not in use yet where the control would look for it.
+  std::string freeName() {
+    Snapshot &snapshot = selection_.snapshot();
+    for (int64_t i = 1; i <= mostTries; ++i) {
+      std::string name = "PART" + std::to_string(i);
+      if (!snapshot.project().findProgram(snapshot.unit(), name).second &&
+          !snapshot.project().liesElsewhere(snapshot.unit(), name) &&
+          text_.find_insensitive(name) == llvm::StringRef::npos)
+        return name;
+    }
+    return {};
+  }
+
+  /// In small letters where the file of the text has them.
+  std::string pathOf(const std::string &name) const {
+    const llvm::StringRef own = selection_.snapshot().source().path();
+    llvm::StringRef ending = llvm::sys::path::extension(own);
+    if (own.empty())
+      return {};
+    const bool small = isLower(ending);
+    std::string file = name;
+    if (dialect_.subprogramExtensions.empty())
+      file += ending;
+    else
+      file += "." + llvm::StringRef(dialect_.subprogramExtensions.front()).upper();
+    llvm::SmallString<128> path(llvm::sys::path::parent_path(own));
+    llvm::sys::path::append(path, small ? llvm::StringRef(file).lower() : file);
+    return path.str().str();
+  }
+
+  /// `N60 ` where every block has a number.
+  std::string numberAfter() const {
+    const Block &last = selection_.blocks().back();
+    if (!dialect_.facts->program.everyBlockNumbered || last.number < 0)
+      return {};
+    return "N" + std::to_string(last.number + numberStep) + " ";
+  }
+
+  /// The head of the program, and the line after it that says where the control keeps it, with the
+  /// new name.
+  void inArchive(const ProgramInfo &own, const std::string &name, const std::string &code) {
+    const llvm::StringRef lineEnd = lineEndOf(text_);
+    std::string head = text_.slice(own.headerBegin, own.headerEnd).rtrim().str();
+    const size_t at = llvm::StringRef(head).find_insensitive(own.name);
+    const size_t kind = llvm::StringRef(head).find_insensitive("_MPF");
+    if (own.name.empty() || at == std::string::npos || kind == std::string::npos)
+      return void(refuse("the head of the program is not one that another program could have"));
+    head.replace(kind, 4, "_SPF");
+    head.replace(at, own.name.size(), name);
+    const llvm::StringRef next = text_.substr(own.headerEnd).ltrim("\r\n");
+    if (next.startswith_insensitive(";$PATH="))
+      head += (lineEnd + next.take_until([](char c) { return c == '\r' || c == '\n'; })).str();
+    const auto end = uint32_t(text_.size());
+    edit(end, end, ((text_.endswith("\n") ? "" : lineEnd.str()) + head + lineEnd.str() + code));
   }
 
   /// `o<part> call`, and the subprogram before the first block: a call finds what is written

@@ -26,9 +26,15 @@ protected:
   void replaceBlocks(std::string text) {
     edit(selection_.blocks().front().begin, selection_.blocks().back().end, std::move(text));
   }
+  /// Writes a program into a file of its own.
+  void create(std::string path, std::string text) {
+    result_.file = NewFile{std::move(path), std::move(text)};
+  }
   Rewriting finish() {
-    if (isRefused())
+    if (isRefused()) {
       result_.edits.clear();
+      result_.file.reset();
+    }
     selection_.proveSame(result_);
     return std::move(result_);
   }

@@ -66,15 +66,38 @@ const SelectionRun &Selection::wholeRun(std::string &refused) {
   return *run_;
 }
 
+/// A new file lies in no folder yet: it is laid over those of the disk as a text of the editor, and
+/// its name is found as that of a file which is checked together with the text.
+struct Selection::After {
+  After(const Selection &selection, const Rewriting *rewriting)
+      : text(rewriting ? applyEdits(selection.snapshot_.text(), rewriting->edits)
+                       : selection.snapshot_.text().str()),
+        folders(selection.snapshot_.setup().folders), open(selection.open_) {
+    const NewFile *const made = rewriting && rewriting->file ? &*rewriting->file : nullptr;
+    if (!made)
+      return;
+    folders = std::make_shared<ProgramFolders>();
+    folders->setChecked({made->path});
+    auto texts = open ? *open : SourceSet::Overlay();
+    texts[selection.snapshot_.source().path()] = std::make_shared<const std::string>(text);
+    texts[made->path] = std::make_shared<const std::string>(made->text);
+    open = std::make_shared<const SourceSet::Overlay>(std::move(texts));
+  }
+
+  std::string text;
+  std::shared_ptr<ProgramFolders> folders;
+  std::shared_ptr<const SourceSet::Overlay> open;
+};
+
 /// The run of the text after the edits.
 SelectionRun Selection::followAfter(const Rewriting &rewriting) {
   const SourceFile &source = snapshot_.source();
-  const std::string text = applyEdits(source.text(), rewriting.edits);
-  SourceSet sources(open_);
-  const SourceFile &file = sources.add(source.display(), text, source.path());
+  const After after(*this, &rewriting);
+  SourceSet sources(after.open);
+  const SourceFile &file = sources.add(source.display(), after.text, source.path());
   const FileSetup &setup = snapshot_.setup();
   Project project(sources, setup.dialect, *setup.machine, setup.config->searchFolders,
-                  setup.folders);
+                  after.folders);
   return runSelection(project, project.unit(file), 0, 0, {}, setup.limits, cancel_);
 }
 
@@ -98,15 +121,37 @@ void Selection::prove(Rewriting &rewriting, const AxisChanges &changes, double t
     rewriting.edits.clear();
 }
 
-std::set<RuleId> Selection::rulesThatReport(llvm::StringRef text) const {
+/// Null: those of the text as it is.
+std::set<RuleId> Selection::rulesThatReport(const Rewriting *rewriting) const {
   const SourceFile &source = snapshot_.source();
-  SourceSet sources(open_);
-  const SourceFile &file = sources.add(source.display(), text, source.path());
+  const After after(*this, rewriting);
+  SourceSet sources(after.open);
   std::set<RuleId> rules;
-  for (const CheckedFinding &checked : checkFile(*session_, sources, file, cancel_).findings)
-    if (!checked.finding.suppressed && checked.finding.severity != Severity::Style)
-      rules.insert(checked.finding.rule);
+  const auto check = [&](Session &session, const SourceFile &file) {
+    for (const CheckedFinding &checked : checkFile(session, sources, file, cancel_).findings)
+      if (!checked.finding.suppressed && checked.finding.severity != Severity::Style)
+        rules.insert(checked.finding.rule);
+  };
+  const SourceFile &file = sources.add(source.display(), after.text, source.path());
+  if (!rewriting || !rewriting->file) {
+    check(*session_, file);
+    return rules;
+  }
+  Session session(session_->options());
+  const std::string &made = rewriting->file->path;
+  session.folders()->setChecked({made});
+  check(session, file);
+  check(session, sources.add(made, rewriting->file->text, made));
   return rules;
+}
+
+/// Which rule reports what none reported before.
+std::string Selection::whyNotClean(const Rewriting &rewriting) const {
+  const std::set<RuleId> before = rulesThatReport(nullptr);
+  for (const RuleId rule : rulesThatReport(&rewriting))
+    if (!before.count(rule))
+      return ("there would be a finding of " + allRules()[rule].info.id).str();
+  return {};
 }
 
 void Selection::proveSame(Rewriting &rewriting) {
@@ -122,15 +167,12 @@ void Selection::proveSame(Rewriting &rewriting) {
         rewriting.refused = "the program would end in another state";
     }
   }
-  if (rewriting.refused.empty() && !rewriting.edits.empty() && session_) {
-    const llvm::StringRef text = snapshot_.text();
-    const std::set<RuleId> before = rulesThatReport(text);
-    for (const RuleId rule : rulesThatReport(applyEdits(text, rewriting.edits)))
-      if (!before.count(rule) && rewriting.refused.empty())
-        rewriting.refused = ("there would be a finding of " + allRules()[rule].info.id).str();
-  }
-  if (!rewriting.refused.empty())
+  if (rewriting.refused.empty() && !rewriting.edits.empty() && session_)
+    rewriting.refused = whyNotClean(rewriting);
+  if (!rewriting.refused.empty()) {
     rewriting.edits.clear();
+    rewriting.file.reset();
+  }
 }
 
 } // namespace ncvet::lsp

@@ -9,10 +9,16 @@
 
 namespace ncvet::lsp {
 
+/// A program that a rewriting writes into a file of its own.
+struct NewFile {
+  std::string path, text;
+};
+
 /// A change of selected blocks that a user may choose.
 struct Rewriting {
   std::string title;
   std::vector<TextEdit> edits; ///< in the order of the text
+  std::optional<NewFile> file; ///< made beside that of the text
   std::string refused;         ///< not empty: why there are none, for the user
 };
 
@@ -28,6 +34,8 @@ public:
 
   Snapshot &snapshot() const { return snapshot_; }
   const Dialect &dialect() const { return snapshot_.dialect(); }
+  /// Whether the editor has a text of this path.
+  bool isOpen(const std::string &path) const { return open_ && open_->count(path); }
   /// With content, in the order of the text.
   llvm::ArrayRef<Block> blocks() const { return blocks_; }
   uint32_t begin() const { return begin_; }
@@ -53,7 +61,10 @@ private:
   SelectionRun followAfter(const Rewriting &rewriting);
   static std::string whyNotWhole(const SelectionRun &run);
   std::string whyNotKnown(const SelectionRun &run) const;
-  std::set<RuleId> rulesThatReport(llvm::StringRef text) const;
+  /// The text after the edits, among the files as they are then.
+  struct After;
+  std::set<RuleId> rulesThatReport(const Rewriting *rewriting) const;
+  std::string whyNotClean(const Rewriting &rewriting) const;
 
   Snapshot &snapshot_;
   const std::shared_ptr<const SourceSet::Overlay> open_;
