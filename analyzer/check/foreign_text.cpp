@@ -29,7 +29,7 @@ bool isOfLanguage(const Finding &finding) {
 
 /// The lines of one file with findings that are no advice.
 struct WrongLines {
-  std::set<uint32_t> all, ofLanguage, unreadable;
+  std::set<uint32_t> all, ofLanguage, ofCodes, unreadable;
   const Finding *first = nullptr;     ///< the first that cannot be read, else the first
   const Finding *firstCode = nullptr; ///< that is another control's
 
@@ -44,8 +44,10 @@ private:
     all.insert(line);
     if (isOfLanguage(finding))
       ofLanguage.insert(line);
-    if (!firstCode && allRules()[finding.rule].info.category == "block")
-      firstCode = &finding;
+    if (allRules()[finding.rule].info.category == "block") {
+      firstCode = firstCode ? firstCode : &finding;
+      ofCodes.insert(line);
+    }
     const bool isSyntax = allRules()[finding.rule].info.category == "syntax";
     if (isSyntax)
       unreadable.insert(line);
@@ -63,6 +65,12 @@ bool areMany(const std::set<uint32_t> &lines, uint64_t blocks) {
          (lines.size() >= fewestWrong && lines.size() * wrongPart >= blocks);
 }
 
+/// Of codes that this control does not have fewer are enough.
+bool areManyCodes(const std::set<uint32_t> &lines, uint64_t blocks) {
+  constexpr uint64_t fewest = 2;
+  return lines.size() >= fewest && lines.size() * wrongPart >= blocks;
+}
+
 /// In a short text a block or two that cannot be read are enough.
 bool areSome(const std::set<uint32_t> &lines, uint64_t blocks) {
   return !lines.empty() && lines.size() * wrongPart >= blocks;
@@ -76,10 +84,12 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   const WrongLines wrong(project.sources().get(file).lines(), file, findings);
   OtherControl other;
   const std::set<uint32_t> *counted = nullptr;
-  if (areMany(wrong.all, origin.blocks) || areSome(wrong.unreadable, origin.blocks)) {
+  if (areMany(wrong.all, origin.blocks) || areManyCodes(wrong.ofCodes, origin.blocks) ||
+      areSome(wrong.unreadable, origin.blocks)) {
     other = origin.otherControl();
     // A control with a table is another one only by what is not of this one's language.
-    if (!other.name.empty() && (!other.hasTable || areMany(wrong.ofLanguage, origin.blocks)))
+    if (!other.name.empty() && (!other.hasTable || areMany(wrong.ofLanguage, origin.blocks) ||
+                                areManyCodes(wrong.ofCodes, origin.blocks)))
       counted = other.hasTable ? &wrong.ofLanguage : &wrong.all;
   }
   const uint64_t part = origin.detected ? unreadablePart : unreadablePartOfNamed;

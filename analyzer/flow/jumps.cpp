@@ -48,10 +48,13 @@ void Jumps::byWord(Step &step) {
   if (flow.condition == Truth::No) {
     const bool named =
         flow.item < 0 || step.block.items[size_t(flow.item)].jump != JumpKind::ToStart;
-    if (named && flow.target.isConstant() &&
-        !resolveBlock(step.unit().index, step.region().program,
-                      Reference::toBlock(int64_t(flow.target.number.value())), step.at))
-      run_.issue(FlowIssue::UnknownBlock, step, where);
+    if (named && flow.target.isConstant()) {
+      const auto number = int64_t(flow.target.number.value());
+      run_.used.numbers.insert(number); // with other values the jump is taken
+      if (!resolveBlock(step.unit().index, step.region().program, Reference::toBlock(number),
+                        step.at))
+        run_.issue(FlowIssue::UnknownBlock, step, where);
+    }
   }
   if (leaveOut(step, false))
     return;

@@ -386,7 +386,9 @@ bool RegionRun::onlyCalculates() const {
          !outcome_->foreign && before_.compensation == phaseOff && before_.pendingCycle == noCode &&
          !before_.modalCalls && !run_.inFull &&
          (leads(FlowKind::Next) || leads(FlowKind::LoopBegin) || leads(FlowKind::LoopEnd) ||
-          leads(FlowKind::Structure) || leads(FlowKind::Jump));
+          leads(FlowKind::Structure) || leads(FlowKind::Jump)) &&
+         llvm::none_of(block_->items, // (`M2=3` starts a spindle)
+                       [](const Item &item) { return item.kind == ItemKind::Output; });
 }
 
 void RegionRun::tell(Live &live) {

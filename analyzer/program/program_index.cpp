@@ -24,6 +24,21 @@ ProgramKind kindOf(const SourceFile &source, const ProgramInfo &program, const D
   return kindOfEnding(sign, dialect);
 }
 
+/// `PROC NAME(..)` is its first block: a caller hands them over, whatever its file is called.
+bool takesParameters(const SourceFile &source, const Reader &reader, const ProgramInfo &program) {
+  constexpr unsigned furthest = 20; // blocks: comments, and the header
+  Block block;
+  uint32_t at = program.body;
+  for (unsigned i = 0; i < furthest && at < source.text().size(); ++i, at = block.next) {
+    reader.read(at, block);
+    if (block.isEmpty() || block.kind != BlockKind::Normal)
+      continue;
+    return !block.items.empty() && block.items.front().kind == ItemKind::Parameters &&
+           block.items.front().arguments > 0;
+  }
+  return false;
+}
+
 /// The whole file is data of the control, by the ending of its name.
 bool isDataFile(const SourceFile &source, const Dialect &dialect) {
   const llvm::StringRef ending = llvm::StringRef(source.display()).rsplit('.').second;
@@ -115,8 +130,11 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
              isLeaderComment(text.take_front(tapeMarks_.front())))
       programs_[0].begin = programs_[0].body = tapeMarks_.front();
   }
-  for (ProgramInfo &program : programs_)
+  for (ProgramInfo &program : programs_) {
     program.kind = kindOf(source, program, dialect);
+    if (program.kind == ProgramKind::Main && takesParameters(source, reader, program))
+      program.kind = ProgramKind::Subprogram;
+  }
   for (uint32_t i = 0; i < programs_.size(); ++i) {
     if (programs_[i].hasHeader())
       byNumber_.try_emplace(programs_[i].number, i);

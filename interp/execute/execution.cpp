@@ -271,6 +271,8 @@ void Execution::run(bool guardHolds) {
   outcome_.setupChanged = true;
   if (!block_.items.empty() && !runItems(guardHolds))
     return;
+  for (const Item &item : block_.items)
+    otherSpindle(item);
   if (block_.words.empty() && !runsEmpty())
     return finish();
   if (!block_.expressions.empty())
@@ -283,8 +285,6 @@ void Execution::run(bool guardHolds) {
   if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords |
                     dialect_.feedWords))
     settingWords();
-  for (const Item &item : block_.items)
-    speedOfOtherSpindle(item);
   for (const CodeUse &use : outcome_.codes)
     applyEarly(use);
   applyZeros();
@@ -473,7 +473,8 @@ void Execution::finish() {
     state_.idleBlocks = 0;
   } else if (!branchesOnly(block_) &&
              (!dialect_.facts->text.statementsAlone || !calculatesOnly(block_))) {
-    countIdle(axesMoved());
+    countIdle(outcome_.kinds & bitOf(EventKind::CycleRun) ? planeAxes(dialect_, state_)
+                                                          : axesMoved());
   }
   if (state_.modalCalls)
     outcome_.callsModally = firesModalCall();

@@ -133,9 +133,22 @@ void Execution::offsetWord(const Word &word, AddressMask ofCycle) {
   event.setWordValue(number);
 }
 
-/// `S3=2500`: where another spindle may have become the one that cuts, this is its speed.
-void Execution::speedOfOtherSpindle(const Item &item) {
-  if (item.kind != ItemKind::Output || item.target == noExpression || state_.spindle != spindleAny)
+/// `M2=3`: another spindle turns from here on, and may be the one that cuts. `S3=2500`: where it
+/// may have become that one, this is its speed.
+void Execution::otherSpindle(const Item &item) {
+  if (item.kind != ItemKind::Output || item.target == noExpression)
+    return;
+  if (item.count != noExpression) {
+    constexpr double clockwise = 3, counterClockwise = 4;
+    const Value function = evaluate(block_, item.value, state_, nullptr);
+    if (function.isConstant() && function.number.value() != clockwise &&
+        function.number.value() != counterClockwise)
+      return;
+    outcome_.setupChanged = true;
+    state_.liveTool = spindleAny;
+    return;
+  }
+  if (state_.spindle != spindleAny && state_.liveTool != spindleAny)
     return;
   outcome_.setupChanged = true;
   state_.speed = Interval::unknown();

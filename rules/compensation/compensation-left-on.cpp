@@ -27,6 +27,7 @@ public:
                  EventKind::CycleRun, EventKind::Block, EventKind::FlowIssue});
     to.onAction({Action::CompensationLeft, Action::CompensationRight, Action::CompensationOff,
                  Action::Reset});
+    refusesChange_ = to.flag("refusesChange", true);
     if (to.dialect().facts->compensation.offAtStops)
       to.onAction({Action::ProgramStop, Action::OptionalStop});
     if (!to.dialect().isLathe())
@@ -59,7 +60,8 @@ public:
       return;
     case EventKind::ToolChange:
       if (ctx.after().profile == ProfileMode::Off && !staysOrBegins(ctx))
-        leftOn(event, "the tool is changed", Severity::Error, ctx);
+        leftOn(event, "the tool is changed",
+               refusesChange_ ? std::optional(Severity::Error) : std::nullopt, ctx);
       return;
     case EventKind::OffsetWord:
       if (ctx.after().profile == ProfileMode::Off &&
@@ -164,6 +166,7 @@ private:
         cuts, ctx, [&] { feeding = cuts; }, judge);
   }
   AfterCalls afterCalls_;
+  bool refusesChange_ = true; ///< the control stops at a change of the tool
 
   static bool switchedOnIn(const ProgramInfo &program, RuleContext &ctx) {
     return isIn(ctx, ctx.after().origin.of(StatePart::Compensation), program);

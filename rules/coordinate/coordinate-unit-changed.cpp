@@ -33,6 +33,9 @@ public:
       if (!drove || (before.mayBeStated(group)))
         return;
     }
+    // The program has kept its modes, to bring them back.
+    if (ctx.callDepth() > 0 && (before.saved.modes || !before.saved.known))
+      return;
     // The change back belongs to the change that was reported.
     if (stated && memory().back == std::pair(code.action, ctx.source().id()))
       return;

@@ -46,6 +46,7 @@ public:
              code.cycle < CycleKind::Pattern;
     });
     to.onCode([&](const CodeInfo &code) { return endsSeries(code, to.dialect()); });
+    onlyWhereRun_ = to.flag("onlyWhereRun");
     if (to.flag("referenceStops"))
       to.onAction({Action::ReferenceReturn, Action::ReferenceFrom, Action::ReferenceCheck});
   }
@@ -78,6 +79,9 @@ public:
       return;
     }
     if (!cycle || endsHere(event, *cycle, ctx))
+      return;
+    // Whatever moves the axes next does so by a motion code.
+    if (onlyWhereRun_ && event.kind == EventKind::Code && isPass(*cycle))
       return;
     if (event.kind == EventKind::Code && isReference(ctx.code(event)))
       underCycle(event, *cycle, active == Truth::Yes, ctx);
@@ -164,7 +168,8 @@ private:
     if (memory().said == origin && memory().said.known())
       return;
     const llvm::StringRef where = placeOf(event, cycle, origin, ctx);
-    if (where.empty())
+    if (where.empty() || (onlyWhereRun_ && event.kind == EventKind::ToolChange && isPass(cycle) &&
+                          nextMoveHasCode(ctx)))
       return;
     if (event.kind == EventKind::Code && endsSeries(ctx.code(event), dialect))
       memory().said = origin;
@@ -190,6 +195,29 @@ private:
   static bool endsByMotion(const CodeInfo &cycle, const Dialect &dialect) {
     const GroupIndex motion = dialect.group(StandardGroup::Motion);
     return motion != noGroup && cycle.group == motion;
+  }
+
+  /// A cycle of one pass in turning, which any motion code ends.
+  static bool isPass(const CodeInfo &cycle) {
+    return cycle.cycle == CycleKind::TurnPass || cycle.cycle == CycleKind::FacePass ||
+           cycle.cycle == CycleKind::ThreadPass;
+  }
+
+  /// The next block with coordinates has a motion code of its own.
+  static bool nextMoveHasCode(RuleContext &ctx) {
+    constexpr unsigned furthest = 30; // blocks
+    const Dialect &dialect = ctx.dialect();
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i) {
+      if (llvm::any_of(codesOf(dialect, next), [&](CodeIndex code) {
+            return isMotion(dialect.codes[code].action) || isPass(dialect.codes[code]);
+          }))
+        return true;
+      if (next.hasAny(dialect.axisWords) && !findCode(dialect, next, {Action::ReferenceReturn}))
+        return false;
+    }
+    return false;
   }
 
   /// After a call that has left such a cycle active the caller goes on, without a motion code, to
@@ -353,6 +381,7 @@ private:
         cycle.base, ctx, [] {}, judge);
   }
   AfterCalls afterCalls_;
+  bool onlyWhereRun_ = false; ///< told only where the next position would run it
 
   /// Codes beside which an active cycle makes nothing.
   static bool waits(Action action) {

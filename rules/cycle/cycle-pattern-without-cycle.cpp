@@ -34,7 +34,10 @@ public:
     }
     if (!modal_ || !makesHole(code.cycle) || code.group != noGroup)
       return sleepInShape();
-    if (positionsFollow(ctx))
+    // In the plane of turning a hole lies on the axis, and the tool goes away after it.
+    if (ctx.before().isActive(ctx.dialect(), StandardGroup::Plane, {Action::PlaneZX}) ==
+            Truth::No &&
+        positionsFollow(ctx))
       if (auto finding = ctx.report(event, event.certain))
         finding.message("`{0}` drills here only: at the positions after it nothing happens without "
                         "a modal call",

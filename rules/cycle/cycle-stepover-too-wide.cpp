@@ -14,6 +14,7 @@ public:
   void listen(Subscriptions &to) override {
     to.on(EventKind::CycleRun);
     to.onNotices(id);
+    evenSteps_ = to.flag("evenSteps", true);
     stepUnit_ = to.dialect().facts->turning.stepUnit;
   }
 
@@ -55,7 +56,7 @@ public:
       return;
     }
     const double steps = width / step;
-    if (steps < 1 || std::fabs(steps - std::round(steps)) < 1e-4)
+    if (!evenSteps_ || steps < 1 || std::fabs(steps - std::round(steps)) < 1e-4)
       return;
     if (auto finding = ctx.report(*word, event.certain))
       finding
@@ -68,6 +69,7 @@ public:
 private:
   static constexpr llvm::StringLiteral id{"cycle-stepover-too-wide"};
   double stepUnit_ = 1;
+  bool evenSteps_ = true; ///< a last step that is smaller is told
 };
 
 } // namespace

@@ -29,14 +29,24 @@ public:
   }
 
 private:
-  /// The block moves nothing, and the next block that feeds has a feed of its own.
+  /// The block moves nothing, and none of the next blocks feeds without a feed of its own.
   static bool isReplaced(const RuleContext &ctx) {
-    constexpr unsigned furthest = 8; // blocks
-    return comesInTime(
-        ctx, furthest, [](const Block &next) { return next.has(letterAddress('F')); },
-        [&](const Block &next) {
-          return namesAxes(ctx.dialect(), next) && !findCode(ctx.dialect(), next, {Action::Rapid});
-        });
+    constexpr unsigned furthest = 12; // blocks
+    if (namesAxes(ctx.dialect(), ctx.block()) || ctx.find({Action::Cycle}))
+      return false;
+    bool rapid = false;
+    BlocksAhead ahead(ctx);
+    Block next;
+    for (unsigned i = 0; i < furthest; ++i) {
+      if (!ahead.next(next) || next.has(letterAddress('F')))
+        return true;
+      for (const CodeIndex code : codesOf(ctx.dialect(), next))
+        if (isMotion(ctx.dialect().codes[code].action))
+          rapid = ctx.dialect().codes[code].action == Action::Rapid;
+      if (namesAxes(ctx.dialect(), next) && !rapid)
+        return false;
+    }
+    return false;
   }
 };
 

@@ -1,7 +1,9 @@
 // A condition has always the same result.
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/references.h"
 #include "analyzer/rule/sleep_in_stretch.h"
+#include "formats/dialect/control_facts.h"
 #include "interp/evaluate/expression.h"
 
 #include <map>
@@ -163,14 +165,49 @@ private:
     if (isChoice(key, ctx))
       return;
     const Truth truth = truthOf(evaluate(ctx.block(), item.condition, ctx.before(), nullptr));
+    if (truth == Truth::No && refuses(item, ctx))
+      return;
     Memory::Decided &decided = memory().decided[{ctx.source().id(), condition.begin}];
     decided.other |=
         truth == Truth::Unknown || (decided.range.end && decided.truth != (truth == Truth::Yes));
     decided.range = ctx.range(condition);
     decided.variable = ctx.range(*given);
-    decided.number = ctx.block().number;
+    decided.number = numberAfter(before, ctx);
     decided.truth = truth == Truth::Yes;
     decided.loops = item.kind == ItemKind::Structure && item.structure == Structure::While;
+  }
+
+  /// The condition leads to an alarm: it watches over a number that who sets up the machine edits.
+  static bool refuses(const Item &condition, const RuleContext &ctx) {
+    const Block &here = ctx.block();
+    const auto index = size_t(&condition - here.items.data());
+    if (index + 1 >= here.items.size() || here.items[index + 1].kind != ItemKind::Jump)
+      return false;
+    const Value to = evaluate(here, here.items[index + 1].value, ctx.before(), nullptr);
+    if (!to.isConstant())
+      return false;
+    const auto place = resolveBlock(ctx.index(), ctx.index().programAt(here.begin),
+                                    Reference::toBlock(int64_t(to.number.value())), here.begin);
+    if (!place)
+      return false;
+    const auto &alarms = ctx.dialect().facts->messages.variables;
+    constexpr unsigned furthest = 3; // blocks
+    for (const Block &block :
+         blocks(ctx.index().reader(), *place, ctx.index().programAt(here.begin).end, furthest))
+      for (const Item &item : block.items)
+        if (item.kind == ItemKind::Assignment && llvm::any_of(alarms, [&](const auto variable) {
+              return block.keyOf(item.target) == uint64_t(variable);
+            }))
+          return true;
+    return false;
+  }
+
+  /// The number by which a jump comes between the two blocks, to an empty block or to this one.
+  static int64_t numberAfter(const Block &before, const RuleContext &ctx) {
+    for (const Block &block : blocks(ctx.index().reader(), before.next, ctx.block().begin))
+      if (block.number >= 0)
+        return block.number;
+    return ctx.block().number;
   }
 
   /// A further condition of the next blocks asks for the same variable: its value chooses one part

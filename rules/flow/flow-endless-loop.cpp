@@ -2,6 +2,7 @@
 #include "analyzer/facts/called_blocks.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/references.h"
 #include "analyzer/program/repeated_sections.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -41,13 +42,36 @@ public:
       return backwards(item, ctx);
     }
     if (event.flowIssue() != FlowIssue::EndlessLoop ||
-        (restarts_ && ctx.outcome().flow.kind == FlowKind::Return) || goesOnInHead(ctx))
+        (restarts_ && ctx.outcome().flow.kind == FlowKind::Return) || goesOnInHead(ctx) ||
+        waitsForOthers(ctx))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");
   }
 
 private:
+  /// `N10` and `IF [#503 NE 0] GOTO 10`: over blocks that move nothing the program waits for who
+  /// else writes a common variable, at the machine or beside it.
+  static bool waitsForOthers(const RuleContext &ctx) {
+    const Block &here = ctx.block();
+    const Flow &flow = ctx.outcome().flow;
+    if (flow.item < 1 || !flow.target.isConstant() ||
+        here.items[size_t(flow.item) - 1].kind != ItemKind::If)
+      return false;
+    const std::set<uint64_t> read = variablesOf(here.items[size_t(flow.item) - 1], here);
+    const auto to =
+        resolveBlock(ctx.index(), ctx.index().programAt(here.begin),
+                     Reference::toBlock(int64_t(flow.target.number.value())), here.begin);
+    if (read.empty() || !to || *to > here.begin || here.begin - *to > readable ||
+        llvm::any_of(read, [](uint64_t key) { return key < firstCommon; }))
+      return false;
+    for (const Block &block : blocks(ctx.index(), *to, here.begin))
+      if (block.hasAny(ctx.dialect().axisWords) || !block.items.empty())
+        return false;
+    return true;
+  }
+  static constexpr uint64_t firstCommon = 100; ///< those before are the program's own
+
   /// Whether statements follow in the block that begins the loop: not all controls run them, and
   /// those that do may change there what decides.
   static bool goesOnInHead(const RuleContext &ctx) {

@@ -72,6 +72,21 @@ std::string callOfBlock(const Flow &flow, const RuleContext &ctx) {
   return llvm::formatv("{0} {1}{2}", local->name, dialect.alternatives(word), number).str();
 }
 
+/// Whether a contour is called that is turned.
+bool turnsContour(const RuleContext &ctx) {
+  const Flow &flow = ctx.outcome().flow;
+  return flow.kind == FlowKind::Contour && flow.code != noCode &&
+         has(ctx.dialect().codes[flow.code], CycleTrait::TurnsContour);
+}
+
+/// Whether the program has a label of the name that is called.
+bool isLabel(const RuleContext &ctx) {
+  const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+  const llvm::StringRef name = ctx.text(ctx.flowRange()).trim('"');
+  return resolveBlock(ctx.index(), program, Reference::toLabel(name), ctx.block().begin)
+      .has_value();
+}
+
 class FlowUndefinedSubprogram final : public Rule {
 public:
   void listen(Subscriptions &to) override { to.on(EventKind::FlowIssue); }
@@ -81,8 +96,7 @@ public:
     const Flow &flow = ctx.outcome().flow;
     const bool local = flow.kind == FlowKind::CallLocal;
     const bool contour = issue == FlowIssue::UnknownBlock && flow.kind == FlowKind::Contour &&
-                         flow.code != noCode &&
-                         !has(ctx.dialect().codes[flow.code], CycleTrait::TurnsContour);
+                         flow.code != noCode && !turnsContour(ctx);
     if (issue != FlowIssue::UnknownProgram && !(issue == FlowIssue::UnknownBlock && local) &&
         !contour)
       return;
@@ -108,6 +122,17 @@ public:
     auto finding = ctx.report(ctx.flowRange(), event.certain && !builtIn);
     if (!finding)
       return;
+    if (contour)
+      finding.message("`{0}` is a contour between two labels, and this program does not have both: "
+                      "the control stops here",
+                      ctx.text(ctx.flowRange()));
+    else
+      tell(finding, local, builtIn, ctx);
+  }
+
+private:
+  static void tell(FindingBuilder &finding, bool local, bool builtIn, const RuleContext &ctx) {
+    const Flow &flow = ctx.outcome().flow;
     const CodeInfo *const meant = isNamed(flow) ? mistypedFor(ctx) : nullptr;
     if (meant)
       finding.severity(Severity::Warning)
@@ -117,16 +142,17 @@ public:
       finding.severity(Severity::Error)
           .message("`{0}` calls a block that this program does not have: the control stops here",
                    ctx.text(ctx.flowRange()));
-    else if (contour)
-      finding.message("`{0}` is a contour between two labels, and this program does not have both: "
-                      "the control stops here",
+    else if (flow.kind == FlowKind::Contour && isLabel(ctx))
+      finding.message("`{0}` calls a program that was not found, and this one has a label of that "
+                      "name: a contour between two labels names both",
                       ctx.text(ctx.flowRange()));
     else if (builtIn)
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: nothing is known of what it does",
                    ctx.text(ctx.flowRange()));
     else if (ctx.dialect().limits.protectedPrograms ||
-             (isNamed(flow) && !ctx.dialect().facts->program.folders.empty()))
+             ((isNamed(flow) || turnsContour(ctx)) &&
+              !ctx.dialect().facts->program.folders.empty()))
       // The builder's programs lie in folders of the control.
       finding.severity(Severity::Style)
           .message("`{0}` calls a program that was not found: unless it lies on the control, this "

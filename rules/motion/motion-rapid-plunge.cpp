@@ -172,7 +172,8 @@ private:
     BlocksAhead ahead(ctx);
     Block next;
     return ahead.next(next) && (axesOf(ctx.dialect(), next) & plane) &&
-           next.has(letterAddress('F')) && !hasMotionCode(ctx.dialect(), next);
+           next.has(letterAddress('F')) && !hasMotionCode(ctx.dialect(), next) &&
+           !findCode(ctx.dialect(), next, {Action::SkipMove});
   }
 
   /// The tool comes down where the stock certainly is not.

@@ -32,6 +32,10 @@ private:
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
         if (i > 1 && numbers[i - 2].number == again.number) // once for each number
           continue;
+        if (nextProfile_ && isOfCyclesBefore(first, program, file, ctx.dialect())) {
+          ++others;
+          continue;
+        }
         if (otherProgramBetween(first, again, file, ctx.dialect()) ||
             (nextProfile_ && profileBetween(first, again, file, ctx.dialect())))
           continue;
@@ -82,6 +86,26 @@ private:
         return true;
     }
     return false;
+  }
+
+  /// Only cycles before the first of the two name the number: they have found the first.
+  static bool isOfCyclesBefore(const NumberedBlock &first, const ProgramInfo &program,
+                               const FileSummary &file, const Dialect &dialect) {
+    for (const Block &block : blocks(file.reader, program.body, program.end)) {
+      if (llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::Jump; }))
+        return false;
+      for (const char letter : {'P', 'Q'}) {
+        const Word *word = block.find(letter);
+        if (!word || (word->isNumber() && int64_t(word->value()) != first.number))
+          continue;
+        if (block.begin > first.offset ||
+            llvm::none_of(codesOf(dialect, block), [&](CodeIndex code) {
+              return readsProfile(dialect.codes[code], dialect);
+            }))
+          return false;
+      }
+    }
+    return true;
   }
 
   /// Whether the code, or a variant of it, works along blocks that two of its words name.

@@ -39,6 +39,8 @@ private:
         (event.motion == MotionKind::Rapid || event.motion == MotionKind::Reference ||
          event.motion == MotionKind::Skip))
       return sleepInShape();
+    if (!(state.spindle & (spindleCw | spindleCcw))) // it stops, and another one may cut
+      return;
     const CodeInfo *mode = state.activeCode(ctx.dialect(), StandardGroup::SpeedMode);
     const Origin origin = state.originOf(ctx.dialect(), StandardGroup::SpeedMode);
     if (!mode || !origin.known())

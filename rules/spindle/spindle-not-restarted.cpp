@@ -15,6 +15,7 @@ struct SpindleNotRestartedMemory {
   bool itself = false; ///< its cycle starts the spindle
   OncePerCause once;
   OncePerCause onceOfChange;
+  Origin measured; ///< the call of the tool that was driven against something since
 };
 
 class SpindleNotRestarted final : public StatefulRule<SpindleNotRestartedMemory> {
@@ -33,6 +34,8 @@ public:
   void on(const Event &event, RuleContext &ctx) const override {
     if (event.kind == EventKind::Code)
       return ctx.reportNotices(id, event);
+    if (event.kind == EventKind::Motion && event.motion == MotionKind::Skip)
+      memory().measured = ctx.before().origin.of(StatePart::Tool);
     if (afterTap_)
       directionAfterTap(event, ctx);
     stopped(event, ctx);
@@ -57,6 +60,9 @@ public:
     }
     const bool certain = event.certain && ctx.before().must(Fact::SpindleStoppedByTap);
     if (!certain && ctx.before().may(Fact::UnknownCode))
+      return;
+    const Origin &tool = ctx.before().origin.of(StatePart::Tool);
+    if ((tool.known() && memory().measured == tool) || !startsSpindle(ctx))
       return;
     if (!memory().once.speaks(stoppedBy(ctx) ? ctx.before().origin.of(StatePart::Spindle)
                                              : ctx.before().origin.of(StatePart::Cycle),
@@ -86,6 +92,18 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"spindle-not-restarted"};
+
+  /// The file starts a spindle anywhere: others guide what needs none.
+  static bool startsSpindle(const RuleContext &ctx) {
+    const auto end = uint32_t(ctx.source().text().size());
+    for (const Block &block : blocks(ctx.index().reader(), 0, end))
+      for (const CodeIndex code : codesOf(ctx.dialect(), block))
+        if (const CodeInfo &info = ctx.dialect().codes[code];
+            info.action == Action::SpindleCw || info.action == Action::SpindleCcw ||
+            info.spindle == SpindleNeed::StartsItself)
+          return true;
+    return false;
+  }
 
   /// The code that stopped the spindle besides doing its own work; null: a tapping cycle did.
   static const CodeInfo *stoppedBy(const RuleContext &ctx) {

@@ -24,6 +24,7 @@ public:
     anyMachine_ = to.flag("anyMachine");
     builderStarts_ = to.flag("builderStarts");
     startWhereNamed_ = to.flag("startWhereNamed");
+    masterFeeds_ = to.flag("masterFeeds");
     const MachineProfile &machine = to.machine();
     top_ = machine.stock && machine.stock->max[2] ? machine.stock->max[2]
                                                   : machine.number("stockTopZ");
@@ -47,8 +48,12 @@ public:
     const bool last = event.kind == EventKind::CycleRun && code.firesOnEveryBlock && !event.axes;
     const MachineState &state =
         ctx.find({Action::SpindleStop}) && !last ? ctx.before() : ctx.after();
-    const uint8_t live =
-        ctx.find({Action::LiveToolStop}) ? ctx.before().liveTool : ctx.after().liveTool;
+    uint8_t live = ctx.find({Action::LiveToolStop}) ? ctx.before().liveTool : ctx.after().liveTool;
+    // The feed per revolution is that of the main spindle, whatever else turns.
+    const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
+                                              {Action::FeedPerRevolution}) == Truth::Yes;
+    if (live == spindleAny && perRevolution && masterFeeds_)
+      live = spindleOff;
     if (!mayStop(state.spindle, live))
       return sleepInShape();
     if (event.kind == EventKind::Motion && isAboveStock(ctx))
@@ -75,8 +80,6 @@ public:
         finding.severity(Severity::Warning);
       if (last)
         holeOfStop(event, code, finding, ctx);
-      const bool perRevolution = state.isActive(ctx.dialect(), StandardGroup::FeedMode,
-                                                {Action::FeedPerRevolution}) == Truth::Yes;
       finding
           .message("`{0}` cuts while the spindle {1}{2}", code.name,
                    state.may(Fact::SpindleStated) ? "is stopped" : "was never started",
@@ -100,6 +103,11 @@ private:
     if (ctx.block().hasAny(axisWords) && llvm::none_of(ctx.block().words, [&](const Word &word) {
           return (axisWords & maskOf(word.address)) && !word.has(wordNoValue);
         }))
+      return false;
+    // At home of the tool's axis the tool goes to its place, and cuts nothing.
+    const Axis tool = toolAxis(ctx.dialect(), ctx.after());
+    if (!ctx.dialect().isLathe() && ctx.before().must(Fact::AtMachinePosition) &&
+        ctx.before().inMachineCoordinates(tool) && !(event.axes >> unsigned(tool) & 1))
       return false;
     if (isNoWay(ctx) || ctx.find({Action::LengthPositive, Action::LengthNegative}))
       return false; // (a tool comes to its first height with its length)
@@ -199,6 +207,7 @@ private:
 
   MeasuringTools measuring_;
   bool anyMachine_ = false; ///< a program that names no spindle at all may be for a machine without
+  bool masterFeeds_ = false;     ///< feed per revolution is that of the master spindle
   bool startWhereNamed_ = false; ///< a program that never wants a spindle is for one with a switch
   bool builderStarts_ = false;   ///< a program that starts no spindle has it started by other codes
   std::optional<double> top_;    ///< of the stock

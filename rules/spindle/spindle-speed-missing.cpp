@@ -1,6 +1,7 @@
 // A spindle without a speed, with none above zero, or with that of the tool before.
 #include "analyzer/facts/blocks_ahead.h"
 #include "analyzer/facts/cause_place.h"
+#include "analyzer/program/block_reading.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -95,6 +96,8 @@ private:
       return;
     const bool certain = event.certain && !ctx.after().may(Fact::SpeedSet);
     if (auto finding = ctx.report(event, certain)) {
+      if (starts && isSetByHand(ctx))
+        finding.severity(Severity::Style);
       if (starts)
         finding.message("`{0}` starts the spindle, but no speed was programmed", code.name);
       else
@@ -178,8 +181,36 @@ private:
     // `M05 S0` is a habit and does no harm.
     if (event.speed().value() == 0 && (stops || !runs))
       return;
+    if (event.speed().value() == 0 && modulates(ctx))
+      return;
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is not above zero: the spindle does not turn", ctx.text(*event.word));
+  }
+
+  /// The program starts spindles several times, and names no speed at all: it is set by hand.
+  static bool isSetByHand(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    unsigned starts = 0;
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      if (block.has(letterAddress('S')))
+        return false;
+      starts += findCode(ctx.dialect(), block, {Action::SpindleCw, Action::SpindleCcw}) != nullptr;
+    }
+    return starts > 1;
+  }
+
+  /// Moves of the program have an S of their own: it is the power of a laser, which may be none.
+  static bool modulates(const RuleContext &ctx) {
+    const ProgramInfo &program = ctx.index().programAt(ctx.block().begin);
+    unsigned moves = 0;
+    constexpr unsigned enough = 2; // of one a tool may begin to turn on its way
+    for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+      moves += block.has(letterAddress('S')) && !block.has(letterAddress('M')) &&
+               block.hasAny(ctx.dialect().axisWords);
+      if (moves == enough)
+        return true;
+    }
+    return false;
   }
 
   bool usesUp_ = false;        ///< codes of the control leave no speed in force

@@ -83,9 +83,10 @@ private:
     Block block;
     file.reader.read(file.source.lines().lineBegin(open), block);
     // Alone in its line it is a code that somebody switched off; beside words it is a slip.
-    if (block.isEmpty() || llvm::none_of(block.comments, [&](const Comment &c) {
-          return c.begin == open && c.end == end;
-        }))
+    // After an assignment it names a point or a step, as `(P1)` in the line before.
+    if (block.isEmpty() || (block.words.empty() && !block.items.empty()) ||
+        llvm::none_of(block.comments,
+                      [&](const Comment &c) { return c.begin == open && c.end == end; }))
       return;
     if (auto finding = ctx.report(SourceRange{file.source.id(), open, end}))
       finding.message("`{0}` is in a comment: the control does not execute it", code);

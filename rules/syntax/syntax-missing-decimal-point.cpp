@@ -77,21 +77,30 @@ public:
         tell(place, ctx);
     if (without >= with)
       return;
-    constexpr size_t most = 10; // told one by one
-    for (const SourceRange &place : places) {
-      auto finding = ctx.report(place);
+    constexpr size_t most = 10; // told block by block
+    for (size_t i = 0, next = 0; i < places.size(); i = next) {
+      for (next = i + 1; next < places.size() && areOfOneBlock(places[i], places[next], ctx);)
+        ++next;
+      auto finding = ctx.report(places[i]);
       if (!finding)
         continue;
+      const llvm::StringRef word = ctx.text(places[i]);
       if (places.size() > most)
         finding.message("`{0}` and {1} further lengths have no decimal point, and {2} of this file "
                         "have one: by parameter the control reads these as {3}",
-                        ctx.text(place), without - 1, with, parts());
-      else
+                        word, without - 1, with, parts());
+      else if (next == i + 1)
         finding.message("`{0}` has no decimal point, and other lengths of this file have one: by "
                         "parameter the control reads it as {1}",
-                        ctx.text(place), parts());
+                        word, parts());
+      else
+        finding.message("`{0}` and `{1}` have no decimal point, and other lengths of this file "
+                        "have one: by parameter the control reads them as {2}",
+                        word, ctx.text(places[next - 1]), parts());
       finding.severity(Severity::Warning)
-          .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(place.end, "."));
+          .fix(FixSafety::Unsafe, "add the decimal point", ctx.insertBefore(places[i].end, "."));
+      for (size_t other = i + 1; other < next; ++other)
+        finding.edit(ctx.insertBefore(places[other].end, "."));
       if (places.size() > most)
         return;
     }
@@ -99,6 +108,12 @@ public:
 
 private:
   static constexpr size_t enough = 20; ///< that many are kept
+
+  /// The first speaks for the others of its block.
+  static bool areOfOneBlock(const SourceRange &first, const SourceRange &other,
+                            const RuleContext &ctx) {
+    return first.begin < other.begin && !ctx.source().text(first.begin, other.begin).contains('\n');
+  }
 
   /// What a number without a point counts.
   const char *parts() const { return memory().inch ? "ten-thousandths" : "thousandths"; }

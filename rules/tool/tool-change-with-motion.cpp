@@ -13,6 +13,9 @@ public:
         bitOf(EventKind::Motion) | bitOf(EventKind::CycleRun) | bitOf(EventKind::CycleStart);
     if (!(ctx.outcome().kinds & moves) || !axesOf(ctx.dialect(), ctx.block()))
       return;
+    // The tool that is in use: at most another offset of it comes.
+    if (event.tool() > 0 && ctx.before().tool == event.tool())
+      return;
     if (auto finding = ctx.report(event)) {
       const std::string word = ctx.text(*event.word).str();
       finding

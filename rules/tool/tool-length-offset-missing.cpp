@@ -17,6 +17,7 @@ struct ToolLengthOffsetMissingMemory {
   Aside<std::optional<int32_t>> onlyTool; ///< the first tool of a program without length offsets
   Aside<std::map<FileId, bool>> uses;     ///< by file: it names length offsets
   OncePerCause once;
+  Origin measured; ///< the call of the tool that was driven against something since
 };
 
 class ToolLengthOffsetMissing final : public StatefulRule<ToolLengthOffsetMissingMemory> {
@@ -34,6 +35,8 @@ public:
       return afterRetract(event, ctx);
     const MachineState &state = ctx.after();
     const Axis tool = toolAxis(ctx.dialect(), state);
+    if (event.kind == EventKind::Motion && event.motion == MotionKind::Skip)
+      memory().measured = state.origin.of(StatePart::Tool);
     // Drilling goes along the tool axis in every hole.
     if (event.kind == EventKind::Motion && !(event.axes >> unsigned(tool) & 1))
       return sleepInShape();
@@ -51,7 +54,7 @@ public:
     const bool certain =
         event.certain && !state.may(Fact::LengthSinceTool) && !state.may(Fact::UnknownCode);
     const Origin &origin = state.origin.of(StatePart::Tool);
-    if (!memory().once.maySpeak(origin, ctx) || isMeasured(ctx) ||
+    if (!memory().once.maySpeak(origin, ctx) || isMeasured(ctx) || isBeingMeasured(origin, state) ||
         !memory().once.speaks(origin, ctx))
       return;
     // A program that never speaks of length offsets may be for a machine without any, and with one
@@ -95,6 +98,13 @@ private:
           .note(off, "D0 is programmed here");
   }
 
+  /// It was driven against something, and no spindle has turned since.
+  bool isBeingMeasured(const Origin &tool, const MachineState &state) const {
+    constexpr uint8_t turning = spindleCw | spindleCcw;
+    return tool.known() && memory().measured == tool &&
+           !(state.spindle && !(state.spindle & ~turning));
+  }
+
   /// The tool goes to its setter: it is measured before it cuts anything.
   static bool isMeasured(const RuleContext &ctx) {
     constexpr unsigned furthest = 12; // blocks
@@ -103,8 +113,10 @@ private:
     for (unsigned i = 0; i < furthest && ahead.next(block); ++i) {
       if (findCode(ctx.dialect(), block, {Action::SkipMove}))
         return true;
-      if (findCode(ctx.dialect(), block, {Action::Linear, Action::Cycle, Action::ToolChange}))
-        return false;
+      const bool along = !(axesOf(ctx.dialect(), block) & ~uint16_t(1u << unsigned(Axis::Z)));
+      if (findCode(ctx.dialect(), block, {Action::Cycle, Action::ToolChange}) ||
+          (!along && findCode(ctx.dialect(), block, {Action::Linear})))
+        return false; // (down to its switch it is fed)
     }
     return false;
   }

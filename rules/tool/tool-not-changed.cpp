@@ -9,8 +9,10 @@ namespace {
 struct ToolNotChangedMemory {
   NamelessChanges nameless;
   SourceRange named;
-  SourceRange first; ///< the first tool that the program names
+  SourceRange first;            ///< the first tool that the program names
+  bool isChangedByCode = false; ///< a tool was changed
   int64_t number = 0;
+  bool ahead = false; ///< it was named after a change, before the first move: for a later one
 };
 
 class ToolNotChanged final : public StatefulRule<ToolNotChangedMemory> {
@@ -37,15 +39,18 @@ public:
       if (!memory().first.end)
         memory().first = memory().named;
       memory().number = numberOf(event);
+      memory().ahead = mayChangeByT_ && ctx.before().must(Fact::ToolCalled) &&
+                       !ctx.before().may(Fact::MovedSinceTool) && memory().isChangedByCode;
       const Interval number = event.toolNumber();
       if (mayChangeByT_ && number.isConstant() && number.value() == 0)
         memory().named = {}; // the place is emptied
     } else if (event.kind == EventKind::ToolChange) {
       memory().named = {};
+      memory().isChangedByCode = true;
       memory().nameless.see(event, ctx);
     } else if (event.kind == EventKind::Motion) {
       atCut(event, ctx);
-    } else if (event.kind == EventKind::ProgramEnd && memory().named.end &&
+    } else if (event.kind == EventKind::ProgramEnd && memory().named.end && !memory().ahead &&
                !ctx.after().may(Fact::UnknownCode) && (!mayChangeByT_ || changesTools(ctx)) &&
                !waitsForNextPart(ctx)) {
       if (auto finding = ctx.report(memory().named))

@@ -23,7 +23,7 @@ public:
     if (missing_)
       checkMissing(event, cycle, ctx);
     const Profile profile = readProfile(ctx);
-    if (!profile.known || profile.side == Side::Unknown || !profile.minX)
+    if (!profile.known || profile.side == Side::Unknown || !profile.minX || isNone(profile, ctx))
       return;
     // A start inside of the contour is that rule's business, and leaves the side in doubt.
     const Interval &start = ctx.after().at(Axis::X);
@@ -65,6 +65,17 @@ public:
   }
 
 private:
+  /// Blocks that call tools or go home are no contour: the numbers are those of other blocks.
+  static bool isNone(const Profile &profile, const RuleContext &ctx) {
+    return llvm::any_of(profile.blocks, [&](const ProfileBlock &entry) {
+      return entry.block.has(letterAddress('T')) ||
+             llvm::any_of(entry.codes, [&](const CodeUse &use) {
+               const Action action = ctx.code(use).action;
+               return action == Action::ReferenceReturn || action == Action::Cycle;
+             });
+    });
+  }
+
   /// The distance from the first pass along the contour to the last is signed in the same way.
   static void stockOnWrongSide(const Word &word, const Event &event, const CodeInfo &cycle,
                                bool inside, const Profile &profile, RuleContext &ctx) {

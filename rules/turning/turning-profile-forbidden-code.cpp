@@ -19,26 +19,54 @@ public:
     const CodeInfo &cycle = ctx.code(event);
     const auto ways = profileWays(ctx);
     const Profile &profile = ways.front().profile; // with all that may run
+    std::vector<Wrong> wrongs;
     for (const ProfileBlock &entry : profile.blocks)
-      for (const CodeUse &use : entry.codes) {
-        const CodeInfo &code = ctx.code(use);
-        const char *what = forbidden(code);
-        if (!what && motionOnly_ && code.letter == 'G' && !contour(code) &&
-            !(cycle.cycle == CycleKind::PatternRepeat &&
-              (code.action == Action::SurfaceSpeed || code.action == Action::ConstantSpeed)))
-          what = "only moves, dwell and compensation are allowed there";
-        if (!what)
-          continue;
-        const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
-        if (auto finding = ctx.report(at, event.certain && entry.block.skip < 0))
-          finding
-              .message("`{0}` is in the profile of `{1}` in line {2}: {3}", code.name, cycle.name,
-                       ctx.source().lines().lineOf(ctx.block().begin), what)
-              .note(ctx.blockRange(), "the cycle that works along this profile");
-      }
+      for (const CodeUse &use : entry.codes)
+        if (const char *what = wrongBy(ctx.code(use), cycle))
+          wrongs.push_back({entry, use, what});
+    if (wrongs.empty())
+      return;
+    // A tool among them is a sign that the numbers are those of other blocks.
+    const bool isOther =
+        wrongs.size() > 1 && llvm::any_of(profile.blocks, [](const ProfileBlock &entry) {
+          return entry.block.has(letterAddress('T'));
+        });
+    for (const auto &[entry, use, what] : wrongs) {
+      const SourceRange at{ctx.source().id(), use.word->offset, entry.block.endOf(*use.word)};
+      auto finding = ctx.report(at, event.certain && entry.block.skip < 0);
+      if (!finding)
+        continue;
+      const uint32_t line = ctx.source().lines().lineOf(ctx.block().begin);
+      if (isOther)
+        finding.message("`{0}` and {4} further codes that no profile has are in that of `{1}` in "
+                        "line {2}: {3}",
+                        ctx.code(use).name, cycle.name, line, what, wrongs.size() - 1);
+      else
+        finding.message("`{0}` is in the profile of `{1}` in line {2}: {3}", ctx.code(use).name,
+                        cycle.name, line, what);
+      finding.note(ctx.blockRange(), "the cycle that works along this profile");
+      if (isOther)
+        return;
+    }
   }
 
 private:
+  /// A code that the profile may not have.
+  struct Wrong {
+    const ProfileBlock &entry;
+    const CodeUse &use;
+    const char *what;
+  };
+
+  const char *wrongBy(const CodeInfo &code, const CodeInfo &cycle) const {
+    const char *what = forbidden(code);
+    if (!what && motionOnly_ && code.letter == 'G' && !contour(code) &&
+        !(cycle.cycle == CycleKind::PatternRepeat &&
+          (code.action == Action::SurfaceSpeed || code.action == Action::ConstantSpeed)))
+      what = "only moves, dwell and compensation are allowed there";
+    return what;
+  }
+
   static const char *forbidden(const CodeInfo &code) {
     switch (code.action) {
     case Action::CallProgram:

@@ -39,14 +39,17 @@ public:
         another(event, code, lead, ctx);
       return;
     }
+    if (before.must(Fact::FeedSet) && isUnusedSince(before.origin.of(StatePart::Feed), ctx))
+      return;
     const Word *word = ctx.codeWord(event);
     const bool certain = event.certain && !before.may(Fact::FeedIsLead);
     if (auto finding = ctx.report(word ? ctx.range(*word) : ctx.blockRange(), certain)) {
-      if (before.must(Fact::FeedSet))
-        finding.message(
-            "`{0}` cuts a thread without {1} of its own: the feed of line {2} becomes the pitch",
-            code.name, ctx.dialect().alternatives(lead),
-            lineOf(ctx, before.origin.of(StatePart::Feed)));
+      if (before.must(Fact::FeedSet)) // nothing stops: it may even be the pitch
+        finding.severity(Severity::Warning)
+            .message("`{0}` cuts a thread without {1} of its own: the feed of line {2} becomes the "
+                     "pitch",
+                     code.name, ctx.dialect().alternatives(lead),
+                     lineOf(ctx, before.origin.of(StatePart::Feed)));
       else
         finding.message("`{0}` cuts a thread, and its pitch {1} is not given", code.name,
                         ctx.dialect().alternatives(lead));
@@ -55,6 +58,28 @@ public:
   }
 
 private:
+  /// `G00 X19. Z6. F1.5` and then the thread: nothing but it can be meant by the feed.
+  static bool isUnusedSince(const Origin &feed, RuleContext &ctx) {
+    constexpr unsigned furthest = 10; // blocks
+    if (!feed.known() || !isHere(ctx, feed) || feed.begin >= ctx.block().begin)
+      return false;
+    Block block;
+    ctx.index().read(ctx.source().lines().lineBegin(feed.begin), block);
+    if (!findCode(ctx.dialect(), block, {Action::Rapid}))
+      return false;
+    for (unsigned i = 0; i < furthest && readOn(ctx.index(), block); ++i) {
+      if (block.begin >= ctx.block().begin)
+        return true;
+      if (!block.items.empty())
+        return false;
+      for (const CodeIndex code : codesOf(ctx.dialect(), block))
+        if (isMotion(ctx.dialect().codes[code].action) &&
+            ctx.dialect().codes[code].action != Action::Rapid)
+          return false;
+    }
+    return false;
+  }
+
   /// After a move that cuts no thread, a stroke to another end than that of the thread whose lead
   /// is in force begins a thread of its own.
   static void another(const Event &event, const CodeInfo &code, AddressMask lead,

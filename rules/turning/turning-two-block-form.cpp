@@ -81,6 +81,10 @@ private:
     const auto value = valueOf(ctx, code, Role::Relief);
     if (!word || !value || *value == 0 || ctx.before().pendingCycle != noCode)
       return;
+    // To the axis and past it: each pass is a cut of the face, and the tool lifts off it.
+    if (const Word *const end = ctx.block().find('X');
+        code.cycle == CycleKind::GrooveRadial && end && end->isNumber() && end->value() <= 0)
+      return;
     constexpr unsigned furthest = 200; // blocks
     Block block;
     bool more = readPrevious(ctx, block);

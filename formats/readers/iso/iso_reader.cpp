@@ -136,17 +136,7 @@ bool IsoScanner::scanMark() {
   case '<':
     return scanName(begin, begin);
   case '[':
-    if (opensNamedVariable()) {
-      scanNamedVariable();
-      return true;
-    }
-    if (lexical_.conditionFirst && block_.words.empty() && block_.items.empty()) {
-      Item item = itemAt(ItemKind::If, begin);
-      item.condition = expression(MacroExpression::Form::Operand);
-      add(item);
-      return true;
-    }
-    [[fallthrough]];
+    return scanBracket();
   case ']':
     ++at_;
     issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
@@ -154,6 +144,25 @@ bool IsoScanner::scanMark() {
   default:
     return false;
   }
+}
+
+/// `[#<NAME>]`, or what no block begins with.
+bool IsoScanner::scanBracket() {
+  const char *const begin = at_;
+  if (opensNamedVariable()) {
+    scanNamedVariable();
+  } else if (lexical_.conditionFirst && block_.words.empty() && block_.items.empty()) {
+    Item item = itemAt(ItemKind::If, begin);
+    item.condition = expression(MacroExpression::Form::Operand);
+    add(item);
+  } else if (startsBlock()) { // a line for another program, as a simulator
+    at_ = lineEnd();
+    issue(SyntaxIssueKind::BadStatement, begin, at_);
+  } else {
+    ++at_;
+    issue(SyntaxIssueKind::UnbalancedBracket, begin, at_);
+  }
+  return true;
 }
 
 /// `/`, `/3`: with O-words only before everything else.

@@ -36,6 +36,7 @@ private:
   void scanLetter();
   void scanOther();
   bool scanMark();
+  bool scanBracket();
   bool scanSkip();
   bool scanEndOfFile();
   void scanStray();

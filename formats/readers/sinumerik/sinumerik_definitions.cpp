@@ -42,6 +42,14 @@ static bool isAttribute(llvm::StringRef name) {
   return false;
 }
 
+/// Words of a definition that take a value.
+static bool isProperty(llvm::StringRef name) {
+  for (const char *known : {"PHU", "LLI", "ULI", "APR", "APW", "APRP", "APWP", "APRB", "APWB"})
+    if (name.equals_insensitive(known))
+      return true;
+  return false;
+}
+
 /// The type of a definition, with what may be before it.
 VariableType SinumerikScanner::scanType() {
   VariableType type = VariableType::None;
@@ -58,7 +66,25 @@ VariableType SinumerikScanner::scanType() {
     }
     skipBlanks();
   }
+  skipProperties();
   return type;
+}
+
+/// `PHU 24 LLI -10 ULI 50`, of definitions of the machine: unit, limits and who may write, each
+/// with its value, are between the type and the names.
+void SinumerikScanner::skipProperties() {
+  while (!atBlockEnd()) {
+    const llvm::StringRef word = identifier();
+    if (!isProperty(word))
+      return;
+    const char *const value = afterBlanks(word.end());
+    if (value == end_ || isEquals(value) || *value == ',' || *value == '[' || isLineEnd(*value))
+      return; // a variable of that name
+    at_ = value;
+    while (!atBlockEnd() && *at_ != ' ' && *at_ != '\t')
+      ++at_;
+    skipBlanks();
+  }
 }
 
 /// `[3, 4]` after the name of a definition.

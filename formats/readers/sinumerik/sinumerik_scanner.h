@@ -124,6 +124,7 @@ private:
   // sinumerik_definitions.cpp
   bool isTaken(llvm::StringRef name) const;
   VariableType scanType();
+  void skipProperties();
   void scanSizes(Item &item, const char *begin);
   void scanDefinitions(const char *keyword);
   Argument scanParameter(char separator);

@@ -142,9 +142,11 @@ void SinumerikScanner::scanExtended(char letter, const char *begin) {
   if (letter == 'S' || letter == 'M' || letter == 'T' || letter == 'H') {
     // Another spindle, or a function of the machine builder's: nothing of the tool that cuts.
     Item item = itemAt(ItemKind::Output, begin);
-    if (letter == 'S') // which spindle's speed it is
+    if (letter == 'S' || letter == 'M') // of which spindle it is
       item.target = constant(begin, digits.end(), double(variableKey({begin, digits.size() + 1})));
     item.value = expression();
+    if (letter == 'M') // a function of it, not its speed
+      item.count = item.value;
     return add(item);
   }
   if (letter == 'D' || letter == 'L') {
