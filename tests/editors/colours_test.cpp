@@ -37,27 +37,64 @@ std::pair<unsigned, unsigned> countsOf(llvm::StringRef said) {
              : counts;
 }
 
-/// What a word is the grammar sees by its spelling alone: it cannot know every name and number.
-TEST(Colours, OfTheGrammarsAreThoseOfTheServer) {
+/// At least so many in a hundred characters of the programs of each control have the colour that
+/// the server gives them; `languageOf` is that of a control's folder, empty: it is left out.
+void expectColours(const fs::path &grammars, unsigned hundredths,
+                   llvm::function_ref<std::string(const std::string &)> languageOf) {
   const auto modules = nodeModules(extensionFolder);
   if (!modules)
     GTEST_SKIP() << "npm cannot fetch vscode-textmate";
   const TemporaryFolder temporary;
   const fs::path log = temporary.path() / "log";
-  std::vector<std::string> command = {
-      "node", places::sourceFolder() + "/tests/editors/vscode/colours.mjs", modules->string(),
-      places::program(), (editors / "vscode" / "syntaxes").string()};
+  std::vector<std::string> command = {"node",
+                                      places::sourceFolder() + "/tests/editors/vscode/colours.mjs",
+                                      modules->string(), places::program(), grammars.string()};
   for (const auto &entry : fs::recursive_directory_iterator(programs)) {
-    const std::string folder = entry.path().parent_path().filename().string();
-    if (entry.path().extension() == ".nc" && entry.path().parent_path().parent_path() == programs)
-      command.push_back(entry.path().string() +
-                        "::" + (folder == "examples" ? "gcode" : "ncvet-" + folder));
+    const std::string language = languageOf(entry.path().parent_path().filename().string());
+    if (entry.path().extension() == ".nc" && entry.path().parent_path().parent_path() == programs &&
+        !language.empty())
+      command.push_back(entry.path().string() + "::" + language);
   }
   ASSERT_EQ(runOuter(command, log, 120), 0) << contentsOf(log);
   const std::string said = contentsOf(log);
   const auto [same, all] = countsOf(said);
   EXPECT_GT(all, 5000u) << said;
-  EXPECT_GE(same, all - all / 50) << said; // 98 in 100 characters
+  EXPECT_GE(same * 100, all * hundredths) << said;
+}
+
+/// What a word is the grammar sees by its spelling alone: it cannot know every name and number.
+TEST(Colours, OfTheGrammarsAreThoseOfTheServer) {
+  expectColours(editors / "vscode" / "syntaxes", 98, [](const std::string &folder) {
+    return folder == "examples" ? "gcode" : "ncvet-" + folder;
+  });
+}
+
+/// A grammar of tree-sitter cannot tell a sign from an operator, nor controls of one ending apart.
+TEST(Colours, OfTreeSitterAreThoseOfTheServer) {
+  expectColours(editors / "tree-sitter", 96, [](const std::string &folder) {
+    return std::string(folder == "linuxcnc" ? "" : "gcode");
+  });
+}
+
+/// What tree-sitter would refuse is looked for without it. With it, each grammar is made a parser.
+TEST(Colours, GrammarsOfTreeSitterAreOnesThatItTakes) {
+  if (!llvm::sys::findProgramByName("node"))
+    GTEST_SKIP() << "there is no Node";
+  const TemporaryFolder temporary;
+  const fs::path log = temporary.path() / "log", grammars = editors / "tree-sitter";
+  EXPECT_EQ(runOuter({"node", places::sourceFolder() + "/tests/editors/tree_sitter/check.mjs",
+                      grammars.string()},
+                     log, 60),
+            0);
+  expectDone(log);
+  if (!llvm::sys::findProgramByName("tree-sitter"))
+    return;
+  for (const auto &entry : fs::directory_iterator(grammars)) {
+    const fs::path copy = temporary.path() / entry.path().filename();
+    fs::copy(entry.path(), copy, fs::copy_options::recursive);
+    EXPECT_EQ(runOuter({"env", "-C", copy.string(), "tree-sitter", "generate"}, log, 300), 0)
+        << contentsOf(log);
+  }
 }
 
 /// The group of syntax at the first byte of each word of a line, by Neovim with its set-up.

@@ -4,7 +4,7 @@
 usage: ./dev editors [--check]
 
 Writes TextMate grammars, snippets and parts of package.json for VS Code, syntax files for Neovim and Vim, the font-lock
-table of Emacs, definitions for Kate and Sublime Text. With --check it writes nothing, and tells what is not up to date.
+table of Emacs, definitions for Kate and Sublime Text, grammars of tree-sitter. With --check it writes nothing, and tells what is not up to date.
 """
 import argparse
 import json
@@ -17,6 +17,7 @@ import manifest
 import snippets
 import sublime
 import textmate
+import treesitter
 import vim
 from languages import languages
 from tables import Tables
@@ -51,6 +52,8 @@ def outputs():
         if name := BY_ENDING.get(language.id):
             file = "ncvet" + ("" if language.id == "gcode" else language.id.removeprefix("ncvet"))
             files[f"kate/{file}.xml"] = kate.definition(language, name, found[language.id], NOTE)
+            files[f"tree-sitter/{language.id}/grammar.js"] = treesitter.grammar(language, NOTE)
+            files[f"tree-sitter/{language.id}/queries/highlights.scm"] = treesitter.highlights(language, NOTE)
             files[f"sublime/{name}.sublime-syntax"] = sublime.definition(language, name, found[language.id], NOTE)
     return files
 

@@ -1,11 +1,12 @@
-// Compares the colours of a TextMate grammar with the server's semantic tokens, byte for byte:
-//   node colours.mjs MODULES NCVET FOLDER_OF_GRAMMARS PROGRAM:LANGUAGE...
+// Compares the colours of a TextMate grammar, or of one of tree-sitter, with the server's semantic tokens, byte for byte:
+//   node colours.mjs MODULES NCVET FOLDER_OF_GRAMMARS PROGRAM::LANGUAGE...
 // prints a line for each piece of text that has two colours, and last how much of the text agrees.
 import { spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
+import { load, wordsOf } from '../tree_sitter/grammar.mjs';
 
 const [modules, ncvet, grammars, ...programs] = process.argv.slice(2);
 const require = createRequire(path.join(modules, 'nothing.js'));
@@ -40,8 +41,22 @@ const types = {
   operator: 'operator', string: 'string', comment: 'comment',
 };
 
+/** Nodes of tree-sitter that have other names. */
+const nodes = { block_number: 'label', tape: 'keyword', unknown: '', other: '' };
+
+function treeColours(lines, file) {
+  const grammar = load(file);
+  return lines.map((line) => {
+    const colours = Array(line.length).fill('');
+    for (const { node, begin, end } of wordsOf(grammar, line)) colours.fill(nodes[node] ?? node, begin, end);
+    return colours;
+  });
+}
+
 /** A kind for each character of each line; '' where there is no colour. */
 async function grammarColours(lines, language) {
+  const tree = path.join(grammars, language, 'grammar.js');
+  if (fs.existsSync(tree)) return treeColours(lines, tree);
   const grammar = await registry.loadGrammar(scopeOf(language));
   let state = INITIAL;
   return lines.map((line) => {
