@@ -218,15 +218,22 @@ TEST_F(HtmlReportInChromium, AMillionMovesTurnFluidly) {
        "2, "
        "part = Math.max(0, Math.min(1, (line[0] * to[0] + line[1] * to[1] + line[2] * to[2]) / "
        "square)), off = Math.hypot(...to.map((x, n) => x - part * line[n])); "
-       "worst = Math.max(worst, off / away); } return worst; })()"});
+       "worst = Math.max(worst, off / away); } return worst; })()",
+       // Where pieces are left out, the lines of the others are there as they are, and in one list.
+       "(() => { const {levels} = ncvet.pathPane.curves[0], ends = levels.thinned(4, 4), next = "
+       "new "
+       "Map([...levels.levels[4].index].map((n, i, all) => [n, all[i + 1]])); for (let i = 0; i < "
+       "ends.length; i += 2) if (next.get(ends[i]) !== ends[i + 1]) return 0; return ends.length / "
+       "2 / levels.levels[4].index.length; })()"});
   const Json &seen = result["results"];
-  ASSERT_EQ(seen.size(), 4u);
+  ASSERT_EQ(seen.size(), 5u);
   EXPECT_GT(seen[0], 1'000'000);
   std::printf("opened in %d ms, a frame in %.1f ms, %d corners at rest\n",
               result["milliseconds"].get<int>(), seen[1].get<double>(), seen[2].get<int>());
   EXPECT_LT(seen[1].get<double>(), 150);
   EXPECT_GT(seen[2], 20'000) << "at rest it is fine again";
   EXPECT_LE(seen[3], 2.001);
+  EXPECT_NEAR(seen[4].get<double>(), 0.25, 0.05);
   EXPECT_LT(fs::file_size(shop_.path() / "report.html"), program.size() + 50'000'000);
 }
 

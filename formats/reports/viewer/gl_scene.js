@@ -130,7 +130,7 @@ class GlScene {
       upload(drawn.classes);
       gl.enableVertexAttribArray(1);
       gl.vertexAttribIPointer(1, 4, gl.UNSIGNED_BYTE, 0, 0);
-      return { array, buffers, drawn, levels, indexes: [] };
+      return { array, buffers, drawn, levels, indexes: [], thinned: new Map() };
     });
   }
 
@@ -144,6 +144,21 @@ class GlScene {
       curve.indexes[level] = buffer;
     }
     return curve.indexes[level];
+  }
+
+  /** The buffer of a level in which most pieces are left out, and how many indexes it has. */
+  thinnedOf(curve, level, sparse) {
+    const { gl } = this,
+      key = level * 1024 + sparse;
+    if (!curve.thinned.has(key)) {
+      const buffer = gl.createBuffer(),
+        index = curve.levels.thinned(level, sparse);
+      curve.buffers.push(buffer);
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
+      curve.thinned.set(key, { buffer, count: index.length });
+    }
+    return curve.thinned.get(key);
   }
 
   /** Draws one frame; returns how many corners it had. */
@@ -201,6 +216,12 @@ class GlScene {
     const { gl } = this,
       { levels } = curve;
     const level = levels.choose(view.away / (view.camera.scale * ratio));
+    if (view.sparse > 1) {
+      const { buffer, count } = this.thinnedOf(curve, level, view.sparse);
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+      gl.drawElements(gl.LINES, count, gl.UNSIGNED_INT, 0);
+      return count / 2;
+    }
     let corners = 0;
     if (level > 0) gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indexOf(curve, level));
     for (const [first, last] of levels.visible(view.camera, view.width, view.height, view.sparse)) {

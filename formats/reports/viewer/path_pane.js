@@ -18,15 +18,17 @@ const qualities = [
   [16, 16],
   [16, 32]
 ];
-/** So many frames must come early before the drawing gets finer. */
-const quickFrames = 12;
+/** So many frames must come early before the drawing gets finer; more where it was too fine before. */
+const quickFrames = 12,
+  mostQuickFrames = 60;
 /** Milliseconds after the last movement until all of it is drawn. */
 const restAfter = 160;
 /** Milliseconds of a frame above which the drawing gets coarser while it moves, and below which finer. */
 const slowFrame = 24,
   quickFrame = 18;
-/** Corners that any browser draws in time. */
-const fewCorners = 8000;
+/** Corners that any browser draws in time, and those below which nothing is left out. */
+const fewCorners = 8000,
+  fewestCorners = 300;
 
 class PathPane {
   constructor(app) {
@@ -54,6 +56,7 @@ class PathPane {
     this.isMoving = false;
     this.quality = this.scene.isSlow ? 4 : 0;
     this.early = 0;
+    this.enough = quickFrames;
     this.buildBar();
     this.buildSlider();
     listenToPointer(this);
@@ -173,6 +176,7 @@ class PathPane {
       clearTimeout(this.restTimer);
       this.restTimer = setTimeout(() => {
         this.isMoving = false;
+        this.enough = quickFrames;
         this.refresh();
       }, restAfter);
     }
@@ -191,10 +195,11 @@ class PathPane {
     if (!this.isMoving || took <= 0 || took > 1000) return;
     this.early = took < quickFrame ? this.early + 1 : 0;
     // A path that is short anyway is not what makes frames late.
-    if (took > slowFrame && this.corners > fewCorners)
+    if (took > slowFrame && this.corners > fewestCorners) {
       this.quality = Math.min(qualities.length - 1, this.quality + 1);
-    else if (this.early > quickFrames) {
-      this.quality = Math.max(0, this.quality - 1);
+      this.enough = Math.min(mostQuickFrames, this.enough * 2);
+    } else if (this.early > this.enough && this.quality > 0) {
+      --this.quality;
       this.early = 0;
     }
   }

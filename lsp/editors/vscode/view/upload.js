@@ -16,9 +16,10 @@ function uploadChange(scene, curves, { corners, isRecoloured }) {
   const { gl } = scene,
     curve = scene.curves[0],
     { drawn } = curves[0];
-  for (const buffer of curve.indexes.filter(Boolean)) gl.deleteBuffer(buffer);
+  for (const buffer of curve.buffers.slice(2)) gl.deleteBuffer(buffer);
   curve.buffers.length = 2;
   curve.indexes = [];
+  curve.thinned.clear();
   const isMoved = corners.removed !== corners.added,
     isTooSmall = drawn.count > (curve.room ?? drawn.count - corners.added + corners.removed);
   if (isTooSmall) curve.room = drawn.count + spareCorners;
