@@ -235,10 +235,10 @@ void bindActions(Context &context) {
     const Document *document = context.documents.find(uri);
     if (!document)
       return reply.fail(RpcError::InvalidParams, "the document is not open: " + uri);
-    context.answerFor(*document, std::move(reply),
-                      [&context, params, session = context.session(*document)](View &view) {
-                        return actionsAt(context, view, *session, params);
-                      });
+    context.answerAfterCheck(*document, std::move(reply),
+                             [&context, params, session = context.session(*document)](View &view) {
+                               return actionsAt(context, view, *session, params);
+                             });
   });
   context.rpc.onRequest("codeAction/resolve", [&context](const Json &params, Reply reply) {
     resolve(context, params, std::move(reply));

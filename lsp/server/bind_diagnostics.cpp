@@ -21,14 +21,8 @@ Json report(const std::string &diagnostics, const std::string &previous) {
   return {{"kind", "full"}, {"resultId", std::move(id)}, {"items", parseMessage(diagnostics)}};
 }
 
-Json ofDocument(Context &context, View &view, const Json &params) {
-  const auto result = context.checks->wait(view.document, view.cancelled);
-  if (!result)
-    return outdated;
-  // The thread of checks puts results on the board after it has woken those that wait for them.
-  context.problems.take(result);
-  const std::string &path = view.document.path;
-  Json answer = report(context.problems.diagnostics(path), params.value("previousResultId", ""));
+Json ofDocument(Context &context, const std::string &path, const std::string &previous) {
+  Json answer = report(context.problems.diagnostics(path), previous);
   if (context.client.takesRelatedDocuments)
     for (const std::string &file : context.problems.relatedTo(path))
       answer["relatedDocuments"][uriOfPath(file)] = report(context.problems.diagnostics(file), "");
@@ -135,8 +129,16 @@ private:
 } // namespace
 
 void bindDiagnostics(Context &context) {
-  context.onDocument("textDocument/diagnostic", [&context](View &view, const Json &params) {
-    return ofDocument(context, view, params);
+  context.rpc.onRequest("textDocument/diagnostic", [&context](const Json &params, Reply reply) {
+    const std::string uri = params.at("textDocument").at("uri");
+    const Document *document = context.documents.find(uri);
+    if (!document)
+      return reply.fail(RpcError::InvalidParams, "the document is not open: " + uri);
+    context.withCheck(
+        *document, std::move(reply),
+        [&context, previous = params.value("previousResultId", "")](const CheckResult &result) {
+          return ofDocument(context, result.document.path, previous);
+        });
   });
   auto workspace = std::make_shared<WorkspaceChecks>(); // of the workspace's thread
   context.rpc.onRequest(

@@ -42,15 +42,17 @@ void bindHover(Context &context) {
     view.snapshot.readAt(offset, block);
     if (offset < block.begin || offset > block.end || block.isEmpty())
       return nullptr;
-    const DocumentStates states = view.statesAt(offset);
-    const auto word = wordHelp(view.snapshot, offset, states.firstBefore());
-    const std::string state = machineState(view.snapshot.dialect(), states.at(), states.sources());
+    const auto states = view.statesAt(offset);
+    const auto word = wordHelp(view.snapshot, offset, states ? states->firstBefore() : nullptr);
+    const std::string state =
+        states ? machineState(view.snapshot.dialect(), states->at(), states->sources())
+               : "not known yet: the program is still being followed";
     std::string text;
     if (word)
       text = word->markdown;
     if (!state.empty())
       text += (text.empty() ? "" : "\n\n---\n\n") + ("**Before this block**\n\n" + state);
-    if (const std::string contour = contourAt(view.snapshot, block); !contour.empty())
+    if (const std::string contour = states ? contourAt(view.snapshot, block) : ""; !contour.empty())
       text += (text.empty() ? "" : "\n\n") + contour;
     if (text.empty())
       return nullptr;

@@ -75,9 +75,9 @@ std::string sortKey(int rank, llvm::StringRef label) {
 Json completed(View &view, const Json &params) {
   constexpr int snippetFormat = 2;
   const uint32_t offset = view.offset(params);
-  const DocumentStates states = view.statesAt(offset);
+  const auto states = view.statesAt(offset);
   const std::vector<CompletionItem> found =
-      completions(view.snapshot, offset, states.firstBefore());
+      completions(view.snapshot, offset, states ? states->firstBefore() : nullptr);
   const bool shared = view.client.sharesEditRange && !found.empty() &&
                       llvm::all_of(found, [&](const CompletionItem &item) {
                         return item.replace == found.front().replace;
@@ -170,8 +170,8 @@ Json explainHint(View &view, Json hint) {
   const Json &data = hint.at("data");
   const uint32_t offset =
       std::min(data.at("offset").get<uint32_t>(), uint32_t(view.snapshot.text().size()));
-  const DocumentStates states = view.statesAt(offset);
-  const MachineState *const before = states.firstBefore();
+  const auto states = view.statesAt(offset);
+  const MachineState *const before = states ? states->firstBefore() : nullptr;
   std::optional<WordHelp> help;
   if (!data.at("motion").get<bool>()) {
     help = wordHelp(view.snapshot, offset == 0 ? 0 : offset - 1, before);

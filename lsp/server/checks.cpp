@@ -17,6 +17,8 @@ constexpr double oneFrame = 0.016;
 constexpr std::chrono::milliseconds longestDelay(200);
 /// So many checks leave so much free memory in pieces that it is worth giving back.
 constexpr unsigned checksBetweenTrims = 32;
+/// Seconds of the processor after which a check is a long one, whatever else the machine does.
+constexpr double longCheck = 0.05;
 /// A waiting request looks for its cancellation so often.
 constexpr std::chrono::milliseconds patience(20);
 
@@ -195,7 +197,10 @@ void Checks::runNext(std::unique_lock<std::mutex> &lock) {
   std::shared_ptr<const CheckResult> result;
   {
     const std::lock_guard<std::mutex> memory(job.document.memory->mutex);
+    const double begin = system::secondsOfThread();
     result = check(job, &cancel_, &job.document.memory->checks);
+    if (system::secondsOfThread() - begin > longCheck)
+      job.document.memory->takesLong = true;
   }
   lock.lock();
   const bool stale = cancel_;

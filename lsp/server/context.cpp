@@ -7,6 +7,7 @@
 #include "formats/text/file_uri.h"
 #include "lsp/features/showing/document_states.h"
 #include "lsp/server/live_paths.h"
+#include "lsp/server/states_in_time.h"
 
 #include "llvm/Support/raw_ostream.h"
 
@@ -30,17 +31,19 @@ std::vector<std::string> View::programs() const {
   return paths;
 }
 
-DocumentStates View::statesAt(uint32_t offset) {
+std::shared_ptr<const DocumentStates> View::statesAt(uint32_t offset) {
   Block block;
   snapshot.readAt(offset, block);
-  return statesOf(job, block.begin, cancelled);
+  return states.at(job, block.begin, cancelled);
 }
 
 Context::Context(MessageWriter &writer)
     : rpc(writer), problems([this](const std::string &path, std::optional<int64_t> version,
                                    llvm::StringRef diagnostics,
                                    bool own) { sendProblems(path, version, diagnostics, own); }) {
+  states = std::make_unique<StatesInTime>();
   features = std::make_unique<Worker>();
+  waiting = std::make_unique<Worker>();
   workspace = std::make_unique<Worker>();
   livePaths = std::make_unique<LivePaths>();
   paths = std::make_unique<Worker>();
@@ -57,7 +60,7 @@ Context::Context(MessageWriter &writer)
 /// What the user waits for comes first, what concerns all programs last.
 std::optional<Checks::Clock::duration> Context::doNext() {
   constexpr auto atOnce = Checks::Clock::duration::zero();
-  if (features->doNext())
+  if (features->doNext() || waiting->doNext())
     return atOnce;
   const auto until = checks->doNext();
   if (until == atOnce || paths->doNext() || workspace->doNext())
@@ -104,13 +107,16 @@ void Context::sendProblems(const std::string &path, std::optional<int64_t> versi
 Context::~Context() {
   // The threads use what is above them.
   checks->stop();
+  waiting->stop();
   workspace->stop();
   paths->stop();
   features->stop();
+  states->stop();
 }
 
 void Context::forget(const std::string &path) {
   checks->drop(path);
+  states->forget(path);
   problems.closed(path);
   paths->post([this, path] { livePaths->forget(path); });
   features->post([this, path] {
@@ -175,6 +181,7 @@ CheckJob Context::job(const Document &document) {
 
 void Context::check(const Document &document) {
   problems.opened(document);
+  states->textChanged(document.path);
   checks->schedule(job(document));
 }
 
@@ -282,35 +289,72 @@ void Context::answerGuarded(Reply &reply, const std::string &path,
   reply.fail(RpcError::InternalError, "the request failed: " + *crash);
 }
 
-void Context::answerOrFail(const Document &document, Reply reply,
-                           std::function<llvm::Expected<Json>(View &)> answer) {
-  // A task is copied, a reply is not.
-  auto held = std::make_shared<Reply>(std::move(reply));
-  features->post([this, held, job = job(document), answer = std::move(answer), settings = settings,
-                  folders = folders]() {
-    if (held->cancelled())
-      return held->fail(RpcError::RequestCancelled, "cancelled");
-    answerGuarded(*held, job.document.path, [&] {
-      auto snapshot = snapshotOf(job);
-      if (!snapshot)
-        return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
-      Places places((*snapshot)->project().sources(), client.encoding);
-      View view{job.document, **snapshot,   places.of((*snapshot)->source().id()),
-                settings,     client,       held->cancelled(),
-                places,       *job.session, folders,
-                job};
-      try {
-        auto json = answer(view);
-        if (json && json->is_discarded())
-          held->fail(RpcError::ContentModified, "the document has changed");
-        else if (json)
-          (*held)(std::move(*json));
-        else
-          held->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));
-      } catch (const Json::exception &) {
-        held->fail(RpcError::InvalidParams, "the parameters are wrong");
-      }
+Context::Asked Context::asked(const Document &document, Reply reply) {
+  return {std::make_shared<Reply>(std::move(reply)), job(document), settings, folders};
+}
+
+void Context::answerNow(const Asked &asked, const Answer &answer) {
+  const auto &[held, job, settings, folders] = asked;
+  if (held->cancelled())
+    return held->fail(RpcError::RequestCancelled, "cancelled");
+  answerGuarded(*held, job.document.path, [&, &held = held, &job = job] {
+    auto snapshot = snapshotOf(job);
+    if (!snapshot)
+      return held->fail(RpcError::RequestFailed, llvm::toString(snapshot.takeError()));
+    Places places((*snapshot)->project().sources(), client.encoding);
+    View view{job.document,
+              **snapshot,
+              places.of((*snapshot)->source().id()),
+              asked.settings,
+              client,
+              held->cancelled(),
+              places,
+              *job.session,
+              asked.folders,
+              job,
+              *states};
+    try {
+      auto json = answer(view);
+      if (json && json->is_discarded())
+        held->fail(RpcError::ContentModified, "the document has changed");
+      else if (json)
+        (*held)(std::move(*json));
+      else
+        held->fail(RpcError::RequestFailed, llvm::toString(json.takeError()));
+    } catch (const Json::exception &) {
+      held->fail(RpcError::InvalidParams, "the parameters are wrong");
+    }
+  });
+}
+
+void Context::answerOrFail(const Document &document, Reply reply, Answer answer) {
+  features->post([this, asked = asked(document, std::move(reply)), answer = std::move(answer)] {
+    answerNow(asked, answer);
+  });
+}
+
+void Context::answerAfterCheck(const Document &document, Reply reply,
+                               std::function<Json(View &)> answer) {
+  waiting->post([this, asked = asked(document, std::move(reply)), answer = std::move(answer)] {
+    checks->wait(asked.job.document, asked.reply->cancelled());
+    features->post([this, asked, answer] {
+      answerNow(asked, [&](View &view) { return llvm::Expected<Json>(answer(view)); });
     });
+  });
+}
+
+void Context::withCheck(const Document &document, Reply reply,
+                        std::function<Json(const CheckResult &)> answer) {
+  waiting->post([this, asked = asked(document, std::move(reply)), answer = std::move(answer)] {
+    Reply &held = *asked.reply;
+    const auto result = checks->wait(asked.job.document, held.cancelled());
+    if (held.cancelled())
+      return held.fail(RpcError::RequestCancelled, "cancelled");
+    if (!result)
+      return held.fail(RpcError::ContentModified, "the document has changed");
+    // The thread of checks puts results on the board after it has woken those that wait for them.
+    problems.take(result);
+    held(answer(*result));
   });
 }
 

@@ -15,7 +15,8 @@
 
 namespace ncvet::lsp {
 
-class LivePaths; // lsp/server/live_paths.h
+class LivePaths;    // lsp/server/live_paths.h
+class StatesInTime; // lsp/server/states_in_time.h
 
 /// What the client said at the start that the server's answers depend on.
 struct ClientSupport {
@@ -58,11 +59,12 @@ struct View {
   Session &session;
   llvm::ArrayRef<std::string> folders; ///< of the workspace
   const CheckJob &job;                 ///< what a check of the document needs
+  StatesInTime &states;
 
   /// Paths of all programs of the workspace, as the editor's settings and configurations have it.
   std::vector<std::string> programs() const;
-  /// The states at the block that holds `offset`.
-  DocumentStates statesAt(uint32_t offset);
+  /// The states at the block that holds `offset`; null: they are not known in time.
+  std::shared_ptr<const DocumentStates> statesAt(uint32_t offset);
 
   uint32_t offset(const Json &params) const {
     return positions.offset(positionOf(params.at("position")));
@@ -76,6 +78,8 @@ struct View {
 /// say that they are safe for several.
 class Context {
 public:
+  using Answer = std::function<llvm::Expected<Json>(View &)>;
+
   Context(MessageWriter &writer);
   ~Context();
 
@@ -85,8 +89,13 @@ public:
   /// says that the document has changed meanwhile.
   void answerFor(const Document &document, Reply reply, std::function<Json(View &)> answer);
   /// The same; an error is one that the user reads.
-  void answerOrFail(const Document &document, Reply reply,
-                    std::function<llvm::Expected<Json>(View &)> answer);
+  void answerOrFail(const Document &document, Reply reply, Answer answer);
+  /// The same, when the check of this version is over: nothing else waits for that.
+  void answerAfterCheck(const Document &document, Reply reply, std::function<Json(View &)> answer);
+  /// Runs `answer` with what the check of this version has found, on the thread that waits for
+  /// checks.
+  void withCheck(const Document &document, Reply reply,
+                 std::function<Json(const CheckResult &)> answer);
   /// Reads all of a long document on the thread of features while it is checked, so that the first
   /// question about this version need not wait for that.
   void prepare(const Document &document);
@@ -131,7 +140,9 @@ public:
   std::atomic<bool> wantsRefresh = false;
   SetupNotices setupNotices{rpc}; ///< safe for several threads
   std::unique_ptr<Checks> checks;
+  std::unique_ptr<StatesInTime> states;
   std::unique_ptr<Worker> features;     ///< answers about one text
+  std::unique_ptr<Worker> waiting;      ///< waits for checks
   std::unique_ptr<Worker> workspace;    ///< answers about all programs, which take long
   std::unique_ptr<LivePaths> livePaths; ///< of the thread that follows
   std::unique_ptr<Worker> paths;        ///< follows programs for those who look at their paths
@@ -148,6 +159,16 @@ private:
   /// Tells the client what is known of a file now, in the way in which it wants to be told.
   void sendProblems(const std::string &path, std::optional<int64_t> version,
                     llvm::StringRef diagnostics, bool own);
+  /// A request about a document, with all that its answer needs.
+  struct Asked {
+    std::shared_ptr<Reply> reply; ///< a task is copied, a reply is not
+    CheckJob job;
+    Settings settings;
+    std::vector<std::string> folders;
+  };
+  Asked asked(const Document &document, Reply reply);
+  /// On the thread of features.
+  void answerNow(const Asked &asked, const Answer &answer);
   /// Runs `answer`, which replies, on the thread of features; after a crash, replies that.
   void answerGuarded(Reply &reply, const std::string &path, llvm::function_ref<void()> answer);
   /// Of the thread of features: the snapshots that were used last.

@@ -9,6 +9,8 @@
 
 #include "llvm/ADT/StringMap.h"
 
+#include <atomic>
+
 namespace ncvet::lsp {
 
 /// What was found out about an open document, carried from each of its versions to the next. Its
@@ -18,6 +20,8 @@ struct DocumentMemory {
   std::mutex mutex; ///< of what follows; held while the document is followed
   CheckMemory checks;
   bool prepared = false; ///< see `prepareChecks`
+  /// A check of it has taken longer than a question may wait. Safe for several threads.
+  std::atomic<bool> takesLong = false;
 };
 
 /// One version of an open document. Values of it are kept and handed to other threads.

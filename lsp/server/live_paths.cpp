@@ -1,6 +1,7 @@
 // The paths of programs that are being edited.
 #include "lsp/server/live_paths.h"
 
+#include "analyzer/program/lookup_answers.h"
 #include "analyzer/setup/session.h"
 #include "formats/reports/tool_path_json.h"
 #include "formats/text/file_uri.h"
@@ -60,11 +61,16 @@ std::vector<std::string> urisOf(const std::vector<std::string> &paths) {
 } // namespace
 
 /// Whether all but the text is as it was when the path was followed.
-bool LivePath::isOfTheSame(const FileSetup &setup, const SourceSet::Overlay &open) const {
+bool LivePath::isOfTheSame(const FileSetup &setup, const SourceSet::Overlay &open,
+                           LookupSource &answers) const {
+  const auto isTheSame = [&](const std::pair<const Lookup, uint64_t> &known) {
+    return known.first.kind == Lookup::Kind::Text || // `files_` has their stamps
+           answers.of(known.first) == known.second;
+  };
   return text_.bytes && dialect_ == setup.dialect && machine_ == setup.machine &&
-         folders_ == setup.folders && llvm::all_of(files_, [&](const auto &file) {
-           return file.second == stampOf(file.first, open);
-         });
+         llvm::all_of(files_,
+                      [&](const auto &file) { return file.second == stampOf(file.first, open); }) &&
+         (folders_ == setup.folders || llvm::all_of(lookups_, isTheSame));
 }
 
 void LivePath::note(const FileSetup &setup, const FileUnit &unit, const CheckJob &job) {
@@ -90,14 +96,20 @@ llvm::Expected<std::string> LivePath::answer(const CheckJob &job, llvm::StringRe
   Project project(sources, setup->dialect, *setup->machine, setup->config->searchFolders,
                   setup->folders);
   FileUnit &unit = project.unit(file, scan_.scanFor(*setup, file, document.text));
+  LookupAnswers answers(setup->folders);
   std::optional<PathEdit> edit;
-  if (isOfTheSame(*setup, *job.overlay) && programs_ == programsOf(unit.index))
+  if (isOfTheSame(*setup, *job.overlay, answers) && programs_ == programsOf(unit.index))
     edit = editBetween(text_, document.text);
   text_ = {};
+  LookupRecord record(answers);
   const auto change =
       memory_.follow(project, unit, setup->limits, edit ? &*edit : nullptr, &cancelled);
   if (!change)
     return "null";
+  if (change->whole)
+    lookups_.clear();
+  for (const auto &[lookup, answer] : record.answers())
+    lookups_[lookup] = answer;
   note(*setup, unit, job);
   const bool isNext = !change->whole && previous == std::to_string(lastId_);
   const std::vector<std::string> uris = urisOf(memory_.files());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/tool_path_memory.h"
+#include "analyzer/program/lookups.h"
 #include "lsp/server/checks.h"
 #include "lsp/server/file_stamp.h"
 
@@ -19,7 +20,8 @@ public:
                                      const std::atomic<bool> &cancelled);
 
 private:
-  bool isOfTheSame(const FileSetup &setup, const SourceSet::Overlay &open) const;
+  bool isOfTheSame(const FileSetup &setup, const SourceSet::Overlay &open,
+                   LookupSource &answers) const;
   void note(const FileSetup &setup, const FileUnit &unit, const CheckJob &job);
 
   CheckMemory scan_; ///< of the text, for whoever looks for programs in it
@@ -30,6 +32,9 @@ private:
   std::shared_ptr<ProgramFolders> folders_;
   std::string programs_;                   ///< which programs the text held
   std::map<std::string, FileStamp> files_; ///< other ones that the path goes through
+  /// What was looked up in folders, with the answers: after a file was saved they are the same
+  /// again in most cases.
+  std::map<Lookup, uint64_t> lookups_;
   unsigned lastId_ = 0;
 
   /// More take longer than an editor waits.

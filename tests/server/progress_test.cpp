@@ -187,4 +187,31 @@ TEST_F(Called, ThePathOfTheToolFollowsEdits) {
   EXPECT_TRUE(path(whole["id"]).contains("path")) << "of an older answer no change is known";
 }
 
+TEST_F(Called, ThePathIsFollowedAnewOnlyWhereOtherFilesAreOthers) {
+  start(Json::object(), "%\nO0020\nG21 G17 G40 G80 G90 G94\nG54 G00 X0. Y0.\nX10.\nX20.\nM98 P99\n"
+                        "M30\n%\n");
+  std::string id;
+  int version = 1;
+  const auto told = [&] {
+    const Json edit = {{"range", {{"start", at(5, 0)}, {"end", at(5, 0)}}}, {"text", "X15.\n"}};
+    client.notify("textDocument/didChange",
+                  {{"textDocument", {{"uri", uri("O0020.nc")}, {"version", ++version}}},
+                   {"contentChanges", Json::array({edit})}});
+    const Json answer = client.request(
+        "ncvet/path", {{"textDocument", documentOf(path("O0020.nc"))}, {"previous", id}});
+    id = answer["id"];
+    return answer.contains("change") ? "change" : "path";
+  };
+  const auto saved = [&](const std::string &name) {
+    client.notify("textDocument/didSave", {{"textDocument", {{"uri", uri(name)}}}});
+  };
+  EXPECT_STREQ(told(), "path");
+  EXPECT_STREQ(told(), "change");
+  saved("O0020.nc");
+  EXPECT_STREQ(told(), "change") << "a save has changed nothing of what the path rests on";
+  shop.file("O0099.nc", "%\nO0099\nG00 X7.\nM99\n%\n");
+  saved("O0099.nc");
+  EXPECT_STREQ(told(), "path") << "the call that led nowhere leads to it";
+}
+
 } // namespace

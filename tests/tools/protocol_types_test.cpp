@@ -22,7 +22,8 @@ const fs::path extension = fs::path(ncvet::places::sourceFolder()) / "lsp" / "ed
 /// Suites in which a `LanguageClient` talks to the server.
 constexpr const char *journeys =
     "LanguageServer.*:Features.*:FeaturesOfMills.*:Completions.*:*Settings*:PullDiagnostics.*:"
-    "CallingPrograms.*:BrokenConfiguration.*:CodeActions.*:Renamed.*:Called.*-LanguageServer.ALong*"
+    "CallingPrograms.*:BrokenConfiguration.*:CodeActions.*:RewritingActions.*:Renamed.*:Called.*-"
+    "LanguageServer.ALong*"
     ":*"
     "ComesInParts";
 

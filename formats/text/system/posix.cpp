@@ -119,6 +119,12 @@ llvm::ArrayRef<const char *> arguments(int count, const char *const *words) {
 
 unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
+double secondsOfThread() {
+  timespec used{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return double(used.tv_sec) + double(used.tv_nsec) * 1e-9;
+}
+
 namespace {
 
 /// Those that LLVM recovers from.

@@ -42,6 +42,10 @@ llvm::ArrayRef<const char *> arguments(int count, const char *const *words);
 /// Threads that run at a time; 1 where the system has none but the first.
 unsigned processors();
 
+/// Seconds of a processor that this thread has used; where the system does not tell, those since
+/// some moment.
+double secondsOfThread();
+
 /// From now on, when this process crashes, `note` is called before LLVM's recovery, which must be
 /// on, takes over. It may be called with hardly any stack and a broken heap.
 void noteCrashes(void (*note)());

@@ -47,6 +47,10 @@ llvm::ArrayRef<const char *> arguments(int count, const char *const *words) {
 
 unsigned processors() { return 1; }
 
+double secondsOfThread() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// A crash ends the module: its host is told, and nothing of it can go on.
 void noteCrashes(void (*)()) {}
 CrashStack::CrashStack() = default;

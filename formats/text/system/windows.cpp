@@ -77,6 +77,16 @@ llvm::ArrayRef<const char *> arguments(int, const char *const *) {
 
 unsigned processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
+double secondsOfThread() {
+  FILETIME begun, ended, kernel, user;
+  if (!::GetThreadTimes(::GetCurrentThread(), &begun, &ended, &kernel, &user))
+    return 0;
+  const auto ticks = [](const FILETIME &time) { // of 100 ns
+    return double(uint64_t(time.dwHighDateTime) << 32 | time.dwLowDateTime);
+  };
+  return (ticks(kernel) + ticks(user)) * 1e-7;
+}
+
 namespace {
 
 void (*noteCrash)() = nullptr;

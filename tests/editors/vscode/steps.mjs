@@ -24,6 +24,15 @@ export const steps = {
     holds(found.includes('9 cycle-left-active'), `the cycle is left on at the tool change: ${found}`);
     const control = await until('the control in the status bar', () => editor.control());
     holds(/FANUC mill|Haas mill/.test(control) && control.includes('guessed'), `the control is shown as a guess: ${control}`);
+    const messages = await editor.ask(`return vscode.languages.getDiagnostics(${editor.file('plate.nc')}).map((one) => one.message)`);
+    holds(messages.every((message) => !message.includes('`')), `marks of code in a message: ${messages}`);
+  },
+
+  async 'a long comment at the head leaves the control as it is'(editor) {
+    editor.write('commented.nc', [...drilling.slice(0, 2), ...Array.from({ length: 300 }, (_, i) => `(TOOL LIST, LINE ${i + 1})`), ...drilling.slice(2)]);
+    await editor.open('commented.nc');
+    const control = await until('the control in the status bar', () => editor.control());
+    holds(/FANUC mill|Haas mill/.test(control), `the control: ${control}`);
   },
 
   async 'findings of called files are seen'(editor) {
@@ -292,6 +301,64 @@ export const steps = {
     await editor.ask(`${actions} await vscode.workspace.applyEdit(actions.find((one) => one.title === '${title}').edit)`);
     const lines = await editor.ask(`return vscode.window.activeTextEditor.document.getText().split('\\n').slice(7, 13)`);
     same(lines, ['G00 X[#1*10.]', '#1=#1+1', 'G00 X[#1*10.]', '#1=#1+1', 'G00 X[#1*10.]', '#1=#1+1'], 'the passes');
+  },
+
+  async 'selected blocks become a subprogram in a file of its own'(editor) {
+    const head = ['G17 G90 G54 G40 G94', 'T1 D1', 'M6', 'S800 M3', 'G0 X10 Y20', 'G0 Z2'];
+    editor.write('parts/SHAFT.MPF', [...head, 'G1 X5 F100', 'Y5', 'G0 Z50', 'M30']);
+    await editor.open('parts/SHAFT.MPF');
+    await until('the control', async () => (await editor.control())?.includes('SINUMERIK'));
+    const actions = `const range = new vscode.Range(6, 0, 8, 0); vscode.window.activeTextEditor.selection = new vscode.Selection(range.start, range.end);
+      const actions = await vscode.commands.executeCommand('vscode.executeCodeActionProvider', ${editor.file('parts/SHAFT.MPF')}, range, 'refactor.extract', 20);
+      const made = actions.find((one) => one.title === 'Make the selection a subprogram');`;
+    await until('the action', () => editor.ask(`${actions} return Boolean(made)`));
+    holds(await editor.ask(`${actions} return vscode.workspace.applyEdit(made.edit)`), 'the edit is not made');
+    await until('the subprogram', async () => {
+      await editor.ask('await vscode.workspace.saveAll()');
+      return editor.read('parts/PART1.SPF') === 'G1 X5 F100\nY5\nM17\n';
+    });
+    same(editor.read('parts/SHAFT.MPF').split('\n').slice(6), ['PART1', 'G0 Z50', 'M30', ''], 'the program');
+    await until('the check of the subprogram', async () => (await editor.findings('parts/SHAFT.MPF')).every((one) => !one.includes('undefined')));
+  },
+
+  async 'declaration and implementation lead to the called program'(editor) {
+    await editor.open('calls/O0100.nc');
+    for (const what of ['Declaration', 'Implementation', 'Definition'])
+      await until(what, () => editor.ask(`const found = await vscode.commands.executeCommand('vscode.execute${what}Provider',
+        ${editor.file('calls/O0100.nc')}, new vscode.Position(7, 10)); return found.some((one) => (one.uri ?? one.targetUri).path.endsWith('O0200.nc'))`));
+  },
+
+  async 'a long program is opened within bounds, and no question waits for its check'(editor, { ncvet }) {
+    const blocks = Array.from({ length: 1_000_000 }, (_, i) => `N${i + 9} G1 X${i % 999} Y${i % 77}.5`);
+    editor.write('long.nc', [...drilling.slice(0, 6), ...blocks, 'M30', '%']);
+    await editor.open('long.nc');
+    // The editor asks nothing of so long a text by itself.
+    const hover = async () => {
+      const start = Date.now();
+      await editor.ask(`return vscode.commands.executeCommand('vscode.executeHoverProvider', ${editor.file('long.nc')}, new vscode.Position(50, 7))`);
+      return Date.now() - start;
+    };
+    await hover();
+    await until('findings', async () => (await editor.findings('long.nc')).length > 0);
+    const times = [];
+    for (const code of ['G91', 'G90', 'G91', 'G90']) {
+      await editor.ask(`const edit = new vscode.WorkspaceEdit(); edit.replace(${editor.file('long.nc')}, new vscode.Range(6, 0, 6, 0), '${code}\\n');
+        return vscode.workspace.applyEdit(edit)`);
+      times.push(await hover());
+    }
+    holds(Math.max(...times) < 2000, `a hover took ${times} ms`);
+    for (const id of fs.readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
+      let command = '', status = '';
+      try {
+        command = fs.readFileSync(`/proc/${id}/cmdline`, 'utf8');
+        status = fs.readFileSync(`/proc/${id}/status`, 'utf8');
+      } catch {
+        continue; // it has ended
+      }
+      if (!command.startsWith(`${ncvet}\0lsp`)) continue;
+      const peak = Number(/VmHWM:\s+(\d+)/.exec(status)[1]) / 1024;
+      holds(peak < 600, `the server took ${peak} MB`);
+    }
   },
 
   async 'a new block has its number'(editor) {

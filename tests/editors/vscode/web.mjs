@@ -22,6 +22,16 @@ try {
   await editor.ask(`const edit = new vscode.WorkspaceEdit(); edit.insert(vscode.window.activeTextEditor.document.uri,
     new vscode.Position(7, 0), 'N55 G80\\n'); await vscode.workspace.applyEdit(edit)`);
   await until('findings as they are after an edit', async () => (await editor.findings('O0200.nc')).every((one) => !one.includes('cycle-left')));
+  await editor.command('ncvet.showPath');
+  const shown = () => editor.ask(`return vscode.commands.executeCommand('ncvet.shownPath')`);
+  const before = await editor.seen('the path', async () => ((await shown()).moves > 0 ? await shown() : undefined));
+  await editor.ask(`const edit = new vscode.WorkspaceEdit(); edit.insert(vscode.window.visibleTextEditors[0].document.uri,
+    new vscode.Position(7, 0), 'N52 X50.\\n'); await vscode.workspace.applyEdit(edit)`);
+  const after = await until('the moves of one more hole', async () => ((await shown()).moves > before.moves ? await shown() : undefined));
+  if (after.what !== 'change') throw new Error(`not the changed stretch alone was sent: ${after.what}`);
+  const view = await editor.view('#tool-path');
+  await until('the drawing', () => view.evaluate(() => globalThis.ncvet.pathPane.corners > 0));
+  await editor.shoot(path.join(plan.pictures, 'path-in-a-browser.png'));
   await editor.command('ncvet.explainRule');
   await until('the text of a page', () => editor.ask(`return vscode.workspace.textDocuments.some((one) =>
     one.uri.scheme === 'ncvet-rule' && one.getText().includes('Why it matters at the machine')) ||
