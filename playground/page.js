@@ -192,7 +192,7 @@ function drawFindings() {
 function drawPage(page) {
   URL.revokeObjectURL(state.page);
   state.page = URL.createObjectURL(new Blob([page], { type: 'text/html' }));
-  byId('view').contentWindow.location.replace(state.page);
+  byId('view').contentWindow.location.replace(`${state.page}#tool-path`);
 }
 
 // ---- what is done

@@ -99,7 +99,8 @@ TEST_F(Playground, ShowsFindingsAtTheirLinesAndTheToolPath) {
       {showsBore, "document.querySelector('#findings li').textContent",
        "document.querySelector('#numbers .warning').textContent",
        "document.getElementById('state').textContent",
-       "document.getElementById('view').contentWindow.ncvet.path.json.programmed.count > 20",
+       "document.getElementById('view').contentWindow.ncvet.path.json.programmed.count > 20 && "
+       "document.getElementById('view').contentWindow.ncvet.pathPane.canvas.clientHeight > 300",
        "document.querySelectorAll('#findings .place')[1].click(); 0", selected,
        "document.getElementById('view').contentWindow.ncvet.selected.line"});
   EXPECT_EQ(seen[0], true);

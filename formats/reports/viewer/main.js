@@ -23,6 +23,8 @@ class App {
     this.tables = new Tables(this);
     const hasPath = this.report.texts.some((_, i) => byId(`path-${i}`));
     document.body.classList.toggle('no-path', !hasPath);
+    // A page round this one may have the text and the findings itself.
+    document.body.classList.toggle('path-alone', hasPath && location.hash === '#tool-path');
     this.drawFiles();
     this.list.draw();
     this.listen();
