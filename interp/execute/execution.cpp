@@ -271,10 +271,10 @@ void Execution::run(bool guardHolds) {
   outcome_.setupChanged = true;
   if (!block_.items.empty() && !runItems(guardHolds))
     return;
-  for (const Item &item : block_.items)
-    otherSpindle(item);
-  if (block_.words.empty() && !runsEmpty())
+  if (block_.words.empty() && !runsEmpty()) {
+    otherSpindles();
     return finish();
+  }
   if (!block_.expressions.empty())
     unsetReads();
   resolveCodes();
@@ -285,6 +285,7 @@ void Execution::run(bool guardHolds) {
   if (block_.hasAny(dialect_.speedLimitWords | dialect_.orientWords | dialect_.switchWords |
                     dialect_.feedWords))
     settingWords();
+  otherSpindles();
   for (const CodeUse &use : outcome_.codes)
     applyEarly(use);
   applyZeros();

@@ -137,6 +137,7 @@ private:
   void feedWord(const Word &word, bool lead);
   void speedWord(const Word &word, bool limit);
   void offsetWord(const Word &word, AddressMask ofCycle);
+  void otherSpindles();
   void otherSpindle(const Item &item);
   void settingWords();
   bool startsSpindle() const;

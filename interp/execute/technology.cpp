@@ -133,6 +133,11 @@ void Execution::offsetWord(const Word &word, AddressMask ofCycle) {
   event.setWordValue(number);
 }
 
+void Execution::otherSpindles() {
+  for (const Item &item : block_.items)
+    otherSpindle(item);
+}
+
 /// `M2=3`: another spindle turns from here on, and may be the one that cuts. `S3=2500`: where it
 /// may have become that one, this is its speed.
 void Execution::otherSpindle(const Item &item) {

@@ -35,12 +35,22 @@ public:
 private:
   static constexpr llvm::StringLiteral id{"block-option-required"};
 
+  /// The change is in the block of the tool, in letters that the control does not read: `MO6`.
+  bool isUnreadable(const RuleContext &ctx) const {
+    const SourceRange tool = memory().lastTool.look();
+    if (tool.empty() || tool.file != ctx.source().id())
+      return false;
+    Block block;
+    ctx.index().read(ctx.source().lines().lineBegin(tool.begin), block);
+    return !block.issues.empty();
+  }
+
   /// The first tool is only named, and the tool moves: that works where T itself changes it.
   void toolByItself(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before();
     if (event.motion == MotionKind::Reference || ctx.after().tool != notSet ||
         before.preselected == notSet || before.may(Fact::ToolCalled) ||
-        before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}))
+        before.may(Fact::UnknownCode) || ctx.find({Action::MachineMove}) || isUnreadable(ctx))
       return sleepInShape();
     const SourceRange lastTool = memory().lastTool.look();
     std::optional<SourceRange> &told = memory().told.look();

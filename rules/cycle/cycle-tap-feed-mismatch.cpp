@@ -51,7 +51,8 @@ public:
       return;
     // A mill whose program states no unit feeds per minute, and such a number is no pitch.
     const bool unstated = state.active(dialect, StandardGroup::FeedMode) == groupUnset;
-    if (unstated && (dialect.isLathe() || state.feed->value() * *unit <= greatestPitch_))
+    if (unstated && (dialect.isLathe() || (state.feed->value() * *unit <= greatestPitch_ &&
+                                           !isNeither(state.feed->value() * *unit, ctx))))
       return;
     const Word *word = ctx.block().find('F');
     if (!word)
@@ -78,9 +79,10 @@ public:
     }
     tapping.at = word ? ctx.range(*word) : named ? ctx.range(*named) : ctx.blockRange();
     const Action mode = state.activeAction(dialect, StandardGroup::FeedMode);
-    if (unstated && hasSpeed(ctx))
-      laterHole(event, tapping, ctx);
-    else if (mode == Action::FeedPerRevolution)
+    if (unstated && hasSpeed(ctx)) {
+      if (!isNeither(tapping.feed, ctx) || !perMinute(event, tapping, ctx))
+        laterHole(event, tapping, ctx);
+    } else if (mode == Action::FeedPerRevolution)
       perRevolution(event, tapping, ctx);
     else if (mode == Action::FeedPerMinute && state.liveTool != spindleOff)
       drivenPerMinute(event, tapping, ctx);
@@ -90,6 +92,15 @@ public:
 
 private:
   static constexpr llvm::StringLiteral id{"cycle-tap-feed-mismatch"};
+
+  /// A feed that is no usual pitch, whether it counts by the minute or by the turn.
+  bool isNeither(double feed, const RuleContext &ctx) const {
+    constexpr double coarsest = 6; // mm a turn, of threads that are tapped
+    if (feed <= coarsest || !hasSpeed(ctx))
+      return false;
+    const double cuts = feed / ctx.after().speed->value();
+    return cuts < leastPitch_ || (feed > greatestPitch_ && cuts > greatestPitch_);
+  }
 
   struct Tapping {
     const CodeInfo &code;

@@ -8,6 +8,7 @@ namespace {
 
 struct FeedImplausibleMemory {
   OncePerCause once;
+  SourceRange perTurn{}; ///< the last feed of such a size, where no mode was said
 };
 
 class FeedImplausible final : public StatefulRule<FeedImplausibleMemory> {
@@ -42,14 +43,17 @@ public:
         value.value() * millimetresPerInch < perMinuteBelow_ && isOfMill(ctx))
       return creeps(event, ctx);
     if (!mode)
-      return sleepInShape();
+      return carried ? sleepInShape() : unlikeBefore(event, ctx);
     const Truth inch = state.isActive(ctx.dialect(), StandardGroup::Units, {Action::Inch});
     const bool unitsSaid = state.active(ctx.dialect(), StandardGroup::Units) != groupUnset;
     if (inch == Truth::Unknown && unitsSaid)
       return;
     const double feed = value.value() * (inch == Truth::Yes ? millimetresPerInch : 1);
     const bool tooSlow = mode->action == Action::FeedPerMinute && feed < perMinuteBelow_;
-    const bool tooFast = mode->action == Action::FeedPerRevolution && feed > perRevolutionAbove_;
+    // A constant cutting speed is one mode with the feed per revolution where they share a group.
+    const bool perTurn = mode->action == Action::FeedPerRevolution ||
+                         (mode->action == Action::SurfaceSpeed && !carried);
+    const bool tooFast = perTurn && feed > perRevolutionAbove_;
     if (mode->action == Action::FeedPerRevolution && !carried &&
         feed * (unitsSaid ? 1 : millimetresPerInch) < perRevolutionBelow_)
       return tooLittle(event, ctx);
@@ -74,6 +78,29 @@ public:
   }
 
 private:
+  /// On a lathe whose program says no mode: a feed that is hundreds of times as great as one that
+  /// has cut before belongs to the other mode.
+  void unlikeBefore(const Event &event, RuleContext &ctx) const {
+    constexpr double ofTurn = 0.8;  // at most, whatever the unit
+    constexpr double ofMinute = 60; // at least
+    const double feed = event.feed().value();
+    if (!ctx.dialect().isLathe() || !ctx.block().hasAny(ctx.dialect().axisWords))
+      return;
+    if (feed <= ofTurn) {
+      memory().perTurn = ctx.range(*event.word);
+      return;
+    }
+    const SourceRange before = memory().perTurn;
+    if (feed < ofMinute || before.empty() || before.file != ctx.source().id())
+      return;
+    if (auto finding = ctx.report(event))
+      finding.severity(Severity::Warning)
+          .message("`{0}` after `{1}`, and no code changes the mode: one of them is a feed per "
+                   "minute, the other one per revolution",
+                   ctx.text(*event.word), ctx.text(before))
+          .note(before, "this feed is per revolution by its size");
+  }
+
   static void tooMuch(const Event &event, RuleContext &ctx) {
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is a feed of {1}: no machine cuts so fast", ctx.text(*event.word),

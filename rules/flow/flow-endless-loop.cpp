@@ -43,7 +43,7 @@ public:
     }
     if (event.flowIssue() != FlowIssue::EndlessLoop ||
         (restarts_ && ctx.outcome().flow.kind == FlowKind::Return) || goesOnInHead(ctx) ||
-        waitsForOthers(ctx))
+        waitsForOthers(ctx) || pauses(ctx))
       return;
     if (auto finding = ctx.report(ctx.flowRange(), event.certain))
       finding.message("this loop never ends: nothing in it changes what decides about leaving it");
@@ -69,6 +69,27 @@ private:
       if (block.hasAny(ctx.dialect().axisWords) || !block.items.empty())
         return false;
     return true;
+  }
+  /// `GOTOB` over a dwell or a stop and nothing that moves: the program waits for its reset.
+  static bool pauses(const RuleContext &ctx) {
+    const Block &here = ctx.block();
+    const Flow &flow = ctx.outcome().flow;
+    if (flow.item < 0 || here.items[size_t(flow.item)].kind != ItemKind::Jump)
+      return false;
+    const Item &jump = here.items[size_t(flow.item)];
+    const auto targets = here.argumentsOf(jump);
+    const auto to = targets.size() == 1 ? blockNamed(ctx.index(), here, jump, targets[0])
+                                        : std::optional<uint32_t>();
+    if (!to || *to > here.begin || here.begin - *to > readable)
+      return false;
+    bool stays = false;
+    for (const Block &block : blocks(ctx.index(), *to, here.begin)) {
+      if (block.hasAny(ctx.dialect().axisWords) && !findCode(ctx.dialect(), block, {Action::Dwell}))
+        return false;
+      stays |= findCode(ctx.dialect(), block,
+                        {Action::Dwell, Action::ProgramStop, Action::OptionalStop}) != nullptr;
+    }
+    return stays;
   }
   static constexpr uint64_t firstCommon = 100; ///< those before are the program's own
 

@@ -24,6 +24,17 @@ bool isNamed(const Flow &flow) {
   return flow.kind == FlowKind::CallNamed || flow.kind == FlowKind::CallModal;
 }
 
+/// Two letters that are next to each other have changed places.
+bool isSwapped(llvm::StringRef a, llvm::StringRef b) {
+  if (a.size() != b.size())
+    return false;
+  size_t at = 0;
+  while (at < a.size() && a[at] == b[at])
+    ++at;
+  return at + 1 < a.size() && a[at] == b[at + 1] && a[at + 1] == b[at] &&
+         a.drop_front(at + 2) == b.drop_front(at + 2);
+}
+
 /// The cycle or instruction of the control whose number the called name has, and almost its
 /// letters: `CYLCE81`; null: there is none.
 const CodeInfo *mistypedFor(const RuleContext &ctx) {
@@ -38,7 +49,7 @@ const CodeInfo *mistypedFor(const RuleContext &ctx) {
     const unsigned most = own.size() < known.size() ? 2 : 1;
     if (!code.letter && own.size() >= shortest && own != letters &&
         known.drop_front(own.size()) == name.drop_front(letters.size()) &&
-        own.edit_distance(letters, true, most) <= most)
+        (own.edit_distance(letters, true, most) <= most || isSwapped(own, letters)))
       return &code;
   }
   return nullptr;

@@ -40,8 +40,8 @@ public:
     const int32_t is = before.tool, becomes = ctx.after().tool;
     if (is != notSet && is == becomes) // nothing turns
       return;
-    if (!atOnce || !before.must(Fact::Cut))
-      return;
+    if (!atOnce || !before.must(Fact::Cut) || ctx.find({Action::ReferenceReturn}))
+      return; // (the way home is in the block)
     if (before.may(Fact::AwayFromPart)) {
       afterHole(event, ctx);
       if (!afterTurning(event, ctx) && !afterCut(event, ctx))

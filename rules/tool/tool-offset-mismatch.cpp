@@ -46,7 +46,8 @@ public:
       const auto whole = int64_t(event.toolNumber().value());
       const int64_t tool = whole / 100, offset = whole % 100;
       if (tool == offset || offset == 0 || tool > 99 ||
-          (ownStep_ > 0 && (offset - tool) % ownStep_ == 0))
+          (ownStep_ > 0 && (offset - tool) % ownStep_ == 0) ||
+          (onlyOtherTools_ && !isOnlySlip(tool, offset, ctx)))
         return;
       if (auto finding = ctx.report(word)) {
         finding.message("`{0}` calls tool {1} with offset {2}: it runs with another tool's data",
@@ -69,6 +70,8 @@ public:
          !breaksHabit(word, ctx)))
       return;
     if (auto finding = ctx.report(word)) {
+      if (isLengthOfOther(word, int64_t(event.offset().value()), ctx))
+        finding.severity(Severity::Warning);
       finding
           .message("`{0}` is not the offset of tool {1}: it runs with another tool's data",
                    ctx.text(word), tool)
@@ -126,6 +129,35 @@ private:
   /// Whether a T word of the file has the number.
   bool isTool(int64_t number, const RuleContext &ctx) const {
     return numbersOfFile(ctx).tools.count(number) != 0;
+  }
+
+  /// `T0305` where at least three other stations have the offsets of their own numbers, this one
+  /// never has, and no other has another.
+  static bool isOnlySlip(int64_t tool, int64_t offset, const RuleContext &ctx) {
+    constexpr size_t habit = 3; // stations
+    std::set<int64_t> own;
+    for (const ProgramInfo &program : ctx.index().programs())
+      for (const Block &block : blocks(ctx.index().reader(), program.body, program.end)) {
+        const Word *const word = block.find(letterAddress('T'));
+        if (!word || !word->isNumber() || word->value() < 100 || word->value() > 9999)
+          continue;
+        const auto whole = int64_t(word->value());
+        if (whole % 100 == 0)
+          continue;
+        if (whole / 100 == whole % 100)
+          own.insert(whole % 100);
+        else if (whole / 100 != tool || whole % 100 != offset)
+          return false;
+      }
+    return own.size() >= habit && !own.count(tool);
+  }
+
+  /// The tool of that number has the length for itself, and all others have their own.
+  bool isLengthOfOther(const Word &word, int64_t number, const RuleContext &ctx) const {
+    if (word.address != letterAddress('H'))
+      return false;
+    const Memory &known = numbersOfFile(ctx);
+    return known.keep.count(number) && known.others.size() == 1;
   }
 
   /// The lengths of all other tools of the file, three at least, have the numbers of their tools:

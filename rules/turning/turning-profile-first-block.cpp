@@ -56,7 +56,10 @@ private:
                    {Action::Return, Action::ProgramEnd, Action::ProgramEndRewind}) ||
           block.has(letterAddress('P')))
         return;
-      if (lost.empty() && block.hasAny(ctx.dialect().axisWords | ctx.dialect().incrementWords))
+      if (lost.empty() && (block.hasAny(ctx.dialect().axisWords | ctx.dialect().incrementWords) ||
+                           findCode(ctx.dialect(), block,
+                                    {Action::ReferenceReturn, Action::CompensationOff,
+                                     Action::CompensationLeft, Action::CompensationRight})))
         lost = wordsRange(ctx, block);
     }
     if (lost.empty() || *place <= ctx.block().begin)

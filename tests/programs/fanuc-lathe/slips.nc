@@ -1,0 +1,37 @@
+%
+O3085 (SHAFT, AND WHAT A TIRED HAND WRITES)
+G21 G40
+T0101
+G50 S2500
+G96 S180 M03
+G00 X52. Z2. M08
+G71 U2. R0.5
+G71 P100 Q200 U0.5 W0.1 F0.25
+G40
+(^^^ expect: turning-profile-first-block definite)
+N100 G00 X20.
+G01 Z-20. F0.12
+X40.
+N200 Z-50.
+G28 U0 W0 M09
+T0505
+G00 X52. Z2.
+G70 P100 Q200
+G28 U0 W0
+T0307
+(^^^^^ expect: tool-offset-mismatch definite)
+G97 S700 M03
+G00 X44. Z-45.
+G01 X36. F0.08
+G00 X60.
+G28 U0 W0
+T0909
+G97 S1200 M03
+G00 X0 Z5.
+G01 Z-12. F200.
+(          ^^^^^ expect: feed-implausible definite)
+G00 Z5.
+G28 U0 W0
+M05
+M30
+%
