@@ -3,6 +3,7 @@
 
 #include "analyzer/reuse/run_cache.h"
 #include "analyzer/setup/session.h"
+#include "formats/text/formatted.h"
 
 namespace ncvet {
 
@@ -38,9 +39,8 @@ FileScan *CheckMemory::scanFor(const FileSetup &setup, const SourceFile &file,
 StraightRuns *CheckMemory::runsFor(const FileIndex &index) {
   std::string programs;
   for (const ProgramInfo &program : index.programs())
-    programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
-                              program.hasHeader())
-                    .str();
+    programs += formatted("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
+                          program.hasHeader());
   if (!changes_ || programs_ != programs) {
     runs_->clear();
     checked_ = false;

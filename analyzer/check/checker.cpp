@@ -12,8 +12,7 @@
 #include "analyzer/rule/rule_table.h"
 #include "formats/finding/fingerprint.h"
 #include "formats/text/crash_guard.h"
-
-#include "llvm/Support/FormatVariadic.h"
+#include "formats/text/formatted.h"
 
 #include <cmath>
 #include <set>
@@ -139,14 +138,13 @@ std::vector<std::string> contourLines(llvm::ArrayRef<CompensatedContour> contour
     std::string line = std::to_string(file.lines().lineOf(contour.begin)) + ":";
     if (contour.unit != &main)
       line += " (" + file.display() + ")";
-    line += llvm::formatv(" contour on the {0}, {1} {2}{3}, ", contour.onLeft ? "left" : "right",
-                          contour.elements, contour.elements == 1 ? "element" : "elements",
-                          contour.whole ? "" : " known");
+    line += formatted(" contour on the {0}, {1} {2}{3}, ", contour.onLeft ? "left" : "right",
+                      contour.elements, contour.elements == 1 ? "element" : "elements",
+                      contour.whole ? "" : " known");
     // What is rounded up would not fit.
-    line +=
-        contour.largest
-            ? llvm::formatv("safe up to R{0:f2}", std::floor(*contour.largest * 100) / 100).str()
-            : "safe for any tool";
+    line += contour.largest
+                ? formatted("safe up to R{0:f2}", std::floor(*contour.largest * 100) / 100)
+                : "safe for any tool";
     lines.push_back(std::move(line));
   }
   return lines;

@@ -3,10 +3,10 @@
 
 #include "analyzer/rule/rule_page.h"
 #include "analyzer/rule/rule_table.h"
+#include "formats/text/formatted.h"
 
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringMap.h"
-#include "llvm/Support/FormatVariadic.h"
 
 #include <map>
 
@@ -37,7 +37,7 @@ void fold(const std::vector<Finding *> &group, RepeatedFindings repeated) {
       llvm::append_range(first.fix->edits, further->fix->edits);
     further->message.clear(); // taken out by the caller
   }
-  first.message += llvm::formatv("; {0} more times in this file", group.size() - 1);
+  first.message += formatted("; {0} more times in this file", group.size() - 1);
   if (repeated == RepeatedFindings::Many)
     first.message += ": the whole text is made so";
 }
@@ -57,9 +57,8 @@ void foldRepeats(std::vector<Finding> &findings) {
       continue;
     const std::string said =
         repeated == RepeatedFindings::Same ? finding.message : withoutNumbers(finding.message);
-    groups[{finding.rule,
-            llvm::formatv("{0} {1} {2} {3}", finding.range.file, unsigned(finding.severity),
-                          unsigned(finding.certainty), said)}]
+    groups[{finding.rule, formatted("{0} {1} {2} {3}", finding.range.file,
+                                    unsigned(finding.severity), unsigned(finding.certainty), said)}]
         .push_back(&finding);
   }
   bool folded = false;

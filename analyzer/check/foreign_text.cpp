@@ -2,8 +2,7 @@
 #include "analyzer/check/foreign_text.h"
 
 #include "analyzer/rule/rule_table.h"
-
-#include "llvm/Support/FormatVariadic.h"
+#include "formats/text/formatted.h"
 
 #include <set>
 
@@ -106,9 +105,8 @@ void foldForeignText(Project &project, const FileUnit &unit, const TextOrigin &o
   const std::string cause =
       other.name.empty() ? "cannot be read: the text is no program of this control"
                          : "are for another control: " + other.name + " (" + other.marks + ")";
-  one.message =
-      llvm::formatv("{0} of {1} blocks {2}; the first: {3}", counted->size(),
-                    std::max<uint64_t>(origin.blocks, counted->size()), cause, one.message);
+  one.message = formatted("{0} of {1} blocks {2}; the first: {3}", counted->size(),
+                          std::max<uint64_t>(origin.blocks, counted->size()), cause, one.message);
   one.fix.reset();
   llvm::erase_if(findings, [&](const Finding &finding) { return finding.range.file == file; });
   findings.insert(findings.begin(), std::move(one));

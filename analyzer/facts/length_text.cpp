@@ -2,9 +2,8 @@
 #include "analyzer/facts/length_text.h"
 
 #include "analyzer/facts/lookahead.h"
+#include "formats/text/formatted.h"
 #include "formats/text/number_text.h"
-
-#include "llvm/Support/FormatVariadic.h"
 
 namespace ncvet {
 
@@ -30,8 +29,7 @@ struct Unit {
 
 std::string number(const Unit &unit, double mm) {
   const double value = mm / unit.millimetres;
-  return unit.isInch() ? llvm::formatv("{0:f4}", value).str()
-                       : llvm::formatv("{0:f3}", value).str();
+  return unit.isInch() ? formatted("{0:f4}", value) : formatted("{0:f3}", value);
 }
 
 } // namespace

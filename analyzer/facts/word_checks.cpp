@@ -3,6 +3,7 @@
 #include "analyzer/facts/word_checks.h"
 
 #include "formats/dialect/control_facts.h"
+#include "formats/text/formatted.h"
 #include "formats/text/number_text.h"
 #include "interp/evaluate/cycle_words.h"
 #include "interp/evaluate/expression.h"
@@ -192,7 +193,7 @@ void reportWordRanges(RuleContext &ctx, const Event &event,
       if (!finding)
         continue;
       const std::string what =
-          spec.note.empty() ? code.name : llvm::formatv("{0}, {1}", code.name, spec.note).str();
+          spec.note.empty() ? code.name : formatted("{0}, {1}", code.name, spec.note);
       if (*breach == Breach::PointMissing)
         finding.message("`{0}` ({1}) is written without a decimal point, which it needs here",
                         ctx.text(word), what);

@@ -6,10 +6,10 @@
 #include "formats/dialect/control_facts.h"
 #include "formats/dialect/json_reader.h"
 #include "formats/text/failure.h"
+#include "formats/text/formatted.h"
 #include "formats/text/read_file.h"
 
 #include "llvm/Support/FileSystem.h"
-#include "llvm/Support/FormatVariadic.h"
 #include "llvm/Support/Path.h"
 #include "llvm/Support/xxhash.h"
 
@@ -294,9 +294,8 @@ llvm::Expected<std::shared_ptr<const RuleSelection>>
 Session::selection(const std::shared_ptr<const Dialect> &dialect, const Config &config,
                    const UnsureReports *unsure) {
   // Both live as long as the session, so their addresses are their names.
-  const std::string key = llvm::formatv("{0}\n{1}\n{2}", static_cast<const void *>(dialect.get()),
-                                        static_cast<const void *>(&config), unsure != nullptr)
-                              .str();
+  const std::string key = formatted("{0}\n{1}\n{2}", reinterpret_cast<uintptr_t>(dialect.get()),
+                                    reinterpret_cast<uintptr_t>(&config), unsure != nullptr);
   return keep<std::shared_ptr<const RuleSelection>>(
       selections_, key, [&]() -> llvm::Expected<std::shared_ptr<const RuleSelection>> {
         auto layers = loadProfile(options_.profile.empty() ? config.profile : options_.profile);

@@ -2,8 +2,7 @@
 #include "formats/schema/controls_writer.h"
 
 #include "formats/dialect/loader.h"
-
-#include "llvm/Support/FormatVariadic.h"
+#include "formats/text/formatted.h"
 
 #include <map>
 
@@ -58,13 +57,13 @@ std::string sectionOf(const Dialect &dialect, const DialectSummary &summary) {
   for (size_t i = 0; i < dialect.codes.size(); ++i)
     if (dialect.codes[i].base == CodeIndex(i))
       codes.add(dialect.codes[i]);
-  std::string text = llvm::formatv("\n## {0}\n\n`{1}`, for a {2}", dialect.title, dialect.id,
-                                   dialect.isLathe() ? "lathe" : "mill");
+  std::string text = formatted("\n## {0}\n\n`{1}`, for a {2}", dialect.title, dialect.id,
+                               dialect.isLathe() ? "lathe" : "mill");
   if (!summary.extends.empty())
     text += ", laid over `" + summary.extends + "`";
-  text += llvm::formatv(". {0} codes.\n\n| source | codes |\n|---|---|\n", codes.all);
+  text += formatted(". {0} codes.\n\n| source | codes |\n|---|---|\n", codes.all);
   for (const auto &[source, count] : codes.bySource)
-    text += llvm::formatv("| {0} | {1} |\n", source, count);
+    text += formatted("| {0} | {1} |\n", source, count);
   if (!codes.named.empty())
     text += "\nCodes that are only named:\n\n" + listOf(codes.named);
   if (!codes.unknown.empty())
@@ -77,7 +76,7 @@ std::string sectionOf(const Dialect &dialect, const DialectSummary &summary) {
         "\nWhat the machine profile may say, with what holds otherwise:\n\n| option | without it "
         "|\n|---|---|\n";
   for (const auto &[name, value] : options)
-    text += llvm::formatv("| `{0}` | {1} |\n", name, value.empty() ? "not known" : value);
+    text += formatted("| `{0}` | {1} |\n", name, value.empty() ? "not known" : value);
   return text;
 }
 

@@ -1,4 +1,5 @@
 // Writing: completion, signatures, colours, hints in the text, lenses over it.
+#include "formats/text/formatted.h"
 #include "lsp/features/showing/code_lens.h"
 #include "lsp/features/showing/document_states.h"
 #include "lsp/features/showing/inlay_hints.h"
@@ -8,8 +9,6 @@
 #include "lsp/features/writing/linked_editing.h"
 #include "lsp/features/writing/signature_help.h"
 #include "lsp/server/bindings.h"
-
-#include "llvm/Support/FormatVariadic.h"
 
 namespace ncvet::lsp {
 
@@ -58,7 +57,7 @@ std::string plainText(llvm::StringRef snippet) {
 
 /// A label whose order as a text is that of its numbers: G1 before G05.1 before G10.
 std::string sortKey(int rank, llvm::StringRef label) {
-  std::string key = llvm::formatv("{0:d3}", rank);
+  std::string key = ncvet::formatted("{0:d3}", rank);
   while (!label.empty()) {
     const llvm::StringRef digits = label.take_while(llvm::isDigit);
     const llvm::StringRef number = digits.ltrim('0');

@@ -5,8 +5,7 @@
 #include "analyzer/setup/session.h"
 #include "formats/reports/tool_path_json.h"
 #include "formats/text/file_uri.h"
-
-#include "llvm/Support/FormatVariadic.h"
+#include "formats/text/formatted.h"
 
 namespace ncvet::lsp {
 
@@ -16,9 +15,8 @@ namespace {
 std::string programsOf(const FileIndex &index) {
   std::string programs;
   for (const ProgramInfo &program : index.programs())
-    programs += llvm::formatv("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
-                              program.hasHeader())
-                    .str();
+    programs += formatted("{0} {1} {2} {3}\n", program.number, program.name, int(program.kind),
+                          program.hasHeader());
   return programs;
 }
 
@@ -115,9 +113,8 @@ llvm::Expected<std::string> LivePath::answer(const CheckJob &job, llvm::StringRe
   const std::vector<std::string> uris = urisOf(memory_.files());
   const std::string content = isNext ? toolPathChangeText(memory_.path(), uris, *change)
                                      : toolPathText(memory_.path(), uris);
-  return llvm::formatv(R"({{"id":"{0}","version":{1},"{2}":{3}})", ++lastId_, document.version,
-                       isNext ? "change" : "path", content)
-      .str();
+  return formatted(R"({{"id":"{0}","version":{1},"{2}":{3}})", ++lastId_, document.version,
+                   isNext ? "change" : "path", content);
 }
 
 llvm::Expected<std::string> LivePaths::answer(const CheckJob &job, llvm::StringRef previous,

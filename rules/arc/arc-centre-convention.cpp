@@ -97,7 +97,7 @@ private:
   }
   /// As a machinist writes it: at most four decimals, no trailing zeros.
   static std::string shortNumber(double value) {
-    std::string text = llvm::formatv("{0:f4}", value).str();
+    std::string text = formatted("{0:f4}", value);
     text.erase(text.find_last_not_of('0') + 1);
     return text;
   }

@@ -232,9 +232,7 @@ private:
     if (!(value.hi < address.least) && !(value.lo > address.most))
       return;
     constexpr double nothing = 1e-5; // the least that is not zero
-    const auto bound = [](double number) {
-      return llvm::formatv("{0}", llvm::format("%.9g", number)).str();
-    };
+    const auto bound = [](double number) { return formatted("{0}", llvm::format("%.9g", number)); };
     const std::string range =
         value.hi < address.least && address.least > 0 && address.least < nothing ? "above 0"
         : !std::isfinite(address.least) ? "at most " + bound(address.most)

@@ -95,7 +95,7 @@ private:
 
   std::string roomFor(const ContourTrail::Element &at, const Neighbours &neighbours) const {
     const auto room = largestFit(at.line, neighbours, at.left > 0, exact_);
-    return llvm::formatv("{0:f2}", std::floor(room.value_or(0) * 100) / 100).str();
+    return formatted("{0:f2}", std::floor(room.value_or(0) * 100) / 100);
   }
 
   bool exact_ = false;

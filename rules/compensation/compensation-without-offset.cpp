@@ -186,7 +186,7 @@ private:
       if (auto finding = ctx.report(where, event.certain))
         finding.severity(Severity::Warning)
             .message("`{0}` with tool {1}, of which the machine profile gives no radius", code.name,
-                     state.tool);
+                     int(state.tool));
       return;
     }
     if (!none && !empty && compensationRadius(ctx.dialect(), ctx.machine(), state) != 0.0)
@@ -196,7 +196,7 @@ private:
           .message("`{0}` {1}: the tool runs on the contour line", code.name,
                    empty  ? "with T0: there is no tool"
                    : none ? "before any tool was changed in: the radius is zero"
-                          : llvm::formatv("with tool {0}, whose radius is 0", state.tool).str())
+                          : formatted("with tool {0}, whose radius is 0", int(state.tool)))
           .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 

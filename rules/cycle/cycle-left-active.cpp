@@ -178,10 +178,9 @@ private:
     left.certain = certain;
     left.origin = origin;
     left.name = cycle.name;
-    left.message = llvm::formatv("`{0}` of line {1} is still active {2}: {4} {3} again", cycle.name,
-                                 lineOf(ctx, origin), where, verbOf(cycle.cycle),
-                                 dialect.emptyBlocksRun ? "the block" : "the next position")
-                       .str();
+    left.message = formatted("`{0}` of line {1} is still active {2}: {4} {3} again", cycle.name,
+                             lineOf(ctx, origin), where, verbOf(cycle.cycle),
+                             dialect.emptyBlocksRun ? "the block" : "the next position");
     left.cancel = cancelOf(dialect, cycle);
     left.edit = ctx.insertBlockBefore(left.cancel);
     // Switched on only and not run, it may be meant for the places that the caller gives.

@@ -332,9 +332,7 @@ private:
     memory().speed = speed;
     return changed;
   }
-  static std::string text(double value) {
-    return llvm::formatv("{0}", llvm::format("%.4g", value)).str();
-  }
+  static std::string text(double value) { return formatted("{0}", llvm::format("%.4g", value)); }
   double leastPitch_ = 0.05;
   double greatestPitch_ = 12;
 };

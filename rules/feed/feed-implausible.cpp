@@ -65,7 +65,7 @@ public:
         !memory().once.speaks(state.originOf(ctx.dialect(), StandardGroup::FeedMode), ctx))
       return;
     const std::string written =
-        carried ? llvm::formatv("F{0}", value.value()).str() : ctx.text(*event.word).str();
+        carried ? formatted("F{0}", value.value()) : ctx.text(*event.word).str();
     if (auto finding = ctx.report(event))
       finding
           .message("`{0}` under `{1}` is a feed per {2}: its size is that of a feed per {3}",
@@ -104,7 +104,7 @@ private:
   static void tooMuch(const Event &event, RuleContext &ctx) {
     if (auto finding = ctx.report(event))
       finding.message("`{0}` is a feed of {1}: no machine cuts so fast", ctx.text(*event.word),
-                      llvm::formatv("{0}", llvm::format("%.0f", event.feed().value())));
+                      formatted("{0}", llvm::format("%.0f", event.feed().value())));
   }
 
   static void tooLittle(const Event &event, RuleContext &ctx) {

@@ -40,12 +40,12 @@ public:
     const Word *number = block.find('N');
     if (block.has(letterAddress('P')) || !number || !number->isNumber())
       return;
-    const std::string cure = llvm::formatv("P{0}", number->mantissa).str();
+    const std::string cure = formatted("P{0}", number->mantissa);
     if (auto finding = ctx.report(*number))
       finding
           .message("`{0}` after `{1}` reads as a block number: write the target as `{2}`",
                    ctx.text(*number), ctx.text(*event.word), cure)
-          .fix(FixSafety::Unsafe, llvm::formatv("write `{0}`", cure).str(),
+          .fix(FixSafety::Unsafe, formatted("write `{0}`", cure),
                ctx.replace(ctx.range(*number), cure));
   }
 

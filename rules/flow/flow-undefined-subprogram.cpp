@@ -80,7 +80,7 @@ std::string callOfBlock(const Flow &flow, const RuleContext &ctx) {
   if (local == dialect.codes.end())
     return "";
   const AddressMask word = addressesOf(*local, Role::Sequence);
-  return llvm::formatv("{0} {1}{2}", local->name, dialect.alternatives(word), number).str();
+  return formatted("{0} {1}{2}", local->name, dialect.alternatives(word), number);
 }
 
 /// Whether a contour is called that is turned.

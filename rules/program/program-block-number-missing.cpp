@@ -37,7 +37,7 @@ public:
     const bool bare = text.size() == 2 && (text[0] | 32) == 'n' && !llvm::isAlnum(text[1]);
     finding.fix(FixSafety::Unsafe, "number the block",
                 bare ? ctx.insertBefore(words.begin + 1, std::to_string(number))
-                     : ctx.insertBefore(words.begin, llvm::formatv("N{0} ", number).str()));
+                     : ctx.insertBefore(words.begin, formatted("N{0} ", number)));
   }
 
 private:

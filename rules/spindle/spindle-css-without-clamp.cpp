@@ -41,7 +41,7 @@ public:
           "`{0}` without a speed limit: near the centre the spindle runs up to its maximum",
           ctx.code(event).name);
       if (const auto most = ctx.machine().spindleMax; most && !limit_.empty()) {
-        const std::string block = llvm::formatv("{0} S{1:f0}", limit_, *most).str();
+        const std::string block = formatted("{0} S{1:f0}", limit_, *most);
         finding.fix(FixSafety::Unsafe, "insert `" + block + "` before this block",
                     ctx.insertBlockBefore(block));
       }

@@ -52,8 +52,7 @@ private:
           .message("`{0}` is a constant in the form of what is computed: `M{1}` says the same",
                    text, event.word->codeNumber())
           .fix(FixSafety::Safe, "write the number after the letter",
-               ctx.replace(ctx.range(*event.word),
-                           llvm::formatv("M{0}", event.word->value()).str()));
+               ctx.replace(ctx.range(*event.word), formatted("M{0}", event.word->value())));
   }
 
   /// `R1060=R1060+1` in a program that has not set R1060: it counts on from what was there before.

@@ -43,7 +43,7 @@ private:
           .message(
               "`{0}` without an H takes H{1} of the tool before: the tool goes too deep, or not "
               "deep enough, by the difference of their lengths",
-              ctx.code(event).name, ctx.after().lengthOffset)
+              ctx.code(event).name, int(ctx.after().lengthOffset))
           .note(tool, "the tool is changed here")
           .note(offset, "the offset is programmed here");
   }

@@ -43,7 +43,7 @@ public:
     if (auto finding = ctx.report(ctx.blockRange(), event.certain))
       finding
           .message("tool {0} moves without an offset: its length, nose radius and tip are missing",
-                   state.tool)
+                   int(state.tool))
           .note(state.origin.of(StatePart::Tool), "the tool is called here");
   }
 

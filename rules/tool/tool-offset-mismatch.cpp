@@ -54,7 +54,7 @@ public:
                         ctx.text(word), tool, offset);
         if (word.isNumber())
           finding.fix(FixSafety::Unsafe, "use the tool's own offset",
-                      ctx.replace(ctx.range(word), llvm::formatv("T{0:d2}{0:d2}", tool).str()));
+                      ctx.replace(ctx.range(word), formatted("T{0:d2}{0:d2}", tool)));
       }
       return;
     }

@@ -72,7 +72,7 @@ private:
     const double speed = std::floor(before.speed->value() * 1000 / (pi * x.value()));
     if (speed < 1)
       return;
-    const std::string block = llvm::formatv("G97 S{0}", int64_t(speed)).str();
+    const std::string block = formatted("G97 S{0}", int64_t(speed));
     finding.fix(FixSafety::Unsafe, "insert " + block + " before this block",
                 ctx.insertBlockBefore(block));
   }

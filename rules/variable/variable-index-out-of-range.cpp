@@ -383,7 +383,7 @@ private:
                        ctx.text(range), array, int64_t(elements) - 1, i + 1)
               .note(ctx.range(definition),
                     written ? std::string("it is defined here")
-                            : llvm::formatv("it is defined here; the index is {0}", index).str());
+                            : formatted("it is defined here; the index is {0}", index));
         return;
       }
     }

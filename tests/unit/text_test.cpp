@@ -1,5 +1,6 @@
 // Tests of formats/text: lines, columns, encodings, edits, opening files.
 #include "formats/text/edit.h"
+#include "formats/text/formatted.h"
 #include "formats/text/source_set.h"
 #include "formats/text/text_change.h"
 
@@ -56,6 +57,17 @@ private:
 };
 
 } // namespace
+
+TEST(Formatted, TakesValuesOfAnyTypeInTheStylesOfTheForm) {
+  EXPECT_EQ("G1 X12.500, twice: G1", formatted("{0} {1}{2:f3}, twice: {0}", "G1", 'X', 12.5));
+  EXPECT_EQ("N007 and -3", formatted("N{0:d3} and {1}", 7u, -3));
+  EXPECT_EQ("0.3333 of 18446744073709551615",
+            formatted("{0} of {1}", llvm::format("%.4g", 1.0 / 3), ~uint64_t(0)));
+}
+
+TEST(Formatted, WithoutValuesIsTheTextItself) {
+  EXPECT_EQ("{G80} ends it", formatted("{{G80} ends it"));
+}
 
 TEST(LineIndexTest, LinesEndWithLfCrLfOrALoneCr) {
   const llvm::StringRef text = "A\nB\r\nC\rD";

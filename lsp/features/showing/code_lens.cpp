@@ -5,9 +5,8 @@
 #include "analyzer/program/callers.h"
 #include "analyzer/program/references.h"
 #include "formats/dialect/packed_call.h"
+#include "formats/text/formatted.h"
 #include "interp/evaluate/condition.h"
-
-#include "llvm/Support/FormatVariadic.h"
 
 #include <cmath>
 #include <map>
@@ -227,9 +226,8 @@ std::string titleOf(const CompensatedContour &contour) {
     return {};
   // What is rounded up would not fit.
   std::string title =
-      contour.largest
-          ? llvm::formatv("safe up to R{0:f2}", std::floor(*contour.largest * 100) / 100).str()
-          : "safe with any radius";
+      contour.largest ? formatted("safe up to R{0:f2}", std::floor(*contour.largest * 100) / 100)
+                      : "safe with any radius";
   return contour.whole ? title : title + ", as far as the contour is known";
 }
 

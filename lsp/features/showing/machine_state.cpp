@@ -3,8 +3,8 @@
 
 #include "analyzer/flow/states_at_block.h"
 #include "formats/dialect/vocabulary.h"
+#include "formats/text/formatted.h"
 
-#include "llvm/Support/FormatVariadic.h"
 #include "llvm/Support/Path.h"
 
 namespace ncvet::lsp {
@@ -13,7 +13,7 @@ namespace {
 
 /// Three decimals at most, none that says nothing.
 std::string number(double value) {
-  std::string text = llvm::formatv("{0:f3}", value).str();
+  std::string text = formatted("{0:f3}", value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.')
     text.pop_back();
