@@ -72,6 +72,22 @@ bool isEmpty(const Reader &reader, uint32_t at, uint32_t end, uint32_t limit) {
   return true;
 }
 
+ProgramInfo programOf(const Block &header, llvm::StringRef text) {
+  ProgramInfo program;
+  program.number = header.program;
+  program.name = text.slice(header.nameBegin, header.nameEnd).upper();
+  // Words after the number are in the header's block and are executed with it.
+  program.begin = program.body = header.begin;
+  program.headerBegin = header.headerBegin;
+  program.headerEnd = header.headerEnd;
+  return program;
+}
+
+bool isBracket(const Block &block, Structure structure) {
+  return !block.items.empty() && block.items[0].kind == ItemKind::Structure &&
+         block.items[0].structure == structure;
+}
+
 } // namespace
 
 ProgramKind kindOfEnding(llvm::StringRef ending, const Dialect &dialect) {
@@ -91,6 +107,7 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
   const llvm::StringRef text = source.text();
   const std::string marks = dialect.lexical.headerMarks + '%';
   Block block;
+  bool insideSub = false;
   ProgramInfo first;
   first.begin = first.body = reader.first();
   programs_.push_back(first);
@@ -101,19 +118,13 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
     if (!isHeaderMark(c, dialect))
       continue;
     reader.read(line, block);
-    if (!block.items.empty() && block.items[0].kind == ItemKind::Structure &&
-        block.items[0].structure == Structure::Sub)
+    const bool opens = isBracket(block, Structure::Sub);
+    if (opens)
       subprograms_.push_back(line);
-    if (block.kind != BlockKind::ProgramHeader)
+    insideSub = opens || (insideSub && !isBracket(block, Structure::EndSub));
+    // `O103` alone inside `o<name> sub` begins nothing: its keyword is missing.
+    if (block.kind != BlockKind::ProgramHeader || insideSub)
       continue;
-    ProgramInfo program;
-    program.number = block.program;
-    program.name = text.slice(block.nameBegin, block.nameEnd).upper();
-    program.begin = line;
-    // Words after the number are in the header's block and are executed with it.
-    program.body = line;
-    program.headerBegin = block.headerBegin;
-    program.headerEnd = block.headerEnd;
     if (programs_.size() == 1 && !programs_[0].hasHeader()) {
       // What comes before the first header is a leader (tape mark, comments) or a fragment.
       const bool leader = dialect.lexical.tapeLeader && !tapeMarks_.empty();
@@ -121,7 +132,7 @@ FileIndex::FileIndex(const SourceFile &source, const Reader &reader, const Diale
                   programs_[0].begin + longestLeader))
         programs_.clear();
     }
-    programs_.push_back(program);
+    programs_.push_back(programOf(block, text));
   }
   if (programs_.size() == 1 && !programs_[0].hasHeader()) {
     if (isDataFile(source, dialect))

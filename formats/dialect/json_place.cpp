@@ -1,6 +1,7 @@
 // A cursor over JSON text that finds the place of a path; it builds nothing.
 #include "formats/dialect/json_place.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/Twine.h"
 
 #include <algorithm>
@@ -22,6 +23,20 @@ size_t endOfComment(llvm::StringRef text, size_t at) {
   return end == llvm::StringRef::npos ? text.size() : end + (line ? 1 : 2);
 }
 
+/// The quote that closes a text which begins at `at`; one after an odd number of backslashes is
+/// part of it. `npos`: none does.
+size_t closingQuote(llvm::StringRef text, size_t at) {
+  for (size_t quote = text.find('"', at); quote != llvm::StringRef::npos;
+       quote = text.find('"', quote + 1)) {
+    size_t slashes = quote;
+    while (slashes > at && text[slashes - 1] == '\\')
+      --slashes;
+    if ((quote - slashes) % 2 == 0)
+      return quote;
+  }
+  return llvm::StringRef::npos;
+}
+
 class JsonCursor {
 public:
   explicit JsonCursor(llvm::StringRef text) : text_(text) {}
@@ -41,39 +56,45 @@ public:
   llvm::StringRef takeString() {
     if (!take('"'))
       return {};
-    size_t start = at_;
-    while (at_ < text_.size() && text_[at_] != '"')
-      at_ += text_[at_] == '\\' ? 2 : 1;
-    at_ = std::min(at_, text_.size());
-    llvm::StringRef string = text_.slice(start, at_);
-    take('"');
-    return string;
+    const size_t start = at_;
+    const size_t end = closingQuote(text_, start);
+    at_ = end == llvm::StringRef::npos ? text_.size() : end + 1;
+    return text_.slice(start, end);
   }
+  /// Past a value with all that is in it. The tables of all controls are gone over at each start:
+  /// what is neither a bracket nor a text nor a comment costs a look at its byte.
   void skipValue() {
+    skipBlanks();
     unsigned depth = 0;
-    do {
-      char next = peek();
-      if (next == '\0')
-        return;
+    while (at_ < text_.size()) {
+      const char next = text_[at_];
       if (next == '"') {
         takeString();
-        continue;
+        if (depth == 0)
+          return;
+      } else if (next == '{' || next == '[') {
+        ++depth;
+        ++at_;
+      } else if (next == '}' || next == ']') {
+        at_ += depth > 0;
+        if (depth <= 1)
+          return;
+        --depth;
+      } else if (depth == 0 && isBlankOrMark(next)) {
+        return;
+      } else {
+        const size_t end = next == '/' ? endOfComment(text_, at_) : at_;
+        at_ = std::max(end, at_ + 1);
       }
-      depth += next == '{' || next == '[';
-      depth -= depth && (next == '}' || next == ']');
-      ++at_;
-      if (!isBracketOrMark(next))
-        while (at_ < text_.size() && !isEnd(text_[at_]))
-          ++at_;
-    } while (depth);
+    }
   }
 
 private:
-  static bool isBracketOrMark(char c) { return llvm::StringRef("{}[]:,").contains(c); }
-  static bool isEnd(char c) { return llvm::StringRef("{}[]:,\"/ \t\r\n").contains(c); }
+  static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+  static bool isBlankOrMark(char c) { return isBlank(c) || c == ':' || c == ','; }
   void skipBlanks() {
     while (at_ < text_.size()) {
-      if (llvm::StringRef(" \t\r\n").contains(text_[at_]))
+      if (isBlank(text_[at_]))
         ++at_;
       else if (const size_t end = endOfComment(text_, at_); end != at_)
         at_ = end;
@@ -162,16 +183,33 @@ std::optional<size_t> findJsonPlace(llvm::StringRef text, llvm::ArrayRef<JsonSte
   return place;
 }
 
-std::optional<llvm::StringRef> findJsonMember(llvm::StringRef text, llvm::StringRef key) {
+std::vector<std::optional<llvm::StringRef>> findJsonMembers(llvm::StringRef text,
+                                                            llvm::ArrayRef<llvm::StringRef> keys) {
+  std::vector<std::optional<llvm::StringRef>> found(keys.size());
   JsonCursor scanner(text);
-  JsonStep step;
-  step.key = key.str();
-  if (!enter(scanner, step))
-    return std::nullopt;
-  scanner.peek();
-  size_t start = scanner.at();
-  scanner.skipValue();
-  return text.slice(start, scanner.at());
+  if (!scanner.take('{'))
+    return found;
+  for (char next = scanner.peek(); next != '\0' && next != '}' && next != ']';
+       next = scanner.peek()) {
+    const size_t place = scanner.at();
+    const llvm::StringRef key = scanner.takeString();
+    if (!scanner.take(':'))
+      break;
+    scanner.peek();
+    const size_t start = scanner.at();
+    scanner.skipValue();
+    const auto *wanted = llvm::find(keys, key);
+    if (wanted != keys.end() && !found[size_t(wanted - keys.begin())])
+      found[size_t(wanted - keys.begin())] = text.slice(start, scanner.at());
+    scanner.take(',');
+    if (scanner.at() == place) // not JSON: no progress
+      break;
+  }
+  return found;
+}
+
+std::optional<llvm::StringRef> findJsonMember(llvm::StringRef text, llvm::StringRef key) {
+  return findJsonMembers(text, key).front();
 }
 
 std::optional<size_t> findRepeatedKey(llvm::StringRef text) {
@@ -191,14 +229,8 @@ bool nestsTooDeep(llvm::StringRef text) {
       if (const size_t end = endOfComment(text, at); end != at)
         at = end - 1;
       break;
-    case '"': // to the closing quote: one after an odd number of backslashes is part of the text
-      for (at = text.find('"', at + 1); at != llvm::StringRef::npos; at = text.find('"', at + 1)) {
-        size_t slashes = at;
-        while (text[slashes - 1] == '\\')
-          --slashes;
-        if ((at - slashes) % 2 == 0)
-          break;
-      }
+    case '"':
+      at = closingQuote(text, at + 1);
       if (at == llvm::StringRef::npos)
         return false;
       break;

@@ -25,7 +25,10 @@ std::string toString(llvm::ArrayRef<JsonStep> path);
 /// The text must be valid JSON; on anything else the answer is none or some place, never a crash.
 std::optional<size_t> findJsonPlace(llvm::StringRef text, llvm::ArrayRef<JsonStep> path);
 
-/// The text of the value of a top-level key; none when there is no such key.
+/// The texts of the values of top-level keys, found in one pass; none where there is no such key.
+std::vector<std::optional<llvm::StringRef>> findJsonMembers(llvm::StringRef text,
+                                                            llvm::ArrayRef<llvm::StringRef> keys);
+/// The same of one key.
 std::optional<llvm::StringRef> findJsonMember(llvm::StringRef text, llvm::StringRef key);
 
 /// Byte offset of a key that its object has already; none when no object has a key twice. As

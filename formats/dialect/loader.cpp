@@ -282,12 +282,13 @@ llvm::Expected<std::shared_ptr<const Dialect>> overlay(std::shared_ptr<const Dia
 llvm::Expected<DialectSummary> summarize(llvm::StringRef name, llvm::StringRef text) {
   // Only the members at the top are parsed: the codes, nine tenths of a table, are skipped over.
   Json head = Json::object();
-  for (const char *key : {"id", "title", "extends", "abstract", "detect"})
-    if (std::optional<llvm::StringRef> member = findJsonMember(text, key)) {
+  constexpr llvm::StringRef keys[] = {"id", "title", "extends", "abstract", "detect"};
+  for (const auto &[key, member] : llvm::zip(keys, findJsonMembers(text, keys)))
+    if (member) {
       Json value = Json::parse(member->begin(), member->end(), nullptr, false);
       if (value.is_discarded())
         return parseJson(name, text).takeError();
-      head[key] = std::move(value);
+      head[key.str()] = std::move(value);
     }
   JsonLayer layer{name.str(), text};
   JsonReader reader(layer, head);

@@ -1,3 +1,4 @@
+// Texts with values in them, in the form of llvm::formatv.
 #include "formats/text/formatted.h"
 
 #include "llvm/ADT/SmallVector.h"

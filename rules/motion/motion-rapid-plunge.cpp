@@ -189,13 +189,16 @@ private:
     return false;
   }
 
-  /// Without a stock: the tool comes up again from there, so that it has not gone past the part.
-  static bool cutsAcross(RuleContext &ctx) {
+  /// Without a stock: the next move leads up again from there, so that the tool has not gone past
+  /// the part. Where no move follows, nothing is known of it.
+  static bool cutsAcross(const RuleContext &ctx) {
+    constexpr unsigned furthest = 8; // blocks
     BlocksAhead ahead(ctx);
     Block next;
-    if (!ahead.next(next))
-      return false;
-    return !(axesOf(ctx.dialect(), next) & (1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y)));
+    for (unsigned i = 0; i < furthest && ahead.next(next); ++i)
+      if (namesAxes(ctx.dialect(), next))
+        return !(axesOf(ctx.dialect(), next) & (1u << unsigned(Axis::X) | 1u << unsigned(Axis::Y)));
+    return false;
   }
 
   std::optional<double> top_;
