@@ -29,9 +29,10 @@ struct CompensationWrongSideMemory {
 class CompensationWrongSide final : public StatefulRule<CompensationWrongSideMemory> {
 public:
   void listen(Subscriptions &to) override {
+    mills_ = to.flag("mills");
     if (to.dialect().isLathe())
       to.on(EventKind::Motion);
-    else if (to.flag("mills"))
+    else
       to.on({EventKind::Motion, EventKind::CompensationMove});
   }
 
@@ -217,6 +218,72 @@ private:
                                      pointOf(ctx.after(), ctx.dialect()), ctx.blockRange()};
   }
 
+  /// A closed contour that the tool comes to from outside, and leaves to outside, at one depth, and
+  /// along which it is kept inside: it cuts through the contour on both ways.
+  bool throughContour(const Memory::Entry &entry, const CodeInfo &code, const Event &event,
+                      RuleContext &ctx) const {
+    constexpr unsigned longest = 200; // elements
+    constexpr double tolerance = 1e-3;
+    const Interval &depth = ctx.before().at(Axis::Z);
+    Outline outline;
+    outline.add(entry.to);
+    outline.add(pointOf(ctx.after(), ctx.dialect()));
+    PathAhead ahead(ctx);
+    for (unsigned i = 0; i < longest && ahead.next(); ++i) {
+      const ExecutedBlock move = ahead.executed();
+      const Memory::Point to = pointOf(move.after, ctx.dialect());
+      if (!to[0].isConstant() || !to[1].isConstant() || !depth.isConstant() ||
+          !(move.after.at(Axis::Z) == depth))
+        return false;
+      if (move.after.compensation == phaseOn) {
+        outline.add(to);
+        continue;
+      }
+      const double inside = outline.area() * (code.action == Action::CompensationLeft ? 1 : -1);
+      if (!outline.isClosed(tolerance) || outline.holds(entry.from) || outline.holds(to) ||
+          inside < tolerance || inside < 0.1 * outline.boxArea())
+        return false;
+      const Origin &origin = ctx.after().origin.of(StatePart::Compensation);
+      if (auto finding = ctx.report(causePlace(ctx, origin, entry.block).at, event.certain))
+        finding
+            .message("`{0}` keeps the tool inside of this closed contour, and it comes from "
+                     "outside and leaves to outside: it cuts through the contour",
+                     code.name)
+            .note(ahead.range(), "here it leaves");
+      return true;
+    }
+    return false;
+  }
+
+  /// Corners of a contour in the plane, arcs by their ends.
+  class Outline {
+  public:
+    void add(const Memory::Point &point) {
+      const Vector at(point[0].lo, point[1].lo);
+      if (!corners_.empty())
+        area_ += 0.5 * (corners_.back().x() * at.y() - at.x() * corners_.back().y());
+      low_ = corners_.empty() ? at : Vector(low_.cwiseMin(at));
+      high_ = corners_.empty() ? at : Vector(high_.cwiseMax(at));
+      corners_.push_back(at);
+    }
+    bool isClosed(double tolerance) const {
+      return corners_.size() > 3 && (corners_.front() - corners_.back()).norm() <= tolerance;
+    }
+    /// Positive: counter-clockwise.
+    double area() const { return area_; }
+    double boxArea() const { return (high_ - low_).prod(); }
+    /// Whether its box does.
+    bool holds(const Memory::Point &point) const {
+      return point[0].lo >= low_.x() && point[0].lo <= high_.x() && point[1].lo >= low_.y() &&
+             point[1].lo <= high_.y();
+    }
+
+  private:
+    std::vector<Vector> corners_;
+    Vector low_, high_;
+    double area_ = 0;
+  };
+
   /// A mill that comes from beside the first element has to come from the side on which it stays.
   void firstElement(const Event &event, RuleContext &ctx) const {
     const MachineState &before = ctx.before(), &after = ctx.after();
@@ -229,6 +296,8 @@ private:
       return point[0].isConstant() && point[1].isConstant();
     });
     if (!whole || !code || before.may(Fact::UnknownCode))
+      return;
+    if (throughContour(*entry, *code, event, ctx) || !mills_)
       return;
     const double dx = end[0].value() - entry->to[0].value(),
                  dy = end[1].value() - entry->to[1].value();
@@ -250,6 +319,8 @@ private:
                    code->name, right ? "right" : "left")
           .note(ctx.blockRange(), "the first element");
   }
+
+  bool mills_ = false; ///< how a mill comes to its first element is judged
 };
 
 } // namespace

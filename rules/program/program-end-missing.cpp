@@ -52,6 +52,9 @@ public:
     const ProgramInfo &program = ctx.index().programAt(where.begin);
     if (fileIsProgram_ && isNamedAsItsFile(program, ctx))
       return;
+    // Before the first number are blocks of no program: another rule says so.
+    if (!program.hasHeader() && !fileIsProgram_ && &program != &ctx.index().programs().back())
+      return;
     auto finding = ctx.report(where, event.certain);
     if (!finding)
       return;
