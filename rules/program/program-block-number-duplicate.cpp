@@ -1,8 +1,60 @@
 // A block number that occurs twice in a program.
 #include "analyzer/facts/data_sections.h"
 
+#include <map>
+
 namespace ncvet {
 namespace {
+
+/// Whether the code, or a variant of it, works along blocks that two of its words name.
+bool readsProfile(const CodeInfo &code, const Dialect &dialect) {
+  return addressesOf(code, Role::ProfileFirst) ||
+         llvm::any_of(code.variants, [&](const auto &variant) {
+           return addressesOf(dialect.codes[variant.code], Role::ProfileFirst) != 0;
+         });
+}
+
+/// The words P and Q of a program, which name blocks; read when they are first asked for.
+class Namers {
+public:
+  Namers(const ProgramInfo &program, const Reader &reader, const Dialect &dialect)
+      : program_(program), reader_(reader), dialect_(dialect) {}
+
+  /// Only cycles before the block name its number: they have found this one of several.
+  bool areBefore(const NumberedBlock &where) {
+    if (!isRead_)
+      read();
+    isRead_ = true;
+    const auto own = last_.find(where.number);
+    return untold_ <= where.offset && (own == last_.end() || own->second <= where.offset);
+  }
+
+private:
+  void read() {
+    for (const Block &block : blocks(reader_, program_.body, program_.end)) {
+      if (llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::Jump; }))
+        untold_ = anywhere;
+      for (const char letter : {'P', 'Q'})
+        if (const Word *word = block.find(letter))
+          note(*word, block);
+    }
+  }
+  void note(const Word &word, const Block &block) {
+    const bool cycle = llvm::any_of(codesOf(dialect_, block), [&](CodeIndex code) {
+      return readsProfile(dialect_.codes[code], dialect_);
+    });
+    uint32_t &last = word.isNumber() ? last_[int64_t(word.value())] : untold_;
+    last = std::max(last, cycle ? block.begin : anywhere);
+  }
+
+  static constexpr uint32_t anywhere = ~0u;
+  const ProgramInfo &program_;
+  const Reader &reader_;
+  const Dialect &dialect_;
+  bool isRead_ = false;
+  std::map<int64_t, uint32_t> last_; ///< by number: the last block that names it
+  uint32_t untold_ = 0;              ///< the last block of which it is not known what it names
+};
 
 class ProgramBlockNumberDuplicate final : public Rule {
 public:
@@ -22,6 +74,7 @@ private:
     const NumberedBlock *plain = nullptr, *plainFirst = nullptr;
     size_t others = 0;
     DataSections data(program, file.reader, ctx.dialect());
+    Namers namers(program, file.reader, ctx.dialect());
     for (size_t i = 1; i < numbers.size(); ++i) {
       if (numbers[i].number != numbers[i - 1].number)
         continue;
@@ -32,7 +85,7 @@ private:
       if (std::binary_search(file.usedNumbers.begin(), file.usedNumbers.end(), again.number)) {
         if (i > 1 && numbers[i - 2].number == again.number) // once for each number
           continue;
-        if (nextProfile_ && isOfCyclesBefore(first, program, file, ctx.dialect())) {
+        if (nextProfile_ && namers.areBefore(first)) {
           ++others;
           continue;
         }
@@ -86,34 +139,6 @@ private:
         return true;
     }
     return false;
-  }
-
-  /// Only cycles before the first of the two name the number: they have found the first.
-  static bool isOfCyclesBefore(const NumberedBlock &first, const ProgramInfo &program,
-                               const FileSummary &file, const Dialect &dialect) {
-    for (const Block &block : blocks(file.reader, program.body, program.end)) {
-      if (llvm::any_of(block.items, [](const Item &item) { return item.kind == ItemKind::Jump; }))
-        return false;
-      for (const char letter : {'P', 'Q'}) {
-        const Word *word = block.find(letter);
-        if (!word || (word->isNumber() && int64_t(word->value()) != first.number))
-          continue;
-        if (block.begin > first.offset ||
-            llvm::none_of(codesOf(dialect, block), [&](CodeIndex code) {
-              return readsProfile(dialect.codes[code], dialect);
-            }))
-          return false;
-      }
-    }
-    return true;
-  }
-
-  /// Whether the code, or a variant of it, works along blocks that two of its words name.
-  static bool readsProfile(const CodeInfo &code, const Dialect &dialect) {
-    return addressesOf(code, Role::ProfileFirst) ||
-           llvm::any_of(code.variants, [&](const auto &variant) {
-             return addressesOf(dialect.codes[variant.code], Role::ProfileFirst) != 0;
-           });
   }
 
   /// `:20` where that begins a phase of the program, which is found by a number of its own.

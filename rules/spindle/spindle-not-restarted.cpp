@@ -2,6 +2,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/lookahead.h"
 #include "analyzer/program/block_reading.h"
+#include "analyzer/program/project.h"
 #include "analyzer/rule/report_once.h"
 #include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
@@ -16,6 +17,7 @@ struct SpindleNotRestartedMemory {
   OncePerCause once;
   OncePerCause onceOfChange;
   Origin measured; ///< the call of the tool that was driven against something since
+  Aside<std::map<FileId, bool>> starts; ///< by file: it starts a spindle anywhere
 };
 
 class SpindleNotRestarted final : public StatefulRule<SpindleNotRestartedMemory> {
@@ -93,15 +95,27 @@ public:
 private:
   static constexpr llvm::StringLiteral id{"spindle-not-restarted"};
 
-  /// The file starts a spindle anywhere: others guide what needs none.
-  static bool startsSpindle(const RuleContext &ctx) {
-    const auto end = uint32_t(ctx.source().text().size());
-    for (const Block &block : blocks(ctx.index().reader(), 0, end))
-      for (const CodeIndex code : codesOf(ctx.dialect(), block))
-        if (const CodeInfo &info = ctx.dialect().codes[code];
-            info.action == Action::SpindleCw || info.action == Action::SpindleCcw ||
-            info.spindle == SpindleNeed::StartsItself)
-          return true;
+  /// The file, or one that has called it, starts a spindle anywhere: others guide what needs none.
+  bool startsSpindle(const RuleContext &ctx) const {
+    if (isStartedIn(ctx.unit(), ctx.dialect()))
+      return true;
+    for (const CallSite *caller = ctx.caller(); caller && caller->unit; caller = caller->before)
+      if (isStartedIn(*caller->unit, ctx.dialect()))
+        return true;
+    return false;
+  }
+
+  /// Looked up once for a file.
+  bool isStartedIn(const FileUnit &unit, const Dialect &dialect) const {
+    const auto [entry, fresh] = memory().starts.look().try_emplace(unit.source.id(), false);
+    if (!fresh)
+      return entry->second;
+    for (const Block &block : blocks(unit.index.reader()))
+      for (const CodeIndex code : codesOf(dialect, block))
+        if (const CodeInfo &info = dialect.codes[code]; info.action == Action::SpindleCw ||
+                                                        info.action == Action::SpindleCcw ||
+                                                        info.spindle == SpindleNeed::StartsItself)
+          return entry->second = true;
     return false;
   }
 
