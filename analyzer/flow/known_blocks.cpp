@@ -12,6 +12,7 @@ void takeNumbers(const Block &from, Block &to) {
   to.begin = from.begin;
   to.end = from.end;
   to.next = from.next;
+  to.plain = from.plain;
   to.number = from.number;
   to.numberBegin = from.numberBegin;
   to.numberEnd = from.numberEnd;

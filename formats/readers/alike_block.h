@@ -1,6 +1,7 @@
 // Reads a block that is spelled as the one before it, save for its numbers.
 #pragma once
 
+#include "formats/readers/block_layout.h"
 #include "formats/readers/block_scanner.h"
 
 #include <array>
@@ -160,7 +161,10 @@ private:
 template <bool (*Blank)(char), AlikeGrammar grammar, typename Find>
 bool readAlike(llvm::StringRef text, uint32_t offset, AddressMask free, Block &block,
                Find comment) {
+  if (readSameLayout(text, offset, free, block))
+    return true;
   AlikeCursor<Blank, grammar> cursor(text, offset);
+  block.plain = 0;
   block.begin = offset;
   cursor.skipBlanks();
   if (block.number >= 0) {
@@ -180,7 +184,10 @@ bool readAlike(llvm::StringRef text, uint32_t offset, AddressMask free, Block &b
       return false;
     block.end = block.comments[0].end;
   }
-  return cursor.readEnd(block);
+  if (!cursor.readEnd(block))
+    return false;
+  block.plain = free;
+  return true;
 }
 
 } // namespace ncvet

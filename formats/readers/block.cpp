@@ -1,19 +1,7 @@
 // A block of a part program in the one form that all readers produce.
 #include "formats/readers/block.h"
 
-#include <cmath>
-
 namespace ncvet {
-
-namespace {
-constexpr double powersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
-                                  1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
-} // namespace
-
-double Word::value() const {
-  // A division by an exact power of ten is rounded once: the value is the nearest double.
-  return decimals ? double(mantissa) / powersOfTen[decimals] : double(mantissa);
-}
 
 uint32_t Word::codeNumber() const {
   constexpr uint32_t none = 0xFFFFFF;
@@ -42,7 +30,7 @@ void Block::clear() {
   numberBegin = numberEnd = headerBegin = headerEnd = 0;
   nameBegin = nameEnd = labelBegin = labelEnd = 0;
   mainBlock = false;
-  addresses = repeated = pointed = pointless = 0;
+  addresses = repeated = pointed = pointless = plain = 0;
   words.clear();
   items.clear();
   arguments.clear();

@@ -34,6 +34,10 @@ enum class WordReading : uint8_t {
   RotaryNegative  ///< `ACN(..)`
 };
 
+/// By the decimals of a number.
+inline constexpr double powersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                         1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+
 /// Address and number. The number is exact: mantissa * 10^-decimals.
 struct Word {
   AddressId address = noAddress;
@@ -52,7 +56,10 @@ struct Word {
   }
   bool isWhole() const { return decimals == 0; }
   /// Value of a plain number.
-  double value() const;
+  double value() const {
+    // A division by an exact power of ten is rounded once: the value is the nearest double.
+    return decimals ? double(mantissa) / powersOfTen[decimals] : double(mantissa);
+  }
   /// Code number times ten (G84.2 is 842); larger than any code when it has more decimals.
   uint32_t codeNumber() const;
 };
@@ -314,6 +321,9 @@ struct Block {
   AddressMask repeated = 0;              ///< addresses that are more than once
   AddressMask pointed = 0;               ///< addresses of numbers with a decimal point
   AddressMask pointless = 0; ///< addresses of numbers other than 0 without a decimal point
+  /// Addresses of which it was found, when the block was read over another one, that each of their
+  /// words is a letter and a plain number; 0: it was not read so.
+  AddressMask plain = 0;
 
   llvm::SmallVector<Word, 16> words; ///< without the block number and the program header
   llvm::SmallVector<Item, 2> items;
