@@ -59,18 +59,45 @@ const Block *RuleContext::nextAlike() const {
 }
 
 const ArcWords &RuleContext::arcWords() const {
-  if (!arcWords_)
+  const KnownArcs::Entry *const entry = knownArcs_ ? knownArcs_->find(outcome_->known) : nullptr;
+  if (entry)
+    stateUse |= entry->wordsUse;
+  if (!arcWords_ && entry) {
+    arcWords_ = entry->words(*block_);
+  } else if (!arcWords_) {
+    const StateUse used = std::exchange(stateUse, StateUse());
     arcWords_ = ncvet::arcWords(*dialect_, *after_, *block_);
-  else // which of them means what, the plane has decided
+    if (outcome_->known) {
+      if (!knownArcs_)
+        knownArcs_ = std::make_unique<KnownArcs>();
+      knownArcs_->keep(outcome_->known, *block_, *arcWords_).wordsUse = stateUse;
+    }
+    stateUse |= used;
+  } else if (!entry) { // which of them means what, the plane has decided
     after_->active(*dialect_, StandardGroup::Plane);
+  }
   return *arcWords_;
 }
 
 const ArcGeometry &RuleContext::arc() const {
   if (std::exchange(centresOf_, unit_) != unit_)
     centres_ = arcCentresOf(*dialect_, *machine_);
-  if (!arc_)
-    arc_ = arcGeometry(arcWords(), *dialect_, *machine_, centres_, *block_, *before_, *after_);
+  if (arc_)
+    return *arc_;
+  const ArcWords &words = arcWords();
+  KnownArcs::Entry *const entry = knownArcs_ ? knownArcs_->find(outcome_->known) : nullptr;
+  if (entry && entry->hasGeometry) {
+    stateUse |= entry->geometryUse;
+    arc_ = entry->geometry(*block_, *before_, *after_);
+    return *arc_;
+  }
+  const StateUse used = std::exchange(stateUse, StateUse());
+  arc_ = arcGeometry(words, *dialect_, *machine_, centres_, *block_, *before_, *after_);
+  if (entry) {
+    KnownArcs::keepGeometry(*entry, *block_, *dialect_, *machine_, *before_, *after_, *arc_);
+    entry->geometryUse = stateUse;
+  }
+  stateUse |= used;
   return *arc_;
 }
 

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/call_site.h"
 #include "analyzer/program/program_index.h"
+#include "analyzer/rule/known_arcs.h"
 #include "analyzer/rule/rule_memory.h"
 #include "analyzer/rule/rule_table.h"
 #include "formats/finding/finding.h"
@@ -293,6 +294,7 @@ private:
   mutable std::optional<ArcGeometry> arc_;
   mutable const FileUnit *centresOf_ = nullptr; ///< for whose control and machine these are:
   mutable ArcCentres centres_ = ArcCentres::Incremental;
+  mutable std::unique_ptr<KnownArcs> knownArcs_; ///< made when an arc is asked for
   SourceRange flowRange_, flowRelated_;
 };
 

@@ -29,23 +29,31 @@ Interval wordValue(const Word &word, const Block &block, const MachineState &sta
   return value.kind == Value::Kind::Number ? value.number : Interval::unknown();
 }
 
-Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
-                  const MachineProfile &machine, const MachineState &state) {
-  const Interval result = assignedWordValue(word, block, state);
-  if (result.isUnknown() || dialect.addresses[word.address].unit != AddressUnit::Length)
-    return result;
+std::optional<double> lengthFactor(const Word &word, const Dialect &dialect,
+                                   const MachineProfile &machine, const MachineState &state) {
+  if (dialect.addresses[word.address].unit != AddressUnit::Length)
+    return 1;
   double factor = 1;
   const GroupIndex units = dialect.group(StandardGroup::Units);
   if (units != noGroup && state.group(units) != groupUnset) {
     const Action unit = state.activeAction(dialect, StandardGroup::Units);
     if (unit == Action::None)
-      return Interval::unknown();
+      return std::nullopt;
     factor = unit == Action::Inch ? millimetresPerInch : 1;
   }
   if (word.isNumber() && !word.has(wordPoint))
     if (const auto reading = machine.option("decimalPoint"); reading && *reading == "increment")
       factor *= leastIncrement;
-  return result * factor;
+  return factor;
+}
+
+Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,
+                  const MachineProfile &machine, const MachineState &state) {
+  const Interval result = assignedWordValue(word, block, state);
+  if (result.isUnknown() || dialect.addresses[word.address].unit != AddressUnit::Length)
+    return result;
+  const std::optional<double> factor = lengthFactor(word, dialect, machine, state);
+  return factor ? result * *factor : Interval::unknown();
 }
 
 } // namespace ncvet

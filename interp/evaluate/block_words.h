@@ -18,6 +18,11 @@ Truth givenBefore(const WordSpec &spec, const MachineState &state);
 /// Value of a word as written: a number, or an expression's value on the state.
 Interval wordValue(const Word &word, const Block &block, const MachineState &state);
 
+/// Millimetres per unit of the word's number, by the units in force and the profile's reading of
+/// numbers without a point; 1 for other values than lengths. None: that is not known.
+std::optional<double> lengthFactor(const Word &word, const Dialect &dialect,
+                                   const MachineProfile &machine, const MachineState &state);
+
 /// A length of the block in millimetres (other values as written), by the units in force and the
 /// profile's reading of numbers without a point.
 Interval lengthOf(const Word &word, const Block &block, const Dialect &dialect,

@@ -110,6 +110,8 @@ std::optional<double> radiusOfTool(const Dialect &dialect, const MachineProfile 
 
 std::optional<double> compensationRadius(const Dialect &dialect, const MachineProfile &machine,
                                          const MachineState &state) {
+  if (machine.tools.empty() && (dialect.toolRadius.variable.empty() || state.commons.empty()))
+    return std::nullopt; // nothing says it
   const auto radius = radiusOfTool(dialect, machine, state);
   const auto allowance = radius ? allowanceOf(dialect, state) : std::nullopt;
   return allowance ? std::optional(*radius + *allowance) : std::nullopt;

@@ -23,14 +23,13 @@ public:
     if (event.code == noCode || !event.certain || !ctx.codeWord(event) || !words.hasCentre() ||
         words.foreign || words.angle)
       return sleepInShape();
-    if (!isHalfATurnOrMore(event, ctx) || ctx.before().may(Fact::UnknownCode))
+    if (!isHalfATurnOrMore(event, ctx) || ctx.before().may(Fact::UnknownCode) ||
+        goesOnAhead(directionAtEnd(event, ctx.arc()), ctx))
       return;
     const auto arc = contourElementOf(executedBlock(ctx));
     if (!arc)
       return;
     const Vector begin = arc->direction(arc->from), end = arc->direction(arc->to);
-    if (goesOnAhead(end, ctx))
-      return;
     PathAhead ahead(ctx);
     if (!ahead.next())
       return;
@@ -66,6 +65,11 @@ private:
     const bool afterLine =
         ctx.before().activeAction(ctx.dialect(), StandardGroup::Motion) == Action::Linear;
     return half ? afterLine : sine < -little * scale;
+  }
+
+  static Vector directionAtEnd(const Event &event, const ArcGeometry &arc) {
+    return leftOf(*arc.end - *arc.centre()).normalized() *
+           (event.motion == MotionKind::ArcCw ? -1 : 1);
   }
 
   /// Whether the next block is a line or an arc that goes on from the arc without turning back: its
