@@ -31,14 +31,6 @@ bool readOn(const FileIndex &index, Block &block) {
   return readFrom(index, from, index.programAt(block.begin).end, block);
 }
 
-bool isFollowedByPlace(const RuleContext &ctx) {
-  const Block *const next = ctx.nextAlike();
-  if (!next || (next->addresses & ~ctx.dialect().axisWords))
-    return false;
-  ctx.index().noteRead(next->begin, next->next);
-  return true;
-}
-
 SourceRange wordsRange(FileId file, const Block &block) {
   SourceRange range{file, block.end, block.begin};
   for (const Word &word : block.words) {

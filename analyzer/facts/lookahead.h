@@ -10,10 +10,6 @@ namespace ncvet {
 /// `BlocksAhead` tells.
 bool readOn(const FileIndex &index, Block &block);
 
-/// Whether the next block of the text is known to be nothing but words of axes: it goes on with
-/// what is in force. False: it is another, or that is not known without reading it.
-bool isFollowedByPlace(const RuleContext &ctx);
-
 /// Reads the block with content that is before the current one; false at the program's
 /// begin.
 bool readPrevious(const RuleContext &ctx, Block &previous);

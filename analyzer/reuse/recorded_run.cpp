@@ -152,7 +152,7 @@ void StraightRun::join(const StraightRun &next, const MachineState &after,
   finish(both, before, after, plainAfter);
 }
 
-void StraightRun::move(const TextChange &change) {
+void StraightRun::move(const TextChange &change, Moved &moved) {
   if (from >= change.end) {
     RunPlace::move(change);
     from = change.moved(from);
@@ -167,7 +167,8 @@ void StraightRun::move(const TextChange &change) {
     }
   memory.move(change);
   for (const auto &[rule, what] : gathered)
-    what->move(change);
+    if (moved.insert(what.get()).second)
+      what->move(change);
 }
 
 bool StraightRun::stemsFrom(const TextChange &change) const {

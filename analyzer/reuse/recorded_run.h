@@ -5,6 +5,8 @@
 #include "analyzer/reuse/continuation_move.h"
 #include "analyzer/rule/rule.h"
 
+#include "llvm/ADT/DenseSet.h"
+
 namespace ncvet {
 
 /// A run of blocks that are executed one after the other, and in which no rule reported anything.
@@ -34,8 +36,10 @@ struct StraightRun : RunPlace {
   void carry(MachineState &state, PlainRun &plain) const;
   /// `next` begins where it ends, and has been taken over there: the two are one.
   void join(const StraightRun &next, const MachineState &after, const PlainRun &plainAfter);
-  /// What happens to it when text before it changes.
-  void move(const TextChange &change);
+  /// What is gathered once, runs and the longer ones that they became share.
+  using Moved = llvm::DenseSet<const Gathered *>;
+  /// What happens to it when text before it changes. `moved`: what was moved already.
+  void move(const TextChange &change, Moved &moved);
   /// Whether something that it looks at was set in the changed text.
   bool stemsFrom(const TextChange &change) const;
 

@@ -4,12 +4,15 @@
 namespace ncvet {
 
 void StraightRuns::edit(const TextChange &change) {
+  const bool moves = change.end != change.endAfter(); // else all places stay
+  StraightRun::Moved moved;
   // Text that is put in right at an end may belong to the block there.
   for (RunStore<StraightRun> *runs : {&straight, &stretches, &chains[0], &chains[1]})
     runs->edit([&](StraightRun &run) {
       if ((change.begin <= run.to && change.end >= run.from) || run.stemsFrom(change))
         return true;
-      run.move(change);
+      if (moves)
+        run.move(change, moved);
       return false;
     });
   const auto spoils = [&](RunPlace &run) {

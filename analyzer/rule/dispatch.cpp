@@ -2,7 +2,6 @@
 #include "analyzer/rule/dispatch.h"
 
 #include "analyzer/rule/block_shape.h"
-#include "analyzer/rule/sleep_in_stretch.h"
 
 #include "llvm/ADT/StringMap.h"
 #include "llvm/Support/MathExtras.h"
@@ -163,8 +162,13 @@ const Dispatcher::KnownModes *Dispatcher::toldAgain(const Outcome &outcome) cons
 
 void Dispatcher::tellAwake(const KnownModes &modes, const Outcome &outcome) {
   stateUse |= modes.asleepUse;
-  for (const auto &[event, listener] : modes.awake)
-    tellOne(outcome.events[event], listener);
+  bool isAsked = !context_.block().comments.empty(), inRow = false;
+  for (const Awake &one : modes.awake) {
+    if (one.sleepsInRow && !std::exchange(isAsked, true))
+      inRow = isFollowedByPlace(context_);
+    if (!one.sleepsInRow || !inRow)
+      tellOne(outcome.events[one.event], one.listener);
+  }
 }
 
 /// Tells those that have not said that blocks of this shape do not interest them; false: that is
@@ -255,10 +259,11 @@ void Dispatcher::tell(const Outcome &outcome, uint32_t event, llvm::ArrayRef<Lis
       continue;
     }
     const StateUse used = std::exchange(stateUse, StateUse());
-    if (sleepsInShape(outcome.events[event], listener))
+    const RuleSleep sleeps = sleepsInShape(outcome.events[event], listener);
+    if (sleeps != RuleSleep::No)
       finding_->asleepUse |= stateUse;
-    else
-      finding_->awake.push_back({event, listener});
+    if (sleeps != RuleSleep::InShape)
+      finding_->awake.push_back({event, listener, sleeps == RuleSleep::InRow});
     stateUse |= used;
   }
 }
@@ -271,16 +276,21 @@ void Dispatcher::tellOne(const Event &event, const Listener &listener) {
     context_.reportNotices(allRules()[listener.id].info.id, event);
 }
 
-/// Tells the rule; true: it has nothing to say of any such block, and it is known why.
-bool Dispatcher::sleepsInShape(const Event &event, const Listener &listener) {
+/// Tells the rule, which may have nothing to say of any such block, or of those of a row, while it
+/// is known why.
+RuleSleep Dispatcher::sleepsInShape(const Event &event, const Listener &listener) {
   const uint64_t reports = context_.collector_.reports();
   ruleSleep = RuleSleep::No;
   tellOne(event, listener);
   const RuleSleep said = std::exchange(ruleSleep, RuleSleep::No);
+  if (reports != context_.collector_.reports() || !coversModes(stateUse))
+    return RuleSleep::No;
+  if (said == RuleSleep::InRow)
+    return said;
   const bool sleeps =
       said == RuleSleep::InShape || (said == RuleSleep::AtBlock && findingPlace_) ||
       (!listener.rule && !asksNumbers(context_.code(event), allRules()[listener.id].info.id));
-  return sleeps && reports == context_.collector_.reports() && coversModes(stateUse);
+  return sleeps ? RuleSleep::InShape : RuleSleep::No;
 }
 
 /// A later block of a modal cycle may give variables anew that the cycle reads: what the table says
@@ -312,7 +322,7 @@ void Dispatcher::dispatchMove(FileUnit &unit, const Block &block, const Outcome 
   ruleSleep = RuleSleep::No;
   const size_t known = atStill_.size();
   for (size_t i = 0; i < awake_.size();) {
-    const auto &[event, listener] = awake_[i];
+    const auto &[event, listener, inRow] = awake_[i];
     context_.rule_ = listener.id;
     const StateUse used = std::exchange(stateUse, StateUse());
     listener.rule->on(outcome.events[event], context_);

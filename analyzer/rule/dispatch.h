@@ -3,7 +3,7 @@
 
 #include "analyzer/program/project.h"
 #include "analyzer/rule/collector.h"
-#include "analyzer/rule/rule.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 
 #include <memory>
 
@@ -88,6 +88,7 @@ private:
   struct Awake {
     uint32_t event;
     Listener listener;
+    bool sleepsInRow = false; ///< it is told of the last block of a row alone
   };
   /// What was found out of blocks of one shape in some modes.
   struct KnownModes {
@@ -119,7 +120,7 @@ private:
   void findOut(KnownShape &shape, const Outcome &outcome);
   void tellAll(const Outcome &outcome);
   void tellOne(const Event &event, const Listener &listener);
-  bool sleepsInShape(const Event &event, const Listener &listener);
+  RuleSleep sleepsInShape(const Event &event, const Listener &listener);
   void listenToKinds(const Listener &listener, const Subscriptions &subscriptions);
   /// The table has something to say of the `noticed` codes: what names the rule, is said when the
   /// code runs as a cycle, and with `report` when it is active.

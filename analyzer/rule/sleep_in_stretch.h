@@ -11,6 +11,7 @@ enum class RuleSleep : uint8_t {
   InStretch,   ///< until the stretch of blocks ends
   WhileMoving, ///< the same, but for moves that lead to where the tool is
   InShape,     ///< of any block of this shape in these modes
+  InRow,       ///< the same, of blocks without a comment that a place follows
   AtBlock      ///< of this block of the text in these modes
 };
 
@@ -33,8 +34,15 @@ inline void sleepWhileMoving() { ruleSleep = RuleSleep::WhileMoving; }
 /// no other block.
 inline void sleepInShape() { ruleSleep = RuleSleep::InShape; }
 
-/// The same of this block of the text alone, where texts decide too: that of the block, of others
-/// and of callers. It counts when the block is executed again.
+/// Whether the next block of the text is known to be nothing but words of axes: it goes on with
+/// what is in force. False: it is another, or that is not known without reading it.
+bool isFollowedByPlace(const RuleContext &ctx);
+
+/// The same of such blocks in a row: they have no comment, and `isFollowedByPlace` is true.
+inline void sleepInRow() { ruleSleep = RuleSleep::InRow; }
+
+/// As `sleepInShape`, of this block of the text alone, where texts decide too: that of the block,
+/// of others and of callers. It counts when the block is executed again.
 inline void sleepAtBlock() { ruleSleep = RuleSleep::AtBlock; }
 
 /// Whether a number of the block decides what the table has to say of a code for rule `id`.

@@ -3,8 +3,6 @@
 #include "analyzer/rule/gathering_rule.h"
 #include "interp/value/sum.h"
 
-#include "llvm/ADT/DenseMap.h"
-
 #include <cmath>
 
 namespace ncvet {
@@ -15,8 +13,12 @@ struct HolePlace {
   TextPlace list;       ///< where the list of holes begins
   unsigned depth = 0;
   uint64_t offset = 0;
-  std::array<double, axisCount> at{};
-  uint64_t key = 0; ///< of offset and position
+  std::array<double, axisCount> at; ///< 0 where it is not known, and along the tool
+  uint64_t key = 0;                 ///< of offset and position
+
+  bool isOfListOf(const HolePlace &other) const {
+    return depth == other.depth && list == other.list;
+  }
 };
 
 /// The holes of the list that is being run. Runs that add to them tell what they add.
@@ -27,34 +29,54 @@ public:
   }
   /// The first hole at that place; null: there is none.
   const HolePlace *find(const HolePlace &place) const {
-    const auto known = byKey_.find(place.key);
-    return known == byKey_.end() ? nullptr : &places_[known->second];
+    if (slots_.empty())
+      return nullptr;
+    const uint16_t at = slots_[slotOf(place)];
+    return at ? &places_[at - 1] : nullptr;
   }
   /// The hole that the same list has made there before; null: there is none.
   const HolePlace *add(const HolePlace &place) {
-    if (!continues(place)) {
-      places_.clear();
-      byKey_.clear();
-    }
+    if (!continues(place))
+      clear();
     depth_ = place.depth;
     list_ = place.list;
     if (places_.size() > longestList)
       return nullptr;
-    const auto [known, fresh] = byKey_.try_emplace(place.key, uint32_t(places_.size()));
-    if (fresh) {
-      places_.push_back(place);
-      return nullptr;
-    }
-    return &places_[known->second];
+    const size_t slot = slotOf(place);
+    if (const uint16_t at = slots_[slot])
+      return &places_[at - 1];
+    places_.push_back(place);
+    taken_.push_back(uint16_t(slot));
+    slots_[slot] = uint16_t(places_.size());
+    return nullptr;
   }
 
 private:
   static constexpr size_t longestList = 5000;
+  /// A power of two: a third of them is taken at most, so that the next free one is near.
+  static constexpr size_t slotCount = 1u << 14;
+
+  /// Where the hole at that place is, or would be.
+  size_t slotOf(const HolePlace &place) const {
+    size_t slot = place.key % slotCount;
+    while (slots_[slot] && places_[slots_[slot] - 1].key != place.key)
+      slot = (slot + 1) % slotCount;
+    return slot;
+  }
+  void clear() {
+    slots_.resize(slotCount);
+    for (const uint16_t slot : taken_)
+      slots_[slot] = 0;
+    taken_.clear();
+    places_.clear();
+  }
+
   /// The first hole at each place of the list that is being run.
   std::vector<HolePlace> places_;
-  llvm::DenseMap<uint64_t, uint32_t> byKey_;
-  unsigned depth_ = 0; ///< of the hole that was added last
-  TextPlace list_;     ///< the same
+  std::vector<uint16_t> slots_; ///< by key: index in `places_`, from 1; 0: none
+  std::vector<uint16_t> taken_; ///< those slots that hold one
+  unsigned depth_ = ~0u;        ///< of the hole that was added last
+  TextPlace list_;              ///< the same
 };
 
 struct CycleHoleDrilledTwiceMemory {
@@ -113,7 +135,12 @@ private:
       if (const HolePlace *known = list().find(place); known && known->block != place.block)
         return false;
     }
-    for (const HolePlace &place : holes)
+    // Of its lists the last one alone goes on.
+    const HolePlace &last = holes.back();
+    size_t first = holes.size() - 1;
+    while (first > 0 && holes[first - 1].isOfListOf(last))
+      --first;
+    for (const HolePlace &place : holes.drop_front(first))
       list().add(place);
     return true;
   }
@@ -192,12 +219,8 @@ private:
     const MachineState &state = ctx.after();
     const CodeInfo &code = ctx.code(event);
     const Axis tool = toolAxis(ctx.dialect(), state);
-    // A shifted, turned or mirrored system makes other places of the same numbers.
-    std::optional<Frame> frame;
-    if (!state.frames.empty())
-      frame = state.frames.total();
-    const bool isTransformed = state.transforms[0] || !state.frames.empty();
-    if (state.profile != ProfileMode::Off || (isTransformed && !frame))
+    const bool hasFrame = !state.frames.empty();
+    if (state.profile != ProfileMode::Off || (state.transforms[0] && !hasFrame))
       return false;
     HolePlace place;
     place.block = {ctx.source().id(), ctx.block().begin};
@@ -207,23 +230,14 @@ private:
     place.offset = state.active(ctx.dialect(), StandardGroup::WorkOffset);
     if (!position[0].isConstant())
       return false;
-    for (unsigned i = 0; i < axisCount; ++i)
-      if (i == unsigned(tool))
-        continue;
-      else if (position[i].isConstant())
-        place.at[i] = rounded(position[i].value());
-      else if (event.axes >> i & 1)
+    for (unsigned i = 0; i < axisCount; ++i) {
+      const bool isKnown = i != unsigned(tool) && position[i].isConstant();
+      if (!isKnown && i != unsigned(tool) && event.axes >> i & 1)
         return false;
-    if (frame) {
-      const Point3 turned = *frame * Point3{position[0], position[1], position[2]};
-      for (unsigned i = 0; i < turned.size(); ++i) {
-        if (i == unsigned(tool))
-          continue;
-        if (!turned[i].isConstant())
-          return false;
-        place.at[i] = rounded(turned[i].value());
-      }
+      place.at[i] = isKnown && position[i].value() != 0 ? rounded(position[i].value()) : 0;
     }
+    if (hasFrame && !putIntoFrame(place, position, tool, state))
+      return false;
     place.key = keyOf(place);
     note(place);
     const HolePlace *known = list().add(place);
@@ -243,14 +257,32 @@ private:
     return true;
   }
 
+  /// A shifted, turned or mirrored system makes other places of the same numbers; false: it is not
+  /// known which.
+  static bool putIntoFrame(HolePlace &place, const std::array<Interval, axisCount> &position,
+                           Axis tool, const MachineState &state) {
+    const std::optional<Frame> frame = state.frames.total();
+    if (!frame)
+      return false;
+    const Point3 turned = *frame * Point3{position[0], position[1], position[2]};
+    for (unsigned i = 0; i < turned.size(); ++i) {
+      if (i == unsigned(tool))
+        continue;
+      if (!turned[i].isConstant())
+        return false;
+      place.at[i] = rounded(turned[i].value());
+    }
+    return true;
+  }
+
   /// Where the list of holes begins: at the call of the cycle. One that is called again while it is
   /// in force goes on with its list.
   uint32_t listOf(const Event &event, const RuleContext &ctx) const {
     const Origin &call = ctx.after().origin.of(StatePart::Cycle);
     if (memory().recalled.known() && call == memory().recalled)
       return memory().recalledList.offset;
-    const CodeInfo *before = ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle);
-    if (!ctx.dialect().emptyBlocksRun || before != &ctx.code(event) || !ctx.codeWord(event))
+    if (!ctx.dialect().emptyBlocksRun || !ctx.codeWord(event) ||
+        ctx.before().activeCode(ctx.dialect(), StandardGroup::Cycle) != &ctx.code(event))
       return call.begin;
     const Origin &first = ctx.before().origin.of(StatePart::Cycle);
     if (!memory().recalled.known() || first != memory().recalled)
@@ -259,10 +291,10 @@ private:
     return memory().recalledList.offset;
   }
 
-  /// To a ten-thousandth of a millimetre: polar input and frames calculate.
+  /// In ten-thousandths of a millimetre, rounded: polar input and frames calculate.
   static double rounded(double value) {
     constexpr double parts = 1e4;
-    return std::round(value * parts) / parts + 0.0; // no minus zero
+    return std::round(value * parts) + 0.0; // no minus zero
   }
 
   static uint64_t keyOf(const HolePlace &place) {
@@ -272,7 +304,7 @@ private:
         sum.add(i);
         sum.add(llvm::bit_cast<uint64_t>(place.at[i]));
       }
-    return sum.get() & ~(uint64_t(1) << 63); // DenseMap keeps the two largest for itself
+    return sum.get();
   }
 };
 

@@ -3,6 +3,7 @@
 #include "analyzer/facts/cause_place.h"
 #include "analyzer/facts/ending_code.h"
 #include "analyzer/facts/lookahead.h"
+#include "analyzer/rule/sleep_in_stretch.h"
 #include "formats/dialect/control_facts.h"
 #include "interp/geometry/point.h"
 
@@ -157,6 +158,8 @@ private:
     }
     if (!event.axes || (event.axes & toolBit))
       return;
+    if (!ctx.dialect().isLathe() && ctx.block().comments.empty() && isFollowedByPlace(ctx))
+      return sleepInRow();
     const bool said = commentSaysAway(ctx);
     const bool notCancelled = endsWithoutCancel(ctx);
     if (said && notCancelled)

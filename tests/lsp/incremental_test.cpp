@@ -297,6 +297,21 @@ TEST(Incremental, AHoleIsMissedNowhere) {
   EXPECT_EQ(edited.difference(last), "");
 }
 
+/// Runs share the holes with the longer ones that they become: they move once with the text.
+TEST(Incremental, HolesMoveOnceWithTheText) {
+  std::string text = manyTimes("G98 G81 X0. Y0. Z-3. R2. F100.\n", 2000,
+                               [](unsigned i) { return at(i + 90) + "\n"; });
+  Edited edited("haas-mill", "/nowhere/O0001.nc");
+  for (unsigned check = 0; check < 3; ++check) // what is taken over makes chains
+    ASSERT_EQ(edited.difference(text), "");
+  for (unsigned edit = 0; edit < 4; ++edit) {
+    text.insert(text.find("G98 G81"), "(NOTE)\n");
+    ASSERT_EQ(edited.difference(text), "");
+  }
+  text.insert(text.rfind("G80"), at(95) + "\n" + at(1500) + "\n");
+  EXPECT_EQ(edited.difference(text), "");
+}
+
 TEST(Incremental, WhatIsAfterTheClosingMarkStaysUnread) {
   std::string text = "%\nO1\nM30\n";
   for (unsigned i = 0; i < 40; ++i)
