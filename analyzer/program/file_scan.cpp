@@ -1,6 +1,9 @@
 // Looks at every byte of a text, and at those that a change touches.
 #include "analyzer/program/file_scan.h"
 
+#include "formats/readers/plain_number.h"
+#include "formats/text/each_byte.h"
+
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 
@@ -30,25 +33,26 @@ void eachLine(const SourceFile &source, uint32_t begin, size_t end, bool lineFee
   const llvm::StringRef text = source.text();
   constexpr ptrdiff_t forgetStep = 4 << 20;
   const char *const base = text.data();
-  const char *at = base + begin;
   const char *const stop = base + end;
-  const char *forgotten = at;
-  while (at < stop) {
-    if (at - forgotten >= forgetStep) {
-      source.forget(uint32_t(at - base));
-      forgotten = at;
+  const char *line = base + begin;
+  const char *forgotten = line;
+  const auto look = [&] {
+    if (line - forgotten >= forgetStep) {
+      source.forget(uint32_t(line - base));
+      forgotten = line;
     }
-    const auto *next =
-        static_cast<const char *>(memchr(at, lineFeeds ? '\n' : '\r', size_t(stop - at)));
-    const char *content = at;
+    const char *content = line;
     while (content < stop && (*content == ' ' || *content == '\t' || *content == '\0'))
       ++content;
     if (content < stop)
-      visit(uint32_t(at - base), uint32_t(content - base));
-    if (!next)
-      break;
-    at = next + 1;
-  }
+      visit(uint32_t(line - base), uint32_t(content - base));
+  };
+  eachByte(line, stop, lineFeeds ? '\n' : '\r', [&](const char *next) {
+    look();
+    line = next + 1;
+  });
+  if (line < stop)
+    look();
 }
 
 class HeadsOf {
@@ -90,6 +94,8 @@ public:
     ++at;
     while (at < text_.size() && text_[at] == ' ')
       ++at;
+    if (const auto number = shortNumber(at))
+      return NumberedBlock{*number, line};
     int64_t number = 0;
     unsigned digits = 0;
     while (at < text_.size() && llvm::isDigit(text_[at]) && digits < 12) {
@@ -100,6 +106,20 @@ public:
   }
 
 private:
+  /// A number of one to seven digits, read at once; none: it is another.
+  std::optional<uint32_t> shortNumber(uint32_t at) const {
+    constexpr uint64_t each = 0x0101010101010101;
+    uint64_t bytes;
+    if (std::endian::native != std::endian::little || text_.size() - at < sizeof bytes)
+      return std::nullopt;
+    std::memcpy(&bytes, text_.data() + at, sizeof bytes);
+    bytes ^= each * '0';
+    // The highest bit of each byte that is no digit.
+    const uint64_t others = (((bytes & each * 0x7F) + each * 0x76) | bytes) & each * 0x80;
+    const unsigned size = others ? unsigned(std::countr_zero(others)) & ~7u : 0; // in bits
+    return size ? std::optional(eightDigits(bytes << (64 - size))) : std::nullopt;
+  }
+
   llvm::StringRef text_;
   bool mainBlocks_;
   std::array<bool, 256> mayBegin_{};

@@ -46,12 +46,17 @@ private:
       error = std::move(what);
     return false;
   }
+  /// A formula is asked for many tokens at each place.
+  void skipBlanks() {
+    if (!rest_.empty() && llvm::isSpace(rest_[0]))
+      rest_ = rest_.ltrim();
+  }
   bool take(llvm::StringRef token) {
-    rest_ = rest_.ltrim();
+    skipBlanks();
     return rest_.consume_front(token);
   }
   bool takeWord(llvm::StringRef word) {
-    rest_ = rest_.ltrim();
+    skipBlanks();
     if (!rest_.startswith(word) ||
         (rest_.size() > word.size() && isNameCharacter(rest_[word.size()])))
       return false;

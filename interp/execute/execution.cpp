@@ -205,6 +205,7 @@ std::optional<PlainMove> Execution::asPlainMove() const {
       move.steps.push_back({i, plainTarget(address, relative)});
   for (const CodeUse &use : outcome_.codes)
     move.restated.push_back({uint8_t(use.word - block_.words.begin()), info(use).group});
+  move.simple = simpleAxes(move.steps, block_, move.unit);
   return move;
 }
 

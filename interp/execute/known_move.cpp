@@ -3,6 +3,7 @@
 #include "interp/execute/known_move.h"
 
 #include "interp/evaluate/known_number.h"
+#include "interp/state/copy_motion.h"
 
 #include <cmath>
 
@@ -44,7 +45,9 @@ void KnownMove::make(const Block &block, FileId file, const MachineState &before
     state.fedFrom.forget();
   if (losesTool)
     state.at(tool) = Interval::unknown();
-  if (computes)
+  if (isSimple)
+    makeSimply(steps, block, state);
+  else if (computes)
     moveBy(numbers, block, state);
   else
     for (const PlainMove::Step &step : steps)
@@ -110,7 +113,7 @@ void KnownMove::drill(const Block &block, MachineState &state, Outcome &outcome,
 }
 
 void KnownMove::catchUp(const MachineState &after, MachineState &before) const {
-  static_cast<MotionState &>(before) = after;
+  copyMotion(before, after);
   for (const Place &place : places)
     before.origin.all()[place.part] = after.origin.all()[place.part];
   for (const Code &code : codes)

@@ -37,6 +37,7 @@ struct KnownMove {
   bool forgetsLevel = false; ///< from which the tool was fed down
   bool losesTool = false;    ///< where it is along its axis is not known before the move
   bool computes = false;     ///< expressions give some of the numbers
+  bool isSimple = false;     ///< see `simpleAxes`
   bool engages = false;      ///< compensation: what is noted of it depends on the way along X
   HoleEnd hole = HoleEnd::None;
   Axis tool = Axis::Z; ///< the axis along which it drills

@@ -248,6 +248,7 @@ std::optional<KnownMove> Execution::asKnownMove(const StateUse &use) const {
   move.radiusOffset = state_.radiusOffset.peek();
   move.engages = outcome_.kinds & bitOf(EventKind::CompensationMove);
   move.feed = state_.feed.peek();
+  move.isSimple = simpleAxes(move.steps, block_, move.unit) != 0;
   return move;
 }
 

@@ -9,10 +9,27 @@ void PlainMove::make(const Block &block, FileId file, const MachineState &before
     const Word &word = block.words[code.word];
     state.origin.setGroup(code.group, {file, word.offset, block.endOf(word)});
   }
-  for (const Step &step : steps)
-    step.target.move(block.words[step.word], unit, state);
+  if (simple) {
+    makeSimply(steps, block, state);
+    state.machineAxes &= ~simple;
+  } else {
+    for (const Step &step : steps)
+      step.target.move(block.words[step.word], unit, state);
+  }
   if (tracksDepth)
     trackDepth(before, state, isRapid);
+}
+
+uint32_t simpleAxes(llvm::ArrayRef<PlainMove::Step> steps, const Block &block, double unit) {
+  uint32_t axes = 0;
+  for (const auto &[word, target] : steps) {
+    if (block.words[word].has(wordExpression) || target.isHalved || target.isIncrement ||
+        (target.inIncrements && !block.words[word].has(wordPoint)) ||
+        (target.isLength && unit != 1))
+      return 0;
+    axes |= uint32_t(1) << unsigned(target.axis);
+  }
+  return axes;
 }
 
 void trackDepth(const MachineState &before, MachineState &state, bool isRapid) {

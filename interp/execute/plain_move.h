@@ -51,6 +51,7 @@ struct PlainMove {
   llvm::SmallVector<Step, 6> steps;
   llvm::SmallVector<Restated, 4> restated;
   double unit = 1;
+  uint32_t simple = 0; ///< bit per axis of `steps` where they are simple, see `simpleAxes`; 0: not
   bool isRapid = false;
   bool tracksDepth = false; ///< of a mill
 
@@ -64,6 +65,19 @@ struct PlainMove {
     });
   }
 };
+
+/// Bit per axis of the steps when each number is a coordinate as it is; 0: one of them counts
+/// otherwise, here or in a block that is spelled alike.
+uint32_t simpleAxes(llvm::ArrayRef<PlainMove::Step> steps, const Block &block, double unit);
+
+/// Makes simple steps, but for `MachineState::machineAxes`.
+inline void makeSimply(llvm::ArrayRef<PlainMove::Step> steps, const Block &block,
+                       MachineState &state) {
+  for (const PlainMove::Step &step : steps) {
+    Interval &position = state.at(step.target.axis);
+    position.lo = position.hi = block.words[step.word].value() + 0.0;
+  }
+}
 
 /// Keeps the level from which a mill's tool was fed in, and the area in which it has cut. The tool
 /// is along Z whatever the plane: arcs in G18 and G19 lead in and out.

@@ -13,6 +13,11 @@ public:
       return;
     const llvm::StringRef text = file.source.text();
     for (size_t begin = 0; begin < text.size();) {
+      // Lines that end within so many characters from here are short enough, each of them.
+      if (const size_t last = lastEnd(text, begin); last != llvm::StringRef::npos) {
+        begin = last + 1;
+        continue;
+      }
       size_t end = text.find('\n', begin);
       if (end == llvm::StringRef::npos)
         end = text.size();
@@ -28,6 +33,12 @@ public:
   }
 
 private:
+  /// The last line end in the characters from `begin` on that a line may have; npos: there is none.
+  size_t lastEnd(llvm::StringRef text, size_t begin) const {
+    const size_t end = text.substr(begin, most_ + 1).rfind('\n');
+    return end == llvm::StringRef::npos ? end : begin + end;
+  }
+
   size_t most_ = 0;
 };
 

@@ -90,6 +90,20 @@ TEST(LineIndexTest, LinesEndWithLfCrLfOrALoneCr) {
   EXPECT_EQ(lines.beginOfLine(4000000000u), 8u);
 }
 
+TEST(LineIndexTest, LinesAreCountedAsByteByByte) {
+  std::mt19937 dice(3);
+  for (unsigned turn = 0; turn < 200; ++turn) {
+    std::string text(dice() % 9000, ' ');
+    for (char &c : text)
+      c = "\n\r"[dice() % 2];
+    for (unsigned i = dice() % 9000; i > 0 && !text.empty(); --i)
+      text[dice() % text.size()] = 'X';
+    const LineIndex lines(text);
+    const size_t offset = text.empty() ? 0 : dice() % text.size();
+    EXPECT_EQ(lines.lineOf(uint32_t(offset)), slowLineOf(text, uint32_t(offset)));
+  }
+}
+
 TEST(LineIndexTest, AFinalLineEndBeginsAnEmptyLastLine) {
   const LineIndex lines("G0 X1\n");
   EXPECT_EQ(lines.lineOf(6), 2u);
