@@ -11,7 +11,7 @@
 namespace ncvet {
 
 /// Remembers the spellings of blocks of one text that were met more than once, and what such blocks
-/// do in the modes in which they were executed. Belongs to one run of a region.
+/// do in the modes in which they were executed. Belongs to one run of a region at a time.
 class KnownBlocks final : public TextAhead {
 public:
   /// A spelling, and the block that was read in it last.
@@ -39,6 +39,11 @@ public:
   /// `free`: the words whose numbers may be any.
   KnownBlocks(const QuickReader &reader, AddressMask free) : reader_(reader), free_(free) {}
 
+  /// What comes next is not what came after the block before.
+  void start() {
+    last_ = nullptr;
+    peekedAt_ = ~0u;
+  }
   /// Reads the block at `offset` where it is spelled as one that came after such a block as the one
   /// before; null: it is not.
   Spelling *read(uint32_t offset);

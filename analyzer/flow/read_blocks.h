@@ -44,8 +44,8 @@ public:
   const Block &at(const FileUnit &unit, uint32_t offset, Block &own) {
     const uint64_t key = keyOf(unit, offset);
     const auto known = blocks_.find(key);
-    if (known != blocks_.end() && known->second)
-      return known->second->block;
+    if (known != blocks_.end() && known->second.kept)
+      return known->second.kept->block;
     unit.reader->read(offset, own);
     if (known == blocks_.end()) {
       if (blocks_.size() < mostBlocks)
@@ -53,13 +53,40 @@ public:
       return own;
     }
     if (isShort(own))
-      known->second = std::make_unique<KeptBlock>(own);
+      known->second.kept = std::make_unique<KeptBlock>(own);
     return own;
+  }
+  /// Whether a block of a called program has been executed so seldom that what others of its
+  /// spelling do says more of it than what it did itself. It is executed once more now.
+  bool isSeldom(const FileUnit &unit, uint32_t offset) {
+    const uint64_t key = keyOf(unit, offset);
+    auto known = blocks_.find(key);
+    if (known == blocks_.end()) {
+      if (blocks_.size() >= mostBlocks)
+        return true;
+      known = blocks_.try_emplace(key).first;
+    }
+    return !known->second.kept && ++known->second.times <= seldom;
   }
   /// The same, where it is kept; null: it is not.
   KeptBlock *find(const FileUnit &unit, uint32_t offset) const {
     const auto known = blocks_.find(keyOf(unit, offset));
-    return known == blocks_.end() ? nullptr : known->second.get();
+    return known == blocks_.end() ? nullptr : known->second.kept.get();
+  }
+  /// Spellings of the blocks of called programs in a file, for the time of a run of one of them.
+  /// Null: there are none yet that nobody else has.
+  std::unique_ptr<KnownBlocks> borrow(const FileUnit &unit) {
+    const auto spare = llvm::find_if(spare_, [&](const auto &one) { return one.first == &unit; });
+    if (spare == spare_.end())
+      return nullptr;
+    std::unique_ptr<KnownBlocks> known = std::move(spare->second);
+    spare_.erase(spare);
+    known->start();
+    return known;
+  }
+  void giveBack(const FileUnit &unit, std::unique_ptr<KnownBlocks> known) {
+    if (spare_.size() < mostSpare)
+      spare_.emplace_back(&unit, std::move(known));
   }
   /// Whether it is to be found out once more what the block does.
   bool mayLearn(KeptBlock &kept) {
@@ -68,8 +95,17 @@ public:
   }
 
 private:
+  struct Entry {
+    std::unique_ptr<KeptBlock> kept;
+    unsigned times = 0; ///< see `isSeldom`
+  };
+
   /// Loops and subprograms of more blocks are seldom executed often.
   static constexpr size_t mostBlocks = 1u << 13;
+  /// Executions of one block.
+  static constexpr unsigned seldom = 3;
+  /// Some hundred kilobytes each: programs call one another some deep.
+  static constexpr size_t mostSpare = 8;
   /// Parts of a block that is kept: with the number of blocks it bounds the memory, some 16 MiB.
   static constexpr size_t mostParts = 64;
   /// What is called some times is seldom called often.
@@ -88,7 +124,8 @@ private:
            mostParts;
   }
 
-  llvm::DenseMap<uint64_t, std::unique_ptr<KeptBlock>> blocks_; ///< by file and offset
+  llvm::DenseMap<uint64_t, Entry> blocks_; ///< by file and offset
+  std::vector<std::pair<const FileUnit *, std::unique_ptr<KnownBlocks>>> spare_;
   size_t learned_ = 0; ///< times that something was found out, or was to be
 };
 

@@ -2,6 +2,7 @@
 // numbers, where the modes are the same. It is what the general way in region_run.cpp does.
 #include "analyzer/flow/region_run.h"
 #include "interp/execute/make_known_move.h"
+#include "interp/state/copy_motion.h"
 #include "interp/state/modes_number.h"
 
 namespace ncvet {
@@ -16,6 +17,21 @@ constexpr unsigned hopeless = 8;
 /// Whether the block at `at_` is neither executed again nor of a program that is called.
 bool RegionRun::isStraight() const { return at_ >= activation_.high && run_.callStack.empty(); }
 
+/// Whether the block at `at_` is looked at by its spelling: it is not executed again, or seldom, in
+/// a program of the file that is called.
+bool RegionRun::readsBySpelling() {
+  if (isStraight())
+    return true;
+  const bool mayBe =
+      at_ >= activation_.high && quick_ && !run_.inFull && &unit_ == &run_.unit &&
+      (region_.kind == RegionKind::Subprogram || region_.kind == RegionKind::LocalSubprogram);
+  if (!mayBe)
+    return false;
+  if (std::exchange(askedAt_, at_) != at_)
+    seldom_ = run_.readBlocks.isSeldom(unit_, at_);
+  return seldom_;
+}
+
 /// Reads the next block of the text, which is executed for the first time.
 void RegionRun::readStraight() {
   kept_ = nullptr;
@@ -24,6 +40,8 @@ void RegionRun::readStraight() {
     block_ = pattern_ = &own_;
     return;
   }
+  if (!known_ && !run_.callStack.empty())
+    known_ = run_.readBlocks.borrow(unit_);
   if (!known_)
     known_ = std::make_unique<KnownBlocks>(*quick_, knownCoordinates(*unit_.dialect));
   if (std::exchange(spelled_, ~0u) != at_)
@@ -38,10 +56,11 @@ void RegionRun::readStraight() {
 /// Blocks one after the other of which it is known what they do. False: there is none, at least not
 /// here.
 bool RegionRun::goOnAsKnown() {
-  if (!modes_ || !known_ || run_.inFull || run_.listeners.watchArrivals() || !isStraight())
+  if (!modes_ || !known_ || run_.inFull || run_.listeners.watchArrivals())
     return false;
   const uint32_t first = at_;
-  while (!run_.stopped && goesStraight() && !takeOver()) {
+  const bool isMain = isStraight();
+  while (!run_.stopped && goesStraight() && (isMain || readsBySpelling()) && !takeOver()) {
     KnownBlocks::Known *const known = knownHere();
     if (!known && !spelling_ && passEmptyLines())
       continue;
@@ -63,7 +82,7 @@ KnownBlocks::Known *RegionRun::knownHere() {
   kept_ = nullptr;
   if (!spelling_ || spelling_->refused >= hopeless)
     return nullptr;
-  KnownBlocks::Known *const known = known_->find(*spelling_, modes_);
+  KnownBlocks::Known *const known = known_->find(*spelling_, modesHere());
   if (!known)
     return nullptr;
   spelled_ = ~0u;
@@ -99,7 +118,7 @@ void RegionRun::keepBefore(const MachineState &state) {
 
 /// The same after a block that has changed no modes.
 void RegionRun::keepMotion(const MachineState &state) {
-  static_cast<MotionState &>(before_) = state;
+  copyMotion(before_, state);
   for (const CodeUse &use : outcome_->codes) { // which it has named though they were in force
     const GroupIndex group = unit_.dialect->codes[use.code].group;
     before_.origin.all()[group] = state.origin.all()[group];
@@ -126,7 +145,7 @@ bool RegionRun::doAsKnown(Live &live) {
   }
   if (!modes_)
     modes_ = modesNumber(*unit_.dialect, live.state);
-  KnownBlocks::Known *const known = known_->find(*spelling_, modes_);
+  KnownBlocks::Known *const known = known_->find(*spelling_, modesHere());
   if (known)
     make(*known, live);
   return known;
@@ -146,7 +165,7 @@ void RegionRun::make(KnownBlocks::Known &known, Live &live) {
 /// The block was executed in full, in `modes_`: finds out what others like it do.
 void RegionRun::learn(Live &live) {
   const uint64_t modes = std::exchange(modes_, 0);
-  if (!known_->meetsAgain(*spelling_, modes))
+  if (!known_->meetsAgain(*spelling_, modes ^ caller_))
     return;
   if (!masks_)
     masks_.emplace(*unit_.dialect, unit_.machine);
@@ -156,7 +175,7 @@ void RegionRun::learn(Live &live) {
     ++spelling_->refused;
     return;
   }
-  KnownBlocks::Known &known = known_->add(*spelling_, modes);
+  KnownBlocks::Known &known = known_->add(*spelling_, modes ^ caller_);
   known.move = std::move(*move);
   known.outcome = *outcome_;
   known.use = blockUse_;

@@ -50,7 +50,16 @@ RegionRun::RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives 
                      KnownRuns known, const std::atomic<bool> *cancel)
     : run_(run), flow_(flow), region_(region), unit_(region.unit), cancel_(cancel),
       quick_(run.quickReader(unit_)), activation_(region), recorder_(known.recorder),
-      replay_(known.replay), lives_(std::move(entry)), at_(region.start) {}
+      replay_(known.replay), lives_(std::move(entry)), at_(region.start) {
+  constexpr uint64_t spread = 0x9E3779B97F4A7C15;
+  if (const CallSite *caller = region.caller)
+    caller_ = (uint64_t(caller->depth) << 1 | uint64_t(caller->macro)) * spread;
+}
+
+RegionRun::~RegionRun() {
+  if (known_ && !run_.callStack.empty())
+    run_.readBlocks.giveBack(unit_, std::move(known_));
+}
 
 Exits RegionRun::execute() {
   const CrashPlace place(unit_.source, at_);
@@ -130,7 +139,7 @@ void RegionRun::runOut() {
 
 /// Reads the next block; false: the analysis was cancelled.
 bool RegionRun::read() {
-  if (isStraight()) {
+  if (readsBySpelling()) {
     readStraight();
   } else { // may be executed often
     kept_ = run_.readBlocks.find(unit_, at_);
@@ -141,14 +150,20 @@ bool RegionRun::read() {
   return noteRead();
 }
 
-/// Goes over lines that are nothing but blanks and comments; false: there is none here.
-bool RegionRun::passEmptyLines() {
-  if (!quick_ || run_.inFull)
-    return false;
+/// Up to where no other state comes to a block, and nothing ends.
+uint32_t RegionRun::straightLimit() const {
   uint32_t limit = std::min(region_.program.end, activation_.pending.next());
   for (const uint32_t mark : {region_.stopAt, region_.lastBlock})
     if (mark >= at_)
       limit = std::min(limit, mark);
+  return limit;
+}
+
+/// Goes over lines that are nothing but blanks and comments; false: there is none here.
+bool RegionRun::passEmptyLines() {
+  if (!quick_ || run_.inFull)
+    return false;
+  const uint32_t limit = straightLimit();
   const EmptyLines empty = limit > at_ ? quick_->emptyLines(at_, limit) : EmptyLines();
   if (!empty.count)
     return false;
@@ -210,28 +225,32 @@ bool RegionRun::passOver() {
 
 /// Counts the block, and what the one before it has cost besides; false: there has been too much.
 bool RegionRun::spend() {
-  const uint64_t budget = run_.limits.repeatedBlocks;
   const uint64_t besides = std::exchange(workDone, 0);
-  uint64_t work = besides + workOf(*block_) * lives_.size();
-  if (firstTime_ && region_.depth() == 0 && region_.kind == RegionKind::Main) {
-    ++run_.blocks;
-    work = besides > usualWork ? besides : 0;
-  }
-  run_.repeated += work;
-  if (work && run_.repeated > budget) {
-    if (!run_.abstract)
-      run_.cut(blockRange(), "loops and calls were too long to be run to the end");
-    run_.abstract = true;
-    if (run_.repeated > 2 * budget) {
-      run_.stopped = true;
-      return false;
-    }
-  }
+  const bool isFirst = firstTime_ && region_.depth() == 0 && region_.kind == RegionKind::Main;
+  run_.blocks += isFirst;
+  if (!isFirst && !spend(besides + workOf(*block_) * lives_.size()))
+    return false;
+  if (isFirst && besides > usualWork && !spend(besides))
+    return false;
   activation_.executedAny |= !onlyDefines(*block_);
   activation_.lastBegin = block_->begin;
   activation_.lastEnd = block_->end;
   next_ = block_->tapeInside ? region_.program.end : block_->next;
   return true;
+}
+
+/// Counts so much work, in plain moves.
+bool RegionRun::spend(uint64_t work) {
+  const uint64_t budget = run_.limits.repeatedBlocks;
+  run_.repeated += work;
+  if (!work || run_.repeated <= budget)
+    return true;
+  if (!run_.abstract)
+    run_.cut(blockRange(), "loops and calls were too long to be run to the end");
+  run_.abstract = true;
+  if (run_.repeated > 2 * budget)
+    run_.stopped = true;
+  return !run_.stopped;
 }
 
 /// Block skip: the operator's switch decides, once for all blocks of a level.

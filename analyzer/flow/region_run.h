@@ -27,6 +27,7 @@ class RegionRun {
 public:
   RegionRun(FlowRun &run, BlockFlow &flow, const Region &region, Lives entry, KnownRuns known,
             const std::atomic<bool> *cancel);
+  ~RegionRun();
 
   /// The states that leave the region.
   Exits execute();
@@ -48,6 +49,8 @@ private:
            at_ != region_.stopAt && at_ != region_.lastBlock && at_ < region_.program.end;
   }
   bool isStraight() const;
+  bool readsBySpelling();
+  uint64_t modesHere() const { return modes_ ^ caller_; }
   bool goOnAsKnown();
   void goOnAsKnownOnce(KnownBlocks::Known &known);
   KnownBlocks::Known *knownHere();
@@ -84,6 +87,8 @@ private:
   bool passOver();
   bool passEmptyLines();
   bool spend();
+  bool spend(uint64_t work);
+  uint32_t straightLimit() const;
   void decideSkip();
   void announce();
   void decide();
@@ -148,7 +153,10 @@ private:
   uint64_t written_ = 0;       ///< key of that variable; 0: none
   Value value_;                ///< and what it was given
   KnownMove::Numbers numbers_; ///< of a move whose words are computed; kept for its storage
-  uint64_t callers_ = 0;       ///< a number for the calls that lead here; 0: it is not made out
+  uint64_t caller_ = 0;    ///< a number for how deep the region is called, and whether as a macro
+  uint32_t askedAt_ = ~0u; ///< for which block it was found out whether it is `seldom_`
+  bool seldom_ = false;    ///< see `ReadBlocks::isSeldom`
+  uint64_t callers_ = 0;   ///< a number for the calls that lead here; 0: it is not made out
   PlainRun plainRun_;
   unsigned repeats_ = 0; ///< blocks of the stretch that were told to all although they went on
   StateUse blockUse_;    ///< what executing the block has looked at

@@ -58,8 +58,12 @@ bool RegionRun::nobodyIsTold() const {
 
 /// As `goOnInStretch` where nobody is told of the blocks, but perhaps of those that lead nowhere.
 void RegionRun::goOnUntold(Live &live) {
+  if (!mayGoOn())
+    return;
+  // What else `mayGoOn` asks changes in none of these blocks.
+  const uint32_t limit = straightLimit();
   const bool wantStill = run_.listeners.wantStill();
-  while (!run_.stopped && mayGoOn() && readOver() && noteRead() && spend()) {
+  while (!run_.stopped && at_ < limit && readOver() && noteRead() && spend()) {
     keepBefore(live.state);
     done_ = nullptr;
     move_->make(*block_, unit_.source.id(), before_, live.state);

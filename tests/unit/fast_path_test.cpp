@@ -201,8 +201,32 @@ std::string randomRows(unsigned seed) {
   return text + "M30\n%\n";
 }
 
+/// Such rows in programs that are called, one time or several, from the main program, from one
+/// another and as macros.
+std::string randomCalls(unsigned seed) {
+  std::mt19937 dice(seed);
+  const auto one = [&](std::initializer_list<const char *> list) {
+    return std::string(list.begin()[dice() % list.size()]);
+  };
+  const auto rows = [&](unsigned number) {
+    const std::string whole = randomRows(number);
+    const size_t begin = whole.find("G0 X0.");
+    return whole.substr(begin, whole.find("M30") - begin);
+  };
+  std::string text = "%\nO1000\nG21 G17 G90 G94 G40 G49 G80\nT1 M6\nG54 S1000 M3\nF200.\n";
+  for (unsigned call = dice() % 8 + 2; call > 0; --call)
+    text +=
+        one({"M98 P2000\n", "M98 P2000\n", "M98 P3000\n", "M98 P2000 L2\n", "G65 P2000 A1.\n"}) +
+        one({"", "", "G91\n", "G90\n", "G18\n", "G41 D1 X1. Y1.\n", "G40 X0.\n", "X5.\n"});
+  return text + "M30\nO2000\n" + rows(seed) + "M99\nO3000\n" + rows(seed + 1) + "M98 P2000\n" +
+         rows(seed) + "M99\n%\n";
+}
+
 std::vector<Sample> randomPrograms() {
   std::vector<Sample> all;
+  for (unsigned seed = 0; seed < 60; ++seed)
+    for (const char *dialect : {"fanuc-0m", "haas-mill"})
+      all.push_back({dialect, "calls " + std::to_string(seed), randomCalls(seed), ""});
   for (unsigned seed = 0; seed < 120; ++seed)
     for (const char *dialect : {"fanuc-0m", "haas-mill", "nct-104m", "linuxcnc", "fanuc-mill"})
       if (seed % 5 == 0 || std::string(dialect) == "haas-mill")
