@@ -59,9 +59,11 @@ void DebugChannel::handle(llvm::StringRef body) {
   if (!answered) {
     const std::string why = llvm::toString(answered.takeError());
     response["message"] = why;
-    response["body"] = {
-        {"error",
-         {{"id", 1}, {"format", "{why}"}, {"variables", {{"why", why}}}, {"showUser", true}}}};
+    response["body"] = {{"error",
+                         {{"id", 1},
+                          {"format", "{why}"},
+                          {"variables", {{"why", why}}},
+                          {"showUser", why != notStopped}}}};
     later_.clear();
   } else if (!answered->is_null()) {
     response["body"] = std::move(*answered);

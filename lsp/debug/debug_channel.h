@@ -15,6 +15,9 @@ namespace ncvet::dap {
 
 using Json = nlohmann::json;
 
+/// The text of an error that no user is told of: the client may ask again when the program waits.
+inline constexpr llvm::StringLiteral notStopped = "notStopped";
+
 /// Binds commands to functions. `handle` belongs to one thread; events may be sent from any.
 class DebugChannel {
 public:

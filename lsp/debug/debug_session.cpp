@@ -250,7 +250,7 @@ llvm::Error DebugSession::needStop() const {
   if (!run_)
     return failure("no program runs");
   if (!run_->isStopped())
-    return failure("the program runs: it shows its state while it is stopped");
+    return failure(notStopped.str()); // an editor asks late, when the user has gone on
   return llvm::Error::success();
 }
 

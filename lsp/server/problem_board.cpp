@@ -83,11 +83,16 @@ void ProblemBoard::take(std::shared_ptr<const CheckResult> result) {
   auto &kept = results_[path];
   if (kept == result)
     return;
+  // What was found in a text that is the same is another where other files are: who asks for the
+  // documents that it changes does not know that.
+  const bool isSameText = kept && kept->document.text.bytes == result->document.text.bytes;
+  const std::string before = isSameText ? collect(path) : std::string();
   if (kept)
     note(*kept);
   kept = std::move(result);
+  const bool isNews = isSameText && collect(path) != before;
   for (const std::string &file : changed)
-    send(file, file == path);
+    send(file, file == path && !isNews);
 }
 
 std::string ProblemBoard::diagnostics(const std::string &path) {

@@ -5,6 +5,8 @@
 
 #include "gtest/gtest.h"
 
+#include <set>
+
 namespace {
 
 using namespace ncvet;
@@ -128,6 +130,29 @@ TEST(PullDiagnostics, AreAskedForAgainWhenTheControlIsAnother) {
   client.notify("textDocument/didClose", {{"textDocument", documentOf(path)}});
   client.open(path, text, "ncvet-fanuc-mill");
   client.reply(client.serverRequest("workspace/diagnostic/refresh"), nullptr);
+}
+
+TEST(PullDiagnostics, AreAskedForAgainWhenAFileThatIsCalledIsThere) {
+  Shop shop;
+  const std::string path = (shop.path() / "O0001.nc").string();
+  LanguageClient client;
+  client.initialize(pulling, {{"dialect", "fanuc-mill"}});
+  client.open(path, "%\nO0001\nM98 P20\nM30\n%\n");
+  const auto rules = [&] {
+    const Json report =
+        client.request("textDocument/diagnostic", {{"textDocument", documentOf(path)}});
+    std::set<std::string> all;
+    for (const Json &one : report["items"])
+      all.insert(one["code"]);
+    return all;
+  };
+  EXPECT_TRUE(rules().count("flow-undefined-subprogram"));
+  shop.file("O0020.nc", "%\nO0020\nG00 X1.\nM99\n%\n");
+  client.notify(
+      "workspace/didChangeWatchedFiles",
+      {{"changes", {{{"uri", "file://" + (shop.path() / "O0020.nc").string()}, {"type", 1}}}}});
+  client.reply(client.serverRequest("workspace/diagnostic/refresh"), nullptr);
+  EXPECT_FALSE(rules().count("flow-undefined-subprogram"));
 }
 
 class BrokenConfiguration : public testing::Test {

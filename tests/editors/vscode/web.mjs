@@ -8,7 +8,7 @@ import { drilling } from './steps.mjs';
 const plan = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
 const editor = new Editor(plan.folder, plan.modules);
 fs.mkdirSync(plan.pictures, { recursive: true });
-editor.settings({ 'workbench.startupEditor': 'none', 'security.workspace.trust.enabled': false, 'telemetry.telemetryLevel': 'off' });
+editor.settings({ 'workbench.startupEditor': 'none', 'security.workspace.trust.enabled': false, 'telemetry.telemetryLevel': 'off', 'files.autoSave': 'off' });
 editor.write('O0100.nc', drilling.map((line) => line.replace('N60 X30.', 'N60 M98 P0200')));
 editor.write('O0200.nc', ['%', 'O0200 (SUB)', 'N10 X20. Y20.', 'N20 T2 M06', 'N30 M99', '%']);
 
