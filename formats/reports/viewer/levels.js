@@ -146,7 +146,7 @@ class Levels {
     });
   }
 
-  /** Whether a piece is one of those that stand for so many: neighbours are not left out by turns. */
+  /** Whether a piece is drawn, one of so many. Which ones has no pattern that the eye would see. */
   isShown(piece, sparse) {
     return sparse === 1 || (Math.imul(piece, 0x9e3779b1) >>> 16) % sparse === 0;
   }

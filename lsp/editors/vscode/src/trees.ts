@@ -21,6 +21,7 @@ abstract class ProgramTree implements vscode.TreeDataProvider<Row> {
   private readonly changed = new vscode.EventEmitter<void>();
   readonly onDidChangeTreeData = this.changed.event;
   private timer: NodeJS.Timeout | undefined;
+  private asked = 0; // when rows were asked for last
   protected document: vscode.TextDocument | undefined;
 
   abstract rows(document: vscode.TextDocument): Promise<Row[]> | Row[];
@@ -36,10 +37,19 @@ abstract class ProgramTree implements vscode.TreeDataProvider<Row> {
 
   renew(): void {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.changed.fire(), waitForTyping);
+    this.timer = setTimeout(() => {
+      // The editor asks for the rows below those that it just got: those that are made anew meanwhile it does not know, and
+      // it shows nothing below them.
+      if (Date.now() - this.asked < waitForTyping) {
+        this.renew();
+      } else {
+        this.changed.fire();
+      }
+    }, waitForTyping);
   }
 
   async getChildren(row?: Row): Promise<Row[]> {
+    this.asked = Date.now();
     if (row) {
       return (await row.below?.()) ?? [];
     }
