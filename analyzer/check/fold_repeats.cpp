@@ -37,7 +37,9 @@ void fold(const std::vector<Finding *> &group, RepeatedFindings repeated) {
       llvm::append_range(first.fix->edits, further->fix->edits);
     further->message.clear(); // taken out by the caller
   }
-  first.message += formatted("; {0} more times in this file", group.size() - 1);
+  const size_t others = group.size() - 1;
+  first.message +=
+      others == 1 ? "; once more in this file" : formatted("; {0} more times in this file", others);
   if (repeated == RepeatedFindings::Many)
     first.message += ": the whole text is made so";
 }

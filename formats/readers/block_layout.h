@@ -75,7 +75,8 @@ inline bool readDigits(const char *letter, Word &word) {
 }
 
 /// As `readAlike`, of a block that was read over another one, and whose line has the bytes of the
-/// one at `offset` but for digits. False, with the pattern as it was: it is another.
+/// one at `offset` but for digits. False: it is another; `block` may have some of its numbers then,
+/// and is the same pattern still.
 inline bool readSameLayout(llvm::StringRef text, uint32_t offset, AddressMask free, Block &block) {
   constexpr unsigned mostDigits = 8;
   const uint32_t length = block.next - block.begin;

@@ -93,6 +93,13 @@ TEST(WholeText, AnUnknownCodeIsToldOnce) {
   EXPECT_EQ(1u, messagesOf("block-unknown-m-code", "linuxcnc", text).size());
 }
 
+TEST(WholeText, TheSameMistakeIsToldWithItsCount) {
+  const auto all = messagesOf("feed-not-positive", "linuxcnc",
+                              "G21 G17 G90\nS1000 M3\nG1 X1 F0\nX2 F0\nX3 F100\nM2\n");
+  ASSERT_EQ(1u, all.size());
+  EXPECT_NE(std::string::npos, all[0].find("; once more in this file")) << all[0];
+}
+
 TEST(WholeText, ACodeOfANewerVersionIsToldOnce) {
   const std::string curve = "G21 G17 G90\nF200\nG0 X0 Y0\nG6.2 X1 Y1 K0 P3\nX2 Y3 K0\nX4 Y0 K0\n"
                             "G6.2 K1\nG6.2 K1\nM2\n";
